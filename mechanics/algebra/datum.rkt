@@ -1,0 +1,59 @@
+#lang racket/base
+;; Writing S-expressions within bounds.
+;;
+;; What an expression prints as is an S-expression whose pairs may be shared;
+;; its text can be exponentially longer than it.  So the writer stops after
+;; `print-limit` atoms and says how many it left out, counting them on the
+;; shared pairs.  Symbols are written without quotes or bars they do not need.
+
+(provide print-limit write-datum datum->text datum-size)
+
+;; The greatest number of atoms written for one value; #f for no bound.
+(define print-limit
+  (make-parameter 2000
+                  (lambda (n)
+                    (unless (or (not n) (exact-positive-integer? n))
+                      (raise-argument-error 'print-limit
+                                            "(or/c exact-positive-integer? #f)" n))
+                    n)))
+
+(define (datum->text d)
+  (define port (open-output-string))
+  (write-datum d port)
+  (get-output-string port))
+
+(define (write-datum d port)
+  (define size (make-sizer))
+  (define budget (or (print-limit) +inf.0))
+  (define (atom! x)
+    (set! budget (- budget 1))
+    (write x port))
+  (define (item! x)
+    (if (pair? x) (list! x) (atom! x)))
+  (define (list! xs)
+    (write-string "(" port)
+    (let loop ([xs xs] [first? #t])
+      (cond [(null? xs) (void)]
+            [(and (<= budget 0) (not first?))
+             (write-string (format " ...~a more" (size xs)) port)]
+            [else
+             (unless first? (write-string " " port))
+             (item! (car xs))
+             (loop (cdr xs) #f)]))
+    (write-string ")" port))
+  (item! d))
+
+;; How many atoms a datum has, written out.
+(define (datum-size d) ((make-sizer) d))
+
+(define (make-sizer)
+  (define sizes (make-hasheq))
+  (define (size d)
+    (cond [(pair? d)
+           (or (hash-ref sizes d #f)
+               (let ([n (+ (size (car d)) (size (cdr d)))])
+                 (hash-set! sizes d n)
+                 n))]
+          [(null? d) 0]
+          [else 1]))
+  size)
