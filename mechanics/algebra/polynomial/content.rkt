@@ -1,0 +1,43 @@
+#lang racket/base
+;; Content: the numeric and the monomial factor every term shares.
+
+(require "ring.rkt" "arithmetic.rkt")
+
+(provide poly-content poly-primitive poly-monomial-content
+         common-monomial)
+
+;; The positive rational c for which p/c has coprime integer coefficients: the
+;; gcd of the numerators over the lcm of the denominators; 0 for zero.
+(define (poly-content p)
+  (let loop ([p p] [numerators 0] [denominators 1])
+    (cond [(null? p) (/ numerators denominators)]
+          [(and (eq? numerators 1) (andmap integral? p)) (/ 1 denominators)]
+          [else
+           (define c (cdar p))
+           (loop (cdr p)
+                 (gcd numerators (numerator c))
+                 (if (integer? c) denominators (lcm denominators (denominator c))))])))
+
+(define (integral? t) (integer? (cdr t)))
+
+;; -> content primitive.  The content bears the sign, so that the primitive
+;; part has a positive leading coefficient and p = content · primitive.
+(define (poly-primitive R p)
+  (cond [(null? p) (values 0 '())]
+        [else
+         (define size (poly-content p))
+         (define content (if (negative? (cdar p)) (- size) size))
+         (values content
+                 (if (eqv? content 1) p (poly-scale R (/ 1 content) p)))]))
+
+;; The exponents of the greatest monomial that divides p.
+(define (poly-monomial-content R p)
+  (monomial-exponents R (common-monomial R p)))
+
+(define (common-monomial R p)
+  (if (null? p)
+      0
+      (let loop ([m (caar p)] [p (cdr p)])
+        (if (or (null? p) (eq? m 0))
+            m
+            (loop (monomial-gcd R m (caar p)) (cdr p))))))

@@ -1,0 +1,28 @@
+#lang racket/base
+;; Sparse polynomials in many variables over the rationals.
+;;
+;; Every operation takes its ring first; operands must belong to that ring.  A
+;; result whose total degree would pass the ring's bound raises
+;; exn:algebra:degree-overflow.
+
+(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "evaluate.rkt"
+         "division.rkt" "content.rkt" "gcd.rkt" "square-free.rkt")
+
+(provide
+ ;; rings
+ make-ring ring? ring-size ring-max-degree (struct-out exn:algebra:degree-overflow)
+ ;; making
+ poly-constant poly-variable poly-monomial
+ ;; asking
+ poly-zero? poly-constant? poly-constant-value poly=? poly-hash poly-term-count
+ poly-degree poly-total-degree poly-variables poly-leading-coefficient
+ poly-terms poly-for-each-term
+ ;; arithmetic
+ poly+ poly- poly-negate poly* poly-scale poly-expt poly-sum poly-divide
+ ;; divisors
+ poly-gcd poly-gcd* poly-content poly-primitive poly-monomial-content
+ poly-square-free
+ ;; along one variable
+ poly-coefficients poly-from-coefficients poly-derivative poly-substitute
+ ;; values
+ poly-evaluate poly-evaluate-mod)
