@@ -1,0 +1,167 @@
+#lang racket/base
+;; Literal functions: functions of which only the name and the shape are known.
+;;
+;; Applied to plain values, a literal function gives the expression `(f x)`;
+;; applied to dual numbers it obeys the chain rule, its partial derivatives
+;; being further literal functions.  One whose range is a structure is that
+;; structure of literal functions: `f^0 f^1` when up, `f_0 f_1` when down.
+
+(require "dual.rkt"
+         "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt"
+         "../value/signature.rkt"
+         "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/datum.rkt")
+
+(provide literal-function literal-function?
+         literal-up literal-down literal-number)
+
+(define kind:unknown
+  (make-kind #:rank rank:function
+             #:describe (lambda (f) (format "a literal function ~a" (signature->text f)))
+             #:datum (lambda (f) (head->datum (unknown-head f)))
+             #:arity (lambda (f)
+                       (arithmetic-shift 1 (length (signature-domain (unknown-signature f)))))))
+
+(struct unknown (head signature)
+  #:authentic
+  #:property prop:kind kind:unknown
+  #:property prop:procedure
+  (case-lambda
+    [(f x) (if (eq? (unknown-signature f) default-signature)
+               (apply-to-scalar f x)
+               (apply-unknown f (list x)))]
+    [(f . args) (apply-unknown f args)])
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write (lambda (f port mode) (write-value f port))
+  #:property prop:equal+hash
+  (list (lambda (f g recur) (head=? (unknown-head f) (unknown-head g)))
+        (lambda (f recur) (head-hash (unknown-head f)))
+        (lambda (f recur) (head-hash (unknown-head f)))))
+
+(define (literal-function? x) (unknown? x))
+(define (signature->text f) (datum->text (signature-datum (unknown-signature f))))
+
+;; (literal-function 'f), or with a signature such as (-> (UP Real Real) Real).
+(define (literal-function name [signature-datum #f])
+  (unless (symbol? name)
+    (raise-argument-error 'literal-function "a quoted name, such as 'f" name))
+  (if signature-datum
+      (let ([s (parse-signature signature-datum)])
+        (literal-of-range name s (signature-range s)))
+      (unknown (make-literal-head name) default-signature)))
+
+(define (literal-of-range name s range)
+  (if (structure? range)
+      (name-components name range (lambda (n shape) (literal-of-range n s shape)))
+      (unknown (make-literal-head name) s)))
+
+;; The structure like `shape` whose components are (make component-name part).
+(define (name-components name shape make)
+  (define mark (if (up? shape) "^" "_"))
+  (same-orientation
+   shape
+   (for/vector ([part (in-vector (structure-elements shape))] [i (in-naturals)])
+     (make (string->symbol (format "~a~a~a" name mark i)) part))))
+
+(define (literal-up name n) (literal-tuple 'literal-up up name n))
+(define (literal-down name n) (literal-tuple 'literal-down down name n))
+
+(define (literal-tuple who make name n)
+  (unless (symbol? name) (raise-argument-error who "a quoted name, such as 'x" name))
+  (unless (exact-nonnegative-integer? n)
+    (raise-argument-error who "a number of components" n))
+  (name-components name (apply make (for/list ([_ (in-range n)]) 'Real))
+                   (lambda (component shape) component)))
+
+(define (literal-number name)
+  (unless (symbol? name) (raise-argument-error 'literal-number "a quoted name, such as 'm" name))
+  name)
+
+;; ---------------------------------------------------------------------------
+;; Application
+
+;; The common case, a function of one real variable.
+(define (apply-to-scalar f x)
+  (cond [(expression? x) (e:application (unknown-head f) (list x))]
+        [(dual? x) (apply-head (unknown-head f) (list x))]
+        [else (raise-misfit f (list x))]))
+
+(define (apply-unknown f args)
+  (define domain (signature-domain (unknown-signature f)))
+  (unless (and (= (length domain) (length args))
+               (andmap shape-fits? domain args))
+    (raise-misfit f args))
+  (apply-head (unknown-head f) args))
+
+;; f(x + x' ε) = f(x) + Σ ∂f/∂xᵢ(x) xᵢ' ε, over the scalars xᵢ of the arguments.
+(define (apply-head head args)
+  (define leaves (argument-leaves args))
+  (define tag
+    (for/fold ([tag #f]) ([leaf (in-list leaves)] #:when (dual? (cdr leaf)))
+      (if tag (max tag (dual-tag (cdr leaf))) (dual-tag (cdr leaf)))))
+  (cond [(not tag) (e:application head (map value->expression args))]
+        [else
+         (define point
+           (for/list ([a (in-list args)])
+             (map-leaves (lambda (x) (primal-part x tag)) a)))
+         (make-dual
+          tag
+          (apply-head head point)
+          (for*/fold ([sum 0])
+                     ([leaf (in-list leaves)]
+                      [t (in-value (tangent-part (cdr leaf) tag))]
+                      #:unless (eqv? t 0))
+            (g:+ sum (g:* (apply-head (literal-head-derivative head (car leaf)) point) t))))]))
+
+;; The scalars of the arguments, each with the path that `partial` takes to it.
+(define (argument-leaves args)
+  (define (walk x path leaves)
+    (if (tuple? x)
+        (for/fold ([leaves leaves])
+                  ([e (in-vector (structure-elements (adopt x)))] [i (in-naturals)])
+          (walk e (cons i path) leaves))
+        (cons (cons (reverse path) x) leaves)))
+  (if (null? (cdr args))
+      (walk (car args) '() '())
+      (for/fold ([leaves '()]) ([a (in-list args)] [i (in-naturals)])
+        (walk a (list i) leaves))))
+
+(define (value->expression x)
+  (if (tuple? x)
+      (let ([s (adopt x)])
+        (make-node (if (up? s) op:up op:down)
+                   (for/list ([e (in-vector (structure-elements s))])
+                     (value->expression e))))
+      x))
+
+;; ---------------------------------------------------------------------------
+;; Errors
+
+(define (raise-misfit f args)
+  (define domain (signature-domain (unknown-signature f)))
+  (define name (value->text f))
+  (raise
+   (exn:fail:contract
+    (if (= (length domain) (length args))
+        (let ([slot (for/first ([shape (in-list domain)] [a (in-list args)] [i (in-naturals)]
+                                #:unless (shape-fits? shape a))
+                      i)])
+          (format "~a: was declared ~a; slot ~a got ~a, ~a~a"
+                  name (signature->text f) slot
+                  (value->text (list-ref args slot)) (describe (list-ref args slot))
+                  (remedy (list-ref domain slot) (list-ref args slot))))
+        (format "~a: was declared ~a, which takes ~a argument~a; given ~a: ~a"
+                name (signature->text f) (length domain)
+                (if (= (length domain) 1) "" "s")
+                (length args) (value->text args)))
+    (current-continuation-marks))))
+
+(define (remedy shape x)
+  (cond [(pair? x) "\n  a list is not a tuple; use (up x y ...)"]
+        [(and (eq? shape 'Real) (tuple? x))
+         (format "\n  a signature such as (-> ~a Real) declares a function of tuples"
+                 (datum->text (shape->datum (shape-of x))))]
+        [else ""]))
+
+(define (shape-of x)
+  (if (tuple? x) (structure-map shape-of (adopt x)) 'Real))

@@ -1,0 +1,118 @@
+#lang racket/base
+;; The four operations, generic.
+;;
+;; Each is first asked of two flonums or two numbers, which costs a test; all
+;; else goes through `dispatch-binary`.  Next to every operation stands the
+;; record of it that kinds see, with its partial derivatives: these receive the
+;; arguments and the operation's value there.
+
+(require racket/flonum
+         "kind.rkt" "structure.rkt" "dispatch.rkt"
+         "../algebra/operation.rkt" "../algebra/expression.rkt")
+
+(provide g:+ g:- g:* g:/ g:square g:cube g:negate g:invert
+         arithmetic-operations)
+
+;; ---------------------------------------------------------------------------
+;; Sums
+
+(define (add a b)
+  (cond [(and (flonum? a) (flonum? b)) (fl+ a b)]
+        [(and (number? a) (number? b)) (+ a b)]
+        [else (dispatch-binary generic:+ e:+ add-structures a b)]))
+
+(define (add-structures a b)
+  (cond [(eqv? a 0) b]
+        [(eqv? b 0) a]
+        [else (structure-add add a b (lambda () (raise-inapplicable generic:+ a b)))]))
+
+(define g:+
+  (case-lambda
+    [(a b) (add a b)]
+    [() 0]
+    [(a) (add a 0)]
+    [(a b . more) (for/fold ([sum (add a b)]) ([x (in-list more)]) (add sum x))]))
+
+(define generic:+
+  (generic-op '+ op:+ g:+ (list (lambda (a b v) 1) (lambda (a b v) 1))))
+
+(define (subtract a b)
+  (cond [(and (flonum? a) (flonum? b)) (fl- a b)]
+        [(and (number? a) (number? b)) (- a b)]
+        [else (dispatch-binary generic:- e:- subtract-structures a b)]))
+
+(define (subtract-structures a b)
+  (cond [(eqv? a 0) (multiply -1 b)]
+        [(eqv? b 0) a]
+        [else (structure-add subtract a b
+                             (lambda () (raise-inapplicable generic:- a b)))]))
+
+(define g:-
+  (case-lambda
+    [(a b) (subtract a b)]
+    [(a) (if (number? a) (- a) (multiply -1 a))]
+    [(a b . more) (for/fold ([d (subtract a b)]) ([x (in-list more)]) (subtract d x))]))
+
+(define (g:negate a) (g:- a))
+
+(define generic:-
+  (generic-op '- op:- g:- (list (lambda (a b v) 1) (lambda (a b v) -1))))
+
+;; ---------------------------------------------------------------------------
+;; Products
+
+(define (multiply a b)
+  (cond [(and (flonum? a) (flonum? b)) (fl* a b)]
+        [(and (number? a) (number? b)) (* a b)]
+        [else (dispatch-binary generic:* e:* multiply-structures a b)]))
+
+(define (multiply-structures a b) (structure-multiply add multiply a b))
+
+(define g:*
+  (case-lambda
+    [(a b) (multiply a b)]
+    [() 1]
+    [(a) (multiply 1 a)]
+    [(a b . more) (for/fold ([p (multiply a b)]) ([x (in-list more)]) (multiply p x))]))
+
+(define generic:*
+  (generic-op '* op:* g:* (list (lambda (a b v) b) (lambda (a b v) a))))
+
+;; The square of a tuple is the sum of the squares of its components (SICM
+;; p. 519): a scalar, unlike (* v v), which is the outer product.
+(define (g:square a)
+  (cond [(flonum? a) (fl* a a)]
+        [(tuple? a)
+         (for/fold ([sum 0]) ([x (in-vector (structure-elements (adopt a)))])
+           (add sum (g:square x)))]
+        [else (multiply a a)]))
+
+(define (g:cube a) (multiply a (g:square a)))
+
+;; ---------------------------------------------------------------------------
+;; Quotients
+
+(define (divide a b)
+  (cond [(and (flonum? a) (flonum? b)) (fl/ a b)]
+        [(and (number? a) (number? b)) (/ a b)]
+        [else (dispatch-binary generic:/ e:/ divide-structures a b)]))
+
+(define (divide-structures a b)
+  (if (tuple? b)
+      (raise-inapplicable generic:/ a b)
+      (structure-map (lambda (x) (divide x b)) (adopt a))))
+
+(define g:/
+  (case-lambda
+    [(a b) (divide a b)]
+    [(a) (divide 1 a)]
+    [(a b . more) (for/fold ([q (divide a b)]) ([x (in-list more)]) (divide q x))]))
+
+(define (g:invert a) (divide 1 a))
+
+(define generic:/
+  (generic-op '/ op:/ g:/
+              (list (lambda (a b v) (divide 1 b))
+                    (lambda (a b v) (g:- (divide v b))))))
+
+(define arithmetic-operations (list generic:+ generic:- generic:* generic:/))

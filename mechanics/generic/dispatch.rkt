@@ -1,0 +1,91 @@
+#lang racket/base
+;; From a generic operation and its arguments to the code that knows them.
+;;
+;; Numbers never come here; the operations ask for them first.  The argument of
+;; highest rank decides: expressions are the algebra's, functions combine
+;; pointwise, structures follow the rule each operation hands in, and every
+;; other kind brings its own methods.
+
+(require "kind.rkt" "structure.rkt" "function.rkt" "describe.rkt"
+         "../algebra/expression.rkt")
+
+(provide dispatch-unary dispatch-binary raise-inapplicable raise-unary-arity)
+
+(define (rank x)
+  (cond [(has-kind? x) (kind-rank (kind-of x))]
+        [(or (symbolic? x) (number? x)) rank:scalar]
+        [(vector? x) rank:structure]
+        [(procedure? x) rank:function]
+        [else #f]))
+
+(define (dispatch-unary op x)
+  (define r (rank x))
+  (cond [(not r) (raise-inapplicable op x)]
+        [(eqv? r rank:scalar) (e:apply (generic-op-operation op) x)]
+        [(eqv? r rank:function) (compose-unary op x)]
+        [else (define method (and (has-kind? x) (kind-unary (kind-of x))))
+              (if method (method op x) (raise-inapplicable op x))]))
+
+;; symbolic : combines two expressions.
+;; structural : combines two values of which one is a structure.
+(define (dispatch-binary op symbolic structural a b)
+  (define ra (rank a))
+  (define rb (rank b))
+  (cond [(not (and ra rb)) (raise-inapplicable op a b)]
+        [else
+         (define r (if (> ra rb) ra rb))
+         (cond [(eqv? r rank:scalar) (symbolic a b)]
+               [(eqv? r rank:structure) (structural a b)]
+               [(eqv? r rank:function) (combine-functions op a b)]
+               [else ((kind-binary (kind-of (if (eqv? ra r) a b))) op a b)])]))
+
+;; ---------------------------------------------------------------------------
+;; Errors
+
+(define verbs
+  #hasheq((+ . "add") (- . "subtract") (* . "multiply") (/ . "divide")
+          (expt . "raise to a power")))
+
+(define (raise-inapplicable op . args)
+  (define name (generic-op-name op))
+  (raise (exn:fail:contract
+          (string-append
+           (headline name args)
+           (apply string-append
+                  (for/list ([a (in-list args)] [i (in-naturals 1)])
+                    (format "\n  argument ~a: ~a" i (describe-with-value a))))
+           (hint args))
+          (current-continuation-marks))))
+
+(define (headline name args)
+  (define kinds (map describe args))
+  (cond [(null? (cdr args)) (format "~a: cannot be taken of ~a" name (car kinds))]
+        [(hash-ref verbs name #f)
+         => (lambda (verb) (format "~a: cannot ~a ~a and ~a" name verb (car kinds) (cadr kinds)))]
+        [else (format "~a: cannot be taken of ~a and ~a" name (car kinds) (cadr kinds))]))
+
+(define (hint args)
+  (cond [(ormap pair? args)
+         "\n  a list is not a tuple; use (up x y ...)"]
+        [(and (pair? (cdr args)) (ormap tuple? args) (andmap tuple? args)
+              (not (= (structure-length (adopt (car args)))
+                      (structure-length (adopt (cadr args))))))
+         "\n  their lengths differ"]
+        [else ""]))
+
+(define (raise-unary-arity name args)
+  (raise (exn:fail:contract:arity
+          (format "~a: expected 1 argument, given ~a~a~a"
+                  name (length args) (if (null? args) "" ": ")
+                  (join (map describe-short args)))
+          (current-continuation-marks))))
+
+(define (describe-short x)
+  (if (and (procedure? x) (not (has-kind? x)))
+      (describe-with-value x)
+      (value->text x)))
+
+(define (join strings)
+  (cond [(null? strings) ""]
+        [else (apply string-append (car strings)
+                     (for/list ([s (in-list (cdr strings))]) (string-append ", " s)))]))

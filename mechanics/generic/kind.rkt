@@ -1,0 +1,47 @@
+#lang racket/base
+;; Kinds of value: what the generic operations ask of a value that is not a
+;; number.
+;;
+;; A struct type joins the arithmetic by carrying `prop:kind`, a record of a
+;; few primitives; everything else is derived from them once.  When two kinds
+;; meet, the one of higher rank decides: a number times a tuple is the tuple's
+;; affair, a tuple plus a function the function's.
+
+(provide
+ (struct-out kind) make-kind prop:kind has-kind? kind-of
+ (struct-out generic-op)
+ rank:scalar rank:dual rank:matrix rank:structure rank:series rank:function rank:operator)
+
+;; rank      : where it stands when kinds meet
+;; describe  : value -> string, as error messages name it ("an up tuple of 2")
+;; datum     : value -> the S-expression it prints as
+;; map       : (leaf -> leaf) value -> value of the same shape; #f for a leaf
+;; unary     : generic-op value -> value
+;; binary    : generic-op value value -> value; one of the two is of this kind
+;; comparand : value -> the value that comparisons look at, or #f
+;; zero?     : value -> boolean
+;; arity     : value -> arity mask, for kinds of function; #f: the procedure's own
+(struct kind (rank describe datum map unary binary comparand zero? arity)
+  #:authentic)
+
+(define (make-kind #:rank rank #:describe describe #:datum datum
+                   #:map [map #f] #:unary [unary #f] #:binary [binary #f]
+                   #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
+                   #:arity [arity #f])
+  (kind rank describe datum map unary binary comparand zero? arity))
+
+(define-values (prop:kind has-kind? kind-of) (make-struct-type-property 'kind))
+
+(define rank:scalar 0)
+(define rank:dual 1)
+(define rank:matrix 2)
+(define rank:structure 3)
+(define rank:series 4)
+(define rank:function 5)
+(define rank:operator 6)
+
+;; A generic operation as kinds see it: its name, the operation that heads
+;; symbolic expressions, the generic procedure itself, and its partial
+;; derivatives, one generic procedure for each argument.
+(struct generic-op (name operation procedure partials)
+  #:authentic)

@@ -1,0 +1,173 @@
+#lang racket/base
+;; Structures: up tuples and down tuples, nested to any depth (SICM p. 513).
+;;
+;; One struct with an orientation.  A Racket vector is read as an up tuple
+;; wherever a structure is expected.  This file knows the data and what tensor
+;; arithmetic means; the scalar `+` and `*` it needs are passed in, so that it
+;; stands below the generic arithmetic that uses it.
+
+(require "kind.rkt" "describe.rkt")
+
+(provide
+ ;; data
+ structure structure? structure-orientation structure-elements
+ up down up? down? tuple? adopt vector->up vector->down
+ same-orientation flip-orientation structure-length
+ structure-map structure-map2 compatible?
+ ;; arithmetic over a given ring
+ structure-add structure-multiply contractible?)
+
+;; ---------------------------------------------------------------------------
+;; Data
+
+(define (write-structure s port mode) (write-value s port))
+
+(define kind:structure
+  (make-kind
+   #:rank rank:structure
+   #:describe (lambda (s)
+                (format "~a ~a tuple of ~a"
+                        (if (eq? (structure-orientation s) 'up) "an" "a")
+                        (structure-orientation s) (structure-length s)))
+   #:datum (lambda (s)
+             (cons (structure-orientation s)
+                   (for/list ([x (in-vector (structure-elements s))])
+                     (value->datum x))))
+   #:map (lambda (f s)
+           (structure (structure-orientation s)
+                      (vector-map (lambda (x) (map-leaves f x))
+                                  (structure-elements s))))))
+
+;; orientation : 'up or 'down.  elements : a vector nobody else may change.
+(struct structure (orientation elements)
+  #:authentic
+  #:property prop:kind kind:structure
+  #:property prop:procedure
+  (case-lambda
+    [(s x) (structure-map (lambda (f) ((applicable f s (list x)) x)) s)]
+    [(s . xs) (structure-map (lambda (f) (apply (applicable f s xs) xs)) s)])
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write write-structure
+  #:property prop:sequence (lambda (s) (in-vector (structure-elements s)))
+  #:property prop:equal+hash
+  (list (lambda (a b recur)
+          (and (eq? (structure-orientation a) (structure-orientation b))
+               (recur (structure-elements a) (structure-elements b))))
+        (lambda (s recur) (hash-structure s recur))
+        (lambda (s recur) (hash-structure s recur))))
+
+(define (hash-structure s recur)
+  (+ (if (eq? (structure-orientation s) 'up) 1 2)
+     (recur (structure-elements s))))
+
+(define (applicable f s args)
+  (if (procedure? f)
+      f
+      (raise (exn:fail:contract
+              (format "application: a tuple applies its components to the arguments, but the component ~a of ~a is not a function"
+                      (value->text f) (value->text s))
+              (current-continuation-marks)))))
+
+(define up
+  (case-lambda
+    [(a b) (structure 'up (vector a b))]
+    [(a b c) (structure 'up (vector a b c))]
+    [xs (structure 'up (list->vector xs))]))
+(define (down . xs) (structure 'down (list->vector xs)))
+
+(define (tuple? x) (or (structure? x) (vector? x)))
+(define (up? x)
+  (or (vector? x) (and (structure? x) (eq? (structure-orientation x) 'up))))
+(define (down? x)
+  (and (structure? x) (eq? (structure-orientation x) 'down)))
+
+(define (vector->up v) (structure 'up (vector-copy v)))
+(define (vector->down v) (structure 'down (vector-copy v)))
+
+;; A structure from a structure or a Racket vector.
+(define (adopt x) (if (structure? x) x (vector->up x)))
+
+(define (structure-length s) (vector-length (structure-elements s)))
+(define (flip-orientation o) (if (eq? o 'up) 'down 'up))
+(define (same-orientation s elements) (structure (structure-orientation s) elements))
+
+(define (vector-copy v)
+  (define n (vector-length v))
+  (define new (make-vector n))
+  (vector-copy! new 0 v)
+  new)
+
+(define (vector-map f v)
+  (define n (vector-length v))
+  (define new (make-vector n))
+  (let loop ([i 0])
+    (when (< i n)
+      (vector-set! new i (f (vector-ref v i)))
+      (loop (add1 i))))
+  new)
+
+(define (vector-map2 f v w)
+  (define n (vector-length v))
+  (define new (make-vector n))
+  (let loop ([i 0])
+    (when (< i n)
+      (vector-set! new i (f (vector-ref v i) (vector-ref w i)))
+      (loop (add1 i))))
+  new)
+
+(define (structure-map f s)
+  (same-orientation s (vector-map f (structure-elements s))))
+
+(define (structure-map2 f s t)
+  (same-orientation s (vector-map2 f (structure-elements s) (structure-elements t))))
+
+;; May a and b be added componentwise, looking at their outer shape only?
+(define (compatible? a b)
+  (and (eq? (structure-orientation a) (structure-orientation b))
+       (= (structure-length a) (structure-length b))))
+
+;; ---------------------------------------------------------------------------
+;; Arithmetic
+
+;; The componentwise sum or difference; `complain` is called without arguments
+;; where shapes differ.
+(define (structure-add add a b complain)
+  (if (and (tuple? a) (tuple? b))
+      (let ([s (adopt a)] [t (adopt b)])
+        (if (compatible? s t) (structure-map2 add s t) (complain)))
+      (complain)))
+
+;; Two tuples contract when they are of opposite orientation and equal length
+;; and each pair of components contracts too or has a component that is no
+;; tuple; the product is then the sum of the products of components.
+;; Otherwise each component of the right one is multiplied by the left one
+;; (SICM p. 515).
+(define (structure-multiply add multiply a b)
+  (cond [(not (tuple? a)) (structure-map (lambda (y) (multiply a y)) (adopt b))]
+        [(not (tuple? b)) (structure-map (lambda (x) (multiply x b)) (adopt a))]
+        [else
+         (define s (adopt a))
+         (define t (adopt b))
+         (if (contractible? s t)
+             (contract add multiply s t)
+             (structure-map (lambda (y) (multiply s y)) t))]))
+
+(define (contractible? s t)
+  (and (not (eq? (structure-orientation s) (structure-orientation t)))
+       (= (structure-length s) (structure-length t))
+       (for/and ([x (in-vector (structure-elements s))]
+                 [y (in-vector (structure-elements t))])
+         (or (not (tuple? x)) (not (tuple? y))
+             (contractible? (adopt x) (adopt y))))))
+
+(define (contract add multiply s t)
+  (define v (structure-elements s))
+  (define w (structure-elements t))
+  (define n (vector-length v))
+  (if (eqv? n 0)
+      0
+      (let loop ([i 1] [sum (multiply (vector-ref v 0) (vector-ref w 0))])
+        (if (= i n)
+            sum
+            (loop (add1 i)
+                  (add sum (multiply (vector-ref v i) (vector-ref w i))))))))

@@ -1,0 +1,195 @@
+#lang racket/base
+;; What one does with structures: take them apart, rebuild them, multiply them.
+
+(require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/compare.rkt")
+
+(provide
+ ;; data, from the floor below
+ up down up? down? structure? structure-orientation structure-elements tuple? adopt
+ vector->up vector->down
+ ;; access
+ ref component s:ref s:length s:dimension dimension structure->vector structure->list
+ list->up list->down
+ ;; construction
+ s:generate s:map s:map/r s:fold flip s:same s:opposite
+ compatible-shape compatible-zero dual-zero zero-like
+ ;; products
+ dot-product inner-product outer-product cross-product euclidean-norm
+ structure-of)
+
+;; ---------------------------------------------------------------------------
+;; Access
+
+;; (ref s i j ...): component j of component i ... of a tuple; of a function,
+;; the function whose value is that component of its value.
+(define (ref s . path)
+  (for/fold ([s s]) ([i (in-list path)]) (ref-1 s i path)))
+
+(define (ref-1 s i path)
+  (cond [(tuple? s) (tuple-ref (adopt s) i)]
+        [(procedure? s) (ref-of-function s i)]
+        [else (raise-not-a-tuple 'ref s)]))
+
+(define (tuple-ref s i)
+  (define n (structure-length s))
+  (unless (exact-integer? i)
+    (raise-arguments-error 'ref "an index is an integer" "index" i))
+  (define k (if (negative? i) (+ n i) i))
+  (unless (< -1 k n)
+    (raise
+     (exn:fail:contract
+      (format "ref: index ~a is outside ~a~a\n  in: ~a" i (describe s)
+              (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n)))
+              (value->text s))
+      (current-continuation-marks))))
+  (vector-ref (structure-elements s) k))
+
+(define (ref-of-function f i)
+  (make-function (lambda args (ref-1 (apply f args) i (list i)))
+                 (arity-mask f)
+                 (lambda () (list 'ref (value->datum f) i))))
+
+;; (component i j ...): the selector of that component.
+(define (component . path)
+  (define name (cons 'component path))
+  (make-function (lambda (s) (apply ref s path)) 2 (lambda () name)))
+
+(define (s:ref s i) (ref-1 s i (list i)))
+
+(define (s:length x) (if (tuple? x) (structure-length (adopt x)) 1))
+
+;; The number of scalars in x.
+(define (s:dimension x)
+  (if (tuple? x)
+      (for/sum ([e (in-vector (structure-elements (adopt x)))]) (s:dimension e))
+      1))
+(define (dimension x) (s:dimension x))
+
+(define (structure->vector s)
+  (vector-copy-of (structure-elements (structure-of 'structure->vector s))))
+(define (vector-copy-of v) (structure-elements (vector->up v)))
+
+(define (structure->list s)
+  (vector->list (structure-elements (structure-of 'structure->list s))))
+(define (list->up xs) (apply up xs))
+(define (list->down xs) (apply down xs))
+
+;; ---------------------------------------------------------------------------
+;; Construction
+
+;; (s:generate n 'up f): the tuple of f(0) ... f(n - 1).
+(define (s:generate n orientation f)
+  (unless (memq orientation '(up down))
+    (raise-argument-error 's:generate "'up or 'down" orientation))
+  (structure orientation (build-vector n f)))
+
+;; f applied to each component; with several structures, to corresponding ones.
+(define (s:map f s . more)
+  (define first (structure-of 's:map s))
+  (define others (for/list ([t (in-list more)]) (structure-of 's:map t)))
+  (for ([t (in-list others)])
+    (unless (= (structure-length first) (structure-length t))
+      (raise-arguments-error 's:map "the structures differ in length"
+                             "first" first "another" t)))
+  (if (null? others)
+      (structure-map f first)
+      (same-orientation
+       first
+       (apply build-from f (structure-elements first) (map structure-elements others)))))
+
+(define (build-from f v . ws)
+  (for/vector #:length (vector-length v) ([x (in-vector v)] [i (in-naturals)])
+    (apply f x (for/list ([w (in-list ws)]) (vector-ref w i)))))
+
+;; f applied to each scalar, at any depth.
+(define (s:map/r f s)
+  (if (tuple? s)
+      (structure-map (lambda (e) (s:map/r f e)) (adopt s))
+      (f s)))
+
+;; (f scalar accumulator) over all scalars, from the first to the last.
+(define (s:fold f start s)
+  (if (tuple? s)
+      (for/fold ([a start]) ([e (in-vector (structure-elements (adopt s)))]) (s:fold f a e))
+      (f s start)))
+
+(define (s:same s) (structure-orientation (structure-of 's:same s)))
+(define (s:opposite s) (flip-orientation (s:same s)))
+
+;; The same components, every orientation reversed.
+(define (flip s)
+  (if (tuple? s)
+      (let ([t (adopt s)])
+        (structure (flip-orientation (structure-orientation t))
+                   (structure-elements (structure-map flip t))))
+      s))
+
+;; A structure of zeros that contracts with s to a scalar, and one of fresh
+;; names, as the book uses to probe bilinear forms (SICM p. 351).
+(define (compatible-zero s) (s:map/r (lambda (x) 0) (flip s)))
+(define (dual-zero s) (compatible-zero s))
+(define (zero-like s) (s:map/r (lambda (x) 0) s))
+
+(define (compatible-shape s)
+  (define n -1)
+  (let name ([s (flip s)])
+    (if (tuple? s)
+        (structure-map name (adopt s))
+        (begin (set! n (add1 n))
+               (string->symbol (format "x~a" n))))))
+
+;; ---------------------------------------------------------------------------
+;; Products
+
+;; The sum of products of corresponding components of two tuples of one shape.
+(define (dot-product a b)
+  (cond [(and (tuple? a) (tuple? b))
+         (define s (adopt a))
+         (define t (adopt b))
+         (unless (= (structure-length s) (structure-length t))
+           (raise-arguments-error 'dot-product "the tuples differ in length"
+                                  "first" s "second" t))
+         (for/fold ([sum 0]) ([x (in-vector (structure-elements s))]
+                              [y (in-vector (structure-elements t))])
+           (g:+ sum (dot-product x y)))]
+        [(and (procedure? a) (procedure? b) (not (tuple? a)) (not (tuple? b)))
+         (make-function (lambda args (dot-product (apply a args) (apply b args)))
+                        (bitwise-and (arity-mask a) (arity-mask b))
+                        (lambda () (list 'dot-product (value->datum a) (value->datum b))))]
+        [(or (tuple? a) (tuple? b))
+         (raise-arguments-error 'dot-product "expected two tuples, or two numbers"
+                                "first" a "second" b)]
+        [else (g:* a b)]))
+
+(define (inner-product a b) (dot-product a b))
+
+;; The tuple like b of a times each component of b.
+(define (outer-product a b)
+  (structure-map (lambda (y) (g:* a y)) (structure-of 'outer-product b)))
+
+(define (cross-product a b)
+  (define s (structure-of 'cross-product a))
+  (define t (structure-of 'cross-product b))
+  (unless (= 3 (structure-length s) (structure-length t))
+    (raise-arguments-error 'cross-product "expected two tuples of 3"
+                           "first" s "second" t))
+  (define (minor i j)
+    (g:- (g:* (s:ref s i) (s:ref t j)) (g:* (s:ref s j) (s:ref t i))))
+  (same-orientation s (vector (minor 1 2) (minor 2 0) (minor 0 1))))
+
+(define (euclidean-norm s) (g:sqrt (g:square s)))
+
+;; ---------------------------------------------------------------------------
+;; Errors
+
+(define (structure-of who s)
+  (if (tuple? s) (adopt s) (raise-not-a-tuple who s)))
+
+(define (raise-not-a-tuple who s)
+  (raise
+   (exn:fail:contract
+    (format "~a: expected a tuple; given ~a~a" who (describe-with-value s)
+            (if (pair? s) "\n  a list is not a tuple; use (up x y ...)" ""))
+    (current-continuation-marks))))
