@@ -1,0 +1,222 @@
+#lang racket/base
+;; Rational functions in lowest terms.
+;;
+;; A fraction is a numerator over the rationals and a denominator kept as a
+;; product of powers of pairwise coprime factors, each primitive over the
+;; integers with positive leading coefficient; variables are factors of their
+;; own.  So the common denominator of two fractions is read off their factors,
+;; and only factors that both have to the same power can cancel in their sum:
+;; a prime that divides one denominator oftener than the other divides just one
+;; of the two terms over the common denominator.
+;;
+;; The value is canonical: numerator and expanded denominator depend on it
+;; alone.  How the denominator is split into factors depends on its history.
+
+(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt"
+         "division.rkt" "gcd.rkt" "coprime-basis.rkt")
+
+(provide
+ ;; making
+ fraction? fraction-from-poly
+ ;; parts
+ fraction-numerator fraction-denominator-factors fraction-denominator
+ ;; asking
+ fraction-zero? fraction-polynomial? fraction=? fraction-hash
+ ;; arithmetic
+ fraction+ fraction- fraction-negate fraction-scale fraction-sum
+ fraction* fraction/ fraction-invert fraction-expt)
+
+(struct fraction (numerator denominator-factors)
+  #:authentic)
+
+(define (fraction-from-poly R p) (fraction p '()))
+
+;; The denominator multiplied out.
+(define (fraction-denominator R f)
+  (expand R (poly-constant R 1) (fraction-denominator-factors f)))
+
+(define (expand R p factors)
+  (for/fold ([p p]) ([f (in-list factors)])
+    (poly* R p (poly-expt R (car f) (cdr f)))))
+
+;; ---------------------------------------------------------------------------
+;; Predicates
+
+(define (fraction-zero? f) (poly-zero? (fraction-numerator f)))
+(define (fraction-polynomial? f) (null? (fraction-denominator-factors f)))
+
+;; Denominators split differently are compared over a common basis.
+(define (fraction=? R f g)
+  (define F (fraction-denominator-factors f))
+  (define G (fraction-denominator-factors g))
+  (and (poly=? (fraction-numerator f) (fraction-numerator g))
+       (or (basis=? F G)
+           (for/and ([h (in-list (common-basis R F G))])
+             (eqv? (cadr h) (cddr h))))))
+
+;; Equal fractions have equal hashes, however their denominators are split.
+(define (fraction-hash R f)
+  (define degree
+    (for/sum ([h (in-list (fraction-denominator-factors f))])
+      (* (cdr h) (poly-total-degree R (car h)))))
+  (bitwise-and (+ (poly-hash (fraction-numerator f)) (* 7919 degree))
+               #xFFFFFFFFFFFF))
+
+;; ---------------------------------------------------------------------------
+;; Sums
+
+(define (fraction-negate R f)
+  (fraction (poly-negate R (fraction-numerator f)) (fraction-denominator-factors f)))
+
+(define (fraction-scale R c f)
+  (if (eqv? c 0)
+      (fraction '() '())
+      (fraction (poly-scale R c (fraction-numerator f)) (fraction-denominator-factors f))))
+
+(define (fraction- R f g) (fraction+ R f (fraction-negate R g)))
+
+(define (fraction+ R f g)
+  (define F (fraction-denominator-factors f))
+  (define G (fraction-denominator-factors g))
+  (cond [(basis=? F G)
+         (cancel R (poly+ R (fraction-numerator f) (fraction-numerator g)) F)]
+        [(fraction-zero? f) g]
+        [(fraction-zero? g) f]
+        [else (add-over R f g (common-basis R F G))]))
+
+;; ((factor e . k) ...): the factors of two denominators, with their exponents
+;; in the one and in the other.
+(define (common-basis R F G)
+  (define (add a b) (cons (+ (car a) (car b)) (+ (cdr a) (cdr b))))
+  (for/fold ([basis (for/list ([h (in-list F)]) (cons (car h) (cons (cdr h) 0)))])
+            ([h (in-list G)])
+    (basis-insert R add basis (car h) (cons 0 (cdr h)))))
+
+(define (add-over R f g basis)
+  (define-values (f-missing g-missing tied settled)
+    (for/fold ([f-missing '()] [g-missing '()] [tied '()] [settled '()])
+              ([h (in-list basis)])
+      (define a (cadr h))
+      (define b (cddr h))
+      (define (power e) (cons (car h) e))
+      (cond [(< a b) (values (cons (power (- b a)) f-missing) g-missing
+                             tied (cons (power b) settled))]
+            [(> a b) (values f-missing (cons (power (- a b)) g-missing)
+                             tied (cons (power a) settled))]
+            [else (values f-missing g-missing (cons (power a) tied) settled)])))
+  (cancel R
+          (poly+ R
+                 (expand R (fraction-numerator f) f-missing)
+                 (expand R (fraction-numerator g) g-missing))
+          tied
+          settled))
+
+;; Fractions over one denominator are added first.
+(define (fraction-sum R fs)
+  (let loop ([fs (for/list ([group (in-list (group-by-denominator fs))])
+                   (sum-group R group))])
+    (cond [(null? fs) (fraction '() '())]
+          [(null? (cdr fs)) (car fs)]
+          [else (loop (add-neighbours R fs))])))
+
+(define (add-neighbours R fs)
+  (cond [(or (null? fs) (null? (cdr fs))) fs]
+        [else (cons (fraction+ R (car fs) (cadr fs))
+                    (add-neighbours R (cddr fs)))]))
+
+(define (sum-group R group)
+  (if (null? (cdr group))
+      (car group)
+      (cancel R
+              (poly-sum R (map fraction-numerator group))
+              (fraction-denominator-factors (car group)))))
+
+;; A list of lists of fractions with equal factors, in order of first coming.
+(define (group-by-denominator fs)
+  (define groups
+    (for/fold ([groups '()]) ([f (in-list fs)])
+      (let place ([groups groups])
+        (cond [(null? groups) (list (list f))]
+              [(basis=? (fraction-denominator-factors f)
+                        (fraction-denominator-factors (caar groups)))
+               (cons (cons f (car groups)) (cdr groups))]
+              [else (cons (car groups) (place (cdr groups)))]))))
+  (map reverse groups))
+
+;; ---------------------------------------------------------------------------
+;; Products
+
+(define (fraction* R f g)
+  (define p (fraction-numerator f))
+  (define q (fraction-numerator g))
+  (define F (fraction-denominator-factors f))
+  (define G (fraction-denominator-factors g))
+  (cond [(and (null? F) (null? G)) (fraction (poly* R p q) '())]
+        [(or (null? p) (null? q)) (fraction '() '())]
+        [else
+         (define-values (p* G*) (cancel-all R p G))
+         (define-values (q* F*) (cancel-all R q F))
+         (fraction (poly* R p* q*) (basis-sort (multiply-bases R F* G*)))]))
+
+(define (multiply-bases R F G)
+  (for/fold ([basis F]) ([h (in-list G)])
+    (basis-insert R + basis (car h) (cdr h))))
+
+(define (fraction/ R f g) (fraction* R f (fraction-invert R g)))
+
+(define (fraction-invert R f)
+  (define p (fraction-numerator f))
+  (when (null? p)
+    (raise-arguments-error 'fraction/ "division by zero"))
+  (define-values (content factors) (split-factors R p))
+  (fraction (expand R (poly-constant R (/ 1 content)) (fraction-denominator-factors f))
+            (basis-sort factors)))
+
+;; A polynomial as a rational number, variables, and the primitive rest.
+(define (split-factors R p)
+  (define-values (content primitive) (poly-primitive R p))
+  (define m (common-monomial R primitive))
+  (define variables
+    (for/list ([v (in-list (monomial-factors R m))])
+      (cons (poly-variable R (car v)) (cdr v))))
+  (define rest (shift-terms (- m) 1 primitive))
+  (values content
+          (if (poly-constant? rest) variables (cons (cons rest 1) variables))))
+
+(define (fraction-expt R f k)
+  (cond [(negative? k) (fraction-expt R (fraction-invert R f) (- k))]
+        [(eqv? k 0) (fraction (poly-constant R 1) '())]
+        [else
+         (fraction (poly-expt R (fraction-numerator f) k)
+                   (for/list ([h (in-list (fraction-denominator-factors f))])
+                     (cons (car h) (* k (cdr h)))))]))
+
+;; ---------------------------------------------------------------------------
+;; Cancelling
+
+;; The fraction p / (factors · settled), where only `factors` may share
+;; divisors with p.
+(define (cancel R p factors [settled '()])
+  (cond [(null? p) (fraction '() '())]
+        [(null? factors) (fraction p (basis-sort settled))]
+        [else
+         (define-values (p* rest) (cancel-all R p factors))
+         (fraction p* (basis-sort (append rest settled)))]))
+
+;; -> p and factors without their common divisors.
+(define (cancel-all R p factors)
+  (for/fold ([p p] [kept '()]) ([h (in-list factors)])
+    (define-values (p* rest) (cancel-power R p (car h) (cdr h)))
+    (values p* (append rest kept))))
+
+;; The same against h^e.  When they share a proper divisor d of h, the
+;; remaining denominator d^(e-1) (h/d)^e is refined and tried again.
+(define (cancel-power R p h e)
+  (define d (poly-gcd R p h))
+  (cond [(poly-constant? d) (values p (list (cons h e)))]
+        [else
+         (define p* (poly-divide R p d))
+         (define others (basis-insert R + '() (poly-divide R h d) e))
+         (cancel-all R p* (if (eqv? e 1)
+                              others
+                              (basis-insert R + others d (- e 1))))]))
