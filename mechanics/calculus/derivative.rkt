@@ -10,7 +10,7 @@
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../value/operator.rkt" "../algebra/expression.rkt")
 
-(provide D partial derivative-at)
+(provide D partial derivative-at value-and-derivative-along)
 
 ;; ---------------------------------------------------------------------------
 ;; At a point
@@ -29,6 +29,19 @@
    (flip-orientation (structure-orientation s))
    (for/vector #:length (vector-length elements) ([x (in-vector elements)] [i (in-naturals)])
      (derivative-at (lambda (y) (f (replace-component s i y))) x))))
+
+;; f at x and its derivative there in the direction dx, a value of the shape of
+;; x, by one run of f.
+(define (value-and-derivative-along f x dx)
+  (define tag (fresh-tag))
+  (define y (f (displace tag x dx)))
+  (values (map-leaves (lambda (leaf) (primal-part leaf tag)) y)
+          (extract-tangent tag y)))
+
+(define (displace tag x dx)
+  (if (tuple? x)
+      (structure-map2 (lambda (a b) (displace tag a b)) (adopt x) (adopt dx))
+      (make-dual tag x dx)))
 
 (define (replace-component s i y)
   (define old (structure-elements s))

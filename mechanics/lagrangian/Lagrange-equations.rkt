@@ -1,0 +1,102 @@
+#lang racket/base
+;; Lagrange's equations as a residual along a path.
+;;
+;;   D(∂₂L ∘ Γ[q]) − ∂₁L ∘ Γ[q] − Q ∘ Γ[q]                 (SICM 1.5, p. 33)
+;;
+;; vanishes exactly when q is a path the system can take.  For a Lagrangian
+;; that depends on derivatives up to order n it is
+;;
+;;   Σ_{k=1..n} (−1)^{k+1} D^k(∂_{k+1}L ∘ Γ[q]) − ∂₁L ∘ Γ[q] − Q ∘ Γ[q]
+;;
+;; (exercises 1.10 and 1.13).
+
+(require "local-tuple.rkt"
+         "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt"
+         "../calculus/derivative.rkt" "../value/function.rkt")
+
+(provide Lagrange-equations generalized-LE
+         equations? equations-Lagrangian equations-force equations-order
+         check-Lagrangian)
+
+(define kind:equations
+  (make-kind #:rank rank:function
+             #:describe (lambda (e) "a function of paths")
+             #:datum (lambda (e)
+                       (list 'Lagrange-equations (value->datum (equations-Lagrangian e))))
+             #:arity (lambda (e) 2)))
+
+;; A function of paths that keeps what it was made from, for those who want to
+;; see its steps.
+(struct equations (Lagrangian force order)
+  #:authentic
+  #:property prop:kind kind:equations
+  #:property prop:procedure (lambda (e q) (residual-along e q))
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write (lambda (e port mode) (write-value e port)))
+
+;; ((Lagrange-equations L) q) is the residual, a function of time.
+(define (Lagrange-equations L #:force [Q #f] #:order [n 1])
+  (check-Lagrangian 'Lagrange-equations L)
+  (unless (or (not Q) (procedure? Q))
+    (raise-argument-error 'Lagrange-equations "a force: a function of the local tuple" Q))
+  (unless (exact-positive-integer? n)
+    (raise-argument-error 'Lagrange-equations "an order, a positive integer" n))
+  (equations L Q n))
+
+(define (generalized-LE L #:order [n 2]) (Lagrange-equations L #:order n))
+
+(define (residual-along e q)
+  (define L (scalar-valued (equations-Lagrangian e)))
+  (define n (equations-order e))
+  (define path (Gamma q (+ n 2)))
+  (define force (equations-force e))
+  (make-function
+   (lambda (t)
+     (define momenta (momentum-terms L path n t))
+     (define residual (g:- momenta (((partial 1) L) (path t))))
+     (if force (g:- residual (force (path t))) residual))
+   2
+   (lambda () (list (value->datum e) (value->datum q)))))
+
+;; Σ_{k=1..n} (−1)^{k+1} D^k(∂_{k+1}L ∘ Γ[q]) at t
+(define (momentum-terms L path n t)
+  (for/fold ([sum 0]) ([k (in-range 1 (add1 n))])
+    (define along (compose ((partial (add1 k)) L) path))
+    (define term ((for/fold ([f along]) ([_ (in-range k)]) (D f)) t))
+    (if (odd? k) (g:+ sum term) (g:- sum term))))
+
+;; ---------------------------------------------------------------------------
+;; Bad Lagrangians
+
+(define (check-Lagrangian who L)
+  (cond [(not (procedure? L))
+         (raise
+          (exn:fail:contract
+           (format "~a: a Lagrangian is a function of the local tuple (up t q v); given ~a"
+                   who (describe-with-value L))
+           (current-continuation-marks)))]
+        [(not (accepts? L 1))
+         (raise
+          (exn:fail:contract
+           (format "~a: a Lagrangian takes one argument, the local tuple, but ~a does not.\n  If it takes parameters first, supply them: (~a (~a ...))"
+                   who (value->text L) who (value->text L))
+           (current-continuation-marks)))]))
+
+;; L, refusing to go on when its value is no number.
+(define (scalar-valued L)
+  (lambda (local)
+    (define value (L local))
+    (if (or (procedure? value) (tuple? value) (not value) (void? value))
+        (raise-not-scalar L value)
+        value)))
+
+(define (raise-not-scalar L value)
+  (raise
+   (exn:fail:contract
+    (format "Lagrange-equations: the value of a Lagrangian is a number, but that of ~a is ~a~a"
+            (value->text L) (describe-with-value value)
+            (if (and (procedure? value) (not (tuple? value)))
+                "\n  Was a parameter left out, as in (L-harmonic 'm 'k)?"
+                ""))
+    (current-continuation-marks))))

@@ -1,0 +1,96 @@
+#lang racket/base
+;; Coordinate transformations of local tuples (SICM 1.6.1, pp. 44–48, and 1.9).
+;;
+;; F gives the old coordinates as a function of the new local tuple, q = F(t, q').
+;; The transformation C it induces on local tuples has the total time
+;; derivatives of F as its further components; the first of them,
+;; ∂₀F + ∂₁F v, is the derivative of F in the direction (1, v), and one run of F
+;; on dual numbers gives it together with the value.
+
+(require "local-tuple.rkt"
+         "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
+         "../calculus/derivative.rkt"
+         "../value/structure.rkt" "../value/function.rkt")
+
+(provide F->C Gamma-bar osculating-path
+         p->r r->p polar->rectangular rectangular->polar
+         s->r r->s spherical->rectangular rectangular->spherical)
+
+(define (F->C F)
+  (unless (procedure? F)
+    (raise-argument-error 'F->C "a coordinate transformation: a function of the local tuple" F))
+  (make-function (lambda (local) (transform F local))
+                 2
+                 (lambda () (list 'F->C (value->datum F)))))
+
+(define (transform F local)
+  (unless (and (local-tuple? local) (>= (s:length local) 3))
+    (raise
+     (exn:fail:contract
+      (format "F->C: expected a local tuple (up t q v); given ~a" (describe-with-value local))
+      (current-continuation-marks))))
+  (define n (s:length local))
+  (if (= n 3)
+      (let-values ([(q v) (value-and-derivative-along F local (drift local))])
+        (up (time local) q v))
+      ((Gamma-bar (lambda (q) (Gamma (compose F (Gamma q)) n))) local)))
+
+;; How a local tuple (t, q, v) moves: (1, v, 0).
+(define (drift local)
+  (up 1 (velocity local) (zero-like (velocity local))))
+
+;; A function of paths made into a function of local tuples, by way of a path
+;; that has the local tuple's derivatives at its time (SICM p. 95).
+(define ((Gamma-bar f-bar) local)
+  ((f-bar (osculating-path local)) (time local)))
+
+;; q + v (t − t₀) + a (t − t₀)²/2 + ... through the local tuple (SICM p. 96).
+(define (osculating-path local)
+  (define parts (cdr (structure->list local)))
+  (lambda (t)
+    (define dt (g:- t (time local)))
+    (for/fold ([sum (car parts)] [coefficient 1] [k 1] #:result sum)
+              ([part (in-list (cdr parts))])
+      (define c (g:/ (g:* coefficient dt) k))
+      (values (g:+ sum (g:* c part)) c (add1 k)))))
+
+;; ---------------------------------------------------------------------------
+;; Named transformations, from the first coordinates to the second
+
+(define (tuple-coordinates who n local)
+  (define q (coordinate local))
+  (unless (and (tuple? q) (= (s:length q) n))
+    (raise
+     (exn:fail:contract
+      (format "~a: expected a local tuple with ~a coordinates; given ~a"
+              who n (describe-with-value local))
+      (current-continuation-marks))))
+  (structure->list q))
+
+;; (r, φ) to (x, y)
+(define (p->r local)
+  (define-values (r phi) (apply values (tuple-coordinates 'p->r 2 local)))
+  (up (g:* r (g:cos phi)) (g:* r (g:sin phi))))
+
+;; (x, y) to (r, φ)
+(define (r->p local)
+  (define-values (x y) (apply values (tuple-coordinates 'r->p 2 local)))
+  (up (g:sqrt (g:+ (g:square x) (g:square y))) (g:atan y x)))
+
+;; (r, θ, φ), colatitude θ, to (x, y, z)
+(define (s->r local)
+  (define-values (r theta phi) (apply values (tuple-coordinates 's->r 3 local)))
+  (define rho (g:* r (g:sin theta)))
+  (up (g:* rho (g:cos phi)) (g:* rho (g:sin phi)) (g:* r (g:cos theta))))
+
+;; (x, y, z) to (r, θ, φ)
+(define (r->s local)
+  (define-values (x y z) (apply values (tuple-coordinates 'r->s 3 local)))
+  (define r (g:sqrt (g:+ (g:square x) (g:square y) (g:square z))))
+  (up r (g:acos (g:/ z r)) (g:atan y x)))
+
+(define polar->rectangular p->r)
+(define rectangular->polar r->p)
+(define spherical->rectangular s->r)
+(define rectangular->spherical r->s)

@@ -1,0 +1,102 @@
+#lang racket/base
+;; Local tuples (t, q, q̇, ...) and the paths they come from.
+;;
+;; Γ[q](t) = (t, q(t), Dq(t), ...) is all the Lagrangian knows of a path: SICM
+;; section 1.4.  Paths and selectors are functions of the arithmetic, so they
+;; compose with D and with each other.
+
+(require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../calculus/derivative.rkt" "../value/structure.rkt")
+
+(provide
+ Gamma path->state-path
+ ->local ->state ->L-state local-tuple?
+ time coordinate velocity acceleration
+ coordinates velocities accelerations
+ coordinate-tuple velocity-tuple acceleration-tuple
+ state->t state->q state->qdot state->qddot state->n-dof
+ Q Qdot Qdotdot
+ literal-Lagrangian-state)
+
+;; ---------------------------------------------------------------------------
+;; Paths to local tuples
+
+;; (Gamma q) is t ↦ (t, q(t), Dq(t)); (Gamma q n) has n components.
+(define (Gamma q [n 3])
+  (check-path q)
+  (unless (and (exact-integer? n) (>= n 2))
+    (raise-argument-error 'Gamma "the length of the local tuples, an integer of at least 2" n))
+  (define derivatives                   ; q, Dq, ..., D^(n-2) q
+    (let loop ([f q] [k (- n 1)])
+      (if (eqv? k 0) '() (cons f (loop (D f) (sub1 k))))))
+  (make-function
+   (lambda (t)
+     (structure 'up (list->vector (cons t (for/list ([f (in-list derivatives)]) (f t))))))
+   2
+   (lambda ()
+     (if (= n 3) (list 'Gamma (value->datum q)) (list 'Gamma (value->datum q) n)))))
+
+(define (path->state-path q [n 3]) (Gamma q n))
+
+(define (check-path q)
+  (unless (procedure? q)
+    (raise
+     (exn:fail:contract
+      (format "Gamma: a path is a function of time, or a tuple of such functions; given ~a~a"
+              (describe-with-value q)
+              (if (symbol? q) (format "\n  (literal-function '~a) makes a path of that name" q) ""))
+      (current-continuation-marks)))))
+
+;; ---------------------------------------------------------------------------
+;; Building and taking apart
+
+(define (->local t q . derivatives) (apply up t q derivatives))
+(define (->state t q . derivatives) (apply up t q derivatives))
+(define (->L-state t q . derivatives) (apply up t q derivatives))
+
+(define (local-tuple? x)
+  (and (up? x) (>= (s:length x) 2)))
+
+(define-syntax-rule (define-selector name index what)
+  (define (name local) (select 'name local index what)))
+
+(define (select who local i what)
+  (unless (and (up? local) (< i (s:length local)))
+    (raise
+     (exn:fail:contract
+      (format "~a: expected a local tuple (up t q v ...) with ~a; given ~a~a"
+              who what (describe-with-value local)
+              (if (eq? who 'time)
+                  "\n  Racket's form for timing an expression is in racket/base under the same name: (require (only-in racket/base [time racket:time]))"
+                  ""))
+      (current-continuation-marks))))
+  (vector-ref (structure-elements (adopt local)) i))
+
+(define-selector time 0 "the time")
+(define-selector coordinate 1 "coordinates")
+(define-selector velocity 2 "velocities")
+(define-selector acceleration 3 "accelerations")
+
+(define coordinates coordinate)
+(define coordinate-tuple coordinate)
+(define state->q coordinate)
+(define Q coordinate)
+(define velocities velocity)
+(define velocity-tuple velocity)
+(define state->qdot velocity)
+(define Qdot velocity)
+(define accelerations acceleration)
+(define acceleration-tuple acceleration)
+(define state->qddot acceleration)
+(define Qdotdot acceleration)
+(define state->t time)
+
+(define (state->n-dof local) (s:dimension (coordinate local)))
+
+;; A local tuple of n coordinates with components named after `name`.
+(define (literal-Lagrangian-state n)
+  (define (tuple name)
+    (if (= n 1)
+        name
+        (apply up (for/list ([i (in-range n)]) (string->symbol (format "~a^~a" name i))))))
+  (up 't (tuple 'q) (tuple 'qdot)))
