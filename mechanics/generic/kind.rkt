@@ -10,7 +10,7 @@
 (provide
  (struct-out kind) make-kind prop:kind has-kind? kind-of
  (struct-out generic-op)
- rank:scalar rank:dual rank:matrix rank:structure rank:series rank:function rank:operator)
+ rank:scalar rank:dual rank:structure rank:matrix rank:series rank:function rank:operator)
 
 ;; rank      : where it stands when kinds meet
 ;; describe  : value -> string, as error messages name it ("an up tuple of 2")
@@ -34,8 +34,8 @@
 
 (define rank:scalar 0)
 (define rank:dual 1)
-(define rank:matrix 2)
-(define rank:structure 3)
+(define rank:structure 2)
+(define rank:matrix 3)
 (define rank:series 4)
 (define rank:function 5)
 (define rank:operator 6)

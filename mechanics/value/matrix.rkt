@@ -1,0 +1,196 @@
+#lang racket/base
+;; Matrices: rectangular arrays with matrix multiplication.
+;;
+;; A matrix acts on up tuples from the left and on down tuples from the right.
+;; Where the book means a matrix, a tuple of tuples is accepted too: the one
+;; whose components are the rows.
+
+(require "../generic/kind.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../generic/dispatch.rkt" "../generic/arithmetic.rkt" "../generic/compare.rkt"
+         "structure.rkt" "linear-algebra.rkt")
+
+(provide
+ ;; construction
+ matrix? matrix-by-rows matrix-by-columns m:generate identity-matrix
+ up->column-matrix down->row-matrix column-matrix->up row-matrix->down
+ ;; access
+ matrix-ref m:num-rows m:num-cols m:dimension m:nth-row m:nth-col m:submatrix
+ ;; for the linear algebra above
+ matrix matrix-rows square-rows m:invert)
+
+(define kind:matrix
+  (make-kind #:rank rank:matrix
+             #:describe (lambda (m) (format "a ~a by ~a matrix" (m:num-rows m) (m:num-cols m)))
+             #:datum (lambda (m)
+                       (cons 'matrix-by-rows
+                             (for/list ([row (in-vector (matrix-rows m))])
+                               (cons 'list (map value->datum (vector->list row))))))
+             #:map (lambda (f m) (matrix-map (lambda (x) (map-leaves f x)) m))
+             #:unary (lambda (op m) (raise-inapplicable op m))
+             #:binary (lambda (op a b) (combine op a b))
+             #:zero? (lambda (m)
+                       (for*/and ([row (in-vector (matrix-rows m))] [x (in-vector row)])
+                         (g:zero? x)))))
+
+;; rows : a vector of vectors of one length, changed by nobody.
+(struct matrix (rows)
+  #:authentic
+  #:property prop:kind kind:matrix
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write (lambda (m port mode) (write-value m port))
+  #:property prop:equal+hash
+  (list (lambda (a b recur) (recur (matrix-rows a) (matrix-rows b)))
+        (lambda (m recur) (recur (matrix-rows m)))
+        (lambda (m recur) (recur (matrix-rows m)))))
+
+;; ---------------------------------------------------------------------------
+;; Construction
+
+;; Each row a list or a tuple.
+(define (matrix-by-rows . rows)
+  (define vectors (for/list ([r (in-list rows)]) (row->vector 'matrix-by-rows r)))
+  (check-equal-lengths 'matrix-by-rows vectors)
+  (matrix (list->vector vectors)))
+
+(define (matrix-by-columns . columns)
+  (define vectors (for/list ([c (in-list columns)]) (row->vector 'matrix-by-columns c)))
+  (check-equal-lengths 'matrix-by-columns vectors)
+  (matrix (rows-transpose (list->vector vectors))))
+
+(define (row->vector who r)
+  (cond [(list? r) (list->vector r)]
+        [(tuple? r) (structure-elements (adopt r))]
+        [else (raise-argument-error who "a row: a list or a tuple" r)]))
+
+(define (check-equal-lengths who vectors)
+  (when (null? vectors)
+    (raise-arguments-error who "a matrix has at least one row"))
+  (for ([v (in-list vectors)])
+    (unless (= (vector-length v) (vector-length (car vectors)))
+      (raise-arguments-error who "the rows of a matrix have one length"
+                             "first" (vector->list (car vectors))
+                             "another" (vector->list v)))))
+
+(define (m:generate rows columns f)
+  (matrix (for/vector #:length rows ([i (in-range rows)])
+            (for/vector #:length columns ([j (in-range columns)]) (f i j)))))
+
+(define (identity-matrix n)
+  (m:generate n n (lambda (i j) (if (= i j) 1 0))))
+
+(define (up->column-matrix s)
+  (matrix (for/vector ([x (in-vector (structure-elements (structure-of 'up->column-matrix s)))])
+            (vector x))))
+(define (down->row-matrix s)
+  (matrix (vector (structure-elements (structure-of 'down->row-matrix s)))))
+(define (column-matrix->up m) (structure 'up (column m 0)))
+(define (row-matrix->down m) (structure 'down (vector-ref (matrix-rows m) 0)))
+
+;; ---------------------------------------------------------------------------
+;; Access
+
+(define (m:num-rows m) (vector-length (matrix-rows m)))
+(define (m:num-cols m) (vector-length (vector-ref (matrix-rows m) 0)))
+
+(define (matrix-ref m i j)
+  (unless (and (exact-nonnegative-integer? i) (exact-nonnegative-integer? j)
+               (< i (m:num-rows m)) (< j (m:num-cols m)))
+    (raise-arguments-error 'matrix-ref "there is no such entry"
+                           "row" i "column" j "matrix" m))
+  (entry m i j))
+
+(define (entry m i j) (vector-ref (vector-ref (matrix-rows m) i) j))
+(define (column m j)
+  (for/vector #:length (m:num-rows m) ([row (in-vector (matrix-rows m))]) (vector-ref row j)))
+
+(define (m:nth-row m i) (structure 'down (vector-ref (matrix-rows m) i)))
+(define (m:nth-col m j) (structure 'up (column m j)))
+
+;; The number of rows of a square matrix.
+(define (m:dimension m) (vector-length (square-rows 'm:dimension m)))
+
+(define (m:submatrix m low-row high-row low-column high-column)
+  (m:generate (- high-row low-row) (- high-column low-column)
+              (lambda (i j) (matrix-ref m (+ low-row i) (+ low-column j)))))
+
+;; ---------------------------------------------------------------------------
+;; Arithmetic
+
+(define (matrix-map f m)
+  (matrix (for/vector #:length (m:num-rows m) ([row (in-vector (matrix-rows m))])
+            (for/vector #:length (vector-length row) ([x (in-vector row)]) (f x)))))
+
+(define (combine op a b)
+  (case (generic-op-name op)
+    [(+ -) (add-matrices op a b)]
+    [(*) (multiply op a b)]
+    [(/) (if (matrix? b)
+             (multiply op a (m:invert b))
+             (matrix-map (lambda (x) (g:/ x b)) a))]
+    [(expt) (power op a b)]
+    [else (raise-inapplicable op a b)]))
+
+;; A number added to a square matrix is that multiple of the identity.
+(define (add-matrices op a b)
+  (define add (generic-op-procedure op))
+  (define (as-matrix x other)
+    (cond [(matrix? x) x]
+          [(= (m:num-rows other) (m:num-cols other))
+           (matrix-map (lambda (e) (g:* x e)) (identity-matrix (m:num-rows other)))]
+          [else (raise-inapplicable op a b)]))
+  (define m (as-matrix a b))
+  (define n (as-matrix b a))
+  (unless (and (= (m:num-rows m) (m:num-rows n)) (= (m:num-cols m) (m:num-cols n)))
+    (raise-inapplicable op a b))
+  (m:generate (m:num-rows m) (m:num-cols m)
+              (lambda (i j) (add (entry m i j) (entry n i j)))))
+
+(define (multiply op a b)
+  (cond [(tuple? b) (matrix-times-tuple op a b)]
+        [(tuple? a) (tuple-times-matrix op a b)]
+        [(not (matrix? a)) (matrix-map (lambda (x) (g:* a x)) b)]
+        [(not (matrix? b)) (matrix-map (lambda (x) (g:* x b)) a)]
+        [(= (m:num-cols a) (m:num-rows b)) (matrix-product a b)]
+        [else (raise-inapplicable op a b)]))
+
+(define (matrix-product a b)
+  (define columns (rows-transpose (matrix-rows b)))
+  (m:generate (m:num-rows a) (m:num-cols b)
+              (lambda (i j) (dot (vector-ref (matrix-rows a) i) (vector-ref columns j)))))
+
+(define (dot v w)
+  (for/fold ([sum 0]) ([x (in-vector v)] [y (in-vector w)]) (g:+ sum (g:* x y))))
+
+(define (power op m n)
+  (unless (and (matrix? m) (exact-integer? n)) (raise-inapplicable op m n))
+  (square-rows 'expt m)
+  (if (negative? n)
+      (power op (m:invert m) (- n))
+      (for/fold ([p (identity-matrix (m:num-rows m))]) ([_ (in-range n)])
+        (matrix-product p m))))
+
+;; A matrix times an up tuple, a down tuple times a matrix.
+(define (matrix-times-tuple op m s)
+  (unless (and (up? s) (= (m:num-cols m) (s:length s))) (raise-inapplicable op m s))
+  (structure 'up (for/vector ([row (in-vector (matrix-rows m))])
+                   (dot row (structure-elements (adopt s))))))
+
+(define (tuple-times-matrix op s m)
+  (unless (and (down? s) (= (m:num-rows m) (s:length s))) (raise-inapplicable op s m))
+  (structure 'down (for/vector ([j (in-range (m:num-cols m))])
+                     (dot (structure-elements s) (column m j)))))
+;; ---------------------------------------------------------------------------
+;; Square matrices
+
+(define (square-rows who m)
+  (unless (= (m:num-rows m) (m:num-cols m))
+    (raise-arguments-error who "expected a square matrix" "matrix" m))
+  (matrix-rows m))
+
+(define (m:invert m)
+  (define rows (square-rows 'invert m))
+  (define n (vector-length rows))
+  (matrix
+   (rows-transpose
+    (for/vector #:length n ([unit (in-vector (matrix-rows (identity-matrix n)))])
+      (rows-solve 'invert rows unit)))))
