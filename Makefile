@@ -1,0 +1,64 @@
+# Everything runs from the checkout: nothing needs to be installed but Racket,
+# which `make` installs on Debian and Ubuntu, and nothing is written elsewhere.
+
+RACKET ?= racket
+RACO    = $(RACKET) -N raco -l- raco
+JOBS   ?= 2
+
+# The checkout comes first among the places where Racket looks for collections.
+export PLTCOLLECTS := $(CURDIR):$(PLTCOLLECTS)
+export RACKET
+
+MANUAL = scribblings/mechanics/mechanics.scrbl
+
+.PHONY: help demo repl test bench docs clean racket libraries compile
+
+help:
+	@echo 'make demo    a tour: Lagrange equations, proposed paths, verdicts'
+	@echo 'make repl    a prompt with mechanics loaded'
+	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
+	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
+	@echo 'make docs    build the manual in build/doc'
+	@echo 'make clean   remove all that make built'
+
+demo: compile
+	@$(RACO) make examples/mechanics/demo.rkt
+	@$(RACKET) examples/mechanics/demo.rkt
+
+repl: compile
+	@$(RACKET) -I mechanics
+
+test: racket libraries
+	@$(RACO) make tests/mechanics/runner/main.rkt tests/mechanics/runner/child.rkt
+	@$(RACKET) tests/mechanics/runner/main.rkt --jobs $(JOBS) $(TESTS)
+
+bench: compile
+	@$(RACO) make -j $(JOBS) $(wildcard tests/mechanics/bench/*.rkt)
+	@$(RACKET) tests/mechanics/bench/main.rkt $(TASK)
+
+docs: compile
+	@echo 'Building the manual ...'
+	@$(RACO) make $(MANUAL)
+	@$(RACO) scribble --quiet --htmls --dest build/doc \
+	    ++main-xref-in --redirect-main https://docs.racket-lang.org/ $(MANUAL)
+	@echo 'The manual begins at build/doc/mechanics/index.html'
+
+# Files are compiled in parallel the first time and one after another later,
+# when there are few.
+compile: racket
+	@if [ ! -e mechanics/compiled/main_rkt.zo ]; then \
+	    echo 'Compiling mechanics (the first time only) ...'; \
+	    $(RACO) make -j $(JOBS) $(wildcard mechanics/*/*.rkt) mechanics/main.rkt; \
+	else \
+	    $(RACO) make mechanics/main.rkt; \
+	fi
+
+racket:
+	@.ci/ensure-racket.sh
+
+libraries:
+	@.ci/ensure-racket.sh libraries
+
+clean:
+	rm -rf build
+	find . -name compiled -type d -prune -exec rm -rf {} +

@@ -1,0 +1,12 @@
+#lang info
+(define collection 'multi)
+(define version "0.1")
+(define license 'MIT)
+(define pkg-desc "Classical mechanics in the language of SICM: Lagrangians, Hamiltonians, and solutions checked as residuals")
+(define pkg-authors '("the mechanics authors"))
+(define deps '(("base" #:version "8.7")))
+(define build-deps '("drracket-tool-text-lib"
+                     "racket-doc"
+                     "rackunit-lib"
+                     "sandbox-lib"
+                     "scribble-lib"))

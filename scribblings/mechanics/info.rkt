@@ -1,0 +1,3 @@
+#lang info
+(define name "mechanics manual")
+(define scribblings '(("mechanics.scrbl" (multi-page))))
