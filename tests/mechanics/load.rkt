@@ -1,0 +1,113 @@
+#lang racket/base
+;; What `(require mechanics)` loads, at any phase, and what it does by being
+;; loaded.  Loading is most of what a user waits for at the start, and a library
+;; that prints or sets parameters is a nuisance in a program.
+
+;; for-label: compiled with this file.  What an expansion loads would be counted.
+(require (for-label mechanics mechanics/base)
+         racket/list
+         racket/path
+         racket/runtime-path
+         racket/string
+         rackunit
+         syntax/modresolve)
+
+(define-runtime-path loud "runner/fixture/loud.rkt")
+
+;; ---------------------------------------------------------------------------
+;; What must not be loaded
+
+(define unwanted-modules
+  '(racket/contract racket/generic racket/struct racket/set racket/hash racket/math
+    racket/class racket/unit file/convertible syntax/parse))
+
+(define unwanted-folders
+  '("racket/contract" "racket/gui" "racket/draw" "math" "plot" "pict" "scribble"
+    "typed-racket" "typed" "rackunit" "syntax/parse"))
+
+;; racket/match comes with parts of syntax/parse for-syntax.  It is wanted, once.
+(define allowed 'racket/match)
+
+;; ---------------------------------------------------------------------------
+;; Tracing
+
+;; The files loaded by requiring a module into a namespace where there is only
+;; racket/base.
+(define (loaded module-path)
+  (define files '())
+  (define load (current-load/use-compiled))
+  (define (note path name)
+    (set! files (cons path files))
+    (load path name))
+  (parameterize ([current-namespace (make-base-empty-namespace)]
+                 [current-load/use-compiled note])
+    (dynamic-require module-path #f))
+  (remove-duplicates files))
+
+(define (unwanted files)
+  (define modules
+    (for/list ([m unwanted-modules]) (resolve-module-path m #f)))
+  (define folders (filter values (map existing-collection unwanted-folders)))
+  (for/list ([file (remove* (loaded allowed) files)]
+             #:when (or (member file modules)
+                        (ormap (lambda (folder) (inside? file folder)) folders)))
+    (path->string file)))
+
+(define (existing-collection name)
+  (define parts (string-split name "/"))
+  (apply collection-path parts #:fail (lambda (message) #f)))
+
+(define (inside? file folder)
+  (string-prefix? (path->string file)
+                  (path->string (path->directory-path folder))))
+
+;; ---------------------------------------------------------------------------
+;; Effects of loading
+
+(define (settings)
+  (list (current-print) (current-read-interaction) (current-prompt-read)
+        (error-display-handler) (error-value->string-handler)
+        (error-print-width) (uncaught-exception-handler) (exit-handler)
+        (global-port-print-handler)
+        (port-print-handler (current-output-port))
+        (port-write-handler (current-output-port))
+        (port-display-handler (current-output-port))
+        (current-load) (current-eval) (current-compile)
+        (print-as-expression) (print-graph) (print-struct)
+        (current-command-line-arguments)
+        (pseudo-random-generator->vector (current-pseudo-random-generator))))
+
+;; What loading prints, and whether all settings are as before.
+(define (effects module-path)
+  (define out (open-output-string))
+  (parameterize ([current-output-port out]
+                 [current-error-port out]
+                 [current-print (current-print)]
+                 [current-namespace (make-base-empty-namespace)])
+    (define before (settings))
+    (dynamic-require module-path #f)
+    (values (get-output-string out) (equal? before (settings)))))
+
+;; ---------------------------------------------------------------------------
+
+(test-case "unwanted modules are found, in a folder or by themselves"
+  (check-equal? (unwanted (loaded 'racket/list)) '())
+  (check-equal? (unwanted (loaded 'racket/match)) '())
+  (check-not-equal? (unwanted (loaded 'racket/set)) '())
+  (check-not-equal? (unwanted (loaded 'racket/hash)) '())
+  (check-not-equal? (unwanted (loaded 'racket/math)) '())
+  (check-not-equal? (unwanted (loaded 'file/convertible)) '())
+  (check-not-equal? (unwanted (loaded 'syntax/parse)) '()))
+
+(test-case "printing and setting a parameter are noticed"
+  (define-values (printed same?) (effects loud))
+  (check-equal? printed "hello\n")
+  (check-false same?))
+
+(for ([module-path '(mechanics mechanics/base)])
+  (test-case (format "requiring ~a loads nothing heavy" module-path)
+    (check-equal? (unwanted (loaded module-path)) '()))
+  (test-case (format "requiring ~a prints nothing and sets nothing" module-path)
+    (define-values (printed same?) (effects module-path))
+    (check-equal? printed "")
+    (check-true same?)))
