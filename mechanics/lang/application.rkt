@@ -1,0 +1,141 @@
+#lang racket/base
+;; Application that explains itself: `(f x ...)` where f turns out to be a
+;; number, a symbol or a list says so in the reader's terms; a Racket vector is
+;; applied as the up tuple it stands for.
+;;
+;; The test `(procedure? f)` costs nothing where the compiler sees what f is,
+;; which includes every function defined in the module, provided that f itself
+;; stays in operator position.  So a call of a variable becomes
+;;
+;;     (let ([t argument] ...) (if (procedure? f) (f t ...) (complain ...)))
+;;
+;; where constants, and variables among variables, need no t.  A name imported from another module is trusted; any other operator, as in
+;; ((D f) x), is tested on its way: ((callable operator) argument ...).
+
+(require (for-syntax racket/base)
+         "../generic/describe.rkt"
+         (only-in "../generic/structure.rkt" vector->up)
+         (only-in "mismatch.rkt" short-text list-hint))
+
+(provide (rename-out [application #%app]))
+
+;; ---------------------------------------------------------------------------
+;; At run time
+
+(define (callable f)
+  (if (procedure? f) f (stand-in f #f)))
+
+;; A procedure to apply in place of f, which is none; `name` is the variable
+;; that holds it, if any.
+(define (stand-in f name)
+  (if (vector? f)
+      (vector->up f)
+      (make-keyword-procedure
+       (lambda (keywords values . arguments) (complain f name arguments))
+       (lambda arguments (complain f name arguments)))))
+
+(define (complain f name arguments)
+  (raise
+   (exn:fail:contract
+    (format "~a: ~a" (or name 'application) (complaint f arguments))
+    (current-continuation-marks))))
+
+(define (complaint f arguments)
+  (cond
+    [(symbol? f)
+     (format "the symbol ~a is a number here, not a function; (literal-function '~a) makes a function of it"
+             f f)]
+    [(list? f) (list-complaint f)]
+    [else
+     (format "the value ~a is ~a; it cannot be applied to ~a"
+             (short-text f) (describe f) (describe-arguments arguments))]))
+
+(define (list-complaint f)
+  (if (null? f)
+      "the empty list cannot be applied; parentheses around nothing are no value"
+      (substring (list-hint f) 2)))
+
+(define (describe-arguments arguments)
+  (cond [(null? arguments) "no arguments"]
+        [(null? (cdr arguments))
+         (format "the argument ~a" (short-text (car arguments)))]
+        [else
+         (for/fold ([text "the arguments"]) ([a (in-list arguments)])
+           (string-append text " " (short-text a)))]))
+
+;; ---------------------------------------------------------------------------
+;; At expansion time
+
+(define-syntax (application stx)
+  (syntax-case stx ()
+    [(_ operator argument ...)
+     (expand-application stx #'operator (syntax->list #'(argument ...)))]
+    [_ (plain-application stx)]))
+
+(begin-for-syntax
+  (define (expand-application stx operator arguments)
+    (define keyword-call? (ormap keyword-argument? arguments))
+    (cond
+      [(and (identifier? operator) (imported? operator)) (plain-application stx)]
+      [(and (identifier? operator) (not keyword-call?))
+       (application-of-variable stx operator arguments)]
+      [(lambda-form? operator) (plain-application stx)]
+      [else (apply-to stx #'#%app #`(#%plain-app callable #,operator) arguments)]))
+
+  ;; Racket's own application of the same syntax.
+  (define (plain-application stx)
+    (datum->syntax stx (cons #'#%app (cdr (syntax-e stx))) stx stx))
+
+  (define (apply-to stx app operator arguments)
+    (datum->syntax stx (list* app operator arguments) stx stx))
+
+  (define (application-of-variable stx f arguments)
+    (define temporaries (temporary-names arguments))
+    (define operands
+      (for/list ([a (in-list arguments)] [t (in-list temporaries)]) (or t a)))
+    (define call
+      #`(if (#%plain-app procedure? #,f)
+            #,(apply-to stx #'#%plain-app f operands)
+            (#%plain-app (#%plain-app stand-in #,f '#,f) #,@operands)))
+    (define bindings
+      (for/list ([a (in-list arguments)] [t (in-list temporaries)] #:when t)
+        #`[(#,t) #,(without-name a)]))
+    (if (null? bindings)
+        call
+        #`(let-values #,bindings #,call)))
+
+  ;; An identifier for each argument that needs one, or #f.  Constants need
+  ;; none; variables do when a sibling might assign them.
+  (define (temporary-names arguments)
+    (define free? (if (andmap atomic? arguments) atomic? constant?))
+    (for/list ([a (in-list arguments)]
+               [t (in-sequences names (in-cycle '(#f)))])
+      (and (not (free? a))
+           (or t (car (generate-temporaries '(t)))))))
+
+  ;; Each expansion renames these apart.
+  (define names (syntax->list #'(t0 t1 t2 t3 t4 t5 t6 t7)))
+
+  (define (atomic? stx) (or (identifier? stx) (constant? stx)))
+
+  (define (constant? stx)
+    (define d (syntax-e stx))
+    (or (number? d) (boolean? d)
+        (syntax-case stx (quote) [(quote _) #t] [_ #f])))
+
+  ;; The temporary must not name a procedure written as an argument.
+  (define (without-name stx)
+    (syntax-property stx 'inferred-name (void)))
+
+  (define (keyword-argument? stx) (keyword? (syntax-e stx)))
+
+  (define (lambda-form? stx)
+    (syntax-case stx ()
+      [(head . _) (identifier? #'head) (memq (syntax-e #'head) '(lambda λ case-lambda))]
+      [_ #f]))
+
+  (define (imported? id)
+    (define binding (identifier-binding id))
+    (and (pair? binding)
+         (let-values ([(path base) (module-path-index-split (car binding))])
+           (and path #t)))))

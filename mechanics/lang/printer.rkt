@@ -1,0 +1,106 @@
+#lang racket/base
+;; Results at the prompt and at the top level of a `#lang mechanics` module:
+;; simplified, in the book's notation, broken over lines that fit the window.
+;;
+;; The printer wraps the one that was current, which writes what is no part of
+;; mechanics (strings, lists, pictures) as ever, and receives the text of what
+;; is as a value that prints as that text; so output keeps the colour, the
+;; value history and the line ends of the editor it appears in.
+
+(require "layout.rkt"
+         "../algebra/expression.rkt"
+         "../generic/describe.rkt" "../generic/kind.rkt"
+         "../value/simplify.rkt")
+
+(provide install-printer! print-result)
+
+;; ---------------------------------------------------------------------------
+;; The session's printer
+
+;; A value of `current-print`; `other` is the printer it wraps.
+(struct session-printer (other)
+  #:property prop:procedure
+  (lambda (printer x)
+    (print-through (session-printer-other printer) x (simplify-interruptibly x))))
+
+;; Make the current printer ours; again is no harm.
+(define (install-printer!)
+  (define printer (current-print))
+  (unless (session-printer? printer)
+    (current-print (session-printer printer))))
+
+;; Print a result of a module, whatever printer is current.  A break is the
+;; reader's wish to stop the program and is left to do so.
+(define (print-result x)
+  (define printer (current-print))
+  (print-through (if (session-printer? printer) (session-printer-other printer) printer)
+                 x
+                 (simplify-or-say-why x)))
+
+(define (print-through other x simplified)
+  (other (if (in-notation? x)
+             (laid-out (layout (value->datum simplified) (output-width)))
+             simplified)))
+
+;; Text that prints as itself in all of Racket's modes.
+(struct laid-out (text)
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (l port mode) (write-string (laid-out-text l) port)))
+
+;; Is x written by us?  Numbers are not: they look the same either way.
+(define (in-notation? x)
+  (or (symbolic? x)
+      (has-kind? x)
+      (and (procedure? x) (not (custom-write? x)))))
+
+;; ---------------------------------------------------------------------------
+;; Simplification that cannot take the prompt down
+
+(define (simplify-interruptibly x)
+  (with-handlers ([exn:break?
+                   (lambda (e)
+                     (note "simplification interrupted; the result as computed:")
+                     x)])
+    (simplify-or-say-why x)))
+
+(define (simplify-or-say-why x)
+  (with-handlers ([exn:fail?
+                   (lambda (e)
+                     (note (format "the result could not be simplified (~a)"
+                                   (exn-message e)))
+                     x)])
+    (simplified x)))
+
+(define (note text)
+  (define port (current-error-port))
+  (write-string (string-append "; " text "\n") port)
+  (flush-output port))
+
+;; The elements of a list are simplified though Racket prints the list.
+(define (simplified x)
+  (cond [(or (symbolic? x) (has-kind? x)) (simplify x)]
+        [(list? x) (map simplified x)]
+        [else x]))
+
+;; ---------------------------------------------------------------------------
+;; Width
+
+(define default-width 79)
+
+;; Columns there are for a line on the current output: of the terminal, or of
+;; the window where the port is one that shows pictures, as DrRacket's does.
+(define (output-width)
+  (define port (current-output-port))
+  (define columns
+    (cond [(port-writes-special? port)
+           ((dynamic-require 'racket/pretty 'pretty-print-columns))]
+          [(terminal-port? port) (terminal-columns)]
+          [else default-width]))
+  (if (exact-positive-integer? columns) columns default-width))
+
+;; Racket CS knows the terminal's size through a primitive that other builds
+;; may lack.
+(define (terminal-columns)
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (cdr ((dynamic-require ''#%terminal 'terminal-get-screen-size)))))

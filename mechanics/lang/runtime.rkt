@@ -1,0 +1,8 @@
+#lang racket/base
+;; What a session of mechanics sets when it starts.  Required by
+;; `configure-runtime` submodules only, never by a library.
+
+(require "printer.rkt")
+
+(print-as-expression #t)
+(install-printer!)
