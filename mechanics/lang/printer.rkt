@@ -7,7 +7,7 @@
 ;; is as a value that prints as that text; so output keeps the colour, the
 ;; value history and the line ends of the editor it appears in.
 
-(require "layout.rkt"
+(require "../display/layout.rkt"
          "../algebra/expression.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt"
          "../value/simplify.rkt")
