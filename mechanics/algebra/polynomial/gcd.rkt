@@ -1,7 +1,19 @@
 #lang racket/base
 ;; The greatest common divisor of polynomials.
+;;
+;; In order: numbers and monomials are split off; a variable that only one of
+;; the two has, or that univariate images (images.rkt) show to be missing in the
+;; gcd, is got rid of by taking coefficients, since what divides p and is free
+;; of x divides every coefficient of p in x.  Mostly nothing is left, and
+;; coprimality is proved.  Otherwise a common divisor g is found by trial
+;; division, heuristically or by the sparse modular method, and checked by
+;; division; if its degrees attain the bounds of the images it is the greatest,
+;; else gcd(p, q) = g · gcd(p/g, q/g).  Remainder sequences, which need no luck,
+;; come last, so the answer is always right and always comes.
 
-(require "arithmetic.rkt" "structure.rkt" "content.rkt" "remainder-gcd.rkt")
+(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
+         "modular.rkt" "images.rkt" "rering.rkt"
+         "heuristic-gcd.rkt" "sparse-gcd.rkt" "remainder-gcd.rkt")
 
 (provide poly-gcd poly-gcd*)
 
@@ -10,13 +22,95 @@
 (define (poly-gcd R p q)
   (cond [(null? p) (primitive-part R q)]
         [(null? q) (primitive-part R p)]
-        [else (primitive-part R (remainder-gcd R (primitive-part R p) (primitive-part R q)))]))
+        [(or (poly-constant? p) (poly-constant? q)) one]
+        [else
+         (define m (common-monomial R p))
+         (define n (common-monomial R q))
+         (define g (primitive-gcd R (strip R m p) (strip R n q)))
+         (shift-terms (monomial-gcd R m n) 1 g)]))
+
+;; The gcd of a list, small ones first.
+(define (poly-gcd* R ps)
+  (define sorted
+    (if (or (null? ps) (null? (cdr ps))) ps (sort ps < #:key length #:cache-keys? #t)))
+  (let loop ([g '()] [ps sorted])
+    (cond [(null? ps) g]
+          [(and (pair? g) (poly-constant? g)) g]
+          [else (loop (poly-gcd R g (car ps)) (cdr ps))])))
+
+(define one '((0 . 1)))
 
 (define (primitive-part R p)
-  (define-values (c primitive) (poly-primitive R p))
+  (define-values (content primitive) (poly-primitive R p))
   primitive)
 
-(define (poly-gcd* R ps)
-  (for/fold ([g '()]) ([p (in-list ps)]
-                       #:break (and (pair? g) (poly-constant? g)))
-    (poly-gcd R g p)))
+;; The primitive part of p without its monomial factor m.
+(define (strip R m p) (primitive-part R (shift-terms (- m) 1 p)))
+
+;; ---------------------------------------------------------------------------
+;; Getting rid of variables.  From here on p and q are primitive, and no
+;; variable divides them.
+
+(define (primitive-gcd R p q)
+  (cond [(or (poly-constant? p) (poly-constant? q)) one]
+        [(poly=? p q) p]
+        [else
+         (define ps (poly-variables R p))
+         (define qs (poly-variables R q))
+         (if (equal? ps qs)
+             (gcd-by-images R p q ps 0)
+             (gcd-of-coefficients R p (list-minus ps qs) q (list-minus qs ps)))]))
+
+(define (list-minus as bs) (filter (lambda (a) (not (memv a bs))) as))
+
+(define (gcd-of-coefficients R p p-variables q q-variables)
+  (poly-gcd* R (append (poly-coefficients-over R p p-variables)
+                       (poly-coefficients-over R q q-variables))))
+
+;; How often other points and primes are tried before remainder sequences.
+(define attempts 4)
+
+(define (gcd-by-images R p q variables seed)
+  (define bounds
+    (gcd-degree-bounds R p q variables seed (nth-prime seed)))
+  (define free
+    (for/list ([i (in-list variables)] [b (in-list bounds)] #:when (eq? b 0)) i))
+  (cond [(pair? free)
+         (if (equal? free variables) one (gcd-of-coefficients R p free q free))]
+        [else
+         (define g (find-divisor R p q variables bounds seed))
+         (cond [(and g (equal? bounds (degrees R g variables))) g]
+               [(and g (not (poly-constant? g)))
+                (poly* R g (poly-gcd R (poly-divide R p g) (poly-divide R q g)))]
+               [(< seed attempts) (gcd-by-images R p q variables (+ seed 1))]
+               [else (remainder-gcd R p q)])]))
+
+(define (nth-prime n)
+  (for/fold ([P first-prime]) ([i (in-range n)]) (next-prime P)))
+
+(define (degrees R p variables)
+  (for/list ([i (in-list variables)]) (poly-degree R p i)))
+
+;; ---------------------------------------------------------------------------
+;; Finding a divisor
+
+;; Larger integers than this many bits are left to the sparse method.
+(define heuristic-limit 3000)
+
+(define (find-divisor R p q variables bounds seed)
+  (or (and (equal? bounds (degrees R q variables)) (poly-divide R p q) q)
+      (and (equal? bounds (degrees R p variables)) (poly-divide R q p) p)
+      (and (eqv? seed 0)
+           (< (heuristic-size R p q variables) heuristic-limit)
+           (heuristic-divisor R p q variables))
+      (sparse-divisor-within R p q variables bounds seed)))
+
+;; Scaling by leading coefficients can double the degrees.
+(define (sparse-divisor-within R p q variables bounds seed)
+  (define degree (* 2 (max (poly-total-degree R p) (poly-total-degree R q))))
+  (define W (if (<= degree (ring-max-degree R)) R (make-ring (ring-size R) degree)))
+  (define g
+    (sparse-divisor W (rering R W p) (rering R W q) variables bounds
+                    (lambda (ps) (poly-gcd* W ps))
+                    seed))
+  (and g (rering W R g)))

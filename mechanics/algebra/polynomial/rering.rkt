@@ -7,5 +7,7 @@
 
 ;; The polynomial p of the ring `from`, in the ring `to`.
 (define (rering from to p)
-  (for/list ([t (in-list p)])
-    (cons (exponents->monomial to (monomial-exponents from (car t))) (cdr t))))
+  (if (eq? from to)
+      p
+      (for/list ([t (in-list p)])
+        (cons (factors->monomial to (monomial-factors from (car t))) (cdr t)))))

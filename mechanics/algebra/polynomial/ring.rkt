@@ -22,8 +22,8 @@
  (struct-out exn:algebra:degree-overflow) raise-degree-overflow
  ;; packed monomials
  ring-limit check-monomial
- variable-unit variable-monomial exponents->monomial
- monomial-degree monomial-exponent
+ variable-unit variable-monomial exponents->monomial factors->monomial
+ monomial-degree monomial-exponent monomial-part
  monomial-exponents monomial-factors
  monomial-divides? monomial-gcd)
 
@@ -82,6 +82,12 @@
                              [unit (in-vector (ring-units R))])
                     (if (eq? e 0) m (+ m (* e unit))))))
 
+;; factors : ((index . exponent) ...), each index once
+(define (factors->monomial R factors)
+  (check-monomial R
+                  (for/fold ([m 0]) ([f (in-list factors)])
+                    (+ m (* (cdr f) (variable-unit R (car f)))))))
+
 (define (monomial-degree R m) (arithmetic-shift m (- (ring-degree-shift R))))
 
 (define (monomial-exponent R m i)
@@ -92,6 +98,16 @@
 (define (monomial-fields R m)
   (define shift (ring-degree-shift R))
   (- m (arithmetic-shift (arithmetic-shift m (- shift)) shift)))
+
+;; A procedure from monomials to their parts in the given variables.
+(define (monomial-part R variables)
+  (define mask
+    (for/fold ([mask 0]) ([i (in-list variables)])
+      (bitwise-ior mask (arithmetic-shift (ring-field R)
+                                          (* (- (ring-size R) i 1) (ring-bits R))))))
+  (lambda (m)
+    (define fields (bitwise-and m mask))
+    (if (eq? fields 0) 0 (factors->monomial R (monomial-factors R fields)))))
 
 ;; The variables that occur: ((index . exponent) ...) by ascending index.  Costs
 ;; one step a variable occurring, however many the ring has.

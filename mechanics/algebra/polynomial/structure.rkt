@@ -12,7 +12,7 @@
  poly-terms poly-for-each-term
  poly-leading-coefficient
  ;; along one variable
- poly-coefficients poly-from-coefficients poly-derivative poly-substitute)
+ poly-coefficients poly-coefficients-over poly-from-coefficients poly-derivative poly-substitute)
 
 ;; ---------------------------------------------------------------------------
 ;; Predicates
@@ -87,6 +87,17 @@
     (hash-set! table e (cons reduced (hash-ref table e '()))))
   (for/list ([e (in-list (sort (hash-keys table) >))])
     (cons e (reverse (hash-ref table e)))))
+
+;; The nonzero coefficients of p as a polynomial in several variables.
+(define (poly-coefficients-over R p variables)
+  (cond [(null? variables) (list p)]
+        [else
+         (define part (monomial-part R variables))
+         (define table (make-hasheqv))
+         (for ([t (in-list p)])
+           (define m (part (car t)))
+           (hash-set! table m (cons (cons (- (car t) m) (cdr t)) (hash-ref table m '()))))
+         (for/list ([terms (in-hash-values table)]) (reverse terms))]))
 
 (define (poly-from-coefficients R i alist)
   (poly-sum R
