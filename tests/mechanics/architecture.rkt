@@ -51,6 +51,12 @@
 
 (define (full-path name) (build-path (simple-form-path library) name))
 
+;; What the compiler has to say against a file, or #f.
+(define (compiler-complaint name)
+  (with-handlers ([exn:fail? exn-message])
+    (get-module-code (full-path name))
+    #f))
+
 (define (require-graph names)
   (for/hash ([name (in-list names)])
     (values name (remove* (list name)
@@ -279,7 +285,17 @@
 ;; The library
 
 (define names (library-files))
-(define graph (require-graph names))
+
+(define complaints
+  (for*/hash ([name (in-list names)]
+              [complaint (in-value (compiler-complaint name))]
+              #:when complaint)
+    (values name complaint)))
+
+(define graph (require-graph (remove* (hash-keys complaints) names)))
+
+(test-case "every file compiles"
+  (check-equal? complaints (hash)))
 
 (test-case "the library is there and its requires are seen"
   (check-not-false (member "algebra/expression.rkt" names))

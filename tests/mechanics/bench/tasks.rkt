@@ -1,0 +1,93 @@
+#lang racket/base
+;; What `make bench` measures.  A new task is one more entry here; figures to
+;; compare it with go into peers.rkt, under its name.
+
+(require (prefix-in m: mechanics)
+         "systems.rkt"
+         "task.rkt")
+
+(provide tasks micros find-task find-micro)
+
+;; ---------------------------------------------------------------------------
+;; Lagrange equations on literal paths, simplified
+
+;; A residual before and after simplification.
+(define (residual L path)
+  (define raw (((m:Lagrange-equations L) path) 't))
+  (cons raw (m:simplify raw)))
+
+(define (residual-size r)
+  (format "~a > ~a" (node-count (m:expression (car r))) (node-count (m:expression (cdr r)))))
+
+;; The lists of an S-expression, shared ones once.
+(define (node-count datum)
+  (define seen (make-hasheq))
+  (let walk ([d datum])
+    (when (and (pair? d) (not (hash-ref seen d #f)))
+      (hash-set! seen d #t)
+      (for-each walk d)))
+  (hash-count seen))
+
+(define (chain-task name n)
+  (make-task name
+             (format "Lagrange equations of a chain of ~a links through F->C, simplified" n)
+             (lambda () (residual (chain-Lagrangian n) (chain-path n)))
+             #:size residual-size))
+
+(define tasks
+  (list
+   (chain-task 'L2 2)
+   (chain-task 'L3 3)
+   (chain-task 'L4 4)
+   (chain-task 'L6 6)
+   (make-task 'R2 "Lagrange equations of a rigid body in Euler angles, simplified"
+              (lambda () (residual (rigid-body-Lagrangian 'A 'B 'C) (Euler-path)))
+              #:size residual-size)))
+
+;; ---------------------------------------------------------------------------
+;; Operations
+
+(define x (opaque 1.25))
+(define y (opaque -0.75))
+(define u (m:up x y 2.0))
+(define v (m:up y 0.5 x))
+(define u* (vector x y 2.0))
+(define v* (vector y 0.5 x))
+
+(define (add-vectors a b)
+  (vector (+ (vector-ref a 0) (vector-ref b 0))
+          (+ (vector-ref a 1) (vector-ref b 1))
+          (+ (vector-ref a 2) (vector-ref b 2))))
+
+(define (f t) (m:* t (m:sin t)))
+(define (df t) (+ (sin t) (* t (cos t))))
+
+(define micros
+  (list
+   (make-micro 'add "+ on two flonums"
+               (lambda (n) (repeat n (m:+ x y)))
+               #:against (lambda (n) (repeat n (+ x y)))
+               #:reach "2×")
+   (make-micro 'multiply "* on two flonums"
+               (lambda (n) (repeat n (m:* x y)))
+               #:against (lambda (n) (repeat n (* x y)))
+               #:reach "2×")
+   (make-micro 'sine "sin of a flonum"
+               (lambda (n) (repeat n (m:sin x)))
+               #:against (lambda (n) (repeat n (sin x))))
+   (make-micro 'add3 "+ on two up tuples of 3"
+               (lambda (n) (repeat n (m:+ u v)))
+               #:against (lambda (n) (repeat n (add-vectors u* v*)))
+               #:reach "100 ns")
+   (make-micro 'derivative "((D f) x) for x sin x"
+               (lambda (n) (repeat n ((m:D f) x)))
+               #:against (lambda (n) (repeat n (df x)))
+               #:reach "500 ns")))
+
+;; ---------------------------------------------------------------------------
+
+(define (find-task name) (find name tasks task-name))
+(define (find-micro name) (find name micros micro-name))
+
+(define (find name entries entry-name)
+  (for/first ([e (in-list entries)] #:when (eq? (entry-name e) name)) e))
