@@ -1,0 +1,135 @@
+#lang racket/base
+;; A basis of the lattice that given vectors span over the integers.
+;;
+;; The angles θ, θ/2 and θ - φ are vectors over the atoms θ, φ.  To write the
+;; sine of each by few sines and cosines one needs vectors b₁ ... bᵣ,
+;; independent over the rationals, of which every angle is an *integer*
+;; combination: here θ/2 and φ.
+;;
+;; First a maximal independent subset of the vectors themselves is kept, the
+;; earlier ones preferred.  When all others are integer combinations of it (the
+;; usual case) it is the basis; otherwise the Hermite normal form of all
+;; coordinates, scaled to integers, gives one.
+;;
+;; A vector is a list of (key . rational), keys ascending, rationals nonzero.
+
+(provide integer-basis vector-scale vector-add)
+
+;; vectors -> (values basis coordinates), coordinates a list with, for each
+;; vector, a list of (basis position . integer).
+(define (integer-basis vectors)
+  (define-values (independent coordinates) (rational-basis vectors))
+  (if (andmap integral? coordinates)
+      (values independent coordinates)
+      (refine independent coordinates)))
+
+(define (integral? v)
+  (for/and ([entry (in-list v)]) (integer? (cdr entry))))
+
+;; ---------------------------------------------------------------------------
+;; Sparse vectors
+
+(define (vector-scale c v)
+  (if (eqv? c 0)
+      '()
+      (for/list ([entry (in-list v)]) (cons (car entry) (* c (cdr entry))))))
+
+(define (vector-add u v)
+  (cond [(null? u) v]
+        [(null? v) u]
+        [(< (caar u) (caar v)) (cons (car u) (vector-add (cdr u) v))]
+        [(> (caar u) (caar v)) (cons (car v) (vector-add u (cdr v)))]
+        [else
+         (define c (+ (cdar u) (cdar v)))
+         (define rest (vector-add (cdr u) (cdr v)))
+         (if (eqv? c 0) rest (cons (cons (caar u) c) rest))]))
+
+(define (coordinate v key)
+  (define entry (assv key v))
+  (if entry (cdr entry) 0))
+
+;; v minus the multiple of row that clears v's coordinate at row's first key.
+(define (clear v row)
+  (vector-add v (vector-scale (- (/ (coordinate v (caar row)) (cdar row))) row)))
+
+;; ---------------------------------------------------------------------------
+;; Over the rationals
+
+;; Each row is (reduced . combination): a reduced vector and how it is made of
+;; the independent vectors, whose positions are the keys of the combination.
+(define (rational-basis vectors)
+  (define-values (independent rows coordinates)
+    (for/fold ([independent '()] [rows '()] [coordinates '()])
+              ([v (in-list vectors)])
+      (define-values (rest combination) (reduce v rows))
+      (cond [(null? rest)
+             (values independent rows (cons (vector-scale -1 combination) coordinates))]
+            [else
+             (define k (length independent))
+             (values (cons v independent)
+                     (append rows (list (cons rest (vector-add combination (list (cons k 1))))))
+                     (cons (list (cons k 1)) coordinates))])))
+  (values (reverse independent) (reverse coordinates)))
+
+;; -> v - Σ cᵢ vᵢ with the keys of all rows cleared, and -c.
+(define (reduce v rows)
+  (for/fold ([v v] [combination '()]) ([row (in-list rows)])
+    (define c (- (/ (coordinate v (caaar row)) (cdaar row))))
+    (values (vector-add v (vector-scale c (car row)))
+            (vector-add combination (vector-scale c (cdr row))))))
+
+;; ---------------------------------------------------------------------------
+;; Over the integers
+
+(define (refine independent coordinates)
+  (define scale
+    (for*/fold ([m 1]) ([v (in-list coordinates)] [entry (in-list v)])
+      (lcm m (denominator (cdr entry)))))
+  (define rows
+    (for/list ([row (in-list (hermite (for/list ([v (in-list coordinates)])
+                                        (vector-scale scale v))))])
+      (vector-scale (/ 1 scale) row)))
+  (values (for/list ([row (in-list rows)]) (combine row independent))
+          (for/list ([v (in-list coordinates)]) (solve v rows))))
+
+(define (combine row vectors)
+  (for/fold ([sum '()]) ([entry (in-list row)])
+    (vector-add sum (vector-scale (cdr entry) (list-ref vectors (car entry))))))
+
+;; The echelon rows of an integer matrix, by Euclid's algorithm on columns.
+(define (hermite rows)
+  (define nonzero (filter pair? rows))
+  (cond [(null? nonzero) '()]
+        [else
+         (define key (apply min (map caar nonzero)))
+         (define-values (pivot others) (euclid key nonzero))
+         (define below (hermite others))
+         (cons (reduce-by pivot below) below)]))
+
+;; The row with its entries above the pivots of the rows below made least.
+(define (reduce-by row below)
+  (for/fold ([row row]) ([b (in-list below)])
+    (vector-add row (vector-scale (- (round (/ (coordinate row (caar b)) (cdar b)))) b))))
+
+(define (euclid key rows)
+  (define (size v) (abs (coordinate v key)))
+  (define here (filter (lambda (v) (eqv? (caar v) key)) rows))
+  (define elsewhere (filter (lambda (v) (not (eqv? (caar v) key))) rows))
+  (define pivot (car (sort here < #:key size)))
+  (define reduced
+    (for/list ([v (in-list here)] #:unless (eq? v pivot))
+      (define q (quotient (coordinate v key) (coordinate pivot key)))
+      (vector-add v (vector-scale (- q) pivot))))
+  (define rest (filter pair? (append reduced elsewhere)))
+  (if (ormap (lambda (v) (eqv? (caar v) key)) rest)
+      (euclid key (cons pivot rest))
+      (values (if (negative? (cdar pivot)) (vector-scale -1 pivot) pivot) rest)))
+
+;; v as a combination of echelon rows.
+(define (solve v rows)
+  (let loop ([v v] [rows rows] [k 0])
+    (cond [(null? rows) '()]
+          [else
+           (define c (/ (coordinate v (caaar rows)) (cdaar rows)))
+           (define rest (loop (clear v (car rows)) (cdr rows) (+ k 1)))
+           (if (eqv? c 0) rest (cons (cons k c) rest))])))

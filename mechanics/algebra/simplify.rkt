@@ -1,0 +1,81 @@
+#lang racket/base
+;; Simplification: to a canonical value, and from it to a readable expression.
+;;
+;; The kernels of an expression are found (their arguments simplified first),
+;; the expression is evaluated as a fraction of polynomials in them, reduced by
+;; the relations among them, and presented.
+
+(require "operation.rkt" "expression.rkt" "datum.rkt" "kernel.rkt" "collect.rkt" "field.rkt"
+         "present.rkt" "radicand.rkt"
+         "polynomial/polynomial.rkt")
+
+(provide simplify-expression simplify-expression/assumptions factor-expression
+         normalize)
+
+(define (simplify-expression e)
+  (if (node? e)
+      ((services-simplify (make-services (make-ledger))) e)
+      e))
+
+;; -> the simplified expression and what it takes for granted, as datums such
+;; as (>= R 0).
+(define (simplify-expression/assumptions e)
+  (define ledger (make-ledger))
+  (values (if (node? e) ((services-simplify (make-services ledger)) e) e)
+          (ledger-assumptions ledger)))
+
+(define (factor-expression e) (simplify-expression e))
+
+;; ---------------------------------------------------------------------------
+;; The assumptions made so far, each once
+
+(struct ledger (table [list #:mutable]) #:authentic)
+
+(define (make-ledger) (ledger (make-hash) '()))
+
+(define (assume! l expression)
+  (unless (hash-ref (ledger-table l) expression #f)
+    (hash-set! (ledger-table l) expression #t)
+    (set-ledger-list! l (cons expression (ledger-list l)))))
+
+(define (ledger-assumptions l)
+  (for/list ([e (in-list (reverse (ledger-list l)))])
+    (list '>= (expression->datum e) 0)))
+
+;; ---------------------------------------------------------------------------
+;; The services kernels are collected with: everything once a node
+
+(define (make-services ledger)
+  (define memo (make-memo))
+  (define simple (make-memo))
+  (define (normal e)
+    (memo e (lambda () (call-with-values (lambda () (normalize e these)) cons))))
+  (define (simplify e)
+    (if (node? e)
+        (simple e (lambda ()
+                    (define n (normal e))
+                    (present (car n) (cdr n))))
+        e))
+  (define (terms e)
+    (define n (normal (if (node? e) e (make-node op:+ (list e)))))
+    (linear-terms (car n) (cdr n)))
+  (define (split e degree)
+    (define n (normal (if (node? e) e (make-node op:+ (list e)))))
+    (split-root (car n) (cdr n) degree (lambda (f) (assume! ledger f))))
+  (define these (services simplify terms split))
+  these)
+
+;; -> the field of the expression's kernels and its value there.
+(define (normalize e services)
+  (define atlas (collect-kernels e services))
+  (define kernels (place-kernels! (atlas-kernels atlas)))
+  (let retry ([degree (degree-bound e)])
+    (define result
+      (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
+        (define F (make-field atlas kernels degree))
+        (cons F (field-fraction F e))))
+    (if result
+        (values (car result) (cdr result))
+        (retry (* 2 degree)))))
+
+(define (degree-bound e) 7)

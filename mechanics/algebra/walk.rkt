@@ -1,0 +1,98 @@
+#lang racket/base
+;; Evaluating an expression whose kernels are known, in any arithmetic.
+;;
+;; The same walk makes fractions of polynomials, degree bounds, residues modulo
+;; a prime: an `arithmetic` says what constants and kernels are and how values
+;; combine.  Sines and cosines of angles that are combinations of basic ones
+;; come from powers of cos θ + i sin θ (cosh u + j sinh u with j² = 1).
+
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "exact.rkt")
+
+(provide (struct-out arithmetic) evaluate-in)
+
+;; constant : exact rational -> value        kernel : kernel -> value
+;; sum, product : values -> value            difference, quotient : value value -> value
+;; power : value integer -> value
+(struct arithmetic (constant kernel sum product difference quotient power)
+  #:authentic)
+
+;; The value of e, whose kernels the atlas holds.
+(define (evaluate-in A atlas e)
+  (define resolutions (atlas-resolutions atlas))
+  (define memo (make-memo))
+  (define turns (make-turns A))
+  (define (walk e)
+    (cond [(number? e) (number-value e)]
+          [(symbol? e) (kernel-value e)]
+          [else (memo e (lambda () (node-value e)))]))
+  (define (kernel-value e) ((arithmetic-kernel A) (hash-ref resolutions e)))
+  (define (number-value x)
+    (define constant (arithmetic-constant A))
+    (cond [(not (exact-constant? x)) (kernel-value x)]
+          [(real? x) (constant (rational-part x))]
+          [else
+           ((arithmetic-sum A)
+            (list (constant (rational-part x))
+                  ((arithmetic-product A)
+                   (list (constant (imaginary-part x)) (kernel-value imaginary-unit)))))]))
+  (define (node-value n)
+    (define head (node-head n))
+    (define args (node-args n))
+    (cond [(eq? head op:+) ((arithmetic-sum A) (map walk args))]
+          [(eq? head op:*) ((arithmetic-product A) (map walk args))]
+          [(eq? head op:-) ((arithmetic-difference A) (walk (car args)) (walk (cadr args)))]
+          [(eq? head op:/) ((arithmetic-quotient A) (walk (car args)) (walk (cadr args)))]
+          [else (resolved-value n args)]))
+  (define (resolved-value n args)
+    (define r (hash-ref resolutions n))
+    (cond [(kernel? r) ((arithmetic-kernel A) r)]
+          [(circular? r) (circular-value r)]
+          [(surd? r) (surd-value r)]
+          [else ((arithmetic-power A) (walk (car args)) (exact-exponent (cadr args)))]))
+  (define (circular-value r)
+    (define turn (turns (circular-angle r)))
+    (cond [(memq (circular-function r) (list op:sin op:sinh)) (cdr turn)]
+          [(memq (circular-function r) (list op:cos op:cosh)) (car turn)]
+          [else ((arithmetic-quotient A) (cdr turn) (car turn))]))
+  (define (surd-value r)
+    (define outer ((arithmetic-power A) (walk (surd-outer r)) (surd-power r)))
+    (if (surd-root r)
+        ((arithmetic-product A)
+         (list outer
+               ((arithmetic-power A)
+                ((arithmetic-kernel A) (root-kernel (surd-root r)))
+                (surd-power r))))
+        outer))
+  (walk e))
+
+;; ---------------------------------------------------------------------------
+;; Angles
+
+;; (make-turns A) -> (angle -> (cosine . sine))
+(define (make-turns A)
+  (define memo (make-memo))
+  (define zero ((arithmetic-constant A) 0))
+  (define one ((arithmetic-constant A) 1))
+  (define (product . values) ((arithmetic-product A) values))
+  (define (scale c v) (product ((arithmetic-constant A) c) v))
+  (define (multiply sign t u)
+    (cons ((arithmetic-difference A)
+           (product (car t) (car u))
+           (scale sign (product (cdr t) (cdr u))))
+          ((arithmetic-sum A)
+           (list (product (cdr t) (car u)) (product (car t) (cdr u))))))
+  (define (power sign t n)
+    (cond [(eqv? n 1) t]
+          [(even? n) (power sign (multiply sign t t) (quotient n 2))]
+          [else (multiply sign t (power sign t (- n 1)))]))
+  (define (multiple circle n)
+    (define kernel (arithmetic-kernel A))
+    (define sine (kernel (circle-sine circle)))
+    (define t (cons (kernel (circle-cosine circle))
+                    (if (negative? n) (scale -1 sine) sine)))
+    (power (circle-sign circle) t (abs n)))
+  (define (turn multiples)
+    (for/fold ([t #f] #:result (or t (cons one zero))) ([m (in-list multiples)])
+      (define u (multiple (car m) (cdr m)))
+      (if t (multiply (circle-sign (car m)) t u) u)))
+  (lambda (a) (memo a (lambda () (turn (angle-multiples a))))))
