@@ -46,6 +46,16 @@ as_root() {
     fi
 }
 
+# apt_install PACKAGE …: what apt-get says is shown only when it fails.
+apt_install() {
+    log=$(mktemp)
+    code=0
+    as_root apt-get install -y -qq --no-install-recommends "$@" >"$log" 2>&1 || code=$?
+    [ "$code" -eq 0 ] || cat "$log" >&2
+    rm -f "$log"
+    return "$code"
+}
+
 can_be_root() { [ "$(id -u)" -eq 0 ] || have sudo; }
 
 # Lists may be stale or, on a fresh machine, absent.  One source that cannot be
@@ -65,8 +75,7 @@ install_racket() {
         '' | '(none)') give_up "apt-get knows no package racket." ;;
     esac
     at_least "${version#*:}" || give_up "The package racket of this system is version $version, which is too old."
-    as_root apt-get install -y -qq --no-install-recommends racket >&2 ||
-        give_up "apt-get could not install Racket."
+    apt_install racket || give_up "apt-get could not install Racket."
 }
 
 # Minimal Racket lacks most of the distribution.
@@ -129,7 +138,7 @@ install_libraries() {
         first_available $names
     done)
     # shellcheck disable=SC2086
-    [ -z "$packages" ] || as_root apt-get install -y -qq --no-install-recommends $packages >&2
+    [ -z "$packages" ] || apt_install $packages
 }
 
 ensure_libraries() {
