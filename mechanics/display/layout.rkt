@@ -52,12 +52,17 @@
 ;; ---------------------------------------------------------------------------
 ;; Lines
 
+;; Columns below which breaking a line is no use: nesting is too deep.
+(define least-room 8)
+
 ;; Write an item that starts at `column` and is followed by `closers`
 ;; parentheses; lines after the first are indented to suit.
 (define (emit i column closers width port)
-  (cond [(string? i) (write-string i port)]
-        [(<= (+ column (block-width i) closers) width) (emit-flat i port)]
-        [else (emit-broken (block-items i) column closers width port)]))
+  (if (or (string? i)
+          (<= (+ column (block-width i) closers) width)
+          (< (- width column) least-room))
+      (emit-flat i port)
+      (emit-broken (block-items i) column closers width port)))
 
 (define (emit-flat i port)
   (cond [(string? i) (write-string i port)]

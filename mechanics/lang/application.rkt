@@ -74,20 +74,25 @@
 
 (begin-for-syntax
   (define (expand-application stx operator arguments)
-    (define keyword-call? (ormap keyword-argument? arguments))
     (cond
-      [(and (identifier? operator) (imported? operator)) (plain-application stx)]
-      [(and (identifier? operator) (not keyword-call?))
-       (application-of-variable stx operator arguments)]
-      [(lambda-form? operator) (plain-application stx)]
-      [else (apply-to stx #'#%app #`(#%plain-app callable #,operator) arguments)]))
+      [(not (identifier? operator))
+       (if (lambda-form? operator)
+           (plain-application stx)
+           (apply-to stx #`(#%plain-app callable #,operator) arguments))]
+      [(imported? operator) (plain-application stx)]
+      [(ormap keyword-argument? arguments)
+       (apply-to stx #`(if (#%plain-app procedure? #,operator)
+                           #,operator
+                           (#%plain-app stand-in #,operator '#,operator))
+                 arguments)]
+      [else (application-of-variable stx operator arguments)]))
 
   ;; Racket's own application of the same syntax.
   (define (plain-application stx)
     (datum->syntax stx (cons #'#%app (cdr (syntax-e stx))) stx stx))
 
-  (define (apply-to stx app operator arguments)
-    (datum->syntax stx (list* app operator arguments) stx stx))
+  (define (apply-to stx operator arguments)
+    (datum->syntax stx (list* #'#%app operator arguments) stx stx))
 
   (define (application-of-variable stx f arguments)
     (define temporaries (temporary-names arguments))
@@ -95,7 +100,7 @@
       (for/list ([a (in-list arguments)] [t (in-list temporaries)]) (or t a)))
     (define call
       #`(if (#%plain-app procedure? #,f)
-            #,(apply-to stx #'#%plain-app f operands)
+            #,(datum->syntax stx (list* #'#%plain-app f operands) stx stx)
             (#%plain-app (#%plain-app stand-in #,f '#,f) #,@operands)))
     (define bindings
       (for/list ([a (in-list arguments)] [t (in-list temporaries)] #:when t)

@@ -150,14 +150,14 @@
 ;; variables of the patterns before it.
 (define (rewrite-formals formals who)
   (define-values (arguments tail) (parse-formals formals))
-  (define positions (argument-positions arguments))
   (for/fold ([new '()] [bounds '()] [ids '()]
              #:result (values (append (reverse new) tail)
                               (reverse bounds)
-                              (filter identifier? (cons tail ids))))
-            ([a (in-list arguments)] [position (in-list positions)])
+                              (cons tail ids)))
+            ([a (in-list arguments)]
+             [what (in-list (argument-positions arguments))])
     (define name (argument-name a))
-    (define b (and (pattern? name) (bound name (fresh 'tuple) position)))
+    (define b (and (pattern? name) (bound name (fresh 'tuple) what)))
     (values (append (reverse (argument->syntax a b (reverse bounds) who)) new)
             (if b (cons b bounds) bounds)
             (append (if b (pattern-variables name) (list name)) ids))))
@@ -180,17 +180,21 @@
   (let name ([arguments arguments] [i 1])
     (cond [(null? arguments) '()]
           [(positional? (car arguments))
-           (cons (if alone? "the argument" (format "argument ~a" i))
-                 (name (cdr arguments) (add1 i)))]
+           (cons (position i alone?) (name (cdr arguments) (add1 i)))]
           [else
            (cons (format "argument ~a" (syntax-e (argument-keyword (car arguments))))
                  (name (cdr arguments) i))])))
 
-;; The left-hand sides of `let`: likewise.
-(define (rewrite-bindings names who what)
+(define (position i alone?)
+  (if alone? "the argument" (format "argument ~a" i)))
+
+;; The left-hand sides of `let`, likewise; those of a loop are its arguments.
+(define (rewrite-bindings names loop?)
+  (define alone? (= 1 (length names)))
   (for/fold ([lefts '()] [bounds '()] [ids '()]
              #:result (values (reverse lefts) (reverse bounds) ids))
-            ([name (in-list names)])
+            ([name (in-list names)] [i (in-naturals 1)])
+    (define what (if loop? (position i alone?) "the value"))
     (define b (and (pattern? name) (bound name (fresh 'tuple) what)))
     (values (cons (if b (bound-value b) name) lefts)
             (if b (cons b bounds) bounds)

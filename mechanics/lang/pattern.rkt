@@ -138,8 +138,7 @@
 (begin-for-syntax
   (define (rewrite-let loop names values body stx)
     (define who (if loop (syntax-e loop) (syntax-e (car (syntax-e stx)))))
-    (define-values (lefts bounds ids)
-      (rewrite-bindings names who (if loop "the argument" "the value")))
+    (define-values (lefts bounds ids) (rewrite-bindings names (and loop #t)))
     (check-distinct ids "identifier" stx)
     (note-pattern-heads
      (quasisyntax/loc stx
