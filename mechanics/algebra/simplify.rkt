@@ -6,11 +6,11 @@
 ;; the relations among them, and presented.
 
 (require "operation.rkt" "expression.rkt" "datum.rkt" "kernel.rkt" "collect.rkt" "field.rkt"
-         "present.rkt" "radicand.rkt"
-         "polynomial/polynomial.rkt")
+         "present.rkt" "radicand.rkt" "condition.rkt"
+         "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide simplify-expression simplify-expression/assumptions factor-expression
-         normalize)
+         normal-form)
 
 (define (simplify-expression e)
   (if (node? e)
@@ -24,7 +24,21 @@
   (values (if (node? e) ((services-simplify (make-services ledger)) e) e)
           (ledger-assumptions ledger)))
 
-(define (factor-expression e) (simplify-expression e))
+;; The same value as a product: numbers and kernels, common divisors, and last
+;; the core, the factor that may vanish.
+(define (factor-expression e)
+  (define-values (F f assumptions) (normal-form e))
+  (cond [(fraction-zero? f) 0]
+        [else
+         (define-values (factor core condition) (factor-and-core F f))
+         (e:* factor core)]))
+
+;; -> the field of the expression's kernels, its value there, the assumptions.
+(define (normal-form e)
+  (define ledger (make-ledger))
+  (define node (if (node? e) e (make-node op:+ (list e))))
+  (define-values (F f) (normalize node (make-services ledger)))
+  (values F f (ledger-assumptions ledger)))
 
 ;; ---------------------------------------------------------------------------
 ;; The assumptions made so far, each once

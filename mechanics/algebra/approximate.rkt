@@ -1,0 +1,84 @@
+#lang racket/base
+;; Numeric values with a bound on their rounding error.
+;;
+;; A value is a pair (number . error), the true value being within `error` of
+;; the number: exact arithmetic has error 0, a flonum that was typed is taken
+;; to be uncertain in its last place, and every operation passes errors on to
+;; first order and adds its own rounding.  So "not zero" can be told from
+;; "zero within rounding".
+
+(require "operation.rkt" "expression.rkt")
+
+(provide approximate-expression)
+
+(define unit (expt 2.0 -52))
+
+;; lookup : as for evaluate-expression, giving plain numbers.
+;; -> number and error; the number is not finite where e is not defined.
+(define (approximate-expression e lookup)
+  (define result
+    (node-fold e
+               (lambda (leaf) (if (symbol? leaf) (plain (lookup leaf '())) (constant leaf)))
+               (lambda (n args)
+                 (define head (node-head n))
+                 (if (literal-head? head)
+                     (plain (lookup n (map bare args)))
+                     (approximate head args)))))
+  (values (car result) (cdr result)))
+
+(define (plain x) (cons x 0))
+(define (constant x) (cons x (if (exact? x) 0 (* 0.5 unit (magnitude x)))))
+
+;; The value alone, of tuples too.
+(define (bare v)
+  (if (symbol? (car v)) (cons (car v) (map bare (cdr v))) (car v)))
+
+(define (rounded x error)
+  (cons x (if (exact? x) error (+ error (* unit (magnitude x))))))
+
+;; ---------------------------------------------------------------------------
+
+(define (approximate op args)
+  (define f (operation-numeric op))
+  (cond [(not f) (cons (operation-name op) args)]
+        [(eq? op op:+) (for/fold ([s (car args)]) ([a (in-list (cdr args))]) (add + s a))]
+        [(eq? op op:-) (add - (car args) (cadr args))]
+        [(eq? op op:*) (for/fold ([p (car args)]) ([a (in-list (cdr args))]) (multiply p a))]
+        [(eq? op op:/) (divide (car args) (cadr args))]
+        [else
+         (define value (apply f (map car args)))
+         (rounded value (propagated op (map car args) (map cdr args) value))]))
+
+(define (add f a b)
+  (rounded (f (car a) (car b)) (+ (cdr a) (cdr b))))
+
+(define (multiply a b)
+  (rounded (* (car a) (car b))
+           (+ (* (magnitude (car a)) (cdr b))
+              (* (magnitude (car b)) (cdr a))
+              (* (cdr a) (cdr b)))))
+
+(define (divide a b)
+  (define q (/ (car a) (car b)))
+  (define room (- (magnitude (car b)) (cdr b)))
+  (rounded q (if (positive? room)
+                 (/ (+ (cdr a) (* (magnitude q) (cdr b))) room)
+                 +inf.0)))
+
+;; The error of value = op(xs) due to those of xs: |derivative| · error.
+(define (propagated op xs errors value)
+  (cond [(andmap (lambda (e) (eqv? e 0)) errors) 0]
+        [(memq op (list op:sin op:cos op:tanh op:abs)) (apply + errors)]
+        [else
+         (for/sum ([e (in-list errors)] [k (in-naturals)] #:unless (eqv? e 0))
+           (* e (slope op xs k value)))]))
+
+;; A bound for the derivative by argument k, from a difference quotient, with
+;; room for its change over the error.
+(define (slope op xs k value)
+  (define x (list-ref xs k))
+  (define h (* 1e-6 (max 1.0 (magnitude x))))
+  (define (at dx)
+    (define moved (for/list ([y (in-list xs)] [i (in-naturals)]) (if (eqv? i k) (+ y dx) y)))
+    (magnitude (- (apply (operation-numeric op) moved) value)))
+  (* 2.0 (/ (max (at h) (at (- h))) h)))

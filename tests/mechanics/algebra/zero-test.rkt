@@ -1,0 +1,57 @@
+#lang racket/base
+;; Verdicts: what is proved, refuted, left undecided, and what they carry.
+
+(require rackunit "reading.rkt"
+         mechanics/algebra/evaluate mechanics/algebra/zero-test)
+
+(define (verdict d) (zero-test (datum->expression d)))
+(define (status d) (zero-test-status (verdict d)))
+
+(test-case "an identity is proved"
+  (check-equal? (status '(- (expt (+ a b) 2) (+ (* a a) (* 2 a b) (* b b)))) 'proved)
+  (check-equal? (status '(- 1 (expt (sin (x t)) 2) (expt (cos (x t)) 2))) 'proved)
+  (check-equal? (status 0) 'proved))
+
+(test-case "a refutation carries a point that a person can check"
+  (for ([d (in-list '((+ (* m (((expt D 2) x) t)) (* k (x t)))
+                      (- (* a k (cos (+ (* omega t) phi)))
+                         (* a m omega omega (cos (+ phi (* t omega)))))
+                      (- (V (x t)) (V (y t)))
+                      x))])
+    (define e (datum->expression d))
+    (define v (zero-test e))
+    (check-equal? (zero-test-status v) 'refuted)
+    (define value (evaluate-expression e (point-lookup (zero-test-witness v))))
+    (check-= value (zero-test-value v) 1e-9)
+    (check-true (> (abs value) 1e-6))
+    (for ([entry (in-list (zero-test-witness v))])
+      (check-true (<= 1 (cdr entry) 11)))))
+
+(test-case "a literal function has one value for one argument"
+  (check-equal? (status '(- (V (+ a a)) (V (* 2 a)))) 'proved)
+  (define v (verdict '(- (V a) (V b))))
+  (check-not-equal? (cdr (assq 'a (zero-test-witness v)))
+                    (cdr (assq 'b (zero-test-witness v)))))
+
+(test-case "flonum input is never proved, and never refuted within rounding"
+  (check-equal? (status '(- (* 9.8 (+ a 1)) (* 9.8 a) 9.8)) 'undecided)
+  (check-equal? (status '(+ (* 0.1 a) (* 0.2 a) (* -0.3 a))) 'undecided)
+  (check-equal? (status '(+ (* 0.1 a) (* 0.2 a) (* -0.3001 a))) 'refuted))
+
+(test-case "outside the decidable class a numerical zero is undecided, with its bound"
+  (define v (verdict '(- (sqrt (+ 5 (* 2 (sqrt 6)))) (sqrt 2) (sqrt 3))))
+  (check-equal? (zero-test-status v) 'undecided)
+  (check-true (< 0 (zero-test-bound v) 1e-12))
+  (check-true (> (zero-test-points v) 5)))
+
+(test-case "the core of a residual gives the condition on its parameters"
+  (define v (verdict '(- (* a k (cos (+ (* omega t) phi)))
+                         (* a m omega omega (cos (+ phi (* t omega)))))))
+  (check-equal? (zero-test-core v) (datum->expression '(- k (* m (expt omega 2)))))
+  (check-equal? (zero-test-factor v) (datum->expression '(* a (cos (+ (* omega t) phi)))))
+  (check-equal? (zero-test-condition v) '(= k (* m (expt omega 2)))))
+
+(test-case "what a verdict takes for granted is told"
+  (define v (verdict '(- (sqrt (expt R 2)) R)))
+  (check-equal? (zero-test-status v) 'proved)
+  (check-equal? (zero-test-assumptions v) '((>= R 0))))
