@@ -12,8 +12,10 @@
 
 (require "local-tuple.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt"
-         "../calculus/derivative.rkt" "../value/function.rkt")
+         "../generic/arithmetic.rkt" "../generic/function.rkt"
+         "../calculus/derivative.rkt"
+         (only-in "../value/function.rkt" compose)
+         (only-in "../value/signature.rkt" scalar?))
 
 (provide Lagrange-equations generalized-LE
          equations? equations-Lagrangian equations-force equations-order
@@ -22,8 +24,7 @@
 (define kind:equations
   (make-kind #:rank rank:function
              #:describe (lambda (e) "a function of paths")
-             #:datum (lambda (e)
-                       (list 'Lagrange-equations (value->datum (equations-Lagrangian e))))
+             #:datum (lambda (e) (equations->datum e))
              #:arity (lambda (e) 2)))
 
 ;; A function of paths that keeps what it was made from, for those who want to
@@ -34,6 +35,11 @@
   #:property prop:procedure (lambda (e q) (residual-along e q))
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write (lambda (e port mode) (write-value e port)))
+
+(define (equations->datum e)
+  (append (list 'Lagrange-equations (value->datum (equations-Lagrangian e)))
+          (if (equations-force e) (list '#:force (value->datum (equations-force e))) '())
+          (if (= (equations-order e) 1) '() (list '#:order (equations-order e)))))
 
 ;; ((Lagrange-equations L) q) is the residual, a function of time.
 (define (Lagrange-equations L #:force [Q #f] #:order [n 1])
@@ -49,20 +55,20 @@
 (define (residual-along e q)
   (define L (scalar-valued (equations-Lagrangian e)))
   (define n (equations-order e))
-  (define path (Gamma q (+ n 2)))
+  (define local (Gamma (path 'Lagrange-equations q) (+ n 2)))
   (define force (equations-force e))
   (make-function
    (lambda (t)
-     (define momenta (momentum-terms L path n t))
-     (define residual (g:- momenta (((partial 1) L) (path t))))
-     (if force (g:- residual (force (path t))) residual))
+     (define momenta (momentum-terms L local n t))
+     (define residual (g:- momenta (((partial 1) L) (local t))))
+     (if force (g:- residual (force (local t))) residual))
    2
    (lambda () (list (value->datum e) (value->datum q)))))
 
 ;; Σ_{k=1..n} (−1)^{k+1} D^k(∂_{k+1}L ∘ Γ[q]) at t
-(define (momentum-terms L path n t)
+(define (momentum-terms L local n t)
   (for/fold ([sum 0]) ([k (in-range 1 (add1 n))])
-    (define along (compose ((partial (add1 k)) L) path))
+    (define along (compose ((partial (add1 k)) L) local))
     (define term ((for/fold ([f along]) ([_ (in-range k)]) (D f)) t))
     (if (odd? k) (g:+ sum term) (g:- sum term))))
 
@@ -87,16 +93,14 @@
 (define (scalar-valued L)
   (lambda (local)
     (define value (L local))
-    (if (or (procedure? value) (tuple? value) (not value) (void? value))
-        (raise-not-scalar L value)
-        value)))
+    (if (scalar? value) value (raise-not-scalar L value))))
 
 (define (raise-not-scalar L value)
   (raise
    (exn:fail:contract
     (format "Lagrange-equations: the value of a Lagrangian is a number, but that of ~a is ~a~a"
             (value->text L) (describe-with-value value)
-            (if (and (procedure? value) (not (tuple? value)))
-                "\n  Was a parameter left out, as in (L-harmonic 'm 'k)?"
+            (if (pointwise? value)
+                "\n  was a parameter left out, as the mass in (L-free-particle 'm)?"
                 ""))
     (current-continuation-marks))))

@@ -25,16 +25,35 @@
                  (lambda () (list 'F->C (value->datum F)))))
 
 (define (transform F local)
-  (unless (and (local-tuple? local) (>= (s:length local) 3))
-    (raise
-     (exn:fail:contract
-      (format "F->C: expected a local tuple (up t q v); given ~a" (describe-with-value local))
-      (current-continuation-marks))))
+  (check-local-tuple local)
   (define n (s:length local))
   (if (= n 3)
       (let-values ([(q v) (value-and-derivative-along F local (drift local))])
         (up (time local) q v))
       ((Gamma-bar (lambda (q) (Gamma (compose F (Gamma q)) n))) local)))
+
+;; At least (t, q, v), and v of the shape of q.
+(define (check-local-tuple local)
+  (unless (and (local-tuple? local) (>= (s:length local) 3))
+    (raise
+     (exn:fail:contract
+      (format "F->C: expected a local tuple (up t q v); given ~a" (describe-with-value local))
+      (current-continuation-marks))))
+  (unless (same-shape? (coordinate local) (velocity local))
+    (raise
+     (exn:fail:contract
+      (format "F->C: the velocities are not of the shape of the coordinates\n  coordinates: ~a\n  velocities: ~a"
+              (value->text (coordinate local)) (value->text (velocity local)))
+      (current-continuation-marks)))))
+
+(define (same-shape? a b)
+  (if (and (tuple? a) (tuple? b))
+      (let ([s (adopt a)] [t (adopt b)])
+        (and (compatible? s t)
+             (for/and ([x (in-vector (structure-elements s))]
+                       [y (in-vector (structure-elements t))])
+               (same-shape? x y))))
+      (not (or (tuple? a) (tuple? b)))))
 
 ;; How a local tuple (t, q, v) moves: (1, v, 0).
 (define (drift local)

@@ -9,7 +9,7 @@
          "../calculus/derivative.rkt" "../value/structure.rkt")
 
 (provide
- Gamma path->state-path
+ Gamma path->state-path path
  ->local ->state ->L-state local-tuple?
  time coordinate velocity acceleration
  coordinates velocities accelerations
@@ -22,8 +22,8 @@
 ;; Paths to local tuples
 
 ;; (Gamma q) is t ↦ (t, q(t), Dq(t)); (Gamma q n) has n components.
-(define (Gamma q [n 3])
-  (check-path q)
+(define (Gamma given-q [n 3])
+  (define q (path 'Gamma given-q))
   (unless (and (exact-integer? n) (>= n 2))
     (raise-argument-error 'Gamma "the length of the local tuples, an integer of at least 2" n))
   (define derivatives                   ; q, Dq, ..., D^(n-2) q
@@ -38,14 +38,20 @@
 
 (define (path->state-path q [n 3]) (Gamma q n))
 
-(define (check-path q)
-  (unless (procedure? q)
-    (raise
-     (exn:fail:contract
-      (format "Gamma: a path is a function of time, or a tuple of such functions; given ~a~a"
-              (describe-with-value q)
-              (if (symbol? q) (format "\n  (literal-function '~a) makes a path of that name" q) ""))
-      (current-continuation-marks)))))
+;; q, known to be a path; a Racket vector counts as a tuple.
+(define (path who q)
+  (cond [(procedure? q) q]
+        [(and (vector? q) (for/and ([f (in-vector q)]) (procedure? f))) (adopt q)]
+        [else
+         (raise
+          (exn:fail:contract
+           (format "~a: a path is a function of time, or a tuple of such functions; given ~a~a"
+                   who (describe-with-value q)
+                   (cond [(symbol? q)
+                          (format "\n  (literal-function '~a) makes a path of that name" q)]
+                         [(pair? q) "\n  a list is not a tuple; use (up x y ...)"]
+                         [else ""]))
+           (current-continuation-marks)))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Building and taking apart

@@ -16,13 +16,13 @@
 (define (delta eta)
   (unless (procedure? eta)
     (raise-argument-error 'delta "a variation: a function of time, or a tuple of them" eta))
-  (define name (list 'delta (value->datum eta)))
-  (make-operator
-   (lambda (f)
-     (unless (procedure? f)
-       (raise-argument-error 'delta "a function of paths" f))
-     (make-function
-      (lambda (q) (derivative-at (lambda (epsilon) (f (g:+ q (g:* epsilon eta)))) 0))
-      2
-      (lambda () (list name (value->datum f)))))
-   name))
+  (define (name) (list 'delta (value->datum eta)))
+  (make-primitive-operator (lambda (f) (variation-of f eta name)) name))
+
+(define (variation-of f eta operator-name)
+  (unless (procedure? f)
+    (raise-argument-error 'delta "a function of paths" f))
+  (define (name) (list (operator-name) (value->datum f)))
+  (define (at q)
+    (derivative-at (lambda (epsilon) (f (g:+ q (g:* epsilon eta)))) 0))
+  (make-function (lambda (q) (name-functions (at q) name (list q))) 2 name))

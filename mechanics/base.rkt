@@ -1,0 +1,58 @@
+#lang racket/base
+;; The mathematics without the mechanics: structures, generic arithmetic,
+;; literals, derivatives, simplification, verdicts.
+
+(require "generic/arithmetic.rkt" "generic/elementary.rkt" "generic/compare.rkt"
+         "generic/loops.rkt"
+         "value/constants.rkt" "value/function.rkt" "value/linear.rkt" "value/matrix.rkt"
+         "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt"
+         (except-in "value/structure.rkt" up down)
+         "calculus/derivative.rkt" "calculus/literal-function.rkt" "calculus/verdict.rkt"
+         "algebra/datum.rkt"
+         "lang/pattern.rkt")
+
+(provide
+ ;; binding forms with structure patterns
+ define lambda λ case-lambda let let*
+ ;; arithmetic
+ (rename-out [g:+ +] [g:- -] [g:* *] [g:/ /] [g:expt expt] [g:sqrt sqrt]
+             [g:square square] [g:square sqr] [g:cube cube]
+             [g:negate negate] [g:invert invert]
+             [g:exp exp] [g:log log] [g:abs abs]
+             [g:sin sin] [g:cos cos] [g:tan tan] [g:sec sec] [g:csc csc] [g:cot cot]
+             [g:asin asin] [g:acos acos] [g:atan atan]
+             [g:sinh sinh] [g:cosh cosh] [g:tanh tanh])
+ pi :pi :-pi :pi/2 :2pi
+ ;; comparison
+ (rename-out [g:= =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]
+             [g:zero? zero?] [g:one? one?] [g:positive? positive?] [g:negative? negative?]
+             [g:max max] [g:min min] [g:add1 add1] [g:sub1 sub1])
+ ;; sums and products over sequences
+ (rename-out [g:for/sum for/sum] [g:for/product for/product]
+             [g:for*/sum for*/sum] [g:for*/product for*/product])
+ ;; structures
+ up down up? down? structure? structure-orientation
+ ref component s:ref s:length s:dimension dimension
+ structure->vector structure->list vector->up vector->down list->up list->down
+ s:generate s:map s:map/r s:fold flip s:same s:opposite
+ compatible-shape compatible-zero dual-zero zero-like
+ dot-product inner-product outer-product cross-product euclidean-norm
+ ;; matrices and linear algebra
+ matrix? matrix-by-rows matrix-by-columns m:generate identity-matrix
+ up->column-matrix down->row-matrix column-matrix->up row-matrix->down
+ matrix-ref m:num-rows m:num-cols m:dimension m:nth-row m:nth-col m:submatrix m:invert
+ transpose determinant trace solve-linear-left solve-linear-right s->m m->s s:inverse
+ ;; functions and operators
+ compose identity constant-function
+ make-operator operator? (rename-out [I-operator I]) commutator anticommutator
+ ;; literals
+ literal-function literal-function? literal-up literal-down literal-number with-literals
+ -> Real Any X X* UP UP* DOWN DOWN* Lagrangian Hamiltonian
+ ;; derivatives
+ D partial
+ ;; expressions
+ expression simplify factor substitute print-limit
+ ;; verdicts
+ prove-zero verify-equal
+ verdict? verdict-status verdict-residual verdict-witness verdict-value
+ verdict-assumptions verdict-conditions verdict-factored proved? refuted? undecided?)

@@ -1,0 +1,107 @@
+#lang racket/base
+;; Verdicts: is a residual zero?
+;;
+;; A verdict says `proved`, `refuted` or `undecided` and carries its evidence:
+;; the simplified residual, a point where it is not zero, the assumptions made.
+;; The algebra judges scalars one by one; a structure is proved zero when every
+;; scalar of it is, and refuted when one is.
+
+(require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt"
+         "../algebra/expression.rkt" "../algebra/zero-test.rkt"
+         "dual.rkt" "verdict-text.rkt")
+
+(provide prove-zero verify-equal
+         verdict? verdict-status verdict-residual verdict-witness verdict-value
+         verdict-assumptions verdict-conditions verdict-factored
+         proved? refuted? undecided?)
+
+;; residual    : the value judged, simplified
+;; tests       : the zero-test of each of its scalars, in order
+(struct verdict (status residual tests)
+  #:authentic
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (v port mode)
+    (write-verdict (verdict-status v) (verdict-residual v) (verdict-tests v) port)))
+
+(define (proved? v) (eq? (verdict-status v) 'proved))
+(define (refuted? v) (eq? (verdict-status v) 'refuted))
+(define (undecided? v) (eq? (verdict-status v) 'undecided))
+
+;; ---------------------------------------------------------------------------
+;; Evidence
+
+(define (first-refuted v)
+  (for/first ([z (in-list (verdict-tests v))] #:when (eq? (zero-test-status z) 'refuted)) z))
+
+;; Substitutions ((expression . number) ...) at which the residual is not zero,
+;; and its value there; #f unless refuted.
+(define (verdict-witness v)
+  (define z (first-refuted v))
+  (and z (zero-test-witness z)))
+(define (verdict-value v)
+  (define z (first-refuted v))
+  (and z (zero-test-value z)))
+
+(define (verdict-assumptions v)
+  (distinct (apply append (map zero-test-assumptions (verdict-tests v)))))
+
+;; Equations, each of which makes a scalar of the residual vanish.
+(define (verdict-conditions v)
+  (distinct
+   (for/list ([z (in-list (verdict-tests v))] #:when (zero-test-condition z))
+     (zero-test-condition z))))
+
+;; ((factor . core) ...) of the scalars that are not zero.
+(define (verdict-factored v)
+  (for/list ([z (in-list (verdict-tests v))] #:when (zero-test-core z))
+    (cons (zero-test-factor z) (zero-test-core z))))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (member x kept) kept (cons x kept))))
+
+;; ---------------------------------------------------------------------------
+;; Judging
+
+;; x : a value, or a function, which is judged at symbolic arguments.
+(define (prove-zero x)
+  (define tests '())
+  (define residual
+    (map-leaves (lambda (leaf)
+                  (define z (judge leaf))
+                  (set! tests (cons z tests))
+                  (zero-test-residual z))
+                (at-symbolic-arguments x)))
+  (verdict (overall (map zero-test-status tests)) residual (reverse tests)))
+
+(define (verify-equal a b) (prove-zero (g:- a b)))
+
+(define (overall statuses)
+  (cond [(memq 'refuted statuses) 'refuted]
+        [(memq 'undecided statuses) 'undecided]
+        [else 'proved]))
+
+(define (judge leaf)
+  (unless (expression? leaf)
+    (raise
+     (exn:fail:contract
+      (format "prove-zero: expected a number, an expression, a tuple of them, or a function; given ~a"
+              (describe-with-value leaf))
+      (current-continuation-marks))))
+  (zero-test leaf))
+
+;; Functions are taken at a symbolic time t, or at t0 t1 ... if they take
+;; several arguments; also inside structures.
+(define (at-symbolic-arguments x)
+  (cond [(and (procedure? x) (not (tuple? x)))
+         (at-symbolic-arguments (apply x (symbolic-arguments x)))]
+        [(tuple? x) (structure-map at-symbolic-arguments (adopt x))]
+        [else x]))
+
+(define (symbolic-arguments f)
+  (define n (for/first ([n (in-naturals 1)] #:when (or (accepts? f n) (> n 20))) n))
+  (if (= n 1)
+      '(t)
+      (for/list ([i (in-range n)]) (string->symbol (format "t~a" i)))))

@@ -1,0 +1,39 @@
+#lang racket/base
+;; Everything a reader of the book types: `mechanics/base`, mechanics proper,
+;; and Racket's own language around it.
+
+(require racket/match
+         "base.rkt"
+         "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
+         "lagrangian/Lagrange-equations.rkt" "lagrangian/local-tuple.rkt"
+         "lagrangian/variation.rkt" "lagrangian/verify.rkt"
+         "display/print-expression.rkt"
+         "teach/derivation.rkt"
+         "lang/application.rkt" "lang/session.rkt")
+
+(provide
+ (all-from-out racket/base racket/match "base.rkt")
+ ;; the language
+ #%app #%module-begin #%top-interaction
+ ;; local tuples
+ Gamma path->state-path ->local ->state ->L-state
+ time coordinate velocity acceleration
+ coordinates velocities accelerations
+ coordinate-tuple velocity-tuple acceleration-tuple
+ state->t state->q state->qdot state->qddot state->n-dof Q Qdot Qdotdot
+ literal-Lagrangian-state
+ ;; actions
+ Lagrangian-action definite-integral minimize
+ ;; equations of motion
+ Lagrange-equations generalized-LE delta verify-solution
+ derivation-steps show-derivation
+ ;; coordinates
+ F->C Gamma-bar osculating-path
+ p->r r->p polar->rectangular rectangular->polar
+ s->r r->s spherical->rectangular rectangular->spherical
+ ;; showing
+ print-expression pe show-expression se)
+
+;; Run by `racket -I mechanics` and by programs written in `#lang mechanics`.
+(module configure-runtime racket/base
+  (require "lang/runtime.rkt"))

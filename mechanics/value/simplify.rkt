@@ -1,0 +1,62 @@
+#lang racket/base
+;; The algebra of expressions, applied to every scalar of a value.
+
+(require "../generic/describe.rkt"
+         "../algebra/expression.rkt" "../algebra/simplify.rkt" "../algebra/evaluate.rkt")
+
+(provide expression simplify simplify/assumptions factor substitute with-literals)
+
+;; The plain S-expression of a value, as it prints.
+(define (expression x) (value->datum x))
+
+;; The same value with every scalar simplified; functions stay as they are.
+(define (simplify x)
+  (map-leaves (lambda (leaf) (if (symbolic? leaf) (simplify-expression leaf) leaf)) x))
+
+;; The simplified value, and what simplification assumed.
+(define (simplify/assumptions x)
+  (define assumptions '())
+  (define value
+    (map-leaves
+     (lambda (leaf)
+       (cond [(symbolic? leaf)
+              (define-values (e used) (simplify-expression/assumptions leaf))
+              (set! assumptions (append assumptions used))
+              e]
+             [else leaf]))
+     x))
+  (values value (distinct assumptions)))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (member x kept) kept (cons x kept))))
+
+;; The same value with every scalar written as a product as far as its factors
+;; are found.
+(define (factor x)
+  (map-leaves (lambda (leaf) (if (symbolic? leaf) (factor-expression leaf) leaf)) x))
+
+;; (substitute value 'm 3 'k (expt omega 2) ...), all at once.
+(define (substitute x . names-and-replacements)
+  (define alist (pair-up names-and-replacements))
+  (map-leaves
+   (lambda (leaf) (if (symbolic? leaf) (substitute-expression leaf alist) leaf))
+   x))
+
+(define (pair-up xs)
+  (cond [(null? xs) '()]
+        [(null? (cdr xs))
+         (raise-arguments-error 'substitute "a name has no replacement" "name" (car xs))]
+        [else
+         (check-replacement (car xs) (cadr xs))
+         (cons (cons (car xs) (cadr xs)) (pair-up (cddr xs)))]))
+
+(define (check-replacement name replacement)
+  (unless (symbolic? name)
+    (raise-argument-error 'substitute "a symbol or expression to replace" name))
+  (unless (expression? replacement)
+    (raise-argument-error 'substitute "a number or expression as replacement" replacement)))
+
+;; (with-literals (m k) body ...): the names stand for the symbols.
+(define-syntax-rule (with-literals (name ...) body ...)
+  (let ([name 'name] ...) body ...))
