@@ -167,7 +167,8 @@
 (define (fraction-invert R f)
   (define p (fraction-numerator f))
   (when (null? p)
-    (raise-arguments-error 'fraction/ "division by zero"))
+    (raise (exn:fail:contract:divide-by-zero "fraction/: division by zero"
+                                             (current-continuation-marks))))
   (define-values (content factors) (split-factors R p))
   (fraction (expand R (poly-constant R (/ 1 content)) (fraction-denominator-factors f))
             (basis-sort factors)))

@@ -19,10 +19,9 @@
 ;; A common divisor, primitive, likely the greatest; or #f.
 ;; p, q : primitive, over the given variables
 (define (heuristic-divisor R p q variables)
-  (define (attempt p q)
-    (define-values (c g) (poly-primitive R (guess R p q variables)))
-    (and (poly-divide R p g) (poly-divide R q g) g))
-  (attempt p q))
+  (for/or ([growth (in-list '(1 17/8 23/4))])
+    (define-values (c g) (poly-primitive R (guess R p q variables growth)))
+    (and (poly-divide R p g) (poly-divide R q g) g)))
 
 ;; About how many bits the integers would have.
 (define (heuristic-size R p q variables)
@@ -33,8 +32,9 @@
 (define (height p)
   (for/fold ([h 0]) ([t (in-list p)]) (max h (abs (cdr t)))))
 
-;; gcd over the integers, contents included, as the digits tell it.
-(define (guess R p q variables)
+;; gcd over the integers, contents included, as the digits tell it to bases
+;; `growth` times as large as they need be.
+(define (guess R p q variables growth)
   (cond [(or (null? p) (null? q)) (if (null? p) q p)]
         [(null? variables)
          (poly-constant R (gcd (poly-constant-value p) (poly-constant-value q)))]
@@ -42,9 +42,10 @@
          (define-values (p-content p*) (poly-primitive R p))
          (define-values (q-content q*) (poly-primitive R q))
          (define x (car variables))
-         (define base (+ 29 (* 2 (min (height p*) (height q*)))))
+         (define base
+           (floor (* growth (+ 29 (* 2 (min (height p*) (height q*)))))))
          (define g
-           (guess R (put R p* x base) (put R q* x base) (cdr variables)))
+           (guess R (put R p* x base) (put R q* x base) (cdr variables) growth))
          (poly-scale R (gcd p-content q-content) (digits R g x base))]))
 
 ;; p with the integer n for variable x.

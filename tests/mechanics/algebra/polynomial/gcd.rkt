@@ -1,0 +1,170 @@
+#lang racket/base
+;; The greatest common divisor: its laws for the gcd as a whole and for the
+;; remainder sequences alone, and hard cases.
+
+(require rackunit
+         mechanics/algebra/polynomial/polynomial
+         (only-in mechanics/algebra/polynomial/remainder-gcd remainder-gcd)
+         "laws.rkt" "random.rkt")
+
+;; ---------------------------------------------------------------------------
+;; Laws, of a procedure (gcd p q)
+
+(define (primitive R p)
+  (define-values (c primitive) (poly-primitive R p))
+  primitive)
+
+(define (gcd-laws R)
+  (define-syntax-rule (gcd-law name (gcd p q r) holds)
+    (law name (lambda (gcd p q r) holds)))
+  (define (divides? p q)
+    (if (poly-zero? p) (poly-zero? q) (and (poly-divide R q p) #t)))
+  (list
+   (gcd-law "divides both" (gcd p q r)
+            (and (divides? (gcd p q) p) (divides? (gcd p q) q)))
+   (gcd-law "commutes" (gcd p q r) (poly=? (gcd p q) (gcd q p)))
+   (gcd-law "takes common factors out" (gcd p q r)
+            (poly=? (gcd (poly* R p r) (poly* R q r))
+                    (primitive R (poly* R (gcd p q) r))))
+   (gcd-law "is primitive with positive leading coefficient" (gcd p q r)
+            (poly=? (gcd p q) (primitive R (gcd p q))))
+   (gcd-law "with zero is the primitive part" (gcd p q r)
+            (poly=? (gcd p (poly-constant R 0)) (primitive R p)))))
+
+(define (triples R n options)
+  (for/list ([_ (in-range n)])
+    (for/list ([_ (in-range 3)])
+      (random-polynomial R #:terms (car options) #:degree (cadr options)))))
+
+(for ([shape '((1 6 8) (2 6 5) (3 6 4) (6 8 4) (6 30 6) (50 8 4))])
+  (define-values (n terms degree) (apply values shape))
+  (test-case (format "the gcd laws hold for ~a terms of degree ~a in ~a variables" terms degree n)
+    (define R (make-ring n (* 2 degree)))
+    (with-seeds 4
+      (check-lawful (gcd-laws R)
+                    (lambda (p q) (poly-gcd R p q))
+                    (triples R 6 (list terms degree))))))
+
+(test-case "the gcd laws hold for remainder sequences alone"
+  (for ([n '(1 2 3)])
+    (define R (make-ring n 12))
+    (with-seeds 4
+      (check-lawful (gcd-laws R)
+                    (lambda (p q)
+                      (cond [(poly-zero? p) (primitive R q)]
+                            [(poly-zero? q) (primitive R p)]
+                            [else (remainder-gcd R p q)]))
+                    (triples R 4 '(3 2))))))
+
+(test-case "every gcd law fails for some wrong gcd"
+  (define R (make-ring 3 24))
+  (define (breaks name wrong)
+    (with-seeds 1 (check-broken name (gcd-laws R) wrong (triples R 10 '(4 3)))))
+  (breaks "divides both" (lambda (p q) (poly* R p q)))
+  (breaks "commutes" (lambda (p q) (primitive R p)))
+  (breaks "takes common factors out" (lambda (p q) (poly-constant R 1)))
+  (breaks "is primitive with positive leading coefficient"
+          (lambda (p q) (poly-scale R -2 (poly-gcd R p q))))
+  (breaks "with zero is the primitive part" (lambda (p q) (poly-constant R 1))))
+
+;; ---------------------------------------------------------------------------
+;; Cases
+
+(define R (make-ring 6 30))
+(define (number c) (poly-constant R c))
+(define (variable i) (poly-variable R i))
+(define (sum . ps) (poly-sum R ps))
+(define (product . ps) (for/fold ([r (number 1)]) ([p ps]) (poly* R r p)))
+(define-values (x y z u v w) (apply values (for/list ([i 6]) (variable i))))
+
+(define (check-gcd p q expected)
+  (check-equal? (poly-gcd R p q) expected)
+  (check-equal? (poly-gcd R q p) expected))
+
+(test-case "monomials, constants and zeros"
+  (check-gcd (product x x y) (product x y z) (product x y))
+  (check-gcd (product x (sum y z)) (product x x) x)
+  (check-gcd (number 4) (number 6) (number 1))
+  (check-gcd (number 0) (number 0) (number 0))
+  (check-gcd (number 0) (poly-scale R -6 x) x)
+  (check-gcd (number 3/2) x (number 1)))
+
+(test-case "variables in only one operand are no part of the gcd"
+  (check-gcd (product (sum x (number 1)) (sum y (number 2)))
+             (product (sum x (number 1)) (sum z (number 2)))
+             (sum x (number 1)))
+  (check-gcd (sum (product x u) (product y v)) (sum (product x w) z) (number 1))
+  (define g (sum (product x y) (number 3)))
+  (check-gcd (product g (sum u v (product u w))) (product g (sum (product x x) y)) g))
+
+(test-case "factors free of the main variable are found"
+  (define free (sum (product y z) (number 1)))
+  (check-gcd (product free (sum x y)) (product free (sum x z)) free)
+  (check-gcd (product free (sum x y) (sum x (number 1)))
+             (product free (sum x z) (sum x (number 1)))
+             (product free (sum x (number 1)))))
+
+(test-case "a gcd with non-trivial leading coefficients in every variable"
+  (define g (sum (product x y z) (poly-scale R 2 (product x z)) (poly-scale R 3 (product y x))
+                 (poly-scale R 5 (product y z)) (number 7)))
+  (define a (sum (product x y (sum z (number 4))) (number 1)))
+  (define b (sum (product x y (sum u z)) (product z x) (number 2)))
+  (check-gcd (product g g a) (product g b) g)
+  (check-gcd (product g g a) (product g g b) (product g g)))
+
+(test-case "coefficients beyond many primes"
+  (define big (expt 7 200))
+  (define g (sum (poly-scale R big (product x x y)) (poly-scale R (+ big 2) z) (number 3)
+                 (product u v) (product u w w)))
+  (define a (sum (poly-scale R (* 3 big) x) y z u v w (number 1)))
+  (define b (sum (poly-scale R (- big 1) (product x y)) z u v w (number 5)))
+  (check-gcd (product g a) (product g b) g))
+
+(test-case "coefficients divisible by the first prime"
+  (define P 1073741789)
+  (define g (sum (poly-scale R P (product x y)) (product z u) (number 1)))
+  (define a (sum (poly-scale R P x) y))
+  (define b (sum (poly-scale R P x) (poly-scale R P z) (number 2)))
+  (check-gcd (product g a) (product g b) g)
+  (check-gcd a b (number 1)))
+
+(test-case "conjugates that agree at many points are coprime"
+  (check-gcd (sum (product x x) (number 1)) (sum (product x x) (number -1)) (number 1))
+  (define p (for/fold ([p (number 1)]) ([i 10]) (product p (sum x (number i)))))
+  (check-gcd (sum p y) (sum p z) (number 1))
+  (check-gcd (sum p y) (sum p (poly-scale R 2 y)) (number 1)))
+
+(test-case "the gcd of a list divides all and takes common factors out"
+  (with-seeds 10
+    (define g (random-polynomial R #:terms 5 #:degree 3))
+    (define ps (for/list ([_ 6]) (random-polynomial R #:terms 5 #:degree 3)))
+    (unless (poly-zero? g)
+      (check-equal? (poly-gcd* R (for/list ([p ps]) (poly* R g p)))
+                    (primitive R (poly* R g (poly-gcd* R ps))))))
+  (check-true (poly-zero? (poly-gcd* R '()))))
+
+;; ---------------------------------------------------------------------------
+;; Square-free decomposition
+
+(test-case "the square-free factors multiply to the polynomial and are coprime and square-free"
+  (define R (make-ring 3 40))
+  (with-seeds 20
+    (define-values (a b c)
+      (apply values (for/list ([_ 3]) (random-polynomial R #:terms 3 #:degree 2))))
+    (define p (poly* R a (poly* R (poly-expt R b 2) (poly-expt R c 3))))
+    (unless (poly-zero? p)
+      (define factors (poly-square-free R p))
+      (check-equal? (for/fold ([r (poly-constant R 1)]) ([f factors])
+                      (poly* R r (poly-expt R (car f) (cdr f))))
+                    (primitive R p))
+      (for ([f factors])
+        (check-equal? (poly-square-free R (car f)) (list (cons (car f) 1)))
+        (for ([g factors] #:unless (eq? f g))
+          (check-true (poly-constant? (poly-gcd R (car f) (car g)))))))))
+
+(test-case "the square-free decomposition finds multiplicities"
+  (define p (sum x y))
+  (define q (sum (product x z) (number 1)))
+  (check-equal? (sort (poly-square-free R (product (number 6) p p p q z z)) < #:key cdr)
+                (list (cons q 1) (cons z 2) (cons p 3)))
+  (check-equal? (poly-square-free R (number 5)) '()))
