@@ -28,10 +28,11 @@
 
 (define (cosh x) (/ (+ (exp x) (exp (- x))) 2))
 (define (sinh x)
-  (if (and (real? x) (< (abs x) 1e-2))      ; Taylor: no cancellation near 0
-      (let ([s (* x x)])
-        (* x (+ 1 (* (/ s 6) (+ 1 (* (/ s 20) (+ 1 (/ s 42))))))))
-      (/ (- (exp x) (exp (- x))) 2)))
+  (cond [(eqv? x 0) 0]
+        [(and (real? x) (< (abs x) 1e-2))   ; Taylor: no cancellation near 0
+         (let* ([x (exact->inexact x)] [s (* x x)])
+           (* x (+ 1 (* (/ s 6) (+ 1 (* (/ s 20) (+ 1 (/ s 42))))))))]
+        [else (/ (- (exp x) (exp (- x))) 2)]))
 (define (tanh x)
   (cond [(not (real? x)) (/ (sinh x) (cosh x))]
         [(> x 20) 1.0]

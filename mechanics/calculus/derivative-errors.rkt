@@ -14,12 +14,14 @@
 (define (raise-needs-function who x)
   (complain "~a: needs a function; ~a is ~a~a"
             (datum->text who) (value->text x) (describe x)
-            (if (or (number? x) (symbol? x))
-                (format "\n  the constant function is (lambda (x) ~a)~a" (value->text x)
-                        (if (symbol? x)
-                            (format ", an unknown one (literal-function '~a)" x)
-                            ""))
-                "")))
+            (cond [(number? x) (format "\n  the constant function is (lambda (x) ~a)" x)]
+                  [(symbol? x)
+                   (format "\n  the constant function is (lambda (t) '~a), an unknown one (literal-function '~a)"
+                           x x)]
+                  [(pair? x) list-hint]
+                  [else ""])))
+
+(define list-hint "\n  a list is not a tuple; use (up x y ...)")
 
 ;; f was asked for its derivative at arguments it does not take.
 (define (raise-arity-of-differentiated f args who)
@@ -35,30 +37,43 @@
 
 (define (suggestion f who args x)
   (cond [(and x (accepts? f (structure-length x)))
-         (format ".\n  Did you mean ~a?"
-                 (datum->text
-                  (cons (list who (value->datum f))
-                        (for/list ([e (in-vector (structure-elements x))]) (value->datum e)))))]
-        [(and (not x) (accepts? f 1))
-         (format ".\n  Did you mean ~a?"
-                 (datum->text (list (list who (value->datum f))
-                                    (cons 'up (map value->datum args)))))]
+         (did-you-mean f who (vector->list (structure-elements x)))]
+        [(and (not x) (accepts? f 1)) (did-you-mean f who (list (apply up args)))]
         [else ""]))
 
+(define (did-you-mean f who args)
+  (format ".\n  Did you mean ~a?"
+          (datum->text (cons (list who (value->datum f)) (map typed-datum args)))))
+
+;; What one types to get x: symbols are quoted, where x is not too large to show.
+(define (typed-datum x)
+  (let quote-symbols ([d (value->datum x)])
+    (cond [(symbol? d) (quoted d)]
+          [(and (pair? d) (list? d)) (cons (car d) (map quote-symbols (cdr d)))]
+          [else d])))
+
+(struct quoted (symbol)
+  #:authentic
+  #:property prop:custom-write
+  (lambda (q port mode) (write-string "'" port) (write (quoted-symbol q) port)))
+
 (define (raise-no-such-component path s)
-  (complain "~a: there is no such component in ~a, ~a"
+  (complain "~a: there is no such component in ~a, ~a~a"
             (datum->text (cons 'partial path)) (value->text s)
             (if (tuple? s)
                 (format "~a~a" (describe (adopt s)) (index-range (structure-length (adopt s))))
-                (describe s))))
+                (describe s))
+            (if (and (not (tuple? s)) (null? (cdr path)))
+                "\n  the derivative of a function of one number is (D f)"
+                "")))
 
 (define (index-range n)
   (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n))))
 
 (define (raise-not-differentiable-at x)
-  (cond [(pair? x) (complain "D: a list is not a tuple; use (up x y ...)\n  given: ~a" (value->text x))]
-        [else (complain "D: cannot differentiate by ~a, ~a; expected a number or a tuple"
-                        (value->text x) (describe x))]))
+  (complain "D: cannot differentiate by ~a; expected a number or a tuple~a"
+            (describe-with-value x)
+            (if (pair? x) list-hint "")))
 
 ;; partial takes indices only: ((partial 0 F) x) is the slip to explain.
 (define (check-path path)

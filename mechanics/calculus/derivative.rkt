@@ -10,7 +10,7 @@
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../value/operator.rkt" "../algebra/expression.rkt")
 
-(provide D partial derivative-at value-and-derivative-along)
+(provide D partial derivative-at value-and-derivative-along name-functions)
 
 ;; ---------------------------------------------------------------------------
 ;; At a point
@@ -66,42 +66,57 @@
 ;; ---------------------------------------------------------------------------
 ;; Operators
 
-(define (spread f)
-  (lambda (s) (apply f (vector->list (structure-elements s)))))
-
-(define (differentiate f)
-  (unless (procedure? f) (raise-needs-function 'D f))
-  (case-lambda
-    [(x)
-     (unless (accepts? f 1) (raise-arity-of-differentiated f (list x) 'D))
-     (derivative-at f x)]
-    [xs
-     (unless (accepts? f (length xs)) (raise-arity-of-differentiated f xs 'D))
-     (derivative-by-components (spread f) (apply up xs))]))
-
 (define D
-  (make-operator (lambda (f) (with-arity-of f (differentiate f) (lambda () (list 'D (value->datum f)))))
-                 'D))
-
-(define (with-arity-of f derivative make-datum)
-  (make-function derivative (arity-mask f) make-datum))
+  (make-primitive-operator
+   (lambda (f) (derivative-function 'D f derivative-at))
+   (lambda () 'D)))
 
 ;; (partial i j ...): the derivative by component j of component i ... of the
 ;; argument, or of the tuple of the arguments when there are several.
 (define (partial . path)
   (check-path path)
   (define name (cons 'partial path))
-  (make-operator
-   (lambda (f)
-     (unless (procedure? f) (raise-needs-function name f))
-     (with-arity-of
-      f
-      (case-lambda
-        [(x)
-         (unless (accepts? f 1) (raise-arity-of-differentiated f (list x) name))
-         (partial-at f x path path)]
-        [xs
-         (unless (accepts? f (length xs)) (raise-arity-of-differentiated f xs name))
-         (partial-at (spread f) (apply up xs) path path)])
-      (lambda () (list name (value->datum f)))))
-   name))
+  (define (at f x) (partial-at f x path path))
+  (make-primitive-operator
+   (lambda (f) (derivative-function name f at))
+   (lambda () name)))
+
+;; The function whose value at x is (derivative-at f x); several arguments are
+;; taken as one up tuple.
+(define (derivative-function name given-f derivative-at)
+  (define f (if (vector? given-f) (vector->up given-f) given-f))
+  (unless (procedure? f) (raise-needs-function name f))
+  (define mask (arity-mask f))
+  (define (make-datum) (list name (value->datum f)))
+  (make-function
+   (case-lambda
+     [(x)
+      (unless (bitwise-bit-set? mask 1) (raise-arity-of-differentiated f (list x) name))
+      (name-functions (derivative-at f x) make-datum (list x))]
+     [xs
+      (unless (bitwise-bit-set? mask (length xs)) (raise-arity-of-differentiated f xs name))
+      (name-functions (derivative-at (spread f) (apply up xs)) make-datum xs)])
+   mask
+   make-datum))
+
+(define (spread f)
+  (lambda (s) (apply f (vector->list (structure-elements s)))))
+
+;; A derivative that is a function prints as what was typed to get it, and one
+;; within a tuple as a component of that.
+(define (name-functions y make-datum args)
+  (define (name y path)
+    (cond [(structure? y)
+           (define i -1)
+           (structure-map (lambda (e) (set! i (add1 i)) (name e (cons i path))) y)]
+          [(pointwise? y)
+           (make-function y (arity-mask y)
+                          (lambda ()
+                            (define whole (cons (make-datum) (map value->datum args)))
+                            (if (null? path) whole (list* 'ref whole (reverse path)))))]
+          [else y]))
+  (if (and (procedure? y) (holds-function? y)) (name y '()) y))
+
+(define (holds-function? y)
+  (cond [(structure? y) (for/or ([e (in-vector (structure-elements y))]) (holds-function? e))]
+        [else (pointwise? y)]))

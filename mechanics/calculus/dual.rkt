@@ -10,13 +10,15 @@
 ;; the very ε that is to be extracted from its value: the derivative of
 ;; x ↦ (y ↦ ...) applied to itself, say (Manzyuk et al., arXiv:1211.4892).
 ;; Extraction therefore renames that ε in the arguments for as long as the
-;; function runs.
+;; function runs.  To rename within a function is to rename in its values, after
+;; shielding its arguments in the same way.
 ;;
 ;; The tag of greatest number is outermost; the parts of a dual number contain
 ;; only lesser tags.
 
 (require "../generic/kind.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/arithmetic.rkt" "../algebra/expression.rkt")
+         "../generic/arithmetic.rkt" "../value/operator.rkt"
+         "../algebra/expression.rkt")
 
 (provide dual? dual-tag fresh-tag perturb
          make-dual primal-part tangent-part greatest-tag
@@ -28,8 +30,7 @@
              #:datum (lambda (d) (value->datum (dual-primal d)))
              #:unary (lambda (op d) (dual-unary op d))
              #:binary (lambda (op a b) (dual-binary op a b))
-             #:comparand (lambda (d) (dual-primal d))
-             #:zero? (lambda (d) (eqv? 0 (dual-primal d)))))
+             #:comparand (lambda (d) (dual-primal d))))
 
 (struct dual (tag primal tangent)
   #:authentic
@@ -106,29 +107,35 @@
                          (extract-tangent tag (dual-tangent d)))]))
 
 (define (extract-from-function tag f)
-  (make-function
-   (lambda args
-     (define shield (fresh-tag))
-     (define shielded (for/list ([a (in-list args)]) (rename-tag tag shield a)))
-     (rename-tag shield tag (extract-tangent tag (apply f shielded))))
-   (arity-mask f)
-   (lambda () (list 'partial (value->datum f)))))
+  (shielding tag f
+             (lambda (value) (extract-tangent tag value))
+             (lambda () (list 'D (value->datum f)))))
 
 (define (raise-no-derivative x)
-  (raise-arguments-error 'D "the function returned a value that has no derivative"
-                         "value" x))
+  (raise
+   (exn:fail:contract
+    (format "D: the function returned a value that has no derivative: ~a~a"
+            (describe-with-value x)
+            (if (pair? x) "\n  a list is not a tuple; use (up x y ...)" ""))
+    (current-continuation-marks))))
 
 ;; ---------------------------------------------------------------------------
 ;; Renaming
 
 ;; x with one ε replaced by another.
 (define (rename-tag old new x)
-  (map-leaves
-   (lambda (leaf)
-     (cond [(dual? leaf) (rename-in-dual old new leaf)]
-           [(and (procedure? leaf) (not (has-kind? leaf))) (rename-in-function old new leaf)]
-           [else leaf]))
-   x))
+  (cond [(dual? x) (rename-in-dual old new x)]
+        [(expression? x) x]
+        [(pair? x) (cons (rename-tag old new (car x)) (rename-tag old new (cdr x)))]
+        [else (map-leaves (lambda (leaf) (rename-in-leaf old new leaf)) x)]))
+
+(define (rename-in-leaf old new x)
+  (cond [(dual? x) (rename-in-dual old new x)]
+        [(and (procedure? x) (not (closed? x)))
+         (shielding old x
+                    (lambda (value) (rename-tag old new value))
+                    (lambda () (value->datum x)))]
+        [else x]))
 
 (define (rename-in-dual old new d)
   (define t (dual-tag d))
@@ -136,11 +143,15 @@
   (define tangent (rename-tag old new (dual-tangent d)))
   (g:+ primal (g:* tangent (dual (if (eqv? t old) new t) 0 1))))
 
-(define (rename-in-function old new f)
-  (make-function
-   (lambda args
-     (define shield (fresh-tag))
-     (define shielded (for/list ([a (in-list args)]) (rename-tag old shield a)))
-     (rename-tag shield old (rename-tag old new (apply f shielded))))
-   (arity-mask f)
-   (lambda () (value->datum f))))
+(define (closed? f) (and (has-kind? f) (kind-closed? (kind-of f))))
+
+;; `change` after f, on arguments in which another ε stands for this one
+;; meanwhile; an operator if f is one.
+(define (shielding tag f change make-datum)
+  (define (procedure . args)
+    (define shield (fresh-tag))
+    (define shielded (for/list ([a (in-list args)]) (rename-tag tag shield a)))
+    (rename-tag shield tag (change (apply f shielded))))
+  (if (operator? f)
+      (make-primitive-operator procedure make-datum)
+      (make-function procedure (arity-mask f) make-datum)))

@@ -17,6 +17,7 @@
 
 (define kind:unknown
   (make-kind #:rank rank:function
+             #:closed? #t
              #:describe (lambda (f) (format "a literal function ~a" (signature->text f)))
              #:datum (lambda (f) (head->datum (unknown-head f)))
              #:arity (lambda (f)
@@ -146,9 +147,9 @@
         (let ([slot (for/first ([shape (in-list domain)] [a (in-list args)] [i (in-naturals)]
                                 #:unless (shape-fits? shape a))
                       i)])
-          (format "~a: was declared ~a; slot ~a got ~a, ~a~a"
+          (format "~a: was declared ~a; slot ~a got ~a~a"
                   name (signature->text f) slot
-                  (value->text (list-ref args slot)) (describe (list-ref args slot))
+                  (describe-with-value (list-ref args slot))
                   (remedy (list-ref domain slot) (list-ref args slot))))
         (format "~a: was declared ~a, which takes ~a argument~a; given ~a: ~a"
                 name (signature->text f) (length domain)

@@ -7,7 +7,7 @@
 ;; arguments and the operation's value there.
 
 (require racket/flonum
-         "kind.rkt" "structure.rkt" "dispatch.rkt"
+         "naming.rkt" "kind.rkt" "structure.rkt" "function.rkt" "dispatch.rkt"
          "../algebra/operation.rkt" "../algebra/expression.rkt")
 
 (provide g:+ g:- g:* g:/ g:square g:cube g:negate g:invert
@@ -19,6 +19,7 @@
 (define (add a b)
   (cond [(and (flonum? a) (flonum? b)) (fl+ a b)]
         [(and (number? a) (number? b)) (+ a b)]
+        [(and (structure? a) (structure? b)) (add-structures a b)]
         [else (dispatch-binary generic:+ e:+ add-structures a b)]))
 
 (define (add-structures a b)
@@ -26,7 +27,7 @@
         [(eqv? b 0) a]
         [else (structure-add add a b (lambda () (raise-inapplicable generic:+ a b)))]))
 
-(define g:+
+(define-named g:+ +
   (case-lambda
     [(a b) (add a b)]
     [() 0]
@@ -39,6 +40,7 @@
 (define (subtract a b)
   (cond [(and (flonum? a) (flonum? b)) (fl- a b)]
         [(and (number? a) (number? b)) (- a b)]
+        [(and (structure? a) (structure? b)) (subtract-structures a b)]
         [else (dispatch-binary generic:- e:- subtract-structures a b)]))
 
 (define (subtract-structures a b)
@@ -47,13 +49,13 @@
         [else (structure-add subtract a b
                              (lambda () (raise-inapplicable generic:- a b)))]))
 
-(define g:-
+(define-named g:- -
   (case-lambda
     [(a b) (subtract a b)]
     [(a) (if (number? a) (- a) (multiply -1 a))]
     [(a b . more) (for/fold ([d (subtract a b)]) ([x (in-list more)]) (subtract d x))]))
 
-(define (g:negate a) (g:- a))
+(define-named g:negate negate (lambda (a) (g:- a)))
 
 (define generic:-
   (generic-op '- op:- g:- (list (lambda (a b v) 1) (lambda (a b v) -1))))
@@ -64,11 +66,13 @@
 (define (multiply a b)
   (cond [(and (flonum? a) (flonum? b)) (fl* a b)]
         [(and (number? a) (number? b)) (* a b)]
+        [(and (structure? a) (structure? b)) (multiply-structures a b)]
         [else (dispatch-binary generic:* e:* multiply-structures a b)]))
 
-(define (multiply-structures a b) (structure-multiply add multiply a b))
+(define (multiply-structures a b)
+  (structure-multiply add multiply a b (lambda () (raise-inapplicable generic:* a b))))
 
-(define g:*
+(define-named g:* *
   (case-lambda
     [(a b) (multiply a b)]
     [() 1]
@@ -79,15 +83,29 @@
   (generic-op '* op:* g:* (list (lambda (a b v) b) (lambda (a b v) a))))
 
 ;; The square of a tuple is the sum of the squares of its components (SICM
-;; p. 519): a scalar, unlike (* v v), which is the outer product.
-(define (g:square a)
-  (cond [(flonum? a) (fl* a a)]
-        [(tuple? a)
-         (for/fold ([sum 0]) ([x (in-vector (structure-elements (adopt a)))])
-           (add sum (g:square x)))]
-        [else (multiply a a)]))
+;; p. 519): a scalar, unlike (* v v), which is the outer product.  So the square
+;; of a function squares its values.
+(define-named g:square square
+  (lambda (a)
+    (cond [(flonum? a) (fl* a a)]
+          [(number? a) (* a a)]
+          [(tuple? a) (sum-of-squares (structure-elements (adopt a)))]
+          [(pointwise? a) (compose-unary generic:square a)]
+          [else (multiply a a)])))
 
-(define (g:cube a) (multiply a (g:square a)))
+(define (sum-of-squares elements)
+  (for/fold ([sum 0]) ([x (in-vector elements)]) (add sum (g:square x))))
+
+(define-named g:cube cube
+  (lambda (a)
+    (if (pointwise? a)
+        (compose-unary generic:cube a)
+        (multiply a (g:square a)))))
+
+(define generic:square
+  (generic-op 'square #f g:square (list (lambda (a v) (multiply 2 a)))))
+(define generic:cube
+  (generic-op 'cube #f g:cube (list (lambda (a v) (multiply 3 (g:square a))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Quotients
@@ -102,13 +120,13 @@
       (raise-inapplicable generic:/ a b)
       (structure-map (lambda (x) (divide x b)) (adopt a))))
 
-(define g:/
+(define-named g:/ /
   (case-lambda
     [(a b) (divide a b)]
     [(a) (divide 1 a)]
     [(a b . more) (for/fold ([q (divide a b)]) ([x (in-list more)]) (divide q x))]))
 
-(define (g:invert a) (divide 1 a))
+(define-named g:invert invert (lambda (a) (divide 1 a)))
 
 (define generic:/
   (generic-op '/ op:/ g:/

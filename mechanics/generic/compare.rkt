@@ -5,7 +5,7 @@
 ;; equality at a generic point; an order between values that are not constant
 ;; does not exist, and asking for it is an error that names the value.
 
-(require "kind.rkt" "structure.rkt" "arithmetic.rkt" "describe.rkt"
+(require "naming.rkt" "kind.rkt" "structure.rkt" "arithmetic.rkt"
          "../algebra/expression.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
@@ -33,39 +33,46 @@
               (for/and ([x (in-vector (structure-elements s))]
                         [y (in-vector (structure-elements t))])
                 (equal-values? x y)))]
+        [(same-kind a b)
+         => (lambda (k) (if (kind-same? k) ((kind-same? k) equal-values? a b) (equal? a b)))]
         [else (equal? a b)]))
 
-(define g:=
+(define (same-kind a b)
+  (and (has-kind? a) (has-kind? b) (eq? (kind-of a) (kind-of b)) (kind-of a)))
+
+(define-named g:= =
   (case-lambda
     [(a b) (equal-values? a b)]
     [(a) #t]
     [(a b . more) (and (equal-values? a b) (apply g:= b more))]))
 
-(define (g:zero? x)
-  (cond [(number? x) (zero? x)]
-        [(symbolic? x) #f]
-        [(tuple? x) (for/and ([e (in-vector (structure-elements (adopt x)))]) (g:zero? e))]
-        [(has-kind? x) ((kind-zero? (kind-of x)) x)]
-        [else #f]))
+(define-named g:zero? zero?
+  (lambda (x)
+    (define c (comparand x))
+    (cond [(number? c) (zero? c)]
+          [(tuple? c) (for/and ([e (in-vector (structure-elements (adopt c)))]) (g:zero? e))]
+          [(has-kind? c) ((kind-zero? (kind-of c)) c)]
+          [else #f])))
 
-(define (g:one? x)
-  (define c (comparand x))
-  (and (number? c) (= c 1)))
+(define-named g:one? one?
+  (lambda (x)
+    (define c (comparand x))
+    (and (number? c) (= c 1))))
 
 ;; ---------------------------------------------------------------------------
 ;; Order
 
 (define-syntax-rule (define-order id name compare)
-  (define id
-    (let* ([two (lambda (a b)
-                  (if (and (real? a) (real? b))
-                      (compare a b)
-                      (compare (real-comparand 'name a) (real-comparand 'name b))))]
-           [name (case-lambda
-                   [(a b) (two a b)]
-                   [(a) (and (real-comparand 'name a) #t)]
-                   [(a b . more) (and (two a b) (apply id b more))])])
-      name)))
+  (begin
+    (define (two a b)
+      (if (and (real? a) (real? b))
+          (compare a b)
+          (compare (real-comparand 'name a) (real-comparand 'name b))))
+    (define-named id name
+      (case-lambda
+        [(a b) (two a b)]
+        [(a) (and (real-comparand 'name a) #t)]
+        [(a b . more) (and (two a b) (apply id b more))]))))
 
 (define-order g:< < <)
 (define-order g:> > >)
@@ -84,23 +91,27 @@
        "expected real numbers")
    "value" x))
 
-(define (g:positive? x)
-  (if (real? x) (positive? x) (positive? (real-comparand 'positive? x))))
-(define (g:negative? x)
-  (if (real? x) (negative? x) (negative? (real-comparand 'negative? x))))
+(define-named g:positive? positive?
+  (lambda (x) (positive? (real-comparand 'positive? x))))
+(define-named g:negative? negative?
+  (lambda (x) (negative? (real-comparand 'negative? x))))
 
-(define g:max
-  (let ([max (case-lambda
-               [(a b) (if (and (real? a) (real? b)) (max a b) (if (g:< a b) b a))]
-               [(a) a]
-               [(a b . more) (apply g:max (g:max a b) more)])])
-    max))
-(define g:min
-  (let ([min (case-lambda
-               [(a b) (if (and (real? a) (real? b)) (min a b) (if (g:< b a) b a))]
-               [(a) a]
-               [(a b . more) (apply g:min (g:min a b) more)])])
-    min))
+;; The argument itself is the value, so that its derivative comes along; where
+;; two are equal it is the first.
+(define-syntax-rule (define-extreme id name numeric beyond?)
+  (begin
+    (define (two a b)
+      (cond [(and (real? a) (real? b)) (numeric a b)]
+            [(beyond? (real-comparand 'name b) (real-comparand 'name a)) b]
+            [else a]))
+    (define-named id name
+      (case-lambda
+        [(a b) (two a b)]
+        [(a) (begin (real-comparand 'name a) a)]
+        [(a b . more) (apply id (two a b) more)]))))
 
-(define (g:add1 x) (g:+ x 1))
-(define (g:sub1 x) (g:- x 1))
+(define-extreme g:max max max >)
+(define-extreme g:min min min <)
+
+(define-named g:add1 add1 (lambda (x) (g:+ x 1)))
+(define-named g:sub1 sub1 (lambda (x) (g:- x 1)))

@@ -46,7 +46,9 @@
   (cond [(number? x) (format "the number ~a" x)]
         [(symbol? x) (format "the symbol ~a" x)]
         [(and (procedure? x) (not (has-kind? x)))
-         (format "the procedure `~a`" (procedure-datum x))]
+         (if (eq? (procedure-datum x) '<function>)
+             "a function without a name"
+             (format "the procedure `~a`" (procedure-datum x)))]
         [else (format "~a, ~a" (value->text x) (describe x))]))
 
 ;; f applied to each leaf of x: containers (structures, matrices) keep their

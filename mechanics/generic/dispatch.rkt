@@ -42,9 +42,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Errors
 
-(define verbs
-  #hasheq((+ . "add") (- . "subtract") (* . "multiply") (/ . "divide")
-          (expt . "raise to a power")))
+(define (attempt name a b)
+  (case name
+    [(+) (format "cannot add ~a and ~a" a b)]
+    [(-) (format "cannot subtract ~a from ~a" b a)]
+    [(*) (format "cannot multiply ~a by ~a" a b)]
+    [(/) (format "cannot divide ~a by ~a" a b)]
+    [(expt) (format "cannot raise ~a to the power of ~a" a b)]
+    [else (format "cannot be taken of ~a and ~a" a b)]))
 
 (define (raise-inapplicable op . args)
   (define name (generic-op-name op))
@@ -59,10 +64,9 @@
 
 (define (headline name args)
   (define kinds (map describe args))
-  (cond [(null? (cdr args)) (format "~a: cannot be taken of ~a" name (car kinds))]
-        [(hash-ref verbs name #f)
-         => (lambda (verb) (format "~a: cannot ~a ~a and ~a" name verb (car kinds) (cadr kinds)))]
-        [else (format "~a: cannot be taken of ~a and ~a" name (car kinds) (cadr kinds))]))
+  (if (null? (cdr args))
+      (format "~a: cannot be taken of ~a" name (car kinds))
+      (format "~a: ~a" name (attempt name (car kinds) (cadr kinds)))))
 
 (define (hint args)
   (cond [(ormap pair? args)
@@ -71,6 +75,9 @@
               (not (= (structure-length (adopt (car args)))
                       (structure-length (adopt (cadr args))))))
          "\n  their lengths differ"]
+        [(and (pair? (cdr args)) (andmap structure? args)
+              (not (eq? (structure-orientation (car args)) (structure-orientation (cadr args)))))
+         "\n  their orientations differ"]
         [else ""]))
 
 (define (raise-unary-arity name args)

@@ -8,7 +8,7 @@
 ;; of any order taken.
 
 (require (for-syntax racket/base)
-         "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt"
+         "naming.rkt" "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt"
          "../algebra/operation.rkt" "../algebra/expression.rkt")
 
 (provide g:sqrt g:exp g:log g:sin g:cos g:tan g:asin g:acos g:atan
@@ -26,12 +26,11 @@
                    [generic (prefixed "generic:" #'name)]
                    [op (prefixed "op:" #'name)])
        #'(begin
-           (define procedure
-             (let* ([numeric (operation-numeric op)]
-                    [name (case-lambda
-                            [(a) (if (number? a) (numeric a) (dispatch-unary generic a))]
-                            [args (raise-unary-arity 'name args)])])
-               name))
+           (define-named procedure name
+             (let ([numeric (operation-numeric op)])
+               (case-lambda
+                 [(a) (if (number? a) (numeric a) (dispatch-unary generic a))]
+                 [args (raise-unary-arity 'name args)])))
            (define generic
              (generic-op 'name op procedure (list (lambda (x value) derivative))))))]))
 
@@ -53,11 +52,10 @@
 (define (natural-log x)
   (if (number? x) (log x) (dispatch-unary generic:log x)))
 
-(define g:log
-  (let ([log (case-lambda
-               [(x) (natural-log x)]
-               [(x base) (g:/ (natural-log x) (natural-log base))])])
-    log))
+(define-named g:log log
+  (case-lambda
+    [(x) (natural-log x)]
+    [(x base) (g:/ (natural-log x) (natural-log base))]))
 
 (define generic:log
   (generic-op 'log op:log natural-log (list (lambda (x value) (g:/ 1 x)))))
@@ -72,9 +70,8 @@
       (dispatch-binary generic:atan2 (lambda (y x) (e:apply op:atan y x))
                        (lambda (y x) (raise-inapplicable generic:atan2 y x)) y x)))
 
-(define g:atan
-  (let ([atan (case-lambda [(y) (atan-1 y)] [(y x) (atan-2 y x)])])
-    atan))
+(define-named g:atan atan
+  (case-lambda [(y) (atan-1 y)] [(y x) (atan-2 y x)]))
 
 (define generic:atan
   (generic-op 'atan op:atan atan-1
@@ -89,10 +86,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Powers
 
-(define (g:expt b n)
-  (if (and (number? b) (number? n))
-      (expt b n)
-      (dispatch-binary generic:expt e:expt power-of-structure b n)))
+(define-named g:expt expt
+  (lambda (b n)
+    (if (and (number? b) (number? n))
+        (expt b n)
+        (dispatch-binary generic:expt e:expt power-of-structure b n))))
 
 ;; Tuples have the powers that repeated multiplication gives them.
 (define (power-of-structure b n)
@@ -100,17 +98,22 @@
       (for/fold ([p b]) ([_ (in-range (sub1 n))]) (g:* p b))
       (raise-inapplicable generic:expt b n)))
 
+;; The derivatives of b⁰ and of 0ⁿ are 0, where the formulas divide by 0.
 (define generic:expt
   (generic-op 'expt op:expt g:expt
-              (list (lambda (b n value) (g:* n (g:expt b (g:- n 1))))
-                    (lambda (b n value) (g:* value (natural-log b))))))
+              (list (lambda (b n value)
+                      (if (eqv? n 0) 0 (g:* n (g:expt b (g:- n 1)))))
+                    (lambda (b n value)
+                      (if (and (number? value) (zero? value))
+                          0
+                          (g:* value (natural-log b)))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Reciprocals
 
-(define (g:sec x) (g:/ 1 (g:cos x)))
-(define (g:csc x) (g:/ 1 (g:sin x)))
-(define (g:cot x) (g:/ (g:cos x) (g:sin x)))
+(define-named g:sec sec (lambda (x) (g:/ 1 (g:cos x))))
+(define-named g:csc csc (lambda (x) (g:/ 1 (g:sin x))))
+(define-named g:cot cot (lambda (x) (g:/ (g:cos x) (g:sin x))))
 
 ;; Every record above: what a test that checks each derivative goes through.
 (define elementary-operations

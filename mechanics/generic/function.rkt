@@ -7,9 +7,9 @@
 
 (require "kind.rkt" "structure.rkt" "describe.rkt")
 
-(provide make-function named-function
+(provide make-function function? pointwise?
          arity-mask accepts? arity->text
-         value-at combine-functions compose-unary)
+         combine-functions compose-unary)
 
 (define kind:function
   (make-kind #:rank rank:function
@@ -30,8 +30,11 @@
 (define (make-function procedure mask make-datum)
   (function procedure mask make-datum))
 
-(define (named-function name procedure)
-  (function procedure (procedure-arity-mask procedure) (lambda () name)))
+;; Is x a function that arithmetic combines pointwise: neither an operator, nor a
+;; tuple of functions?
+(define (pointwise? x)
+  (and (procedure? x)
+       (or (not (has-kind? x)) (eqv? (kind-rank (kind-of x)) rank:function))))
 
 ;; ---------------------------------------------------------------------------
 ;; Arity
@@ -39,6 +42,9 @@
 (define (arity-mask f)
   (define own (and (has-kind? f) (kind-arity (kind-of f))))
   (cond [own (own f)]
+        [(structure? f)
+         (for/fold ([mask -1]) ([e (in-vector (structure-elements f))])
+           (bitwise-and mask (arity-mask e)))]
         [(procedure? f) (procedure-arity-mask f)]
         [else -1]))
 
@@ -57,18 +63,16 @@
 (define (counted n) (if (= n 1) "1 argument" (format "~a arguments" n)))
 
 ;; ---------------------------------------------------------------------------
-;; Arithmetic of functions: numbers stand for constant functions, and a tuple
-;; for the tuple of the values of its components.
+;; Arithmetic of functions: numbers stand for constant functions, and a tuple or
+;; matrix for the tuple or matrix of the values of its components.
 
 (define (value-at x args)
-  (cond [(structure? x) (structure-map (lambda (e) (value-at e args)) x)]
-        [(procedure? x) (apply x args)]
-        [else x]))
+  (cond [(pointwise? x) (apply x args)]
+        [else (map-leaves (lambda (leaf) (if (procedure? leaf) (apply leaf args) leaf)) x)]))
 
 (define (value-at-1 x arg)
-  (cond [(structure? x) (structure-map (lambda (e) (value-at-1 e arg)) x)]
-        [(procedure? x) (x arg)]
-        [else x]))
+  (cond [(pointwise? x) (x arg)]
+        [else (map-leaves (lambda (leaf) (if (procedure? leaf) (leaf arg) leaf)) x)]))
 
 (define (combine-functions op f g)
   (define combine (generic-op-procedure op))

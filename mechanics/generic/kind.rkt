@@ -20,15 +20,18 @@
 ;; binary    : generic-op value value -> value; one of the two is of this kind
 ;; comparand : value -> the value that comparisons look at, or #f
 ;; zero?     : value -> boolean
+;; same?     : (value value -> boolean) value value -> are these two, both of this
+;;             kind, equal when their parts are compared so; #f: `equal?` decides
 ;; arity     : value -> arity mask, for kinds of function; #f: the procedure's own
-(struct kind (rank describe datum map unary binary comparand zero? arity)
+;; closed?   : #t for kinds of function that can have captured no value
+(struct kind (rank describe datum map unary binary comparand zero? same? arity closed?)
   #:authentic)
 
 (define (make-kind #:rank rank #:describe describe #:datum datum
                    #:map [map #f] #:unary [unary #f] #:binary [binary #f]
                    #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
-                   #:arity [arity #f])
-  (kind rank describe datum map unary binary comparand zero? arity))
+                   #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f])
+  (kind rank describe datum map unary binary comparand zero? same? arity closed?))
 
 (define-values (prop:kind has-kind? kind-of) (make-struct-type-property 'kind))
 

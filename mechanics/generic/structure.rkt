@@ -15,7 +15,7 @@
  same-orientation flip-orientation structure-length
  structure-map structure-map2 compatible?
  ;; arithmetic over a given ring
- structure-add structure-multiply contractible?)
+ structure-add structure-multiply contractible? unequal-contraction)
 
 ;; ---------------------------------------------------------------------------
 ;; Data
@@ -142,15 +142,31 @@
 ;; tuple; the product is then the sum of the products of components.
 ;; Otherwise each component of the right one is multiplied by the left one
 ;; (SICM p. 515).
-(define (structure-multiply add multiply a b)
+(define (structure-multiply add multiply a b complain)
   (cond [(not (tuple? a)) (structure-map (lambda (y) (multiply a y)) (adopt b))]
         [(not (tuple? b)) (structure-map (lambda (x) (multiply x b)) (adopt a))]
         [else
          (define s (adopt a))
          (define t (adopt b))
-         (if (contractible? s t)
-             (contract add multiply s t)
-             (structure-map (lambda (y) (multiply s y)) t))]))
+         (cond [(contractible? s t) (contract add multiply s t)]
+               [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (complain)]
+               [else (structure-map (lambda (y) (multiply s y)) t)])]))
+
+;; What the product of an up and a down tuple of scalars is when their lengths
+;; differ: 'outer-product, as in the book, or 'error, for it is rarely meant.
+(define unequal-contraction
+  (make-parameter 'outer-product
+                  (lambda (choice)
+                    (unless (memq choice '(outer-product error))
+                      (raise-argument-error 'unequal-contraction
+                                            "'outer-product or 'error" choice))
+                    choice)))
+
+(define (almost-contractible? s t)
+  (and (not (eq? (structure-orientation s) (structure-orientation t)))
+       (not (= (structure-length s) (structure-length t)))
+       (for/and ([x (in-vector (structure-elements s))]) (not (tuple? x)))
+       (for/and ([y (in-vector (structure-elements t))]) (not (tuple? y)))))
 
 (define (contractible? s t)
   (and (not (eq? (structure-orientation s) (structure-orientation t)))

@@ -28,6 +28,12 @@
              #:map (lambda (f m) (matrix-map (lambda (x) (map-leaves f x)) m))
              #:unary (lambda (op m) (raise-inapplicable op m))
              #:binary (lambda (op a b) (combine op a b))
+             #:same? (lambda (same? a b)
+                       (and (= (m:num-rows a) (m:num-rows b))
+                            (= (m:num-cols a) (m:num-cols b))
+                            (for*/and ([(row other) (in-parallel (matrix-rows a) (matrix-rows b))]
+                                       [(x y) (in-parallel row other)])
+                              (same? x y))))
              #:zero? (lambda (m)
                        (for*/and ([row (in-vector (matrix-rows m))] [x (in-vector row)])
                          (g:zero? x)))))

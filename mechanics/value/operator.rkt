@@ -10,7 +10,7 @@
          "../generic/function.rkt" "../generic/structure.rkt"
          "../generic/dispatch.rkt" "../generic/arithmetic.rkt")
 
-(provide make-operator operator? operator-procedure
+(provide make-operator make-primitive-operator operator? operator-procedure
          I-operator commutator anticommutator)
 
 (define kind:operator
@@ -24,23 +24,33 @@
 (struct operator (procedure make-datum)
   #:authentic
   #:property prop:kind kind:operator
-  #:property prop:procedure (lambda (o . args) (apply-operator o args))
+  #:property prop:procedure
+  (case-lambda
+    [(o f) ((operator-procedure o) f)]
+    [(o . fs) (apply (operator-procedure o) fs)])
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write (lambda (o port mode) (write-value o port)))
 
-;; The operator of this procedure, printing as `name`.
-(define (make-operator procedure name)
-  (operator procedure (lambda () name)))
+;; The operator of this procedure, printing as `name`; the image of a function
+;; prints as the application that made it.
+(define (make-operator procedure [name (procedure-datum procedure)])
+  (naming-images procedure (lambda () (value->datum name))))
 
-;; The image of a function prints as the application that made it.
-(define (apply-operator o args)
-  (define image (apply (operator-procedure o) args))
-  (if (and (procedure? image) (not (operator? image)) (not (structure? image)))
-      (make-function image (arity-mask image)
-                     (lambda () (map value->datum (cons o args))))
-      image))
+;; One whose procedure gives its images their names itself.
+(define (make-primitive-operator procedure make-datum)
+  (operator procedure make-datum))
 
-(define I-operator (make-operator (lambda (f) f) 'I))
+(define (naming-images procedure make-datum)
+  (operator
+   (lambda fs
+     (define image (apply procedure fs))
+     (if (pointwise? image)
+         (make-function image (arity-mask image)
+                        (lambda () (cons (make-datum) (map value->datum fs))))
+         image))
+   make-datum))
+
+(define I-operator (make-primitive-operator (lambda (f) f) (lambda () 'I)))
 
 ;; ---------------------------------------------------------------------------
 ;; Algebra
@@ -48,13 +58,12 @@
 (define (as-operator x)
   (if (operator? x)
       x
-      (operator (lambda (f) (g:* x f)) (lambda () (value->datum x)))))
+      (make-primitive-operator (lambda (f) (g:* x f)) (lambda () (value->datum x)))))
 
 (define (combine-operators op a b)
-  (define name (generic-op-name op))
-  (case name
+  (case (generic-op-name op)
     [(+ -) (pointwise op a b)]
-    [(*) (product a b)]
+    [(*) (if (and (eq? a b) (operator? a)) (power op a 2) (product a b))]
     [(/) (if (operator? b) (raise-inapplicable op a b) (product (g:/ 1 b) a))]
     [(expt) (power op a b)]
     [else (raise-inapplicable op a b)]))
@@ -63,24 +72,24 @@
   (define combine (generic-op-procedure op))
   (define f (operator-procedure (as-operator a)))
   (define g (operator-procedure (as-operator b)))
-  (operator (lambda args (combine (apply f args) (apply g args)))
-            (lambda () (list (generic-op-name op) (value->datum a) (value->datum b)))))
+  (naming-images (lambda fs (combine (apply f fs) (apply g fs)))
+                 (lambda () (list (generic-op-name op) (value->datum a) (value->datum b)))))
 
 (define (product a b)
   (define f (operator-procedure (as-operator a)))
   (define g (operator-procedure (as-operator b)))
-  (operator (lambda args (f (apply g args)))
-            (lambda () (list '* (value->datum a) (value->datum b)))))
+  (naming-images (lambda fs (f (apply g fs)))
+                 (lambda () (list '* (value->datum a) (value->datum b)))))
 
 (define (power op a n)
   (unless (and (operator? a) (exact-nonnegative-integer? n))
     (raise-inapplicable op a n))
   (define f (operator-procedure a))
-  (operator (lambda (g) (for/fold ([g g]) ([_ (in-range n)]) (f g)))
-            (lambda () (case n
-                         [(0) 1]
-                         [(1) (value->datum a)]
-                         [else (list 'expt (value->datum a) n)]))))
+  (case n
+    [(0) I-operator]
+    [(1) a]
+    [else (naming-images (lambda (g) (for/fold ([g g]) ([_ (in-range n)]) (f g)))
+                         (lambda () (list 'expt (value->datum a) n)))]))
 
 (define (commutator a b) (g:- (g:* a b) (g:* b a)))
 (define (anticommutator a b) (g:+ (g:* a b) (g:* b a)))

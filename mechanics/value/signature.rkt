@@ -6,14 +6,15 @@
 ;; 'Real or a structure of shapes, so that shapes and values are walked alike
 ;; (SICM p. 31 and the appendix on notation).
 
-(require "../generic/structure.rkt" "../generic/describe.rkt")
+(require "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
+         "../algebra/expression.rkt")
 
 (provide
  ;; vocabulary
  -> Real Any X X* UP UP* DOWN DOWN* Lagrangian Hamiltonian
  ;; parsed form
  (struct-out signature) parse-signature default-signature
- shape-fits? shape->datum)
+ shape-fits? shape->datum scalar?)
 
 ;; domain : list of shapes, one an argument.  range : a shape.
 (struct signature (domain range datum) #:authentic)
@@ -90,7 +91,7 @@
 
 (define (shape-fits? shape x)
   (cond [(eq? shape 'Any) #t]
-        [(eq? shape 'Real) (not (or (tuple? x) (procedure? x) (pair? x)))]
+        [(eq? shape 'Real) (scalar? x)]
         [(tuple? x)
          (define t (adopt x))
          (and (compatible? shape t)
@@ -98,6 +99,11 @@
                         [e (in-vector (structure-elements t))])
                 (shape-fits? s e)))]
         [else #f]))
+
+;; A number, an expression, or a dual number, of which this floor knows the rank.
+(define (scalar? x)
+  (or (expression? x)
+      (and (has-kind? x) (<= (kind-rank (kind-of x)) rank:dual))))
 
 (define (shape->datum shape)
   (if (structure? shape)

@@ -24,13 +24,22 @@
 
 ;; (ref s i j ...): component j of component i ... of a tuple; of a function,
 ;; the function whose value is that component of its value.
-(define (ref s . path)
-  (for/fold ([s s]) ([i (in-list path)]) (ref-1 s i path)))
+(define ref
+  (case-lambda
+    [(s i) (ref-1 s i s)]
+    [(s . path) (for/fold ([part s]) ([i (in-list path)]) (ref-1 part i s))]))
 
-(define (ref-1 s i path)
+;; Component i of s, which was reached within `whole`.
+(define (ref-1 s i whole)
   (cond [(tuple? s) (tuple-ref (adopt s) i)]
         [(procedure? s) (ref-of-function s i)]
-        [else (raise-not-a-tuple 'ref s)]))
+        [(eq? s whole) (raise-not-a-tuple 'ref s)]
+        [else
+         (raise
+          (exn:fail:contract
+           (format "ref: expected a tuple; index ~a was asked of ~a\n  in: ~a"
+                   i (describe-with-value s) (value->text whole))
+           (current-continuation-marks)))]))
 
 (define (tuple-ref s i)
   (define n (structure-length s))
@@ -47,7 +56,7 @@
   (vector-ref (structure-elements s) k))
 
 (define (ref-of-function f i)
-  (make-function (lambda args (ref-1 (apply f args) i (list i)))
+  (make-function (lambda args (ref (apply f args) i))
                  (arity-mask f)
                  (lambda () (list 'ref (value->datum f) i))))
 
@@ -56,7 +65,7 @@
   (define name (cons 'component path))
   (make-function (lambda (s) (apply ref s path)) 2 (lambda () name)))
 
-(define (s:ref s i) (ref-1 s i (list i)))
+(define (s:ref s i) (ref s i))
 
 (define (s:length x) (if (tuple? x) (structure-length (adopt x)) 1))
 
