@@ -114,10 +114,12 @@
   (list (resolved-module-path-name (module-path-index-resolve (car binding)))
         (cadr binding)))
 
-;; The names a module exports that are not Racket's own.
+;; The names a module exports that are not Racket's own.  Those that begin with
+;; #% serve the language and are not typed by anyone.
 (define (own-names module-path)
   (define tables (map export-table rackets-own))
   (for/list ([(name where) (in-hash (export-table module-path))]
+             #:unless (regexp-match? #rx"^#%" (symbol->string name))
              #:unless (for/or ([table (in-list tables)])
                         (equal? where (hash-ref table name #f))))
     name))

@@ -135,7 +135,7 @@
     (print-tables names runs))
   (when (null? names)
     (call-with-output-file* (build-path build "bench.txt") #:exists 'truncate
-      (lambda (port) (write-string (get-output-string out) port)))))
+      (lambda (port) (void (write-string (get-output-string out) port))))))
 
 (define (tee a b)
   (make-output-port 'tee always-evt
