@@ -21,7 +21,7 @@
 (struct session-printer (other)
   #:property prop:procedure
   (lambda (printer x)
-    (print-through (session-printer-other printer) x (simplify-interruptibly x))))
+    ((session-printer-other printer) (printable x (simplify-interruptibly x)))))
 
 ;; Make the current printer ours; again is no harm.
 (define (install-printer!)
@@ -33,14 +33,14 @@
 ;; reader's wish to stop the program and is left to do so.
 (define (print-result x)
   (define printer (current-print))
-  (print-through (if (session-printer? printer) (session-printer-other printer) printer)
-                 x
-                 (simplify-or-say-why x)))
+  ((if (session-printer? printer) (session-printer-other printer) printer)
+   (printable x (simplify-or-say-why x))))
 
-(define (print-through other x simplified)
-  (other (if (in-notation? x)
-             (laid-out (layout (value->datum simplified) (output-width)))
-             simplified)))
+;; What the wrapped printer is given in place of x.
+(define (printable x simplified)
+  (if (in-notation? x)
+      (laid-out (layout (value->datum simplified) (output-width)))
+      simplified))
 
 ;; Text that prints as itself in all of Racket's modes.
 (struct laid-out (text)

@@ -1,0 +1,287 @@
+#lang racket/base
+;; Results at the prompt and in `#lang mechanics` modules: simplified, bare,
+;; on lines that fit; definitions at the prompt; modules among Racket's.
+
+(require (only-in mechanics)
+         (only-in mechanics/generic/kind make-kind prop:kind rank:scalar)
+         mechanics/lang/printer
+         racket/port
+         racket/string
+         rackunit)
+
+;; ---------------------------------------------------------------------------
+;; Running modules and sessions
+
+(define-namespace-anchor here)
+
+(define (lines . ls) (string-append* (map (lambda (l) (string-append l "\n")) ls)))
+
+;; What a module given as text prints when it is run.
+(define (run-module . text)
+  (with-output-to-string (lambda () (instantiate (declare (apply lines text))))))
+
+;; The name under which the module is declared.
+(define (declare text)
+  (define port (open-input-string text))
+  (port-count-lines! port)
+  (define name (string->uninterned-symbol "example"))
+  (parameterize ([read-accept-reader #t]
+                 [read-accept-lang #t]
+                 [current-namespace (namespace)]
+                 [current-module-declare-name (make-resolved-module-path name)])
+    (eval (read-syntax 'example port)))
+  name)
+
+(define namespace
+  (let ([n #f])
+    (lambda ()
+      (unless n
+        (set! n (namespace-anchor->empty-namespace here))
+        (parameterize ([current-namespace n]) (namespace-require 'racket/base)))
+      n)))
+
+(define (instantiate name)
+  (parameterize ([current-namespace (namespace)])
+    (dynamic-require (make-resolved-module-path name) #f)))
+
+(define (syntax-message . text)
+  (with-handlers ([exn:fail:syntax? exn-message])
+    (declare (apply lines text))
+    "no error"))
+
+(define racket (find-system-path 'exec-file))
+
+(define racket-program
+  (if (absolute-path? racket) racket (or (find-executable-path racket) racket)))
+
+;; What `racket argument ...` writes, given these lines as input: the output
+;; without prompts, and the errors.
+(define (session arguments . input)
+  (define-values (process out in err)
+    (apply subprocess #f #f #f racket-program (append arguments '("-q"))))
+  (write-string (apply lines input) in)
+  (close-output-port in)
+  (define errors (port->string err))
+  (define output (port->string out))
+  (close-input-port out)
+  (close-input-port err)
+  (subprocess-wait process)
+  (values (without-prompts output) errors))
+
+(define (without-prompts text)
+  (for/list ([line (string-split text "\n")]
+             #:unless (regexp-match? #rx"^Welcome" line)
+             [answer (in-value (regexp-replace #rx"^(> )*" line ""))]
+             #:unless (equal? answer ""))
+    answer))
+
+(define (answers . input)
+  (define-values (output errors) (apply session '("-I" "mechanics") input))
+  output)
+
+;; ---------------------------------------------------------------------------
+;; Modules
+
+(test-case "a module prints its results simplified, symbols bare"
+  (check-equal? (run-module "#lang mechanics"
+                            "'a"
+                            "(+ 'a 'a)"
+                            "(up (- 'a 'a) (* 'x 'x))")
+                (lines "a" "(* 2 a)" "(up 0 (expt x 2))")))
+
+(test-case "a module may state Lagrange's equations as the book does"
+  (check-equal?
+   (run-module "#lang mechanics"
+               "(define ((L-harmonic m k) (up t q v))"
+               "  (- (* 1/2 m (square v)) (* 1/2 k (square q))))"
+               "(((Lagrange-equations (L-harmonic 'm 'k)) (literal-function 'x)) 't)")
+   (lines "(+ (* k (x t)) (* m (((expt D 2) x) t)))")))
+
+(test-case "what is no mathematics prints as Racket prints it"
+  (check-equal? (run-module "#lang mechanics"
+                            "\"text\" #t 3.5 1/2 #\\a '(a \"b\") (void) (list 1 2) '#:k (vector 1 2)")
+                (lines "\"text\"" "#t" "3.5" "1/2" "#\\a" "'(a \"b\")"
+                       "'(1 2)" "'#:k" "'#(1 2)")))
+
+(test-case "the elements of a list are simplified"
+  (check-equal? (run-module "#lang mechanics" "(list (+ 'a 'a) \"b\" (up (* 'x 'x)))")
+                (lines "(list (* 2 a) \"b\" (up (expt x 2)))")))
+
+(test-case "functions and operators print by name"
+  (check-equal? (run-module "#lang mechanics"
+                            "(define (kinetic-energy v) v)"
+                            "(define ((L m) local) local)"
+                            "kinetic-energy (L 1) sin D (expt D 2) (D kinetic-energy)"
+                            "(literal-function 'x)")
+                (lines "kinetic-energy" "L" "sin" "D" "(expt D 2)" "(D kinetic-energy)" "x")))
+
+(test-case "several values print one below the other, no value prints nothing"
+  (check-equal? (run-module "#lang mechanics" "(values 'a (+ 'a 'a))" "(values)" "(void)")
+                (lines "a" "(* 2 a)")))
+
+(test-case "a long result is broken over lines of at most 79 columns"
+  (define output
+    (run-module "#lang mechanics"
+                "(up (+ (* 'alpha 'beta) (sin (* 'omega 't)) (cos 'phi))"
+                "    (+ (* 'gamma 'delta) (sin (* 'Omega 't)) (cos 'psi)))"))
+  (define printed (string-split output "\n"))
+  (check-equal? (length printed) 2)
+  (for ([l printed]) (check-true (<= (string-length l) 79)))
+  (check-regexp-match #rx"^\\(up \\(" (car printed))
+  (check-regexp-match #rx"^    \\(" (cadr printed)))
+
+(test-case "a result goes through the printer of whoever runs the module"
+  (define name (declare "#lang mechanics\n(+ 'a 'a)\n\"text\"\n"))
+  (define seen '())
+  (parameterize ([current-print (lambda (v) (set! seen (cons (format "~a" v) seen)))])
+    (instantiate name))
+  (check-equal? (reverse seen) '("(* 2 a)" "text")))
+
+(test-case "definitions, submodules and macros are as in Racket"
+  (check-equal? (run-module "#lang mechanics"
+                            "(require racket/list)"
+                            "(define-syntax-rule (define-and-show x e) (begin (define x e) x))"
+                            "(define-and-show a (first '(1 2)))"
+                            "(struct point (x y))"
+                            "(point-x (point 'u 'v))"
+                            "(module+ main (displayln \"not run\"))"
+                            "(match (up 1 2) [(up x y) (list y x)])")
+                (lines "1" "u" "'(2 1)")))
+
+(test-case "a program run from the module has our session, unless it brings its own"
+  (define (configuration . text)
+    (define name (declare (apply lines text)))
+    (parameterize ([current-namespace (namespace)])
+      (module-declared? `(submod ',name configure-runtime) #f)))
+  (check-true (configuration "#lang mechanics" "1"))
+  (check-equal? (run-module "#lang mechanics"
+                            "(module configure-runtime racket/base)"
+                            "1")
+                (lines "1")))
+
+(test-case "(require mechanics) goes with racket/base and with racket"
+  (for ([language '("racket/base" "racket")])
+    (check-equal? (run-module (string-append "#lang " language)
+                              "(require mechanics)"
+                              "(define ((f m) (up t q)) (* m q (sin t)))"
+                              "((f 'm) (up 0 'x))"
+                              "(match (up 1 2) [(up a b) (+ a b)])"
+                              "(displayln (up 'a (+ 'b 'c)))")
+                  (lines "0" "3" "(up a (+ b c))"))))
+
+;; ---------------------------------------------------------------------------
+;; One definition a name
+
+(test-case "a second definition in a module is refused, the first is located"
+  (check-equal?
+   (syntax-message "#lang mechanics" "(define x 1)" "(define y 2)" "(define ((x a) b) a)")
+   (string-append
+    "example:4:10: define: x is already defined in this module, on line 2; "
+    "a module defines a name once, while at the prompt a new definition replaces the old\n"
+    "  at: x\n"
+    "  in: (define ((x a) b) a)")))
+
+(test-case "a second definition inside begin is found too"
+  (check-regexp-match
+   #rx"define: x is already defined in this module, on line 2"
+   (syntax-message "#lang mechanics" "(begin (define x 1))" "(begin (define x 2))")))
+
+(test-case "a definition may replace what the language exports, once"
+  (check-equal? (run-module "#lang mechanics" "(define (square x) (list 'mine x))" "(square 2)")
+                (lines "'(mine 2)")))
+
+(test-case "macros may define as many hidden names as they like"
+  (check-equal? (run-module "#lang mechanics"
+                            "(define-syntax-rule (show e) (begin (define t e) t))"
+                            "(show 1)"
+                            "(show 2)")
+                (lines "1" "2")))
+
+;; ---------------------------------------------------------------------------
+;; The prompt
+
+(test-case "racket -I mechanics simplifies, defines and redefines"
+  (check-equal? (answers "(define x 3)"
+                         "x"
+                         "(define x 4)"
+                         "x"
+                         "'a"
+                         "(+ 'a 'a)"
+                         "((D (literal-function 'f)) 't)"
+                         "(define ((L m) (up t q v)) (* m v))"
+                         "((L 'm) (up 't 'x 'v))"
+                         "D"
+                         "L"
+                         "(values 1 'b)"
+                         "\"text\""
+                         "(void)")
+                '("3" "4" "a" "(* 2 a)" "((D f) t)" "(* m v)" "D" "L" "1" "b" "\"text\"")))
+
+(test-case "the prompt accepts require, begin, structs and macros"
+  (check-equal? (answers "(require racket/list)"
+                         "(first '(1 2))"
+                         "(begin (define p 'q) (list p))"
+                         "(struct point (x y))"
+                         "(point-y (point 1 'v))"
+                         "(define-syntax-rule (twice e) (list e e))"
+                         "(twice 1)")
+                '("1" "'(q)" "v" "'(1 1)")))
+
+(test-case "the printer comes with the first form where nothing was configured"
+  (define-values (output errors)
+    (session '("-i" "-l" "racket/base" "-l" "mechanics") "(+ 'a 'a)" "'b"))
+  (check-equal? output '("(* 2 a)" "b")))
+
+(test-case "an error leaves the prompt usable and speaks our language"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(define (f (up a b)) a)"
+             "(f 3)"
+             "('x 't)"
+             "(f (up 'u 1))"))
+  (check-equal? output '("u"))
+  (check-regexp-match #rx"f: the argument does not match the pattern \\(up a b\\)" errors)
+  (check-regexp-match #rx"the symbol x is a number here, not a function" errors))
+
+;; ---------------------------------------------------------------------------
+;; Simplification that fails
+
+;; A value that prints as `name`, and does this when it is simplified.
+(struct troublesome (name act)
+  #:property prop:kind
+  (make-kind #:rank rank:scalar
+             #:describe (lambda (x) "a troublesome value")
+             #:datum (lambda (x) (troublesome-name x))
+             #:map (lambda (f x) ((troublesome-act x)))))
+
+;; What the prompt's printer writes, to output and to the error port.
+(define (prompt-prints x)
+  (define out (open-output-string))
+  (define err (open-output-string))
+  (parameterize ([current-print (current-print)]
+                 [current-output-port out]
+                 [current-error-port err])
+    (install-printer!)
+    ((current-print) x))
+  (list (get-output-string out) (get-output-string err)))
+
+(test-case "where simplification raises, the value is printed as it is, and why"
+  (define x (troublesome 'stubborn (lambda () (raise-user-error 'simplify "gave up"))))
+  (check-equal? (prompt-prints x)
+                '("stubborn\n" "; the result could not be simplified (simplify: gave up)\n")))
+
+(test-case "a break during simplification prints the value as it is"
+  (define x (troublesome 'slow (lambda () (break-thread (current-thread)) (sleep 30) 'done)))
+  (check-equal? (prompt-prints x)
+                '("slow\n" "; simplification interrupted; the result as computed:\n")))
+
+(test-case "a break while a module's result is simplified stops the module"
+  (define x (troublesome 'slow (lambda () (break-thread (current-thread)) (sleep 30) 'done)))
+  (check-exn exn:break? (lambda () (with-output-to-string (lambda () (print-result x))))))
+
+(test-case "installing the printer again changes nothing"
+  (parameterize ([current-print (current-print)])
+    (install-printer!)
+    (define printer (current-print))
+    (install-printer!)
+    (check-eq? (current-print) printer)))
