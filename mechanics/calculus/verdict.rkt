@@ -9,12 +9,13 @@
 (require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/arithmetic.rkt"
          "../algebra/expression.rkt" "../algebra/zero-test.rkt"
-         "dual.rkt" "verdict-text.rkt")
+         "verdict-report.rkt")
 
 (provide prove-zero verify-equal
          verdict? verdict-status verdict-residual verdict-witness verdict-value
          verdict-assumptions verdict-conditions verdict-factored
-         proved? refuted? undecided?)
+         proved? refuted? undecided?
+         (rename-out [report verdict-lines]))
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -22,8 +23,9 @@
   #:authentic
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write
-  (lambda (v port mode)
-    (write-verdict (verdict-status v) (verdict-residual v) (verdict-tests v) port)))
+  (lambda (v port mode) (write-string (report->text (report v)) port)))
+
+(define (report v) (verdict-report (verdict-status v) (verdict-tests v)))
 
 (define (proved? v) (eq? (verdict-status v) 'proved))
 (define (refuted? v) (eq? (verdict-status v) 'refuted))

@@ -10,10 +10,10 @@
 
 (provide layout)
 
-;; layout : datum width -> string
-(define (layout d width)
+;; layout : datum width [column] -> string, whose first line starts at `column`
+(define (layout d width [column 0])
   (define port (open-output-string))
-  (emit (prepare d) 0 0 width port)
+  (emit (prepare d) column 0 width port)
   (get-output-string port))
 
 ;; ---------------------------------------------------------------------------

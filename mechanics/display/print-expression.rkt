@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Printing values on demand, simplified: what the prompt does to results.
 
-(require "../algebra/expression.rkt" "../generic/describe.rkt"
-         "../value/simplify.rkt"
-         "layout.rkt")
+(require "layout.rkt" "text.rkt"
+         "../generic/describe.rkt" "../value/simplify.rkt")
 
 (provide print-expression pe show-expression se print-labelled)
 
@@ -11,7 +10,7 @@
 
 ;; The value, simplified, in the book's form, on lines of its own.
 (define (print-expression x)
-  (write-string (layout (value->datum (simplify x)) line-width))
+  (write-string (value->lines (simplify x) line-width))
   (newline))
 
 (define pe print-expression)

@@ -7,7 +7,8 @@
 ;; is as a value that prints as that text; so output keeps the colour, the
 ;; value history and the line ends of the editor it appears in.
 
-(require "../display/layout.rkt"
+(require "../display/text.rkt"
+         "../calculus/verdict.rkt"
          "../algebra/expression.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt"
          "../value/simplify.rkt")
@@ -39,7 +40,7 @@
 ;; What the wrapped printer is given in place of x.
 (define (printable x simplified)
   (if (in-notation? x)
-      (laid-out (layout (value->datum simplified) (output-width)))
+      (laid-out (value->lines simplified (output-width)))
       simplified))
 
 ;; Text that prints as itself in all of Racket's modes.
@@ -52,6 +53,7 @@
 (define (in-notation? x)
   (or (symbolic? x)
       (has-kind? x)
+      (verdict? x)
       (and (procedure? x) (not (custom-write? x)))))
 
 ;; ---------------------------------------------------------------------------

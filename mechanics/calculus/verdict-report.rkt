@@ -1,0 +1,113 @@
+#lang racket/base
+;; A verdict in words: a headline and labelled evidence.
+;;
+;; The report is data, a list of lines (depth label content), content being #f or
+;; a list of strings and S-expressions; whoever prints it knows how wide a line
+;; may be.
+
+(require "../generic/describe.rkt" "../algebra/zero-test.rkt" "../algebra/datum.rkt")
+
+(provide verdict-report report->text)
+
+;; status : as a whole.  tests : the zero-test of each scalar, in order.
+(define (verdict-report status tests)
+  (define open (for/list ([z (in-list tests)] [i (in-naturals)]
+                          #:unless (eq? (zero-test-status z) 'proved))
+                 (cons i z)))
+  (define shared (shared-condition open))
+  (append
+   (list (list 0 (headline status) #f))
+   (if (and (pair? tests) (null? (cdr tests)))
+       (append* (for/list ([entry (in-list open)]) (evidence (cdr entry) 1 #t)))
+       (append* (for/list ([entry (in-list open)])
+                  (cons (list 1 (format "component ~a" (car entry)) #f)
+                        (evidence (cdr entry) 2 (not shared))))))
+   (if (and shared (pair? (cdr tests)))
+       (list (list 1 "zero if:" (equation shared)))
+       '())
+   (for/list ([a (in-list (distinct (append* (map zero-test-assumptions tests))))])
+     (list 1 "assuming:" (list a)))))
+
+(define (headline status)
+  (case status
+    [(proved) "proved: the residual is zero"]
+    [(refuted) "refuted: the residual is not zero"]
+    [else "undecided: the residual is neither proved nor refuted to be zero"]))
+
+;; The condition that all components that are not zero have in common, or #f.
+(define (shared-condition open)
+  (define conditions (map (lambda (entry) (zero-test-condition (cdr entry))) open))
+  (and (pair? conditions)
+       (null? (cdr (distinct conditions)))
+       (car conditions)))
+
+(define (evidence z depth with-condition?)
+  (define (line label . content) (list (list depth label content)))
+  (append
+   (line "residual:" (value->datum (zero-test-residual z)))
+   (factors z line)
+   (if (and with-condition? (zero-test-condition z))
+       (list (list depth "zero if:" (equation (zero-test-condition z))))
+       '())
+   (if (eq? (zero-test-status z) 'refuted) (witness z line) (bound z line))))
+
+;; The factor that cannot vanish and the core that may, where there are both.
+(define (factors z line)
+  (define factor (zero-test-factor z))
+  (define core (zero-test-core z))
+  (if (or (number? factor) (number? core))
+      '()
+      (append (line "factor:" (value->datum factor))
+              (line "core:" (value->datum core)))))
+
+(define (equation c)
+  (list (value->datum (cadr c)) "=" (value->datum (caddr c))))
+
+(define (witness z line)
+  (define point (zero-test-witness z))
+  (append
+   (if (null? point)
+       '()
+       (apply line "at:" (substitutions point)))
+   (line "value:" (zero-test-value z))))
+
+(define (substitutions point)
+  (append*
+   (for/list ([entry (in-list point)] [i (in-naturals)])
+     (append (if (zero? i) '() (list ","))
+             (list (value->datum (car entry)) "=" (cdr entry))))))
+
+(define (bound z line)
+  (if (zero? (zero-test-points z))
+      (line "evidence:" "zero within rounding; exact numbers would tell")
+      (line "evidence:"
+            (format "at ~a points, zero to within ~a" (zero-test-points z)
+                    (zero-test-bound z)))))
+
+;; ---------------------------------------------------------------------------
+
+;; The report with each line's content written plainly.
+(define (report->text report)
+  (join "\n"
+        (for/list ([line (in-list report)])
+          (define content (caddr line))
+          (string-append (make-string (* 2 (car line)) #\space)
+                         (cadr line)
+                         (if content (string-append " " (content->text content)) "")))))
+
+(define (content->text content)
+  (for/fold ([text ""]) ([part (in-list content)])
+    (define s (if (string? part) part (datum->text part)))
+    (cond [(string=? text "") s]
+          [(equal? part ",") (string-append text s)]
+          [else (string-append text " " s)])))
+
+(define (join separator strings)
+  (for/fold ([text (car strings)]) ([s (in-list (cdr strings))])
+    (string-append text separator s)))
+
+(define (append* lists) (apply append lists))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (member x kept) kept (cons x kept))))
