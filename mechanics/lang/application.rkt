@@ -9,8 +9,9 @@
 ;;
 ;;     (let ([t argument] ...) (if (procedure? f) (f t ...) (complain ...)))
 ;;
-;; where constants, and variables among variables, need no t.  A name imported from another module is trusted; any other operator, as in
-;; ((D f) x), is tested on its way: ((callable operator) argument ...).
+;; where constants, and variables among variables, need no t.  A name imported
+;; from another module is trusted; any other operator, as in ((D f) x), is
+;; tested on its way: ((callable operator) argument ...).
 
 (require (for-syntax racket/base)
          "../generic/describe.rkt"

@@ -49,21 +49,22 @@
         [else (not (wildcard? stx))]))
 
 (define (pattern-variables pattern)
-  (for/fold ([ids '()] #:result (reverse ids))
-            ([p (in-list (components-of pattern))])
-    (cond [(pattern? p) (append (reverse (pattern-variables p)) ids)]
-          [(variable? p) (cons p ids)]
-          [(wildcard? p) ids]
-          [else
-           (raise-syntax-error
-            #f "expected an identifier or a pattern (up ...) or (down ...)"
-            pattern p)])))
+  (append-map
+   (lambda (p)
+     (cond [(pattern? p) (pattern-variables p)]
+           [(variable? p) (list p)]
+           [(wildcard? p) '()]
+           [else
+            (raise-syntax-error
+             #f "expected an identifier or a pattern (up ...) or (down ...)"
+             pattern p)]))
+   (components-of pattern)))
 
 (define (pattern-heads pattern)
   (cons (car (syntax-e pattern))
-        (for/fold ([heads '()])
-                  ([p (in-list (components-of pattern))] #:when (pattern? p))
-          (append (pattern-heads p) heads))))
+        (append-map pattern-heads (filter pattern? (components-of pattern)))))
+
+(define (append-map f xs) (apply append (map f xs)))
 
 ;; The pattern as messages show it.
 (define (pattern->datum pattern)
@@ -81,12 +82,9 @@
 ;; The expression that runs body, a list of forms, with these patterns bound.
 (define (destructure bounds who body)
   (define-values (checks variables)
-    (for/fold ([checks '()] [variables '()] #:result (values checks variables))
-              ([b (in-list bounds)])
-      (define-values (more-checks more-variables) (compile-pattern b who))
-      (values (append checks more-checks) (append variables more-variables))))
-  #`(let*-values #,checks
-      (let-values #,variables #,@body)))
+    (for/lists (checks variables) ([b (in-list bounds)]) (compile-pattern b who)))
+  #`(let*-values #,(apply append checks)
+      (let-values #,(apply append variables) #,@body)))
 
 ;; Clauses of let*-values that check shapes, clauses of let-values that bind.
 (define (compile-pattern b who)
@@ -213,5 +211,5 @@
 (define (note-pattern-heads stx bounds)
   (syntax-property
    stx 'disappeared-use
-   (for*/list ([b (in-list bounds)] [head (in-list (pattern-heads (bound-pattern b)))])
-     (syntax-local-introduce head))))
+   (map syntax-local-introduce
+        (append-map pattern-heads (map bound-pattern bounds)))))
