@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Content: the numeric and the monomial factor every term shares.
 
-(require "ring.rkt" "arithmetic.rkt")
+(require "monomial.rkt" "ring.rkt" "arithmetic.rkt")
 
 (provide poly-content poly-primitive poly-monomial-content
          common-monomial)
@@ -36,8 +36,8 @@
 
 (define (common-monomial R p)
   (if (null? p)
-      0
+      (ring-one R)
       (let loop ([m (caar p)] [p (cdr p)])
-        (if (or (null? p) (eq? m 0))
+        (if (or (null? p) (monomial-one? m))
             m
             (loop (monomial-gcd R m (caar p)) (cdr p))))))

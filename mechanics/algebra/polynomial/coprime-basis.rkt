@@ -10,7 +10,7 @@
 ;; and inserts the three anew; degrees fall, so it ends.  Exponents may be of
 ;; any kind that `add` adds, so that one pass can follow two products at once.
 
-(require "structure.rkt" "division.rkt" "gcd.rkt")
+(require "monomial.rkt" "structure.rkt" "division.rkt" "gcd.rkt")
 
 (provide basis-insert basis-sort basis=?)
 
@@ -55,7 +55,7 @@
 (define (poly<? p q)
   (cond [(null? q) #f]
         [(null? p) #t]
-        [(not (= (caar p) (caar q))) (< (caar p) (caar q))]
+        [(not (monomial=? (caar p) (caar q))) (monomial>? (caar q) (caar p))]
         [(not (= (cdar p) (cdar q))) (< (cdar p) (cdar q))]
         [else (poly<? (cdr p) (cdr q))]))
 

@@ -2,7 +2,7 @@
 ;; Exact division: q divides p just when reducing p by q, leading term after
 ;; leading term, ends at zero.
 
-(require "ring.rkt" "arithmetic.rkt")
+(require "monomial.rkt" "ring.rkt" "arithmetic.rkt")
 
 (provide poly-divide)
 
@@ -14,16 +14,17 @@
         [else (divide R p q)]))
 
 (define (divide-by-term R p m c)
-  (and (for/and ([t (in-list p)]) (monomial-divides? R m (car t)))
-       (shift-terms (- m) (/ 1 c) p)))
+  (and (for/and ([t (in-list p)]) (monomial-divides? (ring-guards R) m (car t)))
+       (shift-terms (monomial- (ring-one R) m) (/ 1 c) p)))
 
 (define (divide R p q)
+  (define guards (ring-guards R))
   (define lead (caar q))
   (define lead-coefficient (cdar q))
   (let loop ([p p] [quotient '()])
     (cond [(null? p) (reverse quotient)]
-          [(monomial-divides? R lead (caar p))
-           (define m (- (caar p) lead))
+          [(monomial-divides? guards lead (caar p))
+           (define m (monomial- (caar p) lead))
            (define c (/ (cdar p) lead-coefficient))
            (loop (poly+ R (cdr p) (shift-terms m (- c) (cdr q)))
                  (cons (cons m c) quotient))]

@@ -12,7 +12,7 @@
 ;; The value is canonical: numerator and expanded denominator depend on it
 ;; alone.  How the denominator is split into factors depends on its history.
 
-(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt"
+(require "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt"
          "division.rkt" "gcd.rkt" "coprime-basis.rkt")
 
 (provide
@@ -180,7 +180,7 @@
   (define variables
     (for/list ([v (in-list (monomial-factors R m))])
       (cons (poly-variable R (car v)) (cdr v))))
-  (define rest (shift-terms (- m) 1 primitive))
+  (define rest (shift-terms (monomial- (ring-one R) m) 1 primitive))
   (values content
           (if (poly-constant? rest) variables (cons (cons rest 1) variables))))
 

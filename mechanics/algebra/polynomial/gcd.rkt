@@ -11,7 +11,7 @@
 ;; else gcd(p, q) = g · gcd(p/g, q/g).  Remainder sequences, which need no luck,
 ;; come last, so the answer is always right and always comes.
 
-(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
+(require "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
          "modular.rkt" "images.rkt" "rering.rkt"
          "heuristic-gcd.rkt" "sparse-gcd.rkt" "remainder-gcd.rkt")
 
@@ -22,7 +22,7 @@
 (define (poly-gcd R p q)
   (cond [(null? p) (primitive-part R q)]
         [(null? q) (primitive-part R p)]
-        [(or (poly-constant? p) (poly-constant? q)) one]
+        [(or (poly-constant? p) (poly-constant? q)) (poly-constant R 1)]
         [else
          (define m (common-monomial R p))
          (define n (common-monomial R q))
@@ -38,21 +38,20 @@
           [(and (pair? g) (poly-constant? g)) g]
           [else (loop (poly-gcd R g (car ps)) (cdr ps))])))
 
-(define one '((0 . 1)))
-
 (define (primitive-part R p)
   (define-values (content primitive) (poly-primitive R p))
   primitive)
 
 ;; The primitive part of p without its monomial factor m.
-(define (strip R m p) (primitive-part R (shift-terms (- m) 1 p)))
+(define (strip R m p)
+  (primitive-part R (shift-terms (monomial- (ring-one R) m) 1 p)))
 
 ;; ---------------------------------------------------------------------------
 ;; Getting rid of variables.  From here on p and q are primitive, and no
 ;; variable divides them.
 
 (define (primitive-gcd R p q)
-  (cond [(or (poly-constant? p) (poly-constant? q)) one]
+  (cond [(or (poly-constant? p) (poly-constant? q)) (poly-constant R 1)]
         [(poly=? p q) p]
         [else
          (define ps (poly-variables R p))
@@ -76,7 +75,7 @@
   (define free
     (for/list ([i (in-list variables)] [b (in-list bounds)] #:when (eq? b 0)) i))
   (cond [(pair? free)
-         (if (equal? free variables) one (gcd-of-coefficients R p free q free))]
+         (if (equal? free variables) (poly-constant R 1) (gcd-of-coefficients R p free q free))]
         [else
          (define g (find-divisor R p q variables bounds seed))
          (cond [(and g (equal? bounds (degrees R g variables))) g]

@@ -43,7 +43,7 @@
 ;; The gcd of the coefficients of p in variable x.
 (define (content-in R p x)
   (for/fold ([g '()]) ([c (in-list (poly-coefficients R p x))]
-                       #:break (equal? g '((0 . 1))))
+                       #:break (and (pair? g) (poly-constant? g)))
     (primitive-gcd R g (cdr c))))
 
 (define (remainder-sequence R x p q)

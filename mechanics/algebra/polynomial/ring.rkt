@@ -1,49 +1,88 @@
 #lang racket/base
-;; Rings of polynomials, and monomials packed into integers.
+;; Rings of polynomials, and the layout of their monomials.
 ;;
-;; A monomial x₀^e₀ ··· xₙ₋₁^eₙ₋₁ is one exact integer: the total degree on top,
-;; below it one field a variable, x₀ highest.  A field has room for the ring's
-;; greatest degree and one more bit, the *guard*, which is 0 in every monomial:
+;; A monomial x₀^e₀ ··· xₙ₋₁^eₙ₋₁ is packed into bit fields, the total degree on
+;; top, then x₀, x₁ and so on, over as many words (monomial.rkt) as it takes:
 ;;
-;;     | total degree | 0 e₀ | 0 e₁ | ... | 0 eₙ₋₁ |
+;;     | 0 total degree | 0 e₀ | 0 e₁ | ... |   | 0 eₖ | ... |   ...
 ;;
-;; Then the product of monomials is +, the graded lexicographic order is <, and
-;; a divides b just when b - a borrows across no field, that is when all guard
-;; bits of b - a are 0.  With few variables all this is fixnum arithmetic; with
-;; many the integers grow and nothing else changes.
+;; A field has room for the ring's greatest degree and one more bit, the
+;; *guard*, which is 0 in every monomial.  Then the product of monomials is
+;; addition, the graded lexicographic order is that of the words, and a divides
+;; b just when b - a borrows across no field, so that its guard bits are 0.
 ;;
 ;; No exponent exceeds the total degree, so a product fits as soon as its total
-;; degree does: one comparison of the product of the leading monomials with
-;; `ring-limit` guards a whole multiplication.
+;; degree does: one look at the product of the leading monomials guards a whole
+;; multiplication.
+
+(require racket/fixnum "monomial.rkt")
 
 (provide
  ;; rings
- make-ring ring? ring-size ring-max-degree
+ make-ring ring? ring-size ring-max-degree ring-one ring-guards
  (struct-out exn:algebra:degree-overflow) raise-degree-overflow
- ;; packed monomials
- ring-limit check-monomial
- variable-unit variable-monomial exponents->monomial factors->monomial
- monomial-degree monomial-exponent monomial-part
- monomial-exponents monomial-factors
- monomial-divides? monomial-gcd)
+ check-monomial check-power
+ ;; monomials from exponents
+ variable-unit variable-monomial variable-power
+ exponents->monomial factors->monomial
+ ;; exponents of monomials
+ monomial-degree monomial-exponent monomial-exponents monomial-factors
+ monomial-part monomial-gcd
+ ;; tables keyed by monomials
+ make-monomial-hash)
 
-(struct ring (size max-degree bits field degree-shift guards limit units)
+;; bits : width of a field, with its guard; field : as many ones
+;; degree-shift : place of the total degree in the first word
+;; words, shifts : fxvectors by variable: its word, and its place there
+;; lasts : vector by word: the variable in its lowest field
+;; units : vector of the variables as monomials; one, guards : monomials
+(struct ring (size max-degree bits field degree-shift words shifts lasts units one guards)
   #:authentic)
+
+(define word-bits 60)
 
 ;; Polynomials in n variables of total degree at most max-degree.
 (define (make-ring n max-degree)
   (define bits (+ 1 (integer-length (max 1 max-degree))))
-  (define degree-shift (* n bits))
-  (define guards
-    (for/fold ([mask 0]) ([i (in-range n)])
-      (bitwise-ior mask (arithmetic-shift 1 (- (* (+ i 1) bits) 1)))))
-  (define units
-    (for/vector #:length n ([i (in-range n)])
-      (+ (arithmetic-shift 1 degree-shift)
-         (arithmetic-shift 1 (* (- n i 1) bits)))))
-  (ring n max-degree bits (- (arithmetic-shift 1 bits) 1) degree-shift guards
-        (arithmetic-shift (+ max-degree 1) degree-shift)
-        units))
+  (unless (< (* 2 bits) word-bits)
+    (raise-argument-error 'make-ring "a degree below 2^28" max-degree))
+  (define field (- (fxlshift 1 bits) 1))
+  (define-values (lasts words shifts) (layout n bits))
+  (define word-count (vector-length lasts))
+  (define degree-shift
+    (fx* bits (+ 1 (vector-ref lasts 0))))
+  (define (one-bit word shift) (chain word-count (hasheqv word (fxlshift 1 shift))))
+  (define degree-unit (one-bit 0 degree-shift))
+  (define places
+    (for/list ([w (in-fxvector words)] [s (in-fxvector shifts)]) (cons w s)))
+  (ring n max-degree bits field degree-shift words shifts lasts
+        (for/vector #:length n ([p (in-list places)])
+          (monomial+ degree-unit (one-bit (car p) (cdr p))))
+        (chain word-count (hasheqv))
+        (for/fold ([guards (one-bit 0 (+ degree-shift bits -1))])
+                  ([p (in-list places)])
+          (monomial+ guards (one-bit (car p) (+ (cdr p) bits -1))))))
+
+;; Variables fill the words in order; the first word keeps one field free.
+(define (layout n bits)
+  (define per-word (quotient word-bits bits))
+  (define words (make-fxvector n))
+  (define shifts (make-fxvector n))
+  (define lasts
+    (let fill ([word 0] [start 0] [room (- per-word 1)])
+      (define end (min n (+ start room)))
+      (for ([i (in-range start end)])
+        (fxvector-set! words i word)
+        (fxvector-set! shifts i (* bits (- end i 1))))
+      (cons (- end 1)
+            (if (< end n) (fill (+ word 1) end per-word) '()))))
+  (values (list->vector lasts) words shifts))
+
+;; The monomial with the given words, others 0.
+(define (chain word-count words)
+  (let loop ([w 0])
+    (define word (hash-ref words w 0))
+    (if (= w (- word-count 1)) word (cons word (loop (+ w 1))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Degree overflow
@@ -59,69 +98,83 @@
           (current-continuation-marks)
           degree (ring-max-degree R))))
 
-;; m, when it is a monomial of the ring.
+;; m, a monomial or a product of two, when it is a monomial of the ring.
 (define (check-monomial R m)
-  (if (< m (ring-limit R))
-      m
-      (raise-degree-overflow R (monomial-degree R m))))
+  (define degree (monomial-degree R m))
+  (if (fx<= degree (ring-max-degree R)) m (raise-degree-overflow R degree)))
+
+;; m^k, checked.
+(define (check-power R m k)
+  (define degree (* k (monomial-degree R m)))
+  (if (<= degree (ring-max-degree R))
+      (monomial-power m k)
+      (raise-degree-overflow R degree)))
 
 ;; ---------------------------------------------------------------------------
-;; Monomials
+;; Monomials from exponents
 
-;; The monomial xᵢ, which may be more than the ring allows.
 (define (variable-unit R i) (vector-ref (ring-units R) i))
 
 (define (variable-monomial R i exponent)
-  (check-monomial R (* exponent (variable-unit R i))))
+  (check-power R (variable-unit R i) exponent))
 
-;; exponents : a list or a vector, one a variable
-(define (exponents->monomial R exponents)
-  (check-monomial R
-                  (for/fold ([m 0])
-                            ([e (if (vector? exponents) (in-vector exponents) (in-list exponents))]
-                             [unit (in-vector (ring-units R))])
-                    (if (eq? e 0) m (+ m (* e unit))))))
+;; The same for an exponent known to fit.
+(define (variable-power R i exponent)
+  (monomial-power (variable-unit R i) exponent))
 
 ;; factors : ((index . exponent) ...), each index once
 (define (factors->monomial R factors)
-  (check-monomial R
-                  (for/fold ([m 0]) ([f (in-list factors)])
-                    (+ m (* (cdr f) (variable-unit R (car f)))))))
+  (for/fold ([m (ring-one R)]) ([f (in-list factors)])
+    (check-monomial R (monomial+ m (variable-monomial R (car f) (cdr f))))))
 
-(define (monomial-degree R m) (arithmetic-shift m (- (ring-degree-shift R))))
+;; exponents : a list or a vector, one a variable
+(define (exponents->monomial R exponents)
+  (factors->monomial R
+                     (for/list ([e (if (vector? exponents)
+                                       (in-vector exponents)
+                                       (in-list exponents))]
+                                [i (in-naturals)]
+                                #:unless (eqv? e 0))
+                       (cons i e))))
+
+;; ---------------------------------------------------------------------------
+;; Exponents of monomials
+
+(define (monomial-degree R m)
+  (fxrshift (monomial-head m) (ring-degree-shift R)))
 
 (define (monomial-exponent R m i)
-  (define start (* (- (ring-size R) i 1) (ring-bits R)))
-  (bitwise-and (arithmetic-shift m (- start)) (ring-field R)))
+  (fxand (fxrshift (monomial-word m (fxvector-ref (ring-words R) i))
+                   (fxvector-ref (ring-shifts R) i))
+         (ring-field R)))
 
-;; The monomial's own part below its total degree.
-(define (monomial-fields R m)
-  (define shift (ring-degree-shift R))
-  (- m (arithmetic-shift (arithmetic-shift m (- shift)) shift)))
-
-;; A procedure from monomials to their parts in the given variables.
-(define (monomial-part R variables)
-  (define mask
-    (for/fold ([mask 0]) ([i (in-list variables)])
-      (bitwise-ior mask (arithmetic-shift (ring-field R)
-                                          (* (- (ring-size R) i 1) (ring-bits R))))))
-  (lambda (m)
-    (define fields (bitwise-and m mask))
-    (if (eq? fields 0) 0 (factors->monomial R (monomial-factors R fields)))))
+(define (monomial-word m w)
+  (cond [(eq? w 0) (monomial-head m)]
+        [(fixnum? (cdr m)) (cdr m)]
+        [else (monomial-word (cdr m) (fx- w 1))]))
 
 ;; The variables that occur: ((index . exponent) ...) by ascending index.  Costs
-;; one step a variable occurring, however many the ring has.
+;; one step a variable occurring and one a word, not one a variable of the ring.
 (define (monomial-factors R m)
   (define bits (ring-bits R))
-  (define last (- (ring-size R) 1))
-  (let loop ([rest (monomial-fields R m)])
-    (cond [(eq? rest 0) '()]
-          [else
-           (define k (quotient (- (integer-length rest) 1) bits))
-           (define start (* k bits))
-           (define e (arithmetic-shift rest (- start)))
-           (cons (cons (- last k) e)
-                 (loop (- rest (arithmetic-shift e start))))])))
+  (define lasts (ring-lasts R))
+  (let next-word ([m m] [w 0])
+    (define last (vector-ref lasts w))
+    (let next-field ([rest (if (eq? w 0) (below-degree R m) (monomial-head m))])
+      (cond [(eq? rest 0)
+             (if (fixnum? m) '() (next-word (cdr m) (fx+ w 1)))]
+            [else
+             (define k (fxquotient (fx- (integer-length rest) 1) bits))
+             (define shift (fx* k bits))
+             (define e (fxrshift rest shift))
+             (cons (cons (fx- last k) e)
+                   (next-field (fx- rest (fxlshift e shift))))]))))
+
+;; The first word without the total degree.
+(define (below-degree R m)
+  (define word (monomial-head m))
+  (define shift (ring-degree-shift R))
+  (fx- word (fxlshift (fxrshift word shift) shift)))
 
 (define (monomial-exponents R m)
   (define v (make-vector (ring-size R) 0))
@@ -129,15 +182,32 @@
     (vector-set! v (car f) (cdr f)))
   v)
 
-(define (monomial-divides? R a b)
-  (eq? 0 (bitwise-and (- b a) (ring-guards R))))
+;; A procedure from monomials to their parts in the given variables.
+(define (monomial-part R variables)
+  (define field (ring-field R))
+  (define mask
+    (for/fold ([mask (ring-one R)]) ([i (in-list variables)])
+      (define unit (variable-unit R i))
+      (monomial-join mask (monomial-power (monomial- unit (degree-unit R)) field))))
+  (lambda (m) (factors->monomial R (monomial-factors R (monomial-mask mask m)))))
+
+;; The total degree 1 alone, no variable.
+(define (degree-unit R)
+  (define bit (fxlshift 1 (ring-degree-shift R)))
+  (define one (ring-one R))
+  (if (fixnum? one) bit (cons bit (cdr one))))
 
 (define (monomial-gcd R a b)
-  (define units (ring-units R))
-  (let loop ([xs (monomial-factors R a)] [ys (monomial-factors R b)] [m 0])
+  (let loop ([xs (monomial-factors R a)] [ys (monomial-factors R b)] [m (ring-one R)])
     (cond [(or (null? xs) (null? ys)) m]
           [(< (caar xs) (caar ys)) (loop (cdr xs) ys m)]
           [(> (caar xs) (caar ys)) (loop xs (cdr ys) m)]
           [else
            (define e (min (cdar xs) (cdar ys)))
-           (loop (cdr xs) (cdr ys) (+ m (* e (vector-ref units (caar xs)))))])))
+           (loop (cdr xs) (cdr ys) (monomial+ m (variable-power R (caar xs) e)))])))
+
+;; ---------------------------------------------------------------------------
+;; Tables
+
+(define (make-monomial-hash R)
+  (if (fixnum? (ring-one R)) (make-hasheq) (make-hash)))

@@ -12,7 +12,7 @@
 ;; The value of a term at the next point is its value at this one times its own
 ;; constant: a *track* holds these two numbers for all terms of a polynomial.
 
-(require racket/fixnum "ring.rkt" "modular.rkt" "modular-terms.rkt" "interpolation.rkt")
+(require racket/fixnum "monomial.rkt" "ring.rkt" "modular.rkt" "modular-terms.rkt" "interpolation.rkt")
 
 (provide skeleton-gcd)
 
@@ -69,7 +69,7 @@
            (for/list ([m (in-list (cdr g))] [c (in-fxvector cs)] #:unless (eq? c 0))
              (cons m c)))))
   (and (andmap values solved)
-       (sort (apply append solved) > #:key car)))
+       (sort (apply append solved) monomial>? #:key car)))
 
 ;; ---------------------------------------------------------------------------
 ;; Tracks

@@ -17,7 +17,7 @@
 ;; primes make a wrong guess, so only what divides p and q is returned.
 
 (require racket/fixnum
-         "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
+         "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
          "modular.rkt" "modular-terms.rkt" "interpolation.rkt" "skeleton.rkt")
 
 (provide sparse-divisor)
@@ -75,9 +75,9 @@
     (cons m (+ c (* modulus (mod* (mod- d (modulo c P) P) inverse P)))))
   (let merge ([h h] [image image])
     (cond [(and (null? h) (null? image)) '()]
-          [(or (null? image) (and (pair? h) (> (caar h) (caar image))))
+          [(or (null? image) (and (pair? h) (monomial>? (caar h) (caar image))))
            (cons (join (caar h) (cdar h) 0) (merge (cdr h) image))]
-          [(or (null? h) (< (caar h) (caar image)))
+          [(or (null? h) (monomial>? (caar image) (caar h)))
            (cons (join (caar image) 0 (cdar image)) (merge h (cdr image)))]
           [else
            (cons (join (caar h) (cdar h) (cdar image))
@@ -126,7 +126,7 @@
          (define x (problem-x k))
          (skeleton-gcd R x p q lead
                        (for/list ([e (in-range (+ 1 (problem-degree k)))])
-                         (* e (variable-unit R x)))
+                         (variable-power R x e))
                        (problem-degree k) (make-point k P 1) P)]
         [else
          (define y (car variables))
@@ -159,7 +159,6 @@
 
 ;; Newton's interpolation of every coefficient.
 (define (interpolate R y monomials points images P)
-  (define unit (variable-unit R y))
   (define tables (for/list ([image (in-list images)]) (make-hash image)))
   (define terms
     (for*/list ([m (in-list monomials)]
@@ -172,8 +171,8 @@
                    P))]
                 [(c e) (in-indexed-fxvector coefficients)]
                 #:unless (eq? c 0))
-      (cons (+ m (* e unit)) c)))
-  (sort terms > #:key car))
+      (cons (monomial+ m (variable-power R y e)) c)))
+  (sort terms monomial>? #:key car))
 
 (define (in-indexed-fxvector v)
   (in-parallel (in-fxvector v) (in-naturals)))

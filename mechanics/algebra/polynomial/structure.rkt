@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Looking into polynomials, and taking them apart along a variable.
 
-(require "ring.rkt" "arithmetic.rkt")
+(require "monomial.rkt" "ring.rkt" "arithmetic.rkt")
 
 (provide
  ;; predicates
@@ -20,7 +20,7 @@
 (define (poly-zero? p) (null? p))
 
 (define (poly-constant? p)
-  (or (null? p) (and (eqv? (caar p) 0) #t)))
+  (or (null? p) (monomial-one? (caar p))))
 
 ;; The value of a constant polynomial.
 (define (poly-constant-value p) (if (null? p) 0 (cdar p)))
@@ -28,13 +28,13 @@
 (define (poly=? p q)
   (cond [(eq? p q) #t]
         [(or (null? p) (null? q)) #f]
-        [else (and (eqv? (caar p) (caar q))
+        [else (and (monomial=? (caar p) (caar q))
                    (eqv? (cdar p) (cdar q))
                    (poly=? (cdr p) (cdr q)))]))
 
 (define (poly-hash p)
   (for/fold ([h 17]) ([t (in-list p)])
-    (bitwise-and (+ (* 31 h) (* 7 (word (car t))) (word (cdr t)))
+    (bitwise-and (+ (* 31 h) (* 7 (monomial-hash (car t))) (word (cdr t)))
                  #xFFFFFFFFFFFF)))
 
 (define (word x)
@@ -57,7 +57,7 @@
 ;; The indices of the variables that occur, ascending.
 (define (poly-variables R p)
   (define present
-    (for/fold ([m 0]) ([t (in-list p)]) (bitwise-ior m (car t))))
+    (for/fold ([m (ring-one R)]) ([t (in-list p)]) (monomial-join m (car t))))
   (map car (monomial-factors R present)))
 
 ;; ---------------------------------------------------------------------------
@@ -78,12 +78,11 @@
 ;; ((degree . coefficient) ...) by decreasing degree in variable i, the
 ;; coefficients nonzero and free of it.
 (define (poly-coefficients R p i)
-  (define unit (variable-unit R i))
   (define table (make-hasheqv))
   (for ([t (in-list p)])
     (define e (monomial-exponent R (car t) i))
     (define reduced
-      (if (eq? e 0) t (cons (- (car t) (* e unit)) (cdr t))))
+      (if (eq? e 0) t (cons (monomial- (car t) (variable-power R i e)) (cdr t))))
     (hash-set! table e (cons reduced (hash-ref table e '()))))
   (for/list ([e (in-list (sort (hash-keys table) >))])
     (cons e (reverse (hash-ref table e)))))
@@ -93,17 +92,17 @@
   (cond [(null? variables) (list p)]
         [else
          (define part (monomial-part R variables))
-         (define table (make-hasheqv))
+         (define table (make-monomial-hash R))
          (for ([t (in-list p)])
            (define m (part (car t)))
-           (hash-set! table m (cons (cons (- (car t) m) (cdr t)) (hash-ref table m '()))))
+           (hash-set! table m (cons (cons (monomial- (car t) m) (cdr t)) (hash-ref table m '()))))
          (for/list ([terms (in-hash-values table)]) (reverse terms))]))
 
 (define (poly-from-coefficients R i alist)
   (poly-sum R
             (for/list ([entry (in-list alist)] #:unless (null? (cdr entry)))
-              (define m (* (car entry) (variable-unit R i)))
-              (check-monomial R (+ m (caar (cdr entry))))
+              (define m (variable-monomial R i (car entry)))
+              (check-monomial R (monomial+ m (caar (cdr entry))))
               (shift-terms m 1 (cdr entry)))))
 
 (define (poly-derivative R p i)
@@ -115,7 +114,7 @@
            (define e (monomial-exponent R m i))
            (if (eq? e 0)
                (loop (cdr p))
-               (cons (cons (- m unit) (* e (cdar p))) (loop (cdr p))))])))
+               (cons (cons (monomial- m unit) (* e (cdar p))) (loop (cdr p))))])))
 
 ;; p with the polynomial q in the place of variable i, by Horner's rule.
 (define (poly-substitute R p i q)
