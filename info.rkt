@@ -9,4 +9,5 @@
                      "racket-doc"
                      "rackunit-lib"
                      "sandbox-lib"
-                     "scribble-lib"))
+                     "scribble-lib"
+                     "syntax-color-lib"))
