@@ -1,31 +1,104 @@
 #lang racket/base
 ;; Exact division: q divides p just when reducing p by q, leading term after
 ;; leading term, ends at zero.
+;;
+;; Subtracting every multiple of q from all of p would walk over p once a term
+;; of the quotient.  Instead the multiples wait in buckets, a binary counter:
+;; the i-th bucket is empty or holds the sum of up to 2^i multiples, and a full
+;; one is added into the next.  The leading term of the remainder is found by
+;; looking at the heads of p and of the few buckets.  So the cost is that of the
+;; product of q and the quotient, by the same balanced additions.
 
-(require "monomial.rkt" "ring.rkt" "arithmetic.rkt")
+(require racket/fixnum "monomial.rkt" "ring.rkt" "arithmetic.rkt")
 
-(provide poly-divide)
+(provide poly-divide poly-divide-integral)
 
 ;; The exact quotient over the rationals, or #f when there is none.
-(define (poly-divide R p q)
+(define (poly-divide R p q) (divide R p q #f))
+
+;; The same over the integers, where a fraction tells early that there is none:
+;; by Gauss's lemma that is no loss when p has integer coefficients and q is
+;; primitive.
+(define (poly-divide-integral R p q) (divide R p q #t))
+
+(define (divide R p q integral?)
   (cond [(null? q) (raise-argument-error 'poly-divide "a nonzero polynomial" q)]
         [(null? p) '()]
-        [(null? (cdr q)) (divide-by-term R p (caar q) (cdar q))]
-        [else (divide R p q)]))
+        [(null? (cdr q)) (divide-by-term R p (caar q) (cdar q) integral?)]
+        [(last-divides? R p q) (reduce R p q integral?)]
+        [else #f]))
 
-(define (divide-by-term R p m c)
-  (and (for/and ([t (in-list p)]) (monomial-divides? (ring-guards R) m (car t)))
+(define (divide-by-term R p m c integral?)
+  (define guards (ring-guards R))
+  (and (for/and ([t (in-list p)])
+         (and (monomial-divides? guards m (car t))
+              (or (not integral?) (integer? (/ (cdr t) c)))))
        (shift-terms (monomial- (ring-one R) m) (/ 1 c) p)))
 
-(define (divide R p q)
+;; The last term of p is that of q times that of the quotient.
+(define (last-divides? R p q)
+  (monomial-divides? (ring-guards R) (car (last-term q)) (car (last-term p))))
+
+(define (last-term p)
+  (if (null? (cdr p)) (car p) (last-term (cdr p))))
+
+;; ---------------------------------------------------------------------------
+;; Reduction
+
+;; Room for 2^30 terms of quotient.
+(define bucket-count 32)
+
+;; Buckets : a vector of polynomials, p in place 0; the remainder is their sum.
+;; `used` places are not all empty.
+(define (reduce R p q integral?)
   (define guards (ring-guards R))
   (define lead (caar q))
   (define lead-coefficient (cdar q))
-  (let loop ([p p] [quotient '()])
-    (cond [(null? p) (reverse quotient)]
-          [(monomial-divides? guards lead (caar p))
-           (define m (monomial- (caar p) lead))
-           (define c (/ (cdar p) lead-coefficient))
-           (loop (poly+ R (cdr p) (shift-terms m (- c) (cdr q)))
-                 (cons (cons m c) quotient))]
-          [else #f])))
+  (define buckets (make-vector bucket-count '()))
+  (vector-set! buckets 0 p)
+  (let loop ([quotient '()] [used 1])
+    (define m (leading-monomial buckets used))
+    (cond [(not m) (reverse quotient)]
+          [else
+           (define c (take-coefficient! buckets used m))
+           (define d (/ c lead-coefficient))
+           (cond [(eq? c 0) (loop quotient used)]
+                 [(and (monomial-divides? guards lead m)
+                       (or (not integral?) (integer? d)))
+                  (define n (monomial- m lead))
+                  (define place (put! R buckets 1 (shift-terms n (- d) (cdr q))))
+                  (loop (cons (cons n d) quotient) (fxmax used (fx+ place 1)))]
+                 [else #f])])))
+
+;; The greatest monomial at the head of a bucket, #f when all are empty.
+(define (leading-monomial buckets used)
+  (let loop ([i 0] [best #f])
+    (cond [(eq? i used) best]
+          [else
+           (define b (vector-ref buckets i))
+           (loop (fx+ i 1)
+                 (if (and (pair? b)
+                          (or (not best) (fx> (monomial-compare (caar b) best) 0)))
+                     (caar b)
+                     best))])))
+
+;; Its coefficient, its terms taken off the buckets.
+(define (take-coefficient! buckets used m)
+  (let loop ([i 0] [sum 0])
+    (cond [(eq? i used) sum]
+          [else
+           (define b (vector-ref buckets i))
+           (cond [(and (pair? b) (monomial=? (caar b) m))
+                  (vector-set! buckets i (cdr b))
+                  (loop (fx+ i 1) (+ sum (cdar b)))]
+                 [else (loop (fx+ i 1) sum)])])))
+
+;; -> the place where the polynomial went.
+(define (put! R buckets i p)
+  (define b (vector-ref buckets i))
+  (cond [(null? b)
+         (vector-set! buckets i p)
+         i]
+        [else
+         (vector-set! buckets i '())
+         (put! R buckets (fx+ i 1) (poly+ R b p))]))

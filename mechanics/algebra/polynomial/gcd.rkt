@@ -53,36 +53,46 @@
 (define (primitive-gcd R p q)
   (cond [(or (poly-constant? p) (poly-constant? q)) (poly-constant R 1)]
         [(poly=? p q) p]
-        [else
-         (define ps (poly-variables R p))
-         (define qs (poly-variables R q))
-         (if (equal? ps qs)
-             (gcd-by-images R p q ps 0)
-             (gcd-of-coefficients R p (list-minus ps qs) q (list-minus qs ps)))]))
-
-(define (list-minus as bs) (filter (lambda (a) (not (memv a bs))) as))
-
-(define (gcd-of-coefficients R p p-variables q q-variables)
-  (poly-gcd* R (append (poly-coefficients-over R p p-variables)
-                       (poly-coefficients-over R q q-variables))))
+        [else (gcd-by-images R p q (poly-variables R p) (poly-variables R q) 0)]))
 
 ;; How often other points and primes are tried before remainder sequences.
 (define attempts 4)
 
-(define (gcd-by-images R p q variables seed)
-  (define bounds
-    (gcd-degree-bounds R p q variables seed (nth-prime seed)))
-  (define free
-    (for/list ([i (in-list variables)] [b (in-list bounds)] #:when (eq? b 0)) i))
-  (cond [(pair? free)
-         (if (equal? free variables) (poly-constant R 1) (gcd-of-coefficients R p free q free))]
+(define (gcd-by-images R p q p-variables q-variables seed)
+  (define common (filter (lambda (i) (memv i q-variables)) p-variables))
+  (define bounds (gcd-degree-bounds R p q common seed (nth-prime seed)))
+  (define kept
+    (for/list ([i (in-list common)] [b (in-list bounds)] #:unless (eq? b 0)) i))
+  (define kept-bounds (filter (lambda (b) (not (eq? b 0))) bounds))
+  (define (others variables)
+    (filter (lambda (i) (not (memv i kept))) variables))
+  (define p-others (others p-variables))
+  (define q-others (others q-variables))
+  (cond [(null? kept) (poly-constant R 1)]
+        [(whole-divisor R p q p-others q-others kept kept-bounds)]
+        [(and (null? p-others) (null? q-others))
+         (gcd-by-divisor R p q kept kept-bounds seed)]
         [else
-         (define g (find-divisor R p q variables bounds seed))
-         (cond [(and g (equal? bounds (degrees R g variables))) g]
-               [(and g (not (poly-constant? g)))
-                (poly* R g (poly-gcd R (poly-divide R p g) (poly-divide R q g)))]
-               [(< seed attempts) (gcd-by-images R p q variables (+ seed 1))]
-               [else (remainder-gcd R p q)])]))
+         (poly-gcd* R (append (poly-coefficients-over R p p-others)
+                              (poly-coefficients-over R q q-others)))]))
+
+;; p or q, when the bounds allow it to be the gcd and it is; else #f.
+(define (whole-divisor R p q p-others q-others kept bounds)
+  (define (fits? p others)
+    (and (null? others) (equal? bounds (degrees R p kept))))
+  (cond [(and (fits? q q-others) (poly-divide-integral R p q)) q]
+        [(and (fits? p p-others) (poly-divide-integral R q p)) p]
+        [else #f]))
+
+;; By a divisor found somehow; p and q have the same variables, all of which
+;; their gcd may have.
+(define (gcd-by-divisor R p q variables bounds seed)
+  (define g (find-divisor R p q variables bounds seed))
+  (cond [(and g (equal? bounds (degrees R g variables))) g]
+        [(and g (not (poly-constant? g)))
+         (poly* R g (poly-gcd R (poly-divide R p g) (poly-divide R q g)))]
+        [(< seed attempts) (gcd-by-images R p q variables variables (+ seed 1))]
+        [else (remainder-gcd R p q)]))
 
 (define (nth-prime n)
   (for/fold ([P first-prime]) ([i (in-range n)]) (next-prime P)))
@@ -97,9 +107,7 @@
 (define heuristic-limit 3000)
 
 (define (find-divisor R p q variables bounds seed)
-  (or (and (equal? bounds (degrees R q variables)) (poly-divide R p q) q)
-      (and (equal? bounds (degrees R p variables)) (poly-divide R q p) p)
-      (and (eqv? seed 0)
+  (or (and (eqv? seed 0)
            (< (heuristic-size R p q variables) heuristic-limit)
            (heuristic-divisor R p q variables))
       (sparse-divisor-within R p q variables bounds seed)))

@@ -21,7 +21,7 @@
 (define (heuristic-divisor R p q variables)
   (for/or ([growth (in-list '(1 17/8 23/4))])
     (define-values (c g) (poly-primitive R (guess R p q variables growth)))
-    (and (poly-divide R p g) (poly-divide R q g) g)))
+    (and (poly-divide-integral R p g) (poly-divide-integral R q g) g)))
 
 ;; About how many bits the integers would have.
 (define (heuristic-size R p q variables)

@@ -19,21 +19,26 @@
 
 (provide gcd-degree-bounds)
 
-;; A list of bounds of the degrees of gcd(p, q), one a listed variable.
+;; A list of bounds of the degrees of gcd(p, q), one a listed variable; p and q
+;; may have others.
 ;; p, q : nonzero, with integer coefficients
 (define (gcd-degree-bounds R p q variables seed P)
-  (define n (ring-size R))
-  (define point (make-fxvector n 0))
-  (define inverse (make-fxvector n 0))
+  (define point (sample-point R seed P))
+  (define inverse (make-fxvector (ring-size R) 0))
   (for ([i (in-list variables)])
-    (define a (sample-residue seed i P))
-    (fxvector-set! point i a)
-    (fxvector-set! inverse i (mod-inverse a P)))
+    (fxvector-set! inverse i (mod-inverse (fxvector-ref point i) P)))
   (define p-images (images R p variables point inverse P))
   (define q-images (images R q variables point inverse P))
   (for/list ([i (in-list variables)])
     (bound (vector-ref p-images i) (vector-ref q-images i) P)))
 
+(define (sample-point R seed P)
+  (define point (make-fxvector (ring-size R)))
+  (for ([i (in-range (ring-size R))])
+    (fxvector-set! point i (sample-residue seed i P)))
+  point)
+
+;; Images whose leading coefficients both vanished prove nothing.
 (define (bound a b P)
   (define a-top (fx- (fxvector-length a) 1))
   (define b-top (fx- (fxvector-length b) 1))
@@ -44,29 +49,42 @@
            (univariate-gcd! a (univariate-degree a a-top) b (univariate-degree b b-top) P))
          (min degree a-top b-top)]))
 
-;; A vector by variable of dense images, each as long as the degree asks.
+;; ---------------------------------------------------------------------------
+;; Images
+
+;; A vector by variable, of dense images for the listed ones and #f for others.
 (define (images R p variables point inverse P)
   (define terms (for/list ([t (in-list p)]) (monomial-factors R (car t))))
-  (define n (ring-size R))
-  (define degrees (make-fxvector n 0))
+  (define result (blank-images R terms variables))
+  (define total
+    (for/fold ([total 0]) ([t (in-list p)] [factors (in-list terms)])
+      (define value (term-value (modulo (cdr t) P) factors point P))
+      (add-term! result factors value inverse P)
+      (mod+ total value P)))
+  (for ([i (in-list variables)])
+    (add-at! (vector-ref result i) 0 total P))
+  result)
+
+;; Zero images, as long as the degrees ask.
+(define (blank-images R terms variables)
+  (define degrees (make-fxvector (ring-size R) 0))
   (for* ([factors (in-list terms)] [f (in-list factors)])
     (when (fx> (cdr f) (fxvector-ref degrees (car f)))
       (fxvector-set! degrees (car f) (cdr f))))
-  (define result (make-vector n #f))
+  (define result (make-vector (ring-size R) #f))
   (for ([i (in-list variables)])
     (vector-set! result i (make-fxvector (fx+ 1 (fxvector-ref degrees i)) 0)))
-  (for/fold ([total 0] #:result (spread! result variables total P))
-            ([t (in-list p)] [factors (in-list terms)])
-    (define value (term-value (modulo (cdr t) P) factors point P))
-    (for ([f (in-list factors)])
-      (define i (car f))
-      (define image (vector-ref result i))
-      (add-at! image (cdr f)
-               (mod* value (mod-expt (fxvector-ref inverse i) (cdr f) P) P) P)
-      ;; taken back from degree 0, where spread! puts every term
-      (add-at! image 0 (fx- P value) P))
-    (mod+ total value P))
   result)
+
+;; Put a term at its degree in the variables it has.  At the end every image
+;; gets the total of all terms at degree 0, so there this one is taken off.
+(define (add-term! images factors value inverse P)
+  (for ([f (in-list factors)])
+    (define image (vector-ref images (car f)))
+    (when image
+      (define power (mod-expt (fxvector-ref inverse (car f)) (cdr f) P))
+      (add-at! image (cdr f) (mod* value power P) P)
+      (add-at! image 0 (fx- P value) P))))
 
 (define (term-value c factors point P)
   (for/fold ([value c]) ([f (in-list factors)])
@@ -74,7 +92,3 @@
 
 (define (add-at! image e value P)
   (fxvector-set! image e (fxremainder (fx+ (fxvector-ref image e) value) P)))
-
-(define (spread! images variables total P)
-  (for ([i (in-list variables)])
-    (add-at! (vector-ref images i) 0 total P)))

@@ -87,7 +87,7 @@
 (define (verified R p q x h gcd-of)
   (define content (gcd-of (map cdr (poly-coefficients R h x))))
   (define-values (c g) (poly-primitive R (poly-divide R h content)))
-  (and (poly-divide R p g) (poly-divide R q g) g))
+  (and (poly-divide-integral R p g) (poly-divide-integral R q g) g))
 
 ;; ---------------------------------------------------------------------------
 ;; Modulo one prime
