@@ -95,14 +95,13 @@
     (unless (null? rows)
       (displayln (table->string (cons heading rows)))
       (flush-output)))
-  (define (titles)
-    (for ([t (in-list tasks)] #:when (wanted? (task-name t)))
-      (printf "~a  ~a\n" (task-name t) (task-title t)))
-    (newline))
-  (titles)
+  (define chosen-tasks
+    (filter (lambda (t) (wanted? (task-name t))) tasks))
+  (for ([t (in-list chosen-tasks)])
+    (printf "~a  ~a\n" (task-name t) (task-title t)))
+  (unless (null? chosen-tasks) (newline))
   (table task-heading
-         (for/list ([t (in-list tasks)] #:when (wanted? (task-name t)))
-           (task-row t runs)))
+         (for/list ([t (in-list chosen-tasks)]) (task-row t runs)))
   (table micro-heading
          (for/list ([m (in-list micros)] #:when (wanted? (micro-name m)))
            (micro-row m runs)))
