@@ -1,0 +1,14 @@
+#lang racket/base
+;; Where the book treats what an entry is about.
+
+(require scribble/base)
+
+(provide the-book sicm)
+
+(define the-book
+  (list (italic "Structure and Interpretation of Classical Mechanics")
+        ", second edition, by Gerald Jay Sussman and Jack Wisdom"))
+
+;; @sicm{1.5, p. 33}, at the end of an entry.
+(define (sicm . place)
+  (elem (smaller "SICM " place ".")))

@@ -1,0 +1,20 @@
+#lang scribble/manual
+@(require (for-label mechanics))
+
+@title[#:tag "guide" #:style '(toc)]{Guide}
+
+Read @secref["installation"] and @secref["ten-minutes"] first. The other pages
+can be read in any order.
+
+@local-table-of-contents[]
+
+@include-section["guide/installation.scrbl"]
+@include-section["guide/ten-minutes.scrbl"]
+@include-section["guide/structures.scrbl"]
+@include-section["guide/arithmetic.scrbl"]
+@include-section["guide/literals.scrbl"]
+@include-section["guide/derivatives.scrbl"]
+@include-section["guide/residuals.scrbl"]
+@include-section["guide/mistakes.scrbl"]
+@include-section["guide/other-systems.scrbl"]
+@include-section["guide/questions.scrbl"]

@@ -1,0 +1,174 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt")
+
+@title[#:tag "derivatives"]{Derivatives}
+
+@(define session (make-session))
+
+@racket[D] takes a function and returns its derivative, which is a function.
+
+@examples[#:eval session #:label #f
+(D cube)
+((D cube) 'x)
+((D cube) 5)
+((D (lambda (x) (* x (sin x)))) 'x)]
+
+There is no expression to differentiate and no variable to name. This is the
+notation of the book, and it is why @italic{∂L/∂q̇} never leaves you wondering
+whether q̇ depends on q: a Lagrangian is a function of three arguments, and you
+differentiate it by the third.
+
+@section{By structures}
+
+The derivative of a function by a structure is the structure of its derivatives
+by the components. Its orientation is the opposite one, so that derivative times
+increment contracts:
+
+@examples[#:eval session #:label #f
+(define (U (up x y)) (* x (square y)))
+((D U) (up 'x 'y))
+(* ((D U) (up 'x 'y)) (up 'dx 'dy))]
+
+A function of several arguments is treated as a function of the @racket[up] of
+them:
+
+@examples[#:eval session #:label #f
+(define (f x y) (* x (square y)))
+((D f) 'x 'y)]
+
+The values may have any shape as well: structures, matrices, functions.
+
+@examples[#:eval session #:label #f
+(define (spiral t) (up (* t (cos t)) (* t (sin t))))
+((D spiral) 't)
+((D (lambda (a) (matrix-by-rows (list (cos a) (- (sin a)))
+                                (list (sin a) (cos a)))))
+ 'alpha)
+(((D (lambda (k) (lambda (x) (sin (* k x))))) 'k) 'x)]
+
+@section{By one component: @racketidfont{partial}}
+
+@racket[(partial i)] differentiates by component i of the argument, or by
+argument i if there are several. Indices start at 0.
+
+@examples[#:eval session #:label #f
+(((partial 0) f) 'x 'y)
+(((partial 1) f) 'x 'y)]
+
+More indices lead further down. With the local tuple (t, (x, y), (ẋ, ẏ)),
+@racket[(partial 2)] is the derivative by the velocities, a @racket[down], and
+@racket[(partial 2 0)] that by ẋ alone:
+
+@examples[#:eval session #:label #f
+(define (T (up t (up x y) (up vx vy)))
+  (* 1/2 'm (+ (square vx) (square vy))))
+(define local (up 't (up 'x 'y) (up 'v_x 'v_y)))
+(((partial 2) T) local)
+(((partial 2 0) T) local)]
+
+Lagrange's equations can be read off from this. With Γ[q], written
+@racket[(Gamma q)], for the function that gives the local tuple of a path at each
+time, they are
+
+@racketblock[(- (D (compose ((partial 2) L) (Gamma q)))
+                (compose ((partial 1) L) (Gamma q)))]
+
+and that is what @racket[Lagrange-equations] computes.
+
+@section{Derivatives are operators}
+
+Powers of @racket[D] repeat it; sums and products of operators are operators
+(@secref["arithmetic"]).
+
+@examples[#:eval session #:label #f
+(((expt D 2) sin) 'x)
+(((square (partial 2)) T) local)
+(((* D D) (literal-function 'x)) 't)]
+
+@section[#:tag "dual-numbers"]{How it works}
+
+Take a quantity ε of which the square is zero, though ε is not. Then
+f(x + ε) = f(x) + f′(x) ε, exactly: all further terms of the Taylor series
+contain ε². So a derivative can be had by running the function itself on the
+@emph{dual number} x + ε and reading off the coefficient of ε. Each elementary
+operation knows what it does to dual numbers. For a product that is
+
+@centered{(a + a′ε)(b + b′ε) = ab + (a′b + ab′) ε,}
+
+which is the product rule, and for @racket[sin] it is sin a + a′ cos a ε. No
+formula is taken apart and no step size chosen. Loops, conditionals and recursion
+in your function do no harm:
+
+@examples[#:eval session #:label #f
+(define (power x n)
+  (if (= n 0) 1 (* x (power x (- n 1)))))
+((D (lambda (x) (power x 10))) 'x)
+((D (lambda (x) (power x 10))) 1.1)]
+
+You never see a dual number. It exists while @racket[D] is at work.
+
+@section[#:tag "perturbation-confusion"]{Nested derivatives, and how to get them wrong}
+
+When a derivative is taken inside a function that is itself being
+differentiated, there are two ε at once. Consider
+
+@examples[#:eval session #:label #f
+(define (g x)
+  (* x ((D (lambda (y) (+ x y))) 1)))]
+
+The inner derivative, by y, is 1 whatever x is. So g(x) = x and g′ = 1:
+
+@examples[#:eval session #:label #f
+(g 'x)
+(eval:check ((D g) 'x) 1)]
+
+With a single ε for everything it comes out as 2. Watch how, with dual numbers
+made by hand, as pairs of a value and a coefficient:
+
+@examples[#:eval session #:label #f
+(struct dual (value slope))
+(define (add a b)
+  (dual (+ (dual-value a) (dual-value b))
+        (+ (dual-slope a) (dual-slope b))))
+(define (multiply a b)
+  (dual (* (dual-value a) (dual-value b))
+        (+ (* (dual-value a) (dual-slope b))
+           (* (dual-slope a) (dual-value b)))))
+(define (naive-derivative f x)
+  (dual-slope (f (dual x 1))))
+(define (naive-g x)
+  (multiply x (dual (naive-derivative (lambda (y) (add x y)) 1) 0)))
+(naive-derivative naive-g 3)]
+
+The outer call turns x into 3 + ε. The inner one turns y into 1 + ε, with the
+same ε. Their sum 4 + 2ε has a coefficient to which x contributed, although x
+was to be held fixed. This is called @emph{perturbation confusion}.
+
+The cure is a fresh ε for each application of @racket[D], with a number of its
+own, its @emph{tag}. The inner derivative then asks for the coefficient of its
+own ε and leaves the other alone.
+
+There is a subtler trap. When the value of a function is again a function, the
+coefficient cannot be read off at once; it must be read off from what that
+function returns, when it is called one day. By then the same ε may have come
+back in its argument. The classic example is the derivative of a shift:
+
+@examples[#:eval session #:label #f
+(define (shift x) (lambda (f) (lambda (y) (f (+ x y)))))
+(define slope ((D shift) 0))
+((slope cube) 'y)]
+
+@racket[slope] takes a function f to its derivative f′. Applied twice it must
+give the second derivative, and it does:
+
+@examples[#:eval session #:label #f
+((slope (slope cube)) 'y)
+(eval:check ((slope (slope cube)) 3) 18)]
+
+A system that only numbers its ε says 0 here, because both applications of
+@racket[slope] look for the same one. The library renames the ε of arguments
+while such a function runs. The problem and this example are due to
+O. Manzyuk, B. A. Pearlmutter, A. A. Radul, D. R. Rush and J. M. Siskind,
+@hyperlink["https://arxiv.org/abs/1211.4892"]{arXiv:1211.4892}.
+
+@(close-session session)

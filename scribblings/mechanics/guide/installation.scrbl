@@ -1,0 +1,113 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../clashes.rkt")
+
+@title[#:tag "installation"]{Installation}
+
+You need @hyperlink["https://racket-lang.org"]{Racket} 8.7 or later. Nothing
+else: no native libraries, no TeX, no window system. It is the same on Linux,
+macOS and Windows.
+
+@section{Trying it without installing}
+
+In a copy of the source, a @emph{checkout}, type one of these:
+
+@commandline{make demo}
+@commandline{make repl}
+
+The first is a tour. The second starts a prompt with everything at hand. Neither
+writes outside the checkout. On Debian and Ubuntu they also install Racket where
+it is missing; elsewhere they say what to install. @exec{make test} runs the
+tests, and @exec{make docs} builds this manual in @filepath{build/doc}.
+
+@section{Adding it to your Racket}
+
+From a checkout, in its top folder:
+
+@commandline{raco pkg install --link --name mechanics "$PWD"}
+
+The link means that Racket uses the files where they are. When you update the
+checkout, you have the new version.
+
+From a Git address, without a checkout of your own (put the real address in
+place of this one):
+
+@commandline{raco pkg install --name mechanics git+https://example.org/mechanics.git}
+
+@exec{raco pkg update mechanics} brings it up to date, and
+@exec{raco pkg remove mechanics} takes it away.
+
+@section{In DrRacket}
+
+To install: choose @menuitem["File" "Install Package..."], type the folder of
+the checkout or the Git address as @onscreen{Package Source}, and press
+@onscreen{Install}.
+
+To work: choose @menuitem["Language" "Choose Language..."] and @onscreen{The
+Racket Language}, which is what DrRacket starts with. Make the first line of the
+upper window
+
+@codeblock{#lang mechanics}
+
+and press @onscreen{Run}. The lower window is then a prompt of mechanics, which
+knows what the upper one defines.
+
+@section[#:tag "three-ways"]{Three ways to use it}
+
+@itemlist[
+@item{@hash-lang[] @racketmodname[mechanics] as the first line of a file. The
+file is Racket with generic arithmetic, and the value of each expression in it
+is printed in simplified form.
+
+@codeblock|{
+#lang mechanics
+(define ((L-free m) (up t q v))
+  (* 1/2 m (square v)))
+(((Lagrange-equations (L-free 'm)) (literal-function 'x)) 't)
+}|}
+
+@item{@racket[(require mechanics)] in a module of any other language, such as
+@racketmodname[racket/base] or @racketmodname[racket]. All names are the same.
+Results are printed as they were computed; @racket[simplify] and
+@racket[print-expression] do what the prompt of mechanics does by itself.}
+
+@item{@exec{racket -I mechanics} for a prompt. (Not @exec{racket -i -l
+mechanics}: that provides the names, but not the printing.)}]
+
+In a file, a name is defined once. At a prompt a new definition replaces the
+old one.
+
+@section[#:tag "clashes"]{Names shared with other libraries}
+
+@racketmodname[mechanics] replaces names of @racketmodname[racket/base] and of
+@racketmodname[racket] where Racket's meaning is too narrow, such as
+@racket[+], @racket[sin] and @racket[define]. In a module that is written in one
+of these languages nothing needs to be done: what you require comes before what
+the language provides.
+
+Two libraries that are both required may not give two meanings to one name.
+Racket then says @italic{identifier already required}. Leave the other
+library's names out with @racket[except-in]:
+
+@racketblock[(require mechanics
+                      (except-in racket/function identity negate))]
+
+Of the libraries of Racket's distribution that people combine with this one, these
+share names with it. The list was made from the libraries themselves when the
+manual was built.
+
+@(clash-lines 'racket/math 'racket/function 'racket/contract 'racket/list
+              'racket/vector 'racket/sequence 'racket/string 'racket/set
+              'racket/stream 'racket/flonum 'racket/class 'racket/draw
+              'pict 'plot/no-gui 'math 'rackunit)
+
+In @hash-lang[] @racketmodname[racket], which includes
+@racketmodname[racket/contract], our @racket[->] hides the arrow of contracts. If
+you want to write contracts, leave out the arrow on our side instead,
+@racket[(require (except-in mechanics ->) racket/contract)], and quote the
+signatures of @racket[literal-function]: @racket['(-> (X Real Real) Real)].
+To have both meanings of a name, give one a prefix:
+
+@racketblock[(require mechanics
+                      (prefix-in racket: (only-in racket/base time + *)))]
+
+Pages written with Scribble need @racket[(require (for-label mechanics))] only.

@@ -1,0 +1,125 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt")
+
+@title[#:tag "mistakes"]{Ten mistakes and their messages}
+
+@(define session (make-session))
+
+These are mistakes that readers of the book really make. Each example below was
+run when this page was built, so that the messages are the real ones.
+
+@examples[#:eval session #:hidden
+(define (g x y) (* x (square y)))
+(define F (literal-function 'F (-> (X Real Real) Real)))
+(define V (literal-function 'V))]
+
+@section{A structure where several arguments belong}
+
+@racketidfont{g} takes two arguments, and so does its derivative.
+
+@examples[#:eval session #:label #f
+(eval:alts (define (g x y) (* x (square y))) (void))
+(eval:error ((D g) (up 'x 'y)))
+((D g) 'x 'y)]
+
+@section{The function handed to @racketidfont{partial} itself}
+
+@racket[partial] takes indices and returns an operator. The operator takes the
+function.
+
+@examples[#:eval session #:label #f
+(eval:error ((partial 0 g) 'x 'y))
+(((partial 0) g) 'x 'y)]
+
+@section{Applying what is no function}
+
+@examples[#:eval session #:label #f
+(define s (up 1 (up 3 4)))
+(eval:error ((ref s 1 0)))
+(eval:error ('x 't))]
+
+The first has one pair of parentheses too many. The second forgot
+@racket[literal-function].
+
+@section{A parenthesis too early}
+
+This is no error, but hardly what was meant:
+
+@examples[#:eval session #:label #f
+(eval:alts (code:line (D g) 'x 'y) (D g))]
+
+The prompt read three expressions, and printed the first: the derivative of g,
+as a function. When you see a function where you expected a value, count the
+parentheses.
+
+@section{A space too many}
+
+@examples[#:eval session #:label #f
+(eval:error (abs - 10.3))
+(abs -10.3)]
+
+@section{The wrong shape for a literal function}
+
+@examples[#:eval session #:label #f
+(eval:error (V (up 'x 'y)))
+(define V2 (literal-function 'V (-> (UP Real Real) Real)))
+(V2 (up 'x 'y))]
+
+@section{Adding what cannot be added}
+
+@examples[#:eval session #:label #f
+(eval:error (+ 'a (up 1 2)))
+(eval:error (+ (up 1 2) (down 1 2)))
+(eval:error (+ (up 1 2) (up 1 2 3)))]
+
+@section{Multiplying tuples of different lengths}
+
+This is legal, and an outer product (see @secref["contraction"]). It is almost
+always a slip. @racket[dot-product] checks.
+
+@examples[#:eval session #:label #f
+(* (down 1 2) (up 1 2 3))
+(eval:error (dot-product (down 1 2) (down 1 2 3)))]
+
+@section{Differentiating a number}
+
+@examples[#:eval session #:label #f
+(eval:error (D 3))
+(eval:error (D 'x))
+((D (lambda (x) 3)) 'x)]
+
+@section{A component that is not there}
+
+@examples[#:eval session #:label #f
+(eval:error (ref (up 1 2) 5))
+(eval:error (((partial 3) square) (up 1 2)))]
+
+@section{And three more}
+
+A list is not a structure:
+
+@examples[#:eval session #:label #f
+(eval:error (+ '(1 2) (up 3 4)))
+(eval:error ((Gamma '(x y)) 't))]
+
+A function that takes another number of arguments:
+
+@examples[#:eval session #:label #f
+(eval:error (expt 'x))
+(eval:error ((compose V g) 'x))]
+
+A Lagrangian without its parameters, or one whose value is no number:
+
+@examples[#:eval session #:label #f
+(define ((L-harmonic m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(eval:error (((Lagrange-equations L-harmonic) (literal-function 'x)) 't))
+(define ((L-wrong m) (up t q v)) (* 1/2 m v v))
+(eval:error (((Lagrange-equations (L-wrong 'm))
+              (up (literal-function 'x) (literal-function 'y)))
+             't))]
+
+The last one wrote @racket[(* v v)] where the velocity is a structure. That
+product is a structure too; the number is @racket[(square v)].
+
+@(close-session session)

@@ -1,0 +1,86 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt")
+
+@title[#:tag "other-systems"]{Coming from scmutils, Emmy, or a formula manipulator}
+
+@(define session (make-session))
+
+@section{From scmutils}
+
+The names of the book are the same, and so are their arguments. What differs is
+mostly Racket's doing.
+
+@itemlist[
+@item{Structures print as @racket[(up x y)], and not as vectors. A Racket vector
+is accepted as an @racket[up].}
+@item{The prompt simplifies what it prints. @racket[show-expression],
+@racket[print-expression], and their short forms @racket[se] and @racket[pe]
+work anywhere else.}
+@item{Arguments may be patterns. The book's way, a local tuple taken apart by
+@racket[coordinate] and @racket[velocity], works as well:
+
+@examples[#:eval session #:label #f
+(define ((L-free-particle mass) local)
+  (let ((v (velocity local)))
+    (* 1/2 mass (dot-product v v))))
+(((Lagrange-equations (L-free-particle 'm)) (literal-function 'x)) 't)]}
+@item{@racket[#t] and @racket[#f] are written thus. There is no
+@tt{#!optional}: Racket writes an optional argument @racket[[n 3]].}
+@item{In a file a name is defined once; at the prompt, as often as you like.}
+@item{An error does not open a second prompt. There is no @tt{2 error>}, and
+nothing to leave with @tt{(return 1)}: the message is printed and the prompt is
+back.}
+@item{@racket[(* A B)] of structures contracts or is an outer product by the
+rules of the book; lengths that differ do not contract
+(@secref["contraction"]).}
+@item{@racket[Lagrange-equations] takes external forces as a keyword argument,
+@racket[#:force], and the order of the highest derivative in the Lagrangian as
+@racket[#:order].}
+@item{@racket[minimize] returns a list of argument, value and number of steps, as
+in the book.}
+@item{Derivatives of functions that return functions are right in all cases; see
+@secref["perturbation-confusion"].}]
+
+@section{From Emmy}
+
+@itemlist[
+@item{Clojure's @tt{(defn L [m k] (fn [[t q v]] ...))} is
+@racket[(define ((L m k) (up t q v)) ...)] here.}
+@item{A vector literal is not needed for structures. @racket[(up x y)] makes one
+and takes one apart.}
+@item{Signatures may be written without a quote, @racket[(-> (UP Real Real)
+Real)], or with one.}
+@item{There is no separate environment to enter. @hash-lang[]
+@racketmodname[mechanics] is the environment.}
+@item{Nothing is frozen or rendered before it can be read; @racket[expression]
+gives the S-expression.}]
+
+@section{Why functions and not formulas}
+
+In a system that manipulates formulas you write
+@italic{½ m (dx/dt)² − ½ k x²}, and then need ∂/∂ẋ of it. But ẋ there is
+@italic{dx/dt}, an operation on x and no variable. So such systems replace it by
+a fresh variable, differentiate, put it back, and only then differentiate by
+time. Traditional notation hides this with ∂L/∂q̇; it works on paper because the
+reader knows when q̇ is a variable and when it is a function of time.
+
+In functional notation nothing is hidden. The Lagrangian is a function of a
+local tuple, with three slots. @racket[((partial 2) L)] is its derivative by the
+third slot. Only when it is composed with @racket[(Gamma q)] does a path come in,
+and only then is there a time to differentiate by:
+
+@examples[#:eval session #:label #f
+(define ((L-pendulum m l g) (up t theta thetadot))
+  (+ (* 1/2 m (square (* l thetadot))) (* m g l (cos theta))))
+(define L (L-pendulum 'm 'l 'g))
+(define momentum ((partial 2) L))
+(momentum (up 't 'theta 'thetadot))
+(define theta (literal-function 'theta))
+((compose momentum (Gamma theta)) 't)
+((D (compose momentum (Gamma theta))) 't)]
+
+There are three different things here: a function of the local tuple, a function
+of time, and the derivative of the latter. Each is a value that you can hold in
+your hand.
+
+@(close-session session)

@@ -1,0 +1,130 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt")
+
+@title[#:tag "residuals"]{Residuals and verdicts}
+
+@(define session (make-session))
+
+A @emph{residual} is what should be zero and perhaps is not. Put a path into
+Lagrange's equations: what comes out is a residual. Subtract your result from
+another: so is that. A @emph{verdict} says whether a residual is zero, and gives
+the evidence.
+
+@section{Three verdicts}
+
+@racket[prove-zero] judges any value; @racket[verify-equal] judges a difference;
+@racket[verify-solution] judges a path.
+
+@examples[#:eval session #:label #f
+(prove-zero (- (sin (* 2 'x)) (* 2 (sin 'x) (cos 'x))))
+(verify-equal (cos (* 2 'x)) (* 2 (cos 'x)))]
+
+@itemlist[
+@item{@italic{Proved}: the residual was brought to zero by exact algebra. It
+holds for all values of the symbols for which the expression is defined, under
+the assumptions that are listed.}
+@item{@italic{Refuted}: there is a point at which the residual is certainly not
+zero. The point and the value are given, so that you can check.}
+@item{@italic{Undecided}: the residual is zero at all the points tried, to within
+the stated bound, but there is no proof. This is what you get for inexact
+numbers, and for identities beyond the library's algebra.}]
+
+A verdict never rests on a guess: points can refute, but they never prove.
+
+@examples[#:eval session #:label #f
+(prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))
+(prove-zero (- (* 1/10 'x 3) (* 3/10 'x)))]
+
+@section{Factor, core, condition}
+
+Most residuals that are not zero are zero sometimes. The verdict splits the
+residual into a @emph{factor}, which is of no interest, and a @emph{core}. When the
+core is linear in one of its symbols, it states the condition under which it
+vanishes:
+
+@examples[#:eval session #:label #f
+(define ((L-harmonic m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(define (proposed t) (* 'a (cos (+ (* 'omega t) 'phi))))
+(define verdict (verify-solution (L-harmonic 'm 'k) proposed))
+verdict]
+
+Everything a verdict prints can be had as a value:
+
+@examples[#:eval session #:label #f
+(verdict-status verdict)
+(verdict-residual verdict)
+(verdict-factored verdict)
+(verdict-conditions verdict)
+(verdict-witness verdict)
+(verdict-value verdict)]
+
+The witness really is one. Put it into the residual:
+
+@examples[#:eval session #:label #f
+(define (at-witness value witness)
+  (for/fold ([value value]) ([w witness])
+    (substitute value (car w) (cdr w))))
+(at-witness (verdict-residual verdict) (verdict-witness verdict))]
+
+Do what the condition says, and ask again:
+
+@examples[#:eval session #:label #f
+(verify-solution (L-harmonic 'm (* 'm (square 'omega))) proposed)]
+
+@section{Several components}
+
+The residual of a path in several dimensions is a structure. It is proved when
+every component is, and refuted when one is. Each component that is not zero has
+its own evidence.
+
+@examples[#:eval session #:label #f
+(define ((L-uniform m g) (up t (up x y) (up vx vy)))
+  (- (* 1/2 m (+ (square vx) (square vy))) (* m g y)))
+(define (throw t)
+  (up (* 'u t) (- (* 'w t) (* 1/2 'c (square t)))))
+(verify-solution (L-uniform 'm 'g) throw)
+(verify-solution (L-uniform 'm 'c) throw)]
+
+@section[#:tag "assumptions"]{Assumptions}
+
+Some simplifications hold only for some values of the symbols. The square root
+of R² is R only if R is not negative. Like a physicist, the library takes the
+root and goes on; like a careful one, it says so.
+
+@examples[#:eval session #:label #f
+(define ((L-Kepler m mu) (up t (up x y) (up vx vy)))
+  (+ (* 1/2 m (+ (square vx) (square vy)))
+     (/ mu (sqrt (+ (square x) (square y))))))
+(define (circular-orbit t)
+  (up (* 'R (cos (* 'omega t))) (* 'R (sin (* 'omega t)))))
+(define mu (* 'm (square 'omega) (cube 'R)))
+(verify-solution (L-Kepler 'm mu) circular-orbit)]
+
+This proves Kepler's third law for circles: the orbit is a motion when
+μ = m ω² R³. It is proved for R ≥ 0, and @racket[verdict-assumptions] returns
+what was assumed. Without that relation, the condition is found:
+
+@examples[#:eval session #:label #f
+(verify-solution (L-Kepler 'm 'mu) circular-orbit)]
+
+@section{How to use it on your own work}
+
+@itemlist[#:style 'ordered
+@item{Get the residual on a literal path, and compare it with the equation you
+derived by hand: @racket[(verify-equal (((Lagrange-equations L) q) 't) mine)].
+If they differ, the residual shows the term that is missing or has the wrong
+sign.}
+@item{Propose a path, and look at the residual.}
+@item{If the verdict is a refutation with a condition, decide whether the
+condition is one you meant, and put it in.}
+@item{If it is a refutation without a condition, look at the core. It often shows
+the term that was forgotten.}]
+
+To see every step between a Lagrangian and its equations:
+
+@examples[#:eval session #:label #f
+(show-derivation (Lagrange-equations (L-harmonic 'm 'k))
+                 (literal-function 'x))]
+
+@(close-session session)

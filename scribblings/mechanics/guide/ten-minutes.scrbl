@@ -1,0 +1,137 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt")
+
+@title[#:tag "ten-minutes"]{The first ten minutes}
+
+@(define session (make-session))
+
+We take a pendulum: a mass @italic{m} on a rod of length @italic{l}, swinging in
+a plane. Its one coordinate is the angle @italic{θ} from the lowest point. Start
+a prompt with @exec{racket -I mechanics} and type along.
+
+@section{Write the Lagrangian}
+
+The kinetic energy is ½ m (l θ̇)². The potential energy, measured from the pivot,
+is −m g l cos θ. The Lagrangian is their difference:
+
+@examples[#:eval session #:label #f
+(define ((L-pendulum m l g) (up t theta thetadot))
+  (+ (* 1/2 m (square (* l thetadot)))
+     (* m g l (cos theta))))]
+
+Two things are new to a Racket programmer.
+
+The head is @emph{curried}: @racket[L-pendulum] takes the parameters and returns
+a function. That function, and not @racket[L-pendulum] itself, is the
+Lagrangian.
+
+The argument of that function is a @emph{pattern}. A Lagrangian takes one
+argument, the @emph{local tuple} of time, coordinate and velocity. The pattern
+@racket[(up t theta thetadot)] takes the tuple apart and names the pieces.
+
+Put in names or numbers and look:
+
+@examples[#:eval session #:label #f
+((L-pendulum 'm 'l 'g) (up 't 'theta 'thetadot))
+((L-pendulum 2 1 9.8) (up 0 0.5 1.5))]
+
+A quoted symbol is an unknown number. That is all there is to symbolic work
+here. A result is printed as the expression that computes it, without the quotes.
+
+@section{Ask for the equation of motion}
+
+An equation of motion is about a path, the angle as a function of time. We do
+not know the path, so we take one of which we know only the name:
+
+@examples[#:eval session #:label #f
+(define theta (literal-function 'theta))
+(theta 't)
+((D theta) 't)
+(((Lagrange-equations (L-pendulum 'm 'l 'g)) theta) 't)]
+
+The last result reads m l² θ̈ + m g l sin θ. It is the left side of Lagrange's
+equation, d/dt ∂L/∂θ̇ − ∂L/∂θ = 0. On a path that the pendulum can really take
+it is zero at all times. On any other path it is not. So it is called the
+@emph{residual} of the path.
+
+Read the parentheses from the inside: @racket[Lagrange-equations] takes a
+Lagrangian, and its result takes a path, and its result takes a time.
+
+@section{Propose a solution}
+
+Small swings look like a cosine. Is that exact?
+
+@examples[#:eval session #:label #f
+(define (swing t) (* 'a (cos (* 'omega t))))
+(((Lagrange-equations (L-pendulum 'm 'l 'g)) swing) 't)
+(verify-solution (L-pendulum 'm 'l 'g) swing)]
+
+No: @italic{refuted}, with a point at which the residual is not zero. Nobody has
+to believe the library; put the numbers in and see.
+
+A cosine is the answer to a simpler question. For small angles cos θ is nearly
+1 − ½ θ². The constant does not matter, which leaves this Lagrangian:
+
+@examples[#:eval session #:label #f
+(define ((L-small m l g) (up t theta thetadot))
+  (- (* 1/2 m (square (* l thetadot)))
+     (* 1/2 m g l (square theta))))
+(verify-solution (L-small 'm 'l 'g) swing)]
+
+Still refuted, but look how. The residual is a product of a factor, which we do
+not care about, and a core. The core is zero under one condition, and the
+verdict names it: g = l ω².
+
+@section{Mend it}
+
+So the frequency was ours to choose, and we must choose it well:
+
+@examples[#:eval session #:label #f
+(define (small-swing t)
+  (* 'a (cos (* (sqrt (/ 'g 'l)) t))))
+(verify-solution (L-small 'm 'l 'g) small-swing)]
+
+@italic{Proved} means proved: by algebra, for all values of the symbols, not by
+trying a few. The same from the other side, with the frequency kept and
+@italic{g} replaced by what the condition says:
+
+@examples[#:eval session #:label #f
+(verify-solution (L-small 'm 'l (* 'l (square 'omega))) swing)]
+
+Does the real pendulum have a solution we can write down? It can hang still:
+
+@examples[#:eval session #:label #f
+(verify-solution (L-pendulum 'm 'l 'g) (lambda (t) 0))]
+
+And can it turn evenly, round and round?
+
+@examples[#:eval session #:label #f
+(verify-solution (L-pendulum 'm 'l 'g) (lambda (t) (* 'Omega t)))]
+
+The residual is m g l sin Ωt. So it can where there is no gravity, and not here.
+
+@section{Make a mistake}
+
+Sooner or later you forget the parameters, and hand over @racket[L-pendulum]
+instead of @racket[(L-pendulum 'm 'l 'g)]:
+
+@examples[#:eval session #:label #f
+(eval:error (Lagrange-equations L-pendulum))]
+
+Or you apply a Lagrangian to something that is no local tuple:
+
+@examples[#:eval session #:label #f
+(eval:error ((L-pendulum 'm 'l 'g) (up 't 'theta)))]
+
+A message says which function complains, what it expected, what it got, and
+mostly what to do. @Secref["mistakes"] goes through more of them.
+
+@section{Where to go from here}
+
+@itemlist[
+@item{@secref["structures"]: several coordinates.}
+@item{@secref["residuals"]: what a verdict says, and what it does not.}
+@item{@filepath{examples/mechanics} in the source: programs to run and change.
+Begin with @filepath{variational/harmonic-oscillator.rkt}.}]
+
+@(close-session session)

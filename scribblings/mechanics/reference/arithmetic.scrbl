@@ -1,0 +1,215 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-arithmetic"]{Arithmetic}
+
+@(define session (make-session))
+
+All procedures here are generic. On numbers they agree with those of
+@racketmodname[racket/base]. Functions are combined value by value, operators as
+described under @racket[make-operator].
+
+@section{Sums and products}
+
+@deftogether[(@defproc[(+ [x value] ...) value]
+              @defproc[(- [x value] [y value] ...) value]
+              @defproc[(negate [x value]) value])]{
+
+Tuples are added component by component and must have the same orientation and
+length; otherwise the message describes both. The number 0 can be added to
+anything. @racket[(negate x)] is @racket[(- x)].
+
+@examples[#:eval session
+(+ 1 'x 2)
+(- (up 'a 'b) (up 1 1))
+((+ sin 1) 'x)
+(eval:error (+ 'a (down 1 2)))]
+
+@sicm{9, p. 513}}
+
+@defproc[(* [x value] ...) value]{
+
+Two tuples of opposite orientation and equal length contract, to the sum of the
+products of their components. Any other two give the outer product: each
+component of the right one is multiplied by the left one. See
+@secref["contraction"].
+
+@examples[#:eval session
+(* 2 'x 3)
+(* (down 'p_x 'p_y) (up 'v_x 'v_y))
+(* (up 'a 'b) (up 'x 'y))]
+
+@sicm{9, p. 515}}
+
+@deftogether[(@defproc[(/ [x value] [y value] ...) value]
+              @defproc[(invert [x value]) value])]{
+
+A tuple can be divided by a scalar, and nothing by a tuple. Division by a matrix
+multiplies by its inverse. @racket[(invert x)] is @racket[(/ 1 x)].
+
+@examples[#:eval session
+(/ (up 'x 'y) 2)
+(invert 'm)
+(eval:error (/ 1 (up 1 2)))]}
+
+@section{Powers}
+
+@deftogether[(@defproc[(square [x value]) value]
+              @defproc[(sqr [x value]) value])]{
+
+The square. That of a tuple is the sum of the squares of its components, a
+scalar. @racket[sqr] is another name for it.
+
+@examples[#:eval session
+(square 'x)
+(square (up 'x 'y))]
+
+@sicm{9, p. 519}}
+
+@defproc[(cube [x value]) value]{
+
+The third power.
+
+@examples[#:eval session (cube (+ 'x 1))]}
+
+@defproc[(expt [base value] [exponent value]) value]{
+
+A tuple may be raised to a positive integer power: repeated multiplication.
+
+@examples[#:eval session
+(expt 'x 1/2)
+(expt (sqrt 'x) 2)
+(((expt D 2) sin) 'x)]}
+
+@deftogether[(@defproc[(sqrt [x value]) value]
+              @defproc[(exp [x value]) value]
+              @defproc*[([(log [x value]) value] [(log [x value] [base value]) value])])]{
+
+Roots of exact squares are exact. @racket[log] is the natural logarithm unless a
+base is given.
+
+@examples[#:eval session
+(sqrt 16)
+(sqrt (* 4 'x))
+(* (exp 'a) (exp 'b))
+(log (exp 'x))
+(log 8 2)]}
+
+@defproc[(abs [x value]) value]{
+
+The absolute value. The derivative is x/|x|.
+
+@examples[#:eval session
+(abs -3)
+((D abs) 'x)]}
+
+@section{Trigonometry}
+
+Angles are in radians.
+
+@deftogether[(@defproc[(sin [x value]) value]
+              @defproc[(cos [x value]) value]
+              @defproc[(tan [x value]) value]
+              @defproc[(sec [x value]) value]
+              @defproc[(csc [x value]) value]
+              @defproc[(cot [x value]) value])]{
+
+@examples[#:eval session
+(sin 0)
+((D tan) 'x)
+(* (sec 'x) (cos 'x))]}
+
+@deftogether[(@defproc[(asin [x value]) value]
+              @defproc[(acos [x value]) value]
+              @defproc*[([(atan [y value]) value] [(atan [y value] [x value]) value])])]{
+
+With two arguments, @racket[atan] is the angle of the point (x, y), from the
+positive first axis; the second coordinate comes first.
+
+@examples[#:eval session
+(atan 1.0 -1.0)
+((D asin) 'x)
+(cos (atan 'y 'x))]}
+
+@deftogether[(@defproc[(sinh [x value]) value]
+              @defproc[(cosh [x value]) value]
+              @defproc[(tanh [x value]) value])]{
+
+@examples[#:eval session
+(- (square (cosh 'x)) (square (sinh 'x)))
+((D tanh) 0)]}
+
+@deftogether[(@defthing[pi real?]
+              @defthing[:pi real?]
+              @defthing[:-pi real?]
+              @defthing[:pi/2 real?]
+              @defthing[:2pi real?])]{
+
+The floating-point number nearest to π, under two names, and what the other names
+say.
+
+@examples[#:eval session
+:pi
+(cos :pi)
+(sin :2pi)]
+
+@sicm{1.4, p. 21, note}}
+
+@section{Comparison}
+
+@defproc[(= [x value] [y value] ...) boolean?]{
+
+Numbers are compared as numbers, expressions by their form as it was computed,
+without simplification; @racket[verify-equal] does more. Tuples are compared
+component by component.
+
+@examples[#:eval session
+(= 1 1.0)
+(= 'a 'a)
+(= (up 1 'a) (up 1 'a))
+(= (up 1 2) (down 1 2))]}
+
+@deftogether[(@defproc[(< [x scalar] [y scalar] ...) boolean?]
+              @defproc[(> [x scalar] [y scalar] ...) boolean?]
+              @defproc[(<= [x scalar] [y scalar] ...) boolean?]
+              @defproc[(>= [x scalar] [y scalar] ...) boolean?])]{
+
+Real numbers only. An expression that is not a number raises an error that shows
+it.
+
+@examples[#:eval session
+(< 1 2 3)
+(eval:error (>= 'r 0))]}
+
+@deftogether[(@defproc[(zero? [x value]) boolean?]
+              @defproc[(one? [x value]) boolean?])]{
+
+Whether @racket[x] is 0 or 1. For expressions this asks about a generic point, by
+form: a symbol is not zero. A tuple is zero when all its components are.
+
+@examples[#:eval session
+(zero? (- 'x 'x))
+(zero? 'x)
+(zero? (up 0 0))
+(one? 1)]}
+
+@deftogether[(@defproc[(positive? [x scalar]) boolean?]
+              @defproc[(negative? [x scalar]) boolean?]
+              @defproc[(max [x scalar] [y scalar] ...) scalar]
+              @defproc[(min [x scalar] [y scalar] ...) scalar])]{
+
+Real numbers only, like @racket[<].
+
+@examples[#:eval session
+(negative? -1/2)
+(max 1 3 2)
+(eval:error (max 'a 1))]}
+
+@deftogether[(@defproc[(add1 [x value]) value]
+              @defproc[(sub1 [x value]) value])]{
+
+@examples[#:eval session
+(add1 'n)
+((sub1 square) 'x)]}
+
+@(close-session session)

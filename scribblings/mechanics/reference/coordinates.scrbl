@@ -1,0 +1,87 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-coordinates"]{Coordinate transformations}
+
+@(define session (make-session))
+
+@section{Transforming local tuples}
+
+@defproc[(F->C [F procedure?]) procedure?]{
+
+Of F, which gives the old coordinates as a function of the new local tuple: the
+transformation of local tuples that goes with it. So a Lagrangian L in old
+coordinates becomes @racket[(compose L (F->C F))] in new ones. Local tuples may
+have accelerations and more.
+
+@examples[#:eval session
+((F->C p->r) (up 't (up 'r 'phi) (up 'rdot 'phidot)))
+(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
+((compose (L-free 'm) (F->C p->r)) (up 't (up 'r 'phi) (up 'rdot 'phidot)))
+(eval:error ((F->C p->r) 't))]
+
+@sicm{1.6, p. 46, and 1.9, p. 96}}
+
+@deftogether[(@defproc[(osculating-path [local local-tuple]) path]
+              @defproc[(Gamma-bar [f procedure?]) procedure?])]{
+
+@racket[osculating-path] is a path that has this local tuple at its time: the
+polynomial with these derivatives. @racket[Gamma-bar] turns a function of paths,
+with functions of time as values, into a function of local tuples, by way of that
+path.
+
+@examples[#:eval session
+((osculating-path (up 't_0 'q 'v 'a)) 't)
+((Gamma-bar (lambda (q) (D (compose (lambda (local) (square (coordinate local)))
+                                    (Gamma q)))))
+ (up 't 'q 'v))]
+
+@sicm{1.9, pp. 95–96}}
+
+@section{Polar and spherical coordinates}
+
+Each takes a local tuple in its first coordinates, and gives the second
+coordinates; pass it to @racket[F->C]. A local tuple with another number of
+coordinates raises an error.
+
+@deftogether[(@defproc[(p->r [local local-tuple]) structure?]
+              @defproc[(polar->rectangular [local local-tuple]) structure?])]{
+
+From (r, φ) to (x, y) = (r cos φ, r sin φ).
+
+@examples[#:eval session
+(p->r (up 't (up 'r 'phi) (up 'rdot 'phidot)))
+(eval:error (p->r (up 't 'r 'rdot)))]
+
+@sicm{1.6, p. 46}}
+
+@deftogether[(@defproc[(r->p [local local-tuple]) structure?]
+              @defproc[(rectangular->polar [local local-tuple]) structure?])]{
+
+From (x, y) to (r, φ), with φ between −π and π.
+
+@examples[#:eval session
+(r->p (up 't (up 'x 'y) (up 'vx 'vy)))
+(r->p (up 0 (up 3 4) (up 0 0)))]
+
+@sicm{1.6, p. 48}}
+
+@deftogether[(@defproc[(s->r [local local-tuple]) structure?]
+              @defproc[(spherical->rectangular [local local-tuple]) structure?])]{
+
+From (r, θ, φ), with θ measured from the z axis, to (x, y, z).
+
+@examples[#:eval session
+(s->r (up 't (up 'r 'theta 'phi) (up 'rdot 'thetadot 'phidot)))]
+
+@sicm{1.8, p. 85}}
+
+@deftogether[(@defproc[(r->s [local local-tuple]) structure?]
+              @defproc[(rectangular->spherical [local local-tuple]) structure?])]{
+
+From (x, y, z) to (r, θ, φ).
+
+@examples[#:eval session
+(r->s (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))]}
+
+@(close-session session)

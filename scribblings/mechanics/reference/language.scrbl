@@ -1,0 +1,85 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-language"]{The language}
+
+@(define session (make-session))
+
+@section{Modules and the prompt}
+
+A module written in @hash-lang[] @racketmodname[mechanics] prints the values of
+the expressions at its top level, simplified. Run as a program, it gives DrRacket
+and @exec{racket -i} a prompt that prints in the same way. Numbers, strings,
+lists and other values print as in Racket.
+
+The following three are never written by hand. They are what makes a module, a
+prompt and an application of this language.
+
+@defform[(#%module-begin form ...)]{
+
+The body of a module. A second @racket[define] of a name is an error that says
+where the first one is.}
+
+@defform[(#%top-interaction . form)]{
+
+What is typed at the prompt. Definitions may replace earlier ones.}
+
+@defform[(#%app operator argument ...)]{
+
+Application, as in Racket. If what is applied turns out to be a number, a symbol
+or a list, the message says so; a vector is applied as the tuple of functions
+that it stands for.
+
+@examples[#:eval session
+(eval:error (3 't))
+((vector sin cos) 't)]}
+
+@section{Binding with patterns}
+
+In these forms an argument may be written as a @deftech{pattern},
+@racket[(up pattern ...)] or @racket[(down pattern ...)], in which each
+@racket[_pattern] is an identifier, @racketidfont{_} for a component without a
+name, or again a pattern. Without patterns the forms are Racket's. A value of
+another shape raises an error that names the pattern and the place.
+
+@deftogether[(@defform*[[(define id expr) (define (head arg ...) body ...+)]]
+              @defform[(lambda (arg ...) body ...+)]
+              @defform[(λ (arg ...) body ...+)]
+              @defform[(case-lambda [(arg ...) body ...+] ...)])]{
+
+A @racket[_head] is an identifier or, for a function that returns functions,
+again a head with arguments. All of Racket's arguments are allowed: optional,
+keyword and rest arguments.
+
+@examples[#:eval session
+(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
+((L-free 'm) (up 't 'x 'v))
+((lambda ((down p q)) (* p q)) (down 2 3))
+(eval:error ((L-free 'm) (up 't 'x)))]
+
+The way of writing a Lagrangian follows L(t; q; v) of the book's text; its
+programs use selectors. @sicm{1.4, p. 14}}
+
+@deftogether[(@defform*[[(let ([arg expr] ...) body ...+)
+                         (let id ([arg expr] ...) body ...+)]]
+              @defform[(let* ([arg expr] ...) body ...+)])]{
+
+@examples[#:eval session
+(let ([(up x y) (up 3 4)]) (+ (square x) (square y)))
+(let* ([(up x y) (up 3 4)] [r (sqrt (+ (square x) (square y)))]) (/ x r))]}
+
+@section{Loops}
+
+@deftogether[(@defform[(for/sum (for-clause ...) body ...+)]
+              @defform[(for*/sum (for-clause ...) body ...+)]
+              @defform[(for/product (for-clause ...) body ...+)]
+              @defform[(for*/product (for-clause ...) body ...+)])]{
+
+Racket's loops, with generic sums and products. A structure is a sequence of its
+components.
+
+@examples[#:eval session
+(for/sum ([m '(m1 m2)] [v (up 'v1 'v2)]) (* 1/2 m (square v)))
+(for/product ([k 4]) (+ 'x k))]}
+
+@(close-session session)

@@ -1,0 +1,158 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-linear"]{Matrices and linear algebra}
+
+@(define session (make-session))
+
+A @emph{matrix} is a rectangle of scalars with the matrix product. It multiplies
+an @racket[up] from the left and a @racket[down] from the right. A structure of
+structures can stand for a linear map as well; where the book means a matrix,
+such a structure is accepted, its components being the rows.
+
+Indices of rows and columns start at 0.
+
+@section{Making matrices}
+
+@deftogether[(@defproc[(matrix-by-rows [row (or/c list? tuple)] ...+) matrix?]
+              @defproc[(matrix-by-columns [column (or/c list? tuple)] ...+) matrix?])]{
+
+All rows must have one length.
+
+@examples[#:eval session
+(define R (matrix-by-rows (list (cos 'a) (- (sin 'a)))
+                          (list (sin 'a) (cos 'a))))
+(* R (up 'x 'y))
+(* R R)
+(matrix-by-columns '(1 2) '(3 4))]
+
+@sicm{2.7, p. 139}}
+
+@defproc[(m:generate [rows exact-nonnegative-integer?]
+                     [columns exact-nonnegative-integer?]
+                     [f procedure?]) matrix?]{
+
+The matrix with the entries @racket[(f i j)].
+
+@examples[#:eval session (m:generate 2 3 (lambda (i j) (+ i j)))]}
+
+@defproc[(identity-matrix [n exact-positive-integer?]) matrix?]{
+
+@examples[#:eval session (identity-matrix 2)]}
+
+@deftogether[(@defproc[(up->column-matrix [s tuple]) matrix?]
+              @defproc[(down->row-matrix [s tuple]) matrix?]
+              @defproc[(column-matrix->up [m matrix?]) structure?]
+              @defproc[(row-matrix->down [m matrix?]) structure?])]{
+
+Between tuples and matrices of one column or one row.
+
+@examples[#:eval session
+(up->column-matrix (up 'x 'y))
+(row-matrix->down (matrix-by-rows '(1 2)))]}
+
+@section{Taking matrices apart}
+
+@defproc[(matrix? [x any]) boolean?]{
+
+@examples[#:eval session (matrix? (identity-matrix 2)) (matrix? (up (up 1 0) (up 0 1)))]}
+
+@deftogether[(@defproc[(matrix-ref [m matrix?] [i exact-nonnegative-integer?] [j exact-nonnegative-integer?]) scalar]
+              @defproc[(m:nth-row [m matrix?] [i exact-nonnegative-integer?]) structure?]
+              @defproc[(m:nth-col [m matrix?] [j exact-nonnegative-integer?]) structure?])]{
+
+An entry; a row, as a @racket[down]; a column, as an @racket[up].
+
+@examples[#:eval session
+(define M (matrix-by-rows '(a b) '(c d)))
+(matrix-ref M 0 1)
+(m:nth-row M 1)
+(m:nth-col M 1)
+(eval:error (matrix-ref M 2 0))]}
+
+@deftogether[(@defproc[(m:num-rows [m matrix?]) exact-nonnegative-integer?]
+              @defproc[(m:num-cols [m matrix?]) exact-nonnegative-integer?]
+              @defproc[(m:dimension [m matrix?]) exact-nonnegative-integer?])]{
+
+@racket[m:dimension] is the number of rows of a square matrix, and an error for
+others.
+
+@examples[#:eval session (m:num-cols (matrix-by-rows '(1 2 3))) (m:dimension M)]}
+
+@defproc[(m:submatrix [m matrix?]
+                      [low-row exact-nonnegative-integer?] [high-row exact-nonnegative-integer?]
+                      [low-column exact-nonnegative-integer?] [high-column exact-nonnegative-integer?])
+         matrix?]{
+
+Rows and columns from the low index up to, but without, the high one.
+
+@examples[#:eval session
+(m:submatrix (m:generate 3 3 (lambda (i j) (+ (* 3 i) j))) 0 2 1 3)]}
+
+@section{Linear algebra}
+
+@deftogether[(@defproc*[([(transpose [m value]) value]
+                         [(transpose [m tuple] [right tuple]) value])])]{
+
+Of a matrix, or of a structure of structures, in which the two levels exchange
+places. With two arguments, @racket[m] is seen as the map from @racket[right] to
+@racket[(* m right)], and the result is the structure of the transposed map.
+
+@examples[#:eval session
+(transpose M)
+(transpose (down (up 'a 'b) (up 'c 'd)))
+(transpose (down (up 'a 'b) (up 'c 'd)) (up 'x 'y))]
+
+@sicm{5.2, p. 351}}
+
+@deftogether[(@defproc[(determinant [m value]) scalar]
+              @defproc[(trace [m value]) scalar])]{
+
+Of a square matrix or a square structure of structures.
+
+@examples[#:eval session
+(determinant M)
+(determinant (down (down 'a 'b) (down 'b 'c)))
+(trace M)]}
+
+@deftogether[(@defproc[(solve-linear-left [A value] [b value]) value]
+              @defproc[(solve-linear-right [b value] [A value]) value])]{
+
+The x for which @racket[(* A x)], or @racket[(* x A)], is b. A matrix without an
+inverse raises @racketidfont{exn:fail:mechanics:singular}.
+
+@examples[#:eval session
+(solve-linear-left (down (down 'a 0) (down 0 'b)) (down 'p 'q))
+(solve-linear-left M (up 1 0))
+(eval:error (solve-linear-left (matrix-by-rows '(1 2) '(2 4)) (up 1 0)))]
+
+@sicm{1.7, p. 71}}
+
+@defproc[(m:invert [m matrix?]) matrix?]{
+
+The inverse, also @racket[(/ 1 m)].
+
+@examples[#:eval session (m:invert M)]}
+
+@deftogether[(@defproc[(s->m [left tuple] [m tuple] [right tuple]) matrix?]
+              @defproc[(m->s [left tuple] [m matrix?] [right tuple]) structure?])]{
+
+The matrix of the bilinear form @racket[(* left (* m right))] in the scalars of
+@racket[left] and @racket[right], and the structure that has a given matrix. Of
+@racket[left] and @racket[right] only the shapes count.
+
+@examples[#:eval session
+(define S (down (up 'a 'b) (up 'c 'd)))
+(s->m (down 1 1) S (up 1 1))
+(m->s (down 1 1) (s->m (down 1 1) S (up 1 1)) (up 1 1))]
+
+@sicm{5.2, p. 353}}
+
+@defproc[(s:inverse [left tuple] [m tuple] [right tuple]) structure?]{
+
+The structure that undoes the map from @racket[right] to @racket[(* m right)].
+
+@examples[#:eval session
+(* (s:inverse (down 1 1) S (up 1 1)) (* S (up 'x 'y)))]}
+
+@(close-session session)

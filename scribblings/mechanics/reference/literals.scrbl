@@ -1,0 +1,102 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-literals"]{Literals}
+
+@(define session (make-session))
+
+See @secref["literals"] for an introduction. @racket[literal-up] and
+@racket[literal-down] are among the @secref["reference-structures"].
+
+@section{Literal numbers and functions}
+
+@defproc[(literal-number [name symbol?]) symbol?]{
+
+The unknown number of that name: the symbol itself.
+
+@examples[#:eval session (* 2 (literal-number 'm))]}
+
+@defform[(with-literals (name ...) body ...+)]{
+
+Evaluates the body with each name standing for the symbol.
+
+@examples[#:eval session
+(with-literals (m k) (sqrt (/ k m)))]}
+
+@defproc[(literal-function [name symbol?] [signature signature (-> Real Real)])
+         (or/c procedure? structure?)]{
+
+A function of which only the name is known. Its applications are expressions, and
+so are those of its derivatives. With a structure as range, the result is a
+structure of functions, with a @tt{^} and an index in the names of an @racket[up],
+a @tt{_} in those of a @racket[down]. Two literal functions of one name are equal.
+
+An application to arguments that do not fit the signature raises an error that
+shows both.
+
+@examples[#:eval session
+(define x (literal-function 'x))
+(((expt D 2) x) 't)
+(define F (literal-function 'F (-> (X Real (UP Real Real)) Real)))
+((D F) 't (up 'x 'y))
+((literal-function 'p (-> Real (DOWN Real Real))) 't)
+(eval:error (F 't 'x))]
+
+@sicm{1.4, p. 15, and 9, p. 512}}
+
+@defproc[(literal-function? [x any]) boolean?]{
+
+@examples[#:eval session (literal-function? x) (literal-function? (D x))]}
+
+@section{Signatures}
+
+A signature may be written with these names or quoted as a whole.
+
+@defproc[(-> [domain shape] [range shape]) signature]{
+
+Functions from @racket[domain] to @racket[range].
+
+@examples[#:eval session
+(literal-function 'V (-> (UP Real Real) Real))
+(literal-function 'V '(-> (UP Real Real) Real))]
+
+@sicm{1.5, p. 31}}
+
+@deftogether[(@defthing[Real shape]
+              @defthing[Any shape])]{
+
+A scalar, and anything at all.}
+
+@deftogether[(@defproc[(X [argument shape] ...) shape]
+              @defproc[(X* [argument shape] [n exact-nonnegative-integer?]) shape])]{
+
+As a domain: several arguments, or n arguments of one shape. Elsewhere the same
+as @racket[UP] and @racket[UP*].
+
+@examples[#:eval session
+((literal-function 'F (-> (X* Real 3) Real)) 'x 'y 'z)]}
+
+@deftogether[(@defproc[(UP [component shape] ...) shape]
+              @defproc[(UP* [component shape] [n exact-nonnegative-integer?]) shape]
+              @defproc[(DOWN [component shape] ...) shape]
+              @defproc[(DOWN* [component shape] [n exact-nonnegative-integer?]) shape])]{
+
+Structures of these components, or of n of one shape.
+
+@examples[#:eval session
+(UP Real (UP* Real 2))
+((literal-function 'H (-> (UP Real (UP* Real 2) (DOWN* Real 2)) Real))
+ (up 't (up 'x 'y) (down 'p_x 'p_y)))]}
+
+@deftogether[(@defproc[(Lagrangian [n exact-positive-integer? 1]) signature]
+              @defproc[(Hamiltonian [n exact-positive-integer? 1]) signature])]{
+
+The signature of a Lagrangian, a function of @racket[(up t q v)], or of a
+Hamiltonian, a function of @racket[(up t q p)] with a @racket[down] of momenta,
+with n coordinates.
+
+@examples[#:eval session
+(Lagrangian 2)
+(Hamiltonian 2)]}
+
+@(close-session session)

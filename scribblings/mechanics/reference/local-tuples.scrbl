@@ -1,0 +1,143 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-local"]{Local tuples and actions}
+
+@(define session (make-session))
+
+@section{From paths to local tuples}
+
+@deftogether[(@defproc[(Gamma [q path] [n exact-integer? 3]) procedure?]
+              @defproc[(path->state-path [q path] [n exact-integer? 3]) procedure?])]{
+
+The function of time with the local tuples of the path as values, of n components:
+time, coordinates, velocities, and further derivatives when n is larger than 3.
+@racket[path->state-path] is another name.
+
+@examples[#:eval session
+(define q (up (literal-function 'x) (literal-function 'y)))
+((Gamma q) 't)
+((Gamma (literal-function 'x) 4) 't)
+(eval:error (Gamma 'x))]
+
+@sicm{1.4, p. 15}}
+
+@deftogether[(@defproc[(->local [t scalar] [q value] [v value] ...) structure?]
+              @defproc[(->state [t scalar] [q value] [v value] ...) structure?]
+              @defproc[(->L-state [t scalar] [q value] [v value] ...) structure?])]{
+
+A local tuple of these parts, by three names.
+
+@examples[#:eval session (->local 't (up 'x 'y) (up 'v_x 'v_y))]}
+
+@defproc[(literal-Lagrangian-state [n exact-positive-integer?]) structure?]{
+
+A local tuple of unknowns with n coordinates.
+
+@examples[#:eval session (literal-Lagrangian-state 2)]}
+
+@section{Selectors}
+
+Each raises an error if the argument has no such part.
+
+@deftogether[(@defproc[(time [local local-tuple]) scalar]
+              @defproc[(state->t [local local-tuple]) scalar])]{
+
+The time.
+
+@examples[#:eval session
+(define local (up 't (up 'x 'y) (up 'v_x 'v_y) (up 'a_x 'a_y)))
+(time local)]
+
+@sicm{1.4, p. 15}}
+
+@deftogether[(@defproc[(coordinate [local local-tuple]) value]
+              @defproc[(coordinates [local local-tuple]) value]
+              @defproc[(coordinate-tuple [local local-tuple]) value]
+              @defproc[(state->q [local local-tuple]) value]
+              @defproc[(Q [local local-tuple]) value])]{
+
+The coordinates.
+
+@examples[#:eval session (coordinate local)]
+
+@sicm{1.4, p. 15}}
+
+@deftogether[(@defproc[(velocity [local local-tuple]) value]
+              @defproc[(velocities [local local-tuple]) value]
+              @defproc[(velocity-tuple [local local-tuple]) value]
+              @defproc[(state->qdot [local local-tuple]) value]
+              @defproc[(Qdot [local local-tuple]) value])]{
+
+The velocities.
+
+@examples[#:eval session
+(velocity local)
+(eval:error (velocity (up 't 'x)))]
+
+@sicm{1.4, p. 15}}
+
+@deftogether[(@defproc[(acceleration [local local-tuple]) value]
+              @defproc[(accelerations [local local-tuple]) value]
+              @defproc[(acceleration-tuple [local local-tuple]) value]
+              @defproc[(state->qddot [local local-tuple]) value]
+              @defproc[(Qdotdot [local local-tuple]) value])]{
+
+The accelerations.
+
+@examples[#:eval session (acceleration local)]}
+
+@defproc[(state->n-dof [local local-tuple]) exact-nonnegative-integer?]{
+
+The number of degrees of freedom: how many scalars the coordinates have.
+
+@examples[#:eval session (state->n-dof local)]}
+
+@section{Actions}
+
+These compute numbers. A symbol that is left in the integrand raises an error that
+shows where.
+
+@defproc[(Lagrangian-action [L Lagrangian] [q path] [t1 real?] [t2 real?]
+                            [tolerance real? 1e-10])
+         real?]{
+
+The action of the path from @racket[t1] to @racket[t2]: the integral of L along it.
+Its unit is that of L times that of time.
+
+@examples[#:eval session
+(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
+(define (straight t) (up (+ (* 4 t) 7) (+ (* 3 t) 5) (+ (* 2 t) 1)))
+(Lagrangian-action (L-free 3) straight 0 10)
+(eval:error (Lagrangian-action (L-free 'm) straight 0 10))]
+
+@sicm{1.4, p. 17}}
+
+@defproc[(definite-integral [f procedure?] [low real?] [high real?]
+                            [tolerance real? 1e-10])
+         real?]{
+
+The integral of a function of one variable. The tolerance is relative to the
+integral of |f|. If it cannot be met, the error
+@racketidfont{exn:fail:mechanics:not-convergent} carries the best value found.
+
+@examples[#:eval session
+(definite-integral sin 0 pi)
+(definite-integral (lambda (x) (exp (- (square x)))) -10 10)]
+
+@sicm{1.4, p. 17}}
+
+@defproc[(minimize [f procedure?] [low real?] [high real?]
+                   [#:tolerance tolerance real? 1e-8])
+         list?]{
+
+A list of the argument at which f is least between @racket[low] and @racket[high],
+its value there, and the number of steps taken. f should have one minimum between
+the two.
+
+@examples[#:eval session
+(minimize (lambda (x) (+ 1 (square (- x 2)))) 0 5)]
+
+@sicm{1.4, p. 19}}
+
+@(close-session session)

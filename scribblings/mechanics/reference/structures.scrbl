@@ -1,0 +1,218 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-structures"]{Structures}
+
+@(define session (make-session))
+
+See @secref["structures"] for an introduction.
+
+@section{Making structures}
+
+@deftogether[(@defform[#:id up (up component ...)]
+              @defform[#:id down (down component ...)])]{
+
+The structure of these components. Both can be passed as functions. As patterns,
+in @racket[match] and in arguments, they take structures apart; a vector matches
+@racket[up].
+
+@examples[#:eval session
+(up 't (up 'x 'y) (up 'v_x 'v_y))
+(apply down '(a b))
+(match (up 1 2) [(up x y) (+ x y)])]
+
+@sicm{9, p. 513}}
+
+@deftogether[(@defproc[(vector->up [v vector?]) structure?]
+              @defproc[(vector->down [v vector?]) structure?]
+              @defproc[(list->up [xs list?]) structure?]
+              @defproc[(list->down [xs list?]) structure?])]{
+
+@examples[#:eval session
+(vector->down #(1 2))
+(list->up '(a b c))]}
+
+@defproc[(s:generate [n exact-nonnegative-integer?]
+                     [orientation (or/c 'up 'down)]
+                     [f procedure?]) structure?]{
+
+The structure of @racket[(f 0)] to @racket[(f (- n 1))].
+
+@examples[#:eval session (s:generate 3 'up (lambda (i) (expt 'x i)))]}
+
+@deftogether[(@defproc[(literal-up [name symbol?] [n exact-nonnegative-integer?]) structure?]
+              @defproc[(literal-down [name symbol?] [n exact-nonnegative-integer?]) structure?])]{
+
+A structure of n unknowns, named after their place.
+
+@examples[#:eval session
+(literal-up 'q 3)
+(literal-down 'p 2)]}
+
+@section{Recognising structures}
+
+@deftogether[(@defproc[(structure? [x any]) boolean?]
+              @defproc[(up? [x any]) boolean?]
+              @defproc[(down? [x any]) boolean?])]{
+
+A vector is @racket[up?] but not @racket[structure?]: it is taken for one, without
+being one.
+
+@examples[#:eval session
+(structure? (down 1 2))
+(up? #(1 2))
+(down? 'x)]}
+
+@deftogether[(@defproc[(structure-orientation [s structure?]) (or/c 'up 'down)]
+              @defproc[(s:same [s tuple]) (or/c 'up 'down)]
+              @defproc[(s:opposite [s tuple]) (or/c 'up 'down)])]{
+
+The orientation, and its opposite.
+
+@examples[#:eval session
+(structure-orientation (up 1 2))
+(s:same #(1 2))
+(s:opposite (up 1 2))]}
+
+@section[#:tag "taking-apart"]{Taking structures apart}
+
+@defproc[(ref [s value] [i exact-integer?] ...) value]{
+
+Component i, and within it component j, and so on. Indices start at 0; negative
+ones count from the end. Of a function, @racket[ref] is the function that gives
+that component of its value. An index outside raises an error that names the
+range.
+
+@examples[#:eval session
+(ref (up 't (up 'x 'y)) 1 0)
+(ref (up 1 2 3) -1)
+((ref (lambda (t) (up (cos t) (sin t))) 1) 't)
+(eval:error (ref (up 1 2) 2))]
+
+@sicm{9, p. 514}}
+
+@defproc[(s:ref [s value] [i exact-integer?]) value]{
+
+@racket[ref] with one index.
+
+@examples[#:eval session (s:ref (down 'a 'b) 1)]}
+
+@defproc[(component [i exact-integer?] ...) procedure?]{
+
+The function of a tuple that selects as @racket[ref] does.
+
+@examples[#:eval session ((component 1 0) (up 't (up 'x 'y)))]
+
+@sicm{9, p. 514}}
+
+@deftogether[(@defproc[(s:length [x value]) exact-nonnegative-integer?]
+              @defproc[(s:dimension [x value]) exact-nonnegative-integer?]
+              @defproc[(dimension [x value]) exact-nonnegative-integer?])]{
+
+The number of components, and the number of scalars at any depth. What is no
+tuple counts as 1. @racket[dimension] is another name of @racket[s:dimension].
+
+@examples[#:eval session
+(s:length (up 't (up 'x 'y)))
+(dimension (up 't (up 'x 'y)))]}
+
+@deftogether[(@defproc[(structure->vector [s tuple]) vector?]
+              @defproc[(structure->list [s tuple]) list?])]{
+
+@examples[#:eval session
+(structure->list (down 1 2))
+(structure->vector (up 1 2))]}
+
+@section{Going through structures}
+
+@defproc[(s:map [f procedure?] [s tuple] ...+) structure?]{
+
+The structure like the first @racket[s], of f of the components. With several
+structures, f takes corresponding components; the lengths must agree.
+
+@examples[#:eval session
+(s:map square (up 'x 'y))
+(s:map * (up 1 2) (down 'a 'b))]}
+
+@defproc[(s:map/r [f procedure?] [s value]) value]{
+
+f applied to each scalar, at any depth.
+
+@examples[#:eval session (s:map/r square (up 't (up 'x 'y)))]}
+
+@defproc[(s:fold [f procedure?] [start any] [s value]) any]{
+
+Goes through the scalars, from first to last: @racket[f] takes a scalar and what
+was gathered so far.
+
+@examples[#:eval session (s:fold + 0 (up 't (up 'x 'y)))]}
+
+@section{Shapes}
+
+@defproc[(flip [s value]) value]{
+
+The same scalars, with @racket[up] and @racket[down] exchanged at every level.
+
+@examples[#:eval session (flip (up 'a (down 'b 'c)))]}
+
+@deftogether[(@defproc[(compatible-shape [s value]) value]
+              @defproc[(compatible-zero [s value]) value]
+              @defproc[(dual-zero [s value]) value])]{
+
+A structure that contracts with @racket[s] to a scalar: of fresh symbols
+(@racket[compatible-shape]) or of zeros. @racket[dual-zero] is another name of
+@racket[compatible-zero].
+
+@examples[#:eval session
+(compatible-shape (up 'a (down 'b 'c)))
+(compatible-zero (up 'a 'b))]
+
+@sicm{5.2, p. 351}}
+
+@defproc[(zero-like [s value]) value]{
+
+The zero of the same shape, which can be added to @racket[s].
+
+@examples[#:eval session (zero-like (up 'a (down 'b 'c)))]}
+
+@section{Products}
+
+See also @racket[*] and @racket[square].
+
+@deftogether[(@defproc[(dot-product [a value] [b value]) value]
+              @defproc[(inner-product [a value] [b value]) value])]{
+
+The sum of the products of corresponding components, whatever the orientations.
+Two scalars are multiplied. Tuples of different lengths are an error. Of two
+functions, the function that gives the product of their values.
+
+@examples[#:eval session
+(dot-product (up 'a 'b) (up 'x 'y))
+(eval:error (dot-product (up 1 2) 3))]
+
+@sicm{1.4, p. 14}}
+
+@defproc[(outer-product [a value] [b tuple]) structure?]{
+
+The tuple like @racket[b] whose components are those of @racket[b] multiplied by
+@racket[a].
+
+@examples[#:eval session (outer-product (up 'a 'b) (down 'x 'y))]}
+
+@defproc[(cross-product [a tuple] [b tuple]) structure?]{
+
+The vector product of two tuples of three.
+
+@examples[#:eval session
+(cross-product (up 'x 'y 'z) (up 'p_x 'p_y 'p_z))
+(eval:error (cross-product (up 1 2) (up 1 2)))]
+
+@sicm{1.8, p. 85}}
+
+@defproc[(euclidean-norm [s tuple]) scalar]{
+
+The square root of the sum of the squares.
+
+@examples[#:eval session (euclidean-norm (up 3 4))]}
+
+@(close-session session)
