@@ -10,7 +10,8 @@
 
 ;; The value, simplified, in the book's form, on lines of its own.
 (define (print-expression x)
-  (write-string (value->lines (simplify x) line-width))
+  (define-values (simplified assumptions) (simplify/assumptions x))
+  (write-string (value->lines simplified line-width assumptions))
   (newline))
 
 (define pe print-expression)

@@ -7,11 +7,16 @@
 
 (provide value->lines)
 
-;; value->lines : value width -> string
-(define (value->lines x width)
-  (if (verdict? x)
-      (layout-report (verdict-lines x) width)
-      (layout (value->datum x) width)))
+;; The text of a value; beneath it, as comments, what its simplification took
+;; for granted.
+;; value->lines : value width [list-of-assumptions] -> string
+(define (value->lines x width [assumptions '()])
+  (apply string-append
+         (if (verdict? x)
+             (layout-report (verdict-lines x) width)
+             (layout (value->datum x) width))
+         (for/list ([a (in-list assumptions)])
+           (format "\n; assuming ~a" (value->text a)))))
 
 ;; The lines of a report, each a label and its content.
 (define (layout-report report width)

@@ -44,8 +44,8 @@
   #:property prop:kind kind:structure
   #:property prop:procedure
   (case-lambda
-    [(s x) (structure-map (lambda (f) ((applicable f s (list x)) x)) s)]
-    [(s . xs) (structure-map (lambda (f) (apply (applicable f s xs) xs)) s)])
+    [(s x) (structure-map (lambda (f) ((applicable f s) x)) s)]
+    [(s . xs) (structure-map (lambda (f) (apply (applicable f s) xs)) s)])
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write write-structure
   #:property prop:sequence (lambda (s) (in-vector (structure-elements s)))
@@ -60,13 +60,18 @@
   (+ (if (eq? (structure-orientation s) 'up) 1 2)
      (recur (structure-elements s))))
 
-(define (applicable f s args)
-  (if (procedure? f)
-      f
-      (raise (exn:fail:contract
-              (format "application: a tuple applies its components to the arguments, but the component ~a of ~a is not a function"
-                      (value->text f) (value->text s))
-              (current-continuation-marks)))))
+(define (applicable f s)
+  (cond [(procedure? f) f]
+        [(vector? f) (vector->up f)]
+        [else
+         (raise
+          (exn:fail:contract
+           (format "application: a tuple applies its components to the arguments, but the component ~a of ~a is not a function~a"
+                   (value->text f) (value->text s)
+                   (if (symbol? f)
+                       (format "; (literal-function '~a) makes a function of it" f)
+                       ""))
+           (current-continuation-marks)))]))
 
 (define up
   (case-lambda

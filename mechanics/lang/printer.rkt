@@ -22,7 +22,7 @@
 (struct session-printer (other)
   #:property prop:procedure
   (lambda (printer x)
-    ((session-printer-other printer) (printable x (simplify-interruptibly x)))))
+    ((session-printer-other printer) (simplify-interruptibly x))))
 
 ;; Make the current printer ours; again is no harm.
 (define (install-printer!)
@@ -35,13 +35,19 @@
 (define (print-result x)
   (define printer (current-print))
   ((if (session-printer? printer) (session-printer-other printer) printer)
-   (printable x (simplify-or-say-why x))))
+   (simplify-or-say-why x)))
 
-;; What the wrapped printer is given in place of x.
-(define (printable x simplified)
-  (if (in-notation? x)
-      (laid-out (value->lines simplified (output-width)))
-      simplified))
+;; What the wrapped printer is given in place of x: its text, if it is ours.
+;; The elements of a list are simplified though Racket prints the list.
+(define (printable x)
+  (cond [(in-notation? x)
+         (define-values (simplified assumptions) (simplify/assumptions x))
+         (as-text simplified assumptions)]
+        [(list? x) (for/list ([e (in-list x)]) (if (in-notation? e) (simplify e) e))]
+        [else x]))
+
+(define (as-text x [assumptions '()])
+  (laid-out (value->lines x (output-width) assumptions)))
 
 ;; Text that prints as itself in all of Racket's modes.
 (struct laid-out (text)
@@ -63,7 +69,7 @@
   (with-handlers ([exn:break?
                    (lambda (e)
                      (note "simplification interrupted; the result as computed:")
-                     x)])
+                     (unsimplified x))])
     (simplify-or-say-why x)))
 
 (define (simplify-or-say-why x)
@@ -71,19 +77,15 @@
                    (lambda (e)
                      (note (format "the result could not be simplified (~a)"
                                    (exn-message e)))
-                     x)])
-    (simplified x)))
+                     (unsimplified x))])
+    (printable x)))
+
+(define (unsimplified x) (if (in-notation? x) (as-text x) x))
 
 (define (note text)
   (define port (current-error-port))
   (write-string (string-append "; " text "\n") port)
   (flush-output port))
-
-;; The elements of a list are simplified though Racket prints the list.
-(define (simplified x)
-  (cond [(or (symbolic? x) (has-kind? x)) (simplify x)]
-        [(list? x) (map simplified x)]
-        [else x]))
 
 ;; ---------------------------------------------------------------------------
 ;; Width

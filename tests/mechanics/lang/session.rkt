@@ -107,6 +107,11 @@
   (check-equal? (run-module "#lang mechanics" "(list (+ 'a 'a) \"b\" (up (* 'x 'x)))")
                 (lines "(list (* 2 a) \"b\" (up (expt x 2)))")))
 
+(test-case "what a simplification takes for granted stands beneath its result"
+  (check-equal? (run-module "#lang mechanics" "(up (sqrt (square 'r)) 1)" "(verify-equal (sqrt (square 'r)) 'r)")
+                (lines "(up r 1)" "; assuming (>= r 0)"
+                       "proved: the residual is zero" "  assuming: (>= r 0)")))
+
 (test-case "functions and operators print by name"
   (check-equal? (run-module "#lang mechanics"
                             "(define (kinetic-energy v) v)"
