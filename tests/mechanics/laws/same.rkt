@@ -1,0 +1,87 @@
+#lang racket/base
+;; Are two values the same, as far as a test can tell?
+;;
+;; Numbers to a relative tolerance, expressions at seeded points, containers
+;; component by component, functions by their value at a symbol, operators by
+;; what they make of an unknown function.  A scalar is the same as the constant
+;; function, the multiple of the identity matrix or operator that it stands for.
+
+(require mechanics/algebra/expression
+         (only-in mechanics/generic/arithmetic g:*) mechanics/generic/structure mechanics/generic/function
+         mechanics/value/matrix mechanics/value/operator
+         mechanics/calculus/dual mechanics/calculus/literal-function
+         "numeric-value.rkt")
+
+(provide same? close? close-to)
+
+(define points '(1 2 3))
+
+;; |a - b| <= tolerance max(1, |a|, |b|)
+(define (close? a b [tolerance 1e-9])
+  (or (eqv? a b)
+      (and (eqv? a +nan.0) (eqv? b +nan.0))
+      (<= (magnitude (- a b)) (* tolerance (max 1 (magnitude a) (magnitude b))))))
+
+(define ((close-to tolerance) a b) (same? a b tolerance))
+
+(define (same? a b [tolerance 1e-9])
+  (define (same-parts? as bs)
+    (and (= (length as) (length bs))
+         (for/and ([x (in-list as)] [y (in-list bs)]) (same? x y tolerance))))
+  (cond [(and (number? a) (number? b)) (close? a b tolerance)]
+        [(and (expression? a) (expression? b))
+         (for/and ([p (in-list points)])
+           (close? (numeric-value a p) (numeric-value b p) tolerance))]
+        [(and (tuple? a) (tuple? b))
+         (and (eq? (structure-orientation (adopt a)) (structure-orientation (adopt b)))
+              (same-parts? (parts a) (parts b)))]
+        [(and (matrix? a) (matrix? b))
+         (same-parts? (map vector->up (vector->list (matrix-rows a)))
+                      (map vector->up (vector->list (matrix-rows b))))]
+        [(and (or (dual? a) (dual? b)) (scalar? a) (scalar? b))
+         (define tag (greatest-tag a b))
+         (and (same? (primal-part a tag) (primal-part b tag) tolerance)
+              (same? (tangent-part a tag) (tangent-part b tag) tolerance))]
+        [(or (operator? a) (operator? b)) (same? (image a) (image b) tolerance)]
+        [(or (pointwise? a) (pointwise? b)) (same? (value a) (value b) tolerance)]
+        [(and (matrix? a) (scalar? b)) (same? a (multiple b a) tolerance)]
+        [(and (scalar? a) (matrix? b)) (same? (multiple a b) b tolerance)]
+        [else (equal? a b)]))
+
+(define unknown (literal-function 'unknown))
+(define (image x) (if (operator? x) (x unknown) (g:* x unknown)))
+(define (value x) (if (pointwise? x) (x 'argument) x))
+(define (multiple a m) (g:* a (identity-matrix (m:num-rows m))))
+
+(define (parts s) (vector->list (structure-elements (adopt s))))
+(define (scalar? x) (or (dual? x) (expression? x)))
+
+(module+ test
+  (require rackunit
+           mechanics/generic/arithmetic mechanics/generic/elementary
+           (only-in mechanics/value/function constant-function)
+           mechanics/calculus/derivative)
+
+  (test-case "what is the same is seen to be"
+    (check-true (same? 1/3 (/ 1.0 3)))
+    (check-true (same? (up 1 (g:+ 'a 'b)) (vector 1.0 (g:+ 'b 'a))))
+    (check-true (same? g:square (lambda (x) (g:* x x))))
+    (check-true (same? (g:* D D) (g:expt D 2)))
+    (check-true (same? (perturb 9 'a) (g:+ 0 (perturb 9 'a))))
+    (check-true (same? 2 (constant-function 2)))
+    (check-true (same? (matrix-by-rows '(2 0) '(0 2)) 2))
+    (check-true (same? 2 (g:+ 2 (g:- D D)))))
+
+  (test-case "what is not, is not"
+    (check-false (same? 1 1.00001))
+    (check-false (same? (up 1 2) (down 1 2)))
+    (check-false (same? (up 1 2) (up 1 2 3)))
+    (check-false (same? (up 1 2) 3))
+    (check-false (same? (matrix-by-rows '(1 2)) (matrix-by-rows '(1 3))))
+    (check-false (same? g:sin g:cos))
+    (check-false (same? D (g:expt D 2)))
+    (check-false (same? D 1))
+    (check-false (same? 2 g:sin))
+    (check-false (same? (matrix-by-rows '(2 0) '(1 2)) 2))
+    (check-false (same? (perturb 9 'a) 'a))
+    (check-false (same? (perturb 9 'a) (make-dual 9 'a 2)))))
