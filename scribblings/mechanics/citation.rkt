@@ -9,6 +9,6 @@
   (list (italic "Structure and Interpretation of Classical Mechanics")
         ", second edition, by Gerald Jay Sussman and Jack Wisdom"))
 
-;; @sicm{1.5, p. 33}, at the end of an entry.
+;; @sicm{1.5, p. 33}
 (define (sicm . place)
-  (elem (smaller "SICM " place ".")))
+  (elem (smaller "SICM " place)))

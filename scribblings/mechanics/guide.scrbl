@@ -16,5 +16,6 @@ can be read in any order.
 @include-section["guide/derivatives.scrbl"]
 @include-section["guide/residuals.scrbl"]
 @include-section["guide/mistakes.scrbl"]
+@include-section["guide/systems.scrbl"]
 @include-section["guide/other-systems.scrbl"]
 @include-section["guide/questions.scrbl"]

@@ -33,6 +33,9 @@ place of this one):
 
 @commandline{raco pkg install --name mechanics git+https://example.org/mechanics.git}
 
+Installing also builds this manual. If that fails for want of SQLite, as it does on
+a bare Debian, add @exec{--no-docs}.
+
 @exec{raco pkg update mechanics} brings it up to date, and
 @exec{raco pkg remove mechanics} takes it away.
 

@@ -90,9 +90,11 @@ its own evidence.
 
 Some simplifications hold only for some values of the symbols. The square root
 of R² is R only if R is not negative. Like a physicist, the library takes the
-root and goes on; like a careful one, it says so.
+root and goes on; like a careful one, it says so, below the result and in the
+verdict.
 
 @examples[#:eval session #:label #f
+(sqrt (* (square 'R) 'm))
 (define ((L-Kepler m mu) (up t (up x y) (up vx vy)))
   (+ (* 1/2 m (+ (square vx) (square vy)))
      (/ mu (sqrt (+ (square x) (square y))))))

@@ -91,8 +91,8 @@ base is given.
 @examples[#:eval session
 (sqrt 16)
 (sqrt (* 4 'x))
-(* (exp 'a) (exp 'b))
-(log (exp 'x))
+((D exp) 'x)
+((D log) 'x)
 (log 8 2)]}
 
 @defproc[(abs [x value]) value]{
@@ -129,7 +129,7 @@ positive first axis; the second coordinate comes first.
 @examples[#:eval session
 (atan 1.0 -1.0)
 ((D asin) 'x)
-(cos (atan 'y 'x))]}
+((D atan) 'y)]}
 
 @deftogether[(@defproc[(sinh [x value]) value]
               @defproc[(cosh [x value]) value]

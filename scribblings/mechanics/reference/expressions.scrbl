@@ -23,7 +23,7 @@ difference tells which.
 The same value with each scalar written as a product, as far as factors are found.
 
 @examples[#:eval session
-(displayln (factor (- (square 'a) (square 'b))))]}
+(displayln (factor (- (* 'a 'k) (* 'a 'm (square 'omega)))))]}
 
 @defproc[(substitute [x value] [name scalar] [replacement scalar] ... ...) value]{
 

@@ -16,7 +16,7 @@ is. A function is judged at a symbolic time @racketidfont{t}, or at
 @racketidfont{t0}, @racketidfont{t1} … if it takes several arguments.
 
 @examples[#:eval session
-(prove-zero (- (exp (* 2 'x)) (square (exp 'x))))
+(prove-zero (- (tan 'x) (/ (sin 'x) (cos 'x))))
 (prove-zero (up 0 (- 'a 'b)))
 (prove-zero (- (square sin) (- 1 (square cos))))
 (eval:error (prove-zero "0"))]}

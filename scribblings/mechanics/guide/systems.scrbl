@@ -1,0 +1,59 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../citation.rkt" "../program.rkt")
+
+@title[#:tag "systems"]{Worked systems}
+
+The programs on this page are in the source, with tests of what they claim. Copy
+one, change it, and see what its verdict says. References are to @|the-book|.
+
+@section{The action of a free particle}
+
+Along the straight path the action is least. A varied path has a larger one, and
+the minimum over the family is at no variation (@sicm{1.4, pp. 17–19}).
+
+@(program "variational/free-particle-action.rkt" #'here)
+
+The second number is 435 + 18077/14000. The book prints it to fewer correct
+digits.
+
+@section{A free particle moves in a straight line}
+
+With the constants as symbols, one proof covers all straight lines at constant
+speed (@sicm{1.5, p. 35}).
+
+@(program "variational/straight-line.rkt" #'here)
+
+@section{The harmonic oscillator}
+
+Here the amplitude, frequency and phase of the proposed path are all free. The
+verdict finds the one relation that matters (@sicm{1.5, p. 36}).
+
+@(program "variational/harmonic-oscillator.rkt" #'here)
+
+@section{Orbits}
+
+Motion about a centre of attraction. A circle is an orbit at one angular velocity
+only, which is Kepler's third law.
+
+@(program "variational/orbital-motion.rkt" #'here)
+
+@section{Three equations of motion, and all the steps of one}
+
+These are @sicm{1.5, exercises 1.9 and 1.12}.
+
+@(program "variational/exercise-1-9.rkt" #'here)
+
+@section{The variation operator}
+
+The rules by which one calculates with variations are proved for arbitrary
+functions of paths (@sicm{1.5, exercise 1.8}).
+
+@(program "variational/variation-operator.rkt" #'here)
+
+@section{Lagrangians with accelerations}
+
+Two Lagrangians that differ by a total time derivative give the same equations,
+even if one of them contains the acceleration
+(@sicm{1.5, exercises 1.10 and 1.13}).
+
+@(program "variational/higher-derivatives.rkt" #'here)

@@ -1,0 +1,150 @@
+#lang racket/base
+;; The manual builds: every example in it runs, those that are to raise an error
+;; do, and they print what the text around them says.
+;;
+;; An example that raises an error, or fails to, stops the document, so loading
+;; it is most of the test.  Its text is then searched for what a reader should
+;; never see, and for results that matter.
+
+;; for-label: compiled with this file.
+(require (for-label "../../scribblings/mechanics/mechanics.scrbl")
+         racket/file
+         racket/list
+         racket/port
+         racket/runtime-path
+         racket/sandbox
+         racket/string
+         rackunit
+         scribble/render
+         (prefix-in text: scribble/text-render)
+         "../../scribblings/mechanics/clashes.rkt"
+         "../../scribblings/mechanics/eval.rkt")
+
+(define-runtime-path manual "../../scribblings/mechanics/mechanics.scrbl")
+(define-runtime-path readme "../../README.md")
+
+;; ---------------------------------------------------------------------------
+;; The text of the manual
+
+(define (manual-text)
+  (define folder (make-temporary-file "manual~a" 'directory))
+  (define document (dynamic-require manual 'doc))
+  (render (list document) '("manual") #:render-mixin text:render-mixin
+          #:dest-dir folder #:quiet? #t #:warn-undefined? #f)
+  (begin0 (file->string (build-path folder "manual.txt"))
+          (delete-directory/files folder)))
+
+;; Lines and indentation are the renderer's affair.
+(define (words text) (string-normalize-spaces text #px"[\\s\u00A0]+"))
+
+(define text (words (manual-text)))
+
+;; Is this what the prompt answered to that?
+(define (answered? input output)
+  (string-contains? text (words (string-append "> " input " " output))))
+
+(define-syntax-rule (check-answers [input output] ...)
+  (begin
+    (check-true (answered? input output) (format "~a\nanswers\n~a" input output)) ...))
+
+;; ---------------------------------------------------------------------------
+
+(test-case "no reference is missing, and nothing opaque is printed"
+  (check-false (string-contains? text "[missing]"))
+  (check-false (string-contains? text "#<"))
+  (check-false (regexp-match? #px"\\.rkt:[0-9]+" text)))
+
+(test-case "an answer that is not there is not found"
+  (check-true (answered? "((D cube) 5)" "75"))
+  (check-false (answered? "((D cube) 5)" "76")))
+
+(test-case "equations of motion"
+  (check-answers
+   ["(((Lagrange-equations (L-harmonic 'm 'k)) (literal-function 'x)) 't)"
+    "(+ (* k (x t)) (* m (((expt D 2) x) t)))"]
+   ["(((Lagrange-equations (L-pendulum 'm 'l 'g)) theta) 't)"
+    "(+ (* g l m (sin (theta t))) (* (expt l 2) m (((expt D 2) theta) t)))"]
+   ["(((Lagrange-equations (L-free-particle 'm)) (literal-function 'x)) 't)"
+    "(* m (((expt D 2) x) t))"]))
+
+(test-case "verdicts say what the text says of them"
+  (check-answers
+   ["(verify-solution (L-pendulum 'm 'l 'g) swing)" "refuted:"]
+   ["(verify-solution (L-small 'm 'l 'g) small-swing)" "proved:"]
+   ["(verify-solution (L-small 'm 'l (* 'l (square 'omega))) swing)" "proved:"]
+   ["(verify-solution (L-pendulum 'm 'l 'g) (lambda (t) 0))" "proved:"]
+   ["(verify-solution (L-pendulum 'm 'l 'g) (lambda (t) (* 'Omega t)))" "refuted:"]
+   ["(verify-solution (L-Kepler 'm mu) circular-orbit)" "proved:"]
+   ["(verdict-conditions verdict)" "'((= k (* m (expt omega 2))))"]
+   ["(prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))" "undecided:"]
+   ["(prove-zero (- (* 1/10 'x 3) (* 3/10 'x)))" "proved:"]))
+
+(test-case "derivatives, nested and not"
+  (check-answers
+   ["((D (lambda (x) (* x (sin x)))) 'x)" "(+ (* x (cos x)) (sin x))"]
+   ["((D g) 'x)" "1"]
+   ["(naive-derivative naive-g 3)" "2"]
+   ["((slope (slope cube)) 'y)" "(* 6 y)"]))
+
+(test-case "structures"
+  (check-answers
+   ["(* (down 1 2) (up 1 2 3))" "(up (down 1 2) (down 2 4) (down 3 6))"]
+   ["(* (down 'p_x 'p_y) (up 'v_x 'v_y))" "(+ (* p_x v_x) (* p_y v_y))"]
+   ["(ref (up 1 2) 5)" "ref: index 5 is outside an up tuple of 2"]))
+
+;; ---------------------------------------------------------------------------
+;; Names shared with other libraries
+
+;; Can a module that requires mechanics and this be expanded?
+(define (fit-together? requirement)
+  (parameterize ([current-namespace (make-base-namespace)])
+    (with-handlers ([exn:fail:syntax? (lambda (e) #f)])
+      (expand `(module sample racket/base (require mechanics ,requirement)))
+      #t)))
+
+(test-case "what the manual says to write settles a clash of names"
+  (for ([library '(racket/math racket/function racket/contract)])
+    (define names (shared-names 'mechanics library))
+    (check-false (null? names))
+    (check-false (fit-together? library))
+    (check-true (fit-together? `(except-in ,library ,@names)))
+    (check-true (string-contains? text (format "~s" `(except-in ,library ,@names))))))
+
+(test-case "libraries that share no names need nothing"
+  (check-equal? (shared-names 'mechanics 'racket/list) '())
+  (check-true (fit-together? 'racket/list)))
+
+;; ---------------------------------------------------------------------------
+;; The session in the README
+
+;; ((input . output) ...): what follows an indented `>`, and the indented lines
+;; after it.
+(define (interactions lines)
+  (define start (dropf lines (lambda (l) (not (string-prefix? l "    > ")))))
+  (cond [(null? start) '()]
+        [else
+         (define-values (more rest)
+           (splitf-at (cdr start) (lambda (l) (regexp-match? #rx"^    [^>]" l))))
+         (define port
+           (open-input-string (string-join (cons (substring (car start) 6) more) "\n")))
+         (define input (read port))
+         (cons (cons input (words (port->string port))) (interactions rest))]))
+
+;; What the prompt prints after that form.
+(define (answer session form)
+  (define value (session form))
+  (call-in-sandbox-context
+   session
+   (lambda ()
+     (define port (open-output-string))
+     (parameterize ([current-output-port port])
+       ((current-print) value))
+     (words (get-output-string port)))))
+
+(test-case "the README shows what the prompt prints"
+  (define session (make-session))
+  (define shown (interactions (file->lines readme)))
+  (check-true (> (length shown) 5))
+  (for ([s (in-list shown)])
+    (check-equal? (answer session (car s)) (cdr s) (format "~s" (car s))))
+  (kill-evaluator session))
