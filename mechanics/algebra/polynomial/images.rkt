@@ -27,10 +27,12 @@
   (define inverse (make-fxvector (ring-size R) 0))
   (for ([i (in-list variables)])
     (fxvector-set! inverse i (mod-inverse (fxvector-ref point i) P)))
-  (define p-images (images R p variables point inverse P))
-  (define q-images (images R q variables point inverse P))
+  (define-values (p-images p-degrees) (images R p variables point inverse P))
+  (define-values (q-images q-degrees) (images R q variables point inverse P))
   (for/list ([i (in-list variables)])
-    (bound (vector-ref p-images i) (vector-ref q-images i) P)))
+    (bound (vector-ref p-images i) (fxvector-ref p-degrees i)
+           (vector-ref q-images i) (fxvector-ref q-degrees i)
+           P)))
 
 (define (sample-point R seed P)
   (define point (make-fxvector (ring-size R)))
@@ -39,9 +41,7 @@
   point)
 
 ;; Images whose leading coefficients both vanished prove nothing.
-(define (bound a b P)
-  (define a-top (fx- (fxvector-length a) 1))
-  (define b-top (fx- (fxvector-length b) 1))
+(define (bound a a-top b b-top P)
   (cond [(and (eq? 0 (fxvector-ref a a-top)) (eq? 0 (fxvector-ref b b-top)))
          (min a-top b-top)]
         [else
@@ -52,43 +52,38 @@
 ;; ---------------------------------------------------------------------------
 ;; Images
 
-;; A vector by variable, of dense images for the listed ones and #f for others.
+;; -> images degrees.  A vector by variable, of dense images for the listed ones
+;; and #f for others; and the degrees of p, a fxvector.  A term is put at its
+;; degree in the variables it has; at the end every image gets the total of all
+;; terms at degree 0, so there this one is taken off.
 (define (images R p variables point inverse P)
-  (define terms (for/list ([t (in-list p)]) (monomial-factors R (car t))))
-  (define result (blank-images R terms variables))
-  (define total
-    (for/fold ([total 0]) ([t (in-list p)] [factors (in-list terms)])
-      (define value (term-value (modulo (cdr t) P) factors point P))
-      (add-term! result factors value inverse P)
-      (mod+ total value P)))
-  (for ([i (in-list variables)])
-    (add-at! (vector-ref result i) 0 total P))
-  result)
-
-;; Zero images, as long as the degrees ask.
-(define (blank-images R terms variables)
   (define degrees (make-fxvector (ring-size R) 0))
-  (for* ([factors (in-list terms)] [f (in-list factors)])
-    (when (fx> (cdr f) (fxvector-ref degrees (car f)))
-      (fxvector-set! degrees (car f) (cdr f))))
-  (define result (make-vector (ring-size R) #f))
-  (for ([i (in-list variables)])
-    (vector-set! result i (make-fxvector (fx+ 1 (fxvector-ref degrees i)) 0)))
-  result)
-
-;; Put a term at its degree in the variables it has.  At the end every image
-;; gets the total of all terms at degree 0, so there this one is taken off.
-(define (add-term! images factors value inverse P)
-  (for ([f (in-list factors)])
-    (define image (vector-ref images (car f)))
+  (define images (blank-images R p variables))
+  (define (multiply i e value)
+    (mod* value (mod-expt (fxvector-ref point i) e P) P))
+  (define (put! i e value)
+    (define image (vector-ref images i))
     (when image
-      (define power (mod-expt (fxvector-ref inverse (car f)) (cdr f) P))
-      (add-at! image (cdr f) (mod* value power P) P)
-      (add-at! image 0 (fx- P value) P))))
+      (when (fx> e (fxvector-ref degrees i)) (fxvector-set! degrees i e))
+      (define share (mod* value (mod-expt (fxvector-ref inverse i) e P) P))
+      (add-at! image e share P)
+      (add-at! image 0 (fx- P value) P))
+    value)
+  (define total
+    (for/fold ([total 0]) ([t (in-list p)])
+      (define value (monomial-fold R (car t) multiply (modulo (cdr t) P)))
+      (mod+ total (monomial-fold R (car t) put! value) P)))
+  (for ([i (in-list variables)])
+    (add-at! (vector-ref images i) 0 total P))
+  (values images degrees))
 
-(define (term-value c factors point P)
-  (for/fold ([value c]) ([f (in-list factors)])
-    (mod* value (mod-expt (fxvector-ref point (car f)) (cdr f) P) P)))
+;; No variable has a degree above the total one.
+(define (blank-images R p variables)
+  (define length (+ 1 (monomial-degree R (caar p))))
+  (define images (make-vector (ring-size R) #f))
+  (for ([i (in-list variables)])
+    (vector-set! images i (make-fxvector length 0)))
+  images)
 
 (define (add-at! image e value P)
-  (fxvector-set! image e (fxremainder (fx+ (fxvector-ref image e) value) P)))
+  (fxvector-set! image e (mod+ (fxvector-ref image e) value P)))

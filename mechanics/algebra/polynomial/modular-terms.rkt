@@ -43,6 +43,9 @@
 ;; The value of a monomial, leaving out the variable `skip`.
 ;; point : fxvector of residues by variable
 (define (monomial-value R m skip point P)
-  (for/fold ([value 1]) ([f (in-list (monomial-factors R m))]
-                         #:unless (eq? (car f) skip))
-    (mod* value (mod-expt (fxvector-ref point (car f)) (cdr f) P) P)))
+  (monomial-fold R m
+                 (lambda (i e value)
+                   (if (eq? i skip)
+                       value
+                       (mod* value (mod-expt (fxvector-ref point i) e P) P)))
+                 1))

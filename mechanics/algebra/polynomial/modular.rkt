@@ -56,13 +56,12 @@
   (if (> (* 2 c) modulus) (- c modulus) c))
 
 (define (mod-expt base k P)
-  (let loop ([base base] [k k] [value 1])
-    (cond [(eq? k 0) value]
-          [(eq? k 1) (mod* value base P)]
-          [else
-           (loop (mod* base base P)
-                 (fxrshift k 1)
-                 (if (eq? 1 (fxand k 1)) (mod* value base P) value))])))
+  (cond [(eq? k 1) base]
+        [(eq? k 0) 1]
+        [else
+         (define root (mod-expt base (fxrshift k 1) P))
+         (define square (mod* root root P))
+         (if (eq? 1 (fxand k 1)) (mod* square base P) square)]))
 
 ;; The inverse of a nonzero residue, by Euclid's algorithm.
 (define (mod-inverse a P)

@@ -26,7 +26,8 @@
  variable-unit variable-monomial variable-power
  exponents->monomial factors->monomial
  ;; exponents of monomials
- monomial-degree monomial-exponent monomial-exponents monomial-factors
+ monomial-degree monomial-exponent monomial-exponents
+ monomial-factors monomial-fold
  monomial-part monomial-gcd
  ;; tables keyed by monomials
  make-monomial-hash)
@@ -153,22 +154,26 @@
         [(fixnum? (cdr m)) (cdr m)]
         [else (monomial-word (cdr m) (fx- w 1))]))
 
-;; The variables that occur: ((index . exponent) ...) by ascending index.  Costs
-;; one step a variable occurring and one a word, not one a variable of the ring.
-(define (monomial-factors R m)
+;; Fold over the variables that occur, by ascending index:
+;; (combine index exponent result).  Costs one step a variable occurring and one
+;; a word, not one a variable of the ring.
+(define (monomial-fold R m combine result)
   (define bits (ring-bits R))
   (define lasts (ring-lasts R))
-  (let next-word ([m m] [w 0])
-    (define last (vector-ref lasts w))
-    (let next-field ([rest (if (eq? w 0) (below-degree R m) (monomial-head m))])
-      (cond [(eq? rest 0)
-             (if (fixnum? m) '() (next-word (cdr m) (fx+ w 1)))]
-            [else
-             (define k (fxquotient (fx- (integer-length rest) 1) bits))
-             (define shift (fx* k bits))
-             (define e (fxrshift rest shift))
-             (cons (cons (fx- last k) e)
-                   (next-field (fx- rest (fxlshift e shift))))]))))
+  (let next-field ([rest (below-degree R m)] [m m] [w 0] [result result])
+    (cond [(not (eq? rest 0))
+           (define k (fxquotient (fx- (integer-length rest) 1) bits))
+           (define shift (fx* k bits))
+           (define e (fxrshift rest shift))
+           (next-field (fx- rest (fxlshift e shift)) m w
+                       (combine (fx- (vector-ref lasts w) k) e result))]
+          [(fixnum? m) result]
+          [else
+           (next-field (monomial-head (cdr m)) (cdr m) (fx+ w 1) result)])))
+
+;; ((index . exponent) ...) of the variables that occur, by ascending index.
+(define (monomial-factors R m)
+  (reverse (monomial-fold R m (lambda (i e factors) (cons (cons i e) factors)) '())))
 
 ;; The first word without the total degree.
 (define (below-degree R m)
@@ -178,8 +183,7 @@
 
 (define (monomial-exponents R m)
   (define v (make-vector (ring-size R) 0))
-  (for ([f (in-list (monomial-factors R m))])
-    (vector-set! v (car f) (cdr f)))
+  (monomial-fold R m (lambda (i e _) (vector-set! v i e)) (void))
   v)
 
 ;; A procedure from monomials to their parts in the given variables.
