@@ -7,6 +7,7 @@
          "value/constants.rkt" "value/function.rkt" "value/linear.rkt" "value/matrix.rkt"
          "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt"
          (except-in "value/structure.rkt" up down)
+         "value/vector.rkt"
          "calculus/derivative.rkt" "calculus/literal-function.rkt" "calculus/verdict.rkt"
          "algebra/datum.rkt"
          "lang/pattern.rkt")
@@ -33,6 +34,7 @@
  ;; structures
  up down up? down? structure? structure-orientation
  ref component s:ref s:length s:dimension dimension
+ (rename-out [tuple-vector-ref vector-ref] [tuple-vector-length vector-length])
  structure->vector structure->list vector->up vector->down list->up list->down
  s:generate s:map s:map/r s:fold flip s:same s:opposite
  compatible-shape compatible-zero dual-zero zero-like

@@ -116,6 +116,19 @@ tuple counts as 1. @racket[dimension] is another name of @racket[s:dimension].
 (s:length (up 't (up 'x 'y)))
 (dimension (up 't (up 'x 'y)))]}
 
+@deftogether[(@defproc[(vector-ref [s tuple] [i exact-nonnegative-integer?]) value]
+              @defproc[(vector-length [s tuple]) exact-nonnegative-integer?])]{
+
+Racket's procedures, which also accept structures: the book takes local tuples of
+any length apart with them.
+
+@examples[#:eval session
+(vector-ref (up 't 'q 'v) 1)
+(vector-length (up 't 'q 'v))
+(vector-length #(1 2))]
+
+@sicm{1.9, p. 96}}
+
 @deftogether[(@defproc[(structure->vector [s tuple]) vector?]
               @defproc[(structure->list [s tuple]) list?])]{
 
