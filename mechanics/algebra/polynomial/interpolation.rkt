@@ -9,28 +9,38 @@
 
 (require racket/fixnum "modular.rkt")
 
-(provide newton-coefficients solve-power-sums)
+(provide make-newton solve-power-sums)
 
-;; -> fxvector of the coefficients by ascending degree.
-;; points, values : fxvectors of equal length, the points distinct
-(define (newton-coefficients points values P)
-  (define n (fxvector-length points))
-  (define differences (divided-differences points values P))
-  (define result (make-fxvector n 0))
-  ;; Horner from the last difference: result := result (z - pointᵢ) + differenceᵢ
-  (for ([i (in-range (fx- n 1) -1 -1)])
-    (multiply-by-root! result (fx- n i 1) (fxvector-ref points i) P)
-    (fxvector-set! result 0 (mod+ (fxvector-ref result 0) (fxvector-ref differences i) P)))
-  result)
+;; A procedure from values at the points, a list, to the coefficients by
+;; ascending degree, a fxvector.
+;; points : list of distinct residues
+(define (make-newton points P)
+  (define xs (apply fxvector points))
+  (define n (fxvector-length xs))
+  (define inverses (inverse-distances xs P))
+  (lambda (values)
+    (define differences (apply fxvector values))
+    (divided-differences! differences inverses P)
+    ;; Horner from the last difference: result := result (z - xᵢ) + differenceᵢ
+    (define result (make-fxvector n 0))
+    (for ([i (in-range (fx- n 1) -1 -1)])
+      (multiply-by-root! result (fx- n i 1) (fxvector-ref xs i) P)
+      (fxvector-set! result 0
+                     (mod+ (fxvector-ref result 0) (fxvector-ref differences i) P)))
+    result))
 
-(define (divided-differences points values P)
-  (define d (fxvector-copy values))
+;; Vector by i of fxvectors by j < i of 1/(xᵢ - xⱼ).
+(define (inverse-distances xs P)
+  (for/vector #:length (fxvector-length xs) ([x (in-fxvector xs)] [i (in-naturals)])
+    (for/fxvector #:length i ([y (in-fxvector xs)] [j (in-range i)])
+      (mod-inverse (mod- x y P) P))))
+
+(define (divided-differences! d inverses P)
   (define n (fxvector-length d))
   (for* ([k (in-range 1 n)] [i (in-range (fx- n 1) (fx- k 1) -1)])
     (define rise (mod- (fxvector-ref d i) (fxvector-ref d (fx- i 1)) P))
-    (define run (mod- (fxvector-ref points i) (fxvector-ref points (fx- i k)) P))
-    (fxvector-set! d i (mod* rise (mod-inverse run P) P)))
-  d)
+    (define inverse (fxvector-ref (vector-ref inverses i) (fx- i k)))
+    (fxvector-set! d i (mod* rise inverse P))))
 
 ;; v, of degree below k, times (z - root), in place.
 (define (multiply-by-root! v k root P)

@@ -1,13 +1,15 @@
 #lang racket/base
 ;; Moving polynomials between rings of the same variables.
 
-(require "ring.rkt" "arithmetic.rkt")
+(require "monomial.rkt" "ring.rkt")
 
 (provide rering)
 
 ;; The polynomial p of the ring `from`, in the ring `to`.
 (define (rering from to p)
-  (if (eq? from to)
-      p
-      (for/list ([t (in-list p)])
-        (cons (factors->monomial to (monomial-factors from (car t))) (cdr t)))))
+  (define (times i e m) (monomial+ m (variable-power to i e)))
+  (cond [(eq? from to) p]
+        [else
+         (unless (null? p) (check-degree to (monomial-degree from (caar p))))
+         (for/list ([t (in-list p)])
+           (cons (monomial-fold from (car t) times (ring-one to)) (cdr t)))]))

@@ -20,8 +20,8 @@
 (provide
  ;; rings
  make-ring ring? ring-size ring-max-degree ring-one ring-guards
- (struct-out exn:algebra:degree-overflow) raise-degree-overflow
- check-monomial check-power
+ (struct-out exn:algebra:degree-overflow)
+ check-degree check-monomial check-power
  ;; monomials from exponents
  variable-unit variable-monomial variable-power
  exponents->monomial factors->monomial
@@ -99,17 +99,18 @@
           (current-continuation-marks)
           degree (ring-max-degree R))))
 
+(define (check-degree R degree)
+  (unless (<= degree (ring-max-degree R)) (raise-degree-overflow R degree)))
+
 ;; m, a monomial or a product of two, when it is a monomial of the ring.
 (define (check-monomial R m)
-  (define degree (monomial-degree R m))
-  (if (fx<= degree (ring-max-degree R)) m (raise-degree-overflow R degree)))
+  (check-degree R (monomial-degree R m))
+  m)
 
 ;; m^k, checked.
 (define (check-power R m k)
-  (define degree (* k (monomial-degree R m)))
-  (if (<= degree (ring-max-degree R))
-      (monomial-power m k)
-      (raise-degree-overflow R degree)))
+  (check-degree R (* k (monomial-degree R m)))
+  (monomial-power m k))
 
 ;; ---------------------------------------------------------------------------
 ;; Monomials from exponents

@@ -1,106 +1,163 @@
 #lang racket/base
 ;; A gcd modulo P when its monomials are known: the heart of Zippel's method.
 ;;
-;; Let h = Σ cₛ s over known monomials s = xⁱ y^f, with unknown residues cₛ.  At
-;; the points y = (r₁ᵗ, r₂ᵗ, ...), t = 1, 2, ..., Euclid gives the univariate
-;; gcd of the images of p and q, and scaled to the known leading coefficient
-;; γ(y) it is the image of h.  The coefficient of xⁱ at the t-th point is
-;; Σ cₛ mₛᵗ with mₛ = r^f: power sums in the unknowns of one power of x, solved
-;; by interpolation.rkt.  As many points are needed as one power of x has
-;; monomials, at most.
+;; Let h = Σ cₛ s over known monomials s = xⁱ z^f, with unknown residues cₛ, and
+;; z all variables but x.  At the points z = (r₁ᵗ, r₂ᵗ, ...), t = 1, 2, ...,
+;; Euclid gives the univariate gcd of the images of p and q; scaled to the known
+;; leading coefficient γ it is the image of h.  The coefficient of xⁱ at the t-th
+;; point is Σ cₛ mₛᵗ with mₛ = r^f: power sums in the unknowns of one power of x,
+;; solved by interpolation.rkt.  As many points are needed as one power of x
+;; has monomials, at most.
 ;;
-;; The value of a term at the next point is its value at this one times its own
-;; constant: a *track* holds these two numbers for all terms of a polynomial.
+;; The same is wanted for several values of one more variable y that p, q and γ
+;; have.  A *bundle* makes one polynomial ready for that: its terms without y,
+;; each with its power of x and its constant m = r^f, and by powers of y the
+;; coefficients.  Given y, a term has a number, and from one point to the next
+;; that number is multiplied by m.
 
-(require racket/fixnum "monomial.rkt" "ring.rkt" "modular.rkt" "modular-terms.rkt" "interpolation.rkt")
+(require racket/fixnum "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt"
+         "modular.rkt" "modular-terms.rkt" "interpolation.rkt")
 
-(provide skeleton-gcd)
-
-;; The polynomial h modulo P, or #f when the images do not fit: another degree
-;; in x than expected, a power of x the skeleton lacks, points that agree.
-;; p, q, lead : terms modulo P; monomials : those of h
-(define (skeleton-gcd R x p q lead monomials expected-degree point P)
-  (define powers (group-by-power R x monomials))
-  (define count (for/fold ([n 0]) ([g (in-list powers)]) (max n (length (cdr g)))))
-  (define p-track (make-track R x p point P))
-  (define q-track (make-track R x q point P))
-  (define lead-track (make-track R x lead point P))
-  (define sums
-    (for/list ([g (in-list powers)]) (make-fxvector count 0)))
-  (and (for/and ([t (in-range count)])
-         (define-values (a a-degree) (next-image! p-track P))
-         (define-values (b b-degree) (next-image! q-track P))
-         (define-values (c c-degree) (next-image! lead-track P))
-         (define-values (g degree) (univariate-gcd! a a-degree b b-degree P))
-         (and (eqv? degree expected-degree)
-              (eq? c-degree 0)
-              (begin (univariate-make-leading! g degree (fxvector-ref c 0) P) #t)
-              (record-image! g degree powers sums t)))
-       (solve R x powers sums point P)))
-
-;; ((power of x . monomials) ...) by decreasing power
-(define (group-by-power R x monomials)
-  (define table (make-hasheqv))
-  (for ([m (in-list monomials)])
-    (define e (monomial-exponent R m x))
-    (hash-set! table e (cons m (hash-ref table e '()))))
-  (for/list ([e (in-list (sort (hash-keys table) >))])
-    (cons e (hash-ref table e))))
-
-;; Store the coefficients of an image as the t-th sums; #f when it has a power
-;; of x that should not be there.
-(define (record-image! g degree powers sums t)
-  (let loop ([e degree] [powers powers] [sums sums])
-    (cond [(fx< e 0) #t]
-          [(and (pair? powers) (eq? e (caar powers)))
-           (fxvector-set! (car sums) t (fxvector-ref g e))
-           (loop (fx- e 1) (cdr powers) (cdr sums))]
-          [else (and (eq? 0 (fxvector-ref g e))
-                     (loop (fx- e 1) powers sums))])))
-
-(define (solve R x powers sums point P)
-  (define solved
-    (for/list ([g (in-list powers)] [s (in-list sums)])
-      (define ms
-        (for/fxvector #:length (length (cdr g)) ([m (in-list (cdr g))])
-          (monomial-value R m x point P)))
-      (define cs (solve-power-sums ms s P))
-      (and cs
-           (for/list ([m (in-list (cdr g))] [c (in-fxvector cs)] #:unless (eq? c 0))
-             (cons m c)))))
-  (and (andmap values solved)
-       (sort (apply append solved) monomial>? #:key car)))
+(provide make-skeleton skeleton-terms skeleton-coefficients
+         make-bundle)
 
 ;; ---------------------------------------------------------------------------
-;; Tracks
+;; Skeletons
 
-;; exponents : power of x of every term; values, factors : fxvectors;
-;; image : scratch as long as the degree in x asks
-(struct track (exponents values factors image)
+;; terms : group after group, a term with every monomial of h
+;; groups : list of (power of x . fxvector of the constants mₛ), by decreasing power
+;; count : how many points are needed
+(struct skeleton (terms groups count)
   #:authentic)
 
-(define (make-track R x terms point P)
-  (define n (length terms))
-  (define exponents
-    (for/fxvector #:length n ([t (in-list terms)]) (monomial-exponent R (car t) x)))
-  (define factors
-    (for/fxvector #:length n ([t (in-list terms)]) (monomial-value R (car t) x point P)))
-  (define values
-    (for/fxvector #:length n ([t (in-list terms)]) (cdr t)))
-  (define degree (for/fold ([d 0]) ([e (in-fxvector exponents)]) (fxmax d e)))
-  (track exponents values factors (make-fxvector (fx+ degree 1) 0)))
+;; From terms whose monomials are those of h.
+(define (make-skeleton R x terms point P)
+  (define by-power (poly-coefficients R terms x))
+  (define groups
+    (for/list ([c (in-list by-power)])
+      (cons (car c)
+            (for/fxvector #:length (length (cdr c)) ([t (in-list (cdr c))])
+              (monomial-value R (car t) x point P)))))
+  (skeleton (apply append
+                   (for/list ([c (in-list by-power)])
+                     (shift-terms (variable-power R x (car c)) 1 (cdr c))))
+            groups
+            (for/fold ([n 0]) ([g (in-list groups)])
+              (max n (fxvector-length (cdr g))))))
 
-;; -> image degree.  Moves to the next point; the image is overwritten by the
-;; next call.
-(define (next-image! k P)
-  (define exponents (track-exponents k))
-  (define values* (track-values k))
-  (define factors (track-factors k))
-  (define image (track-image k))
-  (for ([i (in-range (fxvector-length image))]) (fxvector-set! image i 0))
-  (for ([i (in-range (fxvector-length values*))])
-    (define v (mod* (fxvector-ref values* i) (fxvector-ref factors i) P))
-    (define e (fxvector-ref exponents i))
-    (fxvector-set! values* i v)
-    (fxvector-set! image e (mod+ (fxvector-ref image e) v P)))
-  (values image (univariate-degree image (fx- (fxvector-length image) 1))))
+;; The coefficients of h at y = value, a list in the order of the terms; or #f
+;; when the images do not fit: another degree in x than expected, a power of x
+;; the skeleton lacks, constants that agree.
+;; p, q, lead : bundles
+(define (skeleton-coefficients s p q lead value expected-degree P)
+  (define groups (skeleton-groups s))
+  (define count (skeleton-count s))
+  (define sums (for/list ([g (in-list groups)]) (make-fxvector count 0)))
+  (define next-p (bundle-images p value P))
+  (define next-q (bundle-images q value P))
+  (define next-lead (bundle-images lead value P))
+  (and (for/and ([t (in-range count)])
+         (record-image! (scaled-gcd (next-p) (next-q) (next-lead) expected-degree P)
+                        expected-degree groups sums t))
+       (solve groups sums P)))
+
+;; The monic gcd of two images times the constant image, if of this degree.
+(define (scaled-gcd a b c expected-degree P)
+  (define-values (g degree)
+    (univariate-gcd! a (univariate-degree a (fx- (fxvector-length a) 1))
+                     b (univariate-degree b (fx- (fxvector-length b) 1))
+                     P))
+  (define lead (fxvector-ref c 0))
+  (and (eqv? degree expected-degree)
+       (not (eq? lead 0))
+       (begin (univariate-make-leading! g degree lead P) g)))
+
+;; Store the coefficients of an image as the t-th sums; #f when it is not there
+;; or has a power of x that it should not have.
+(define (record-image! g degree groups sums t)
+  (let loop ([e degree] [groups groups] [sums sums])
+    (cond [(not g) #f]
+          [(fx< e 0) #t]
+          [(and (pair? groups) (eq? e (caar groups)))
+           (fxvector-set! (car sums) t (fxvector-ref g e))
+           (loop (fx- e 1) (cdr groups) (cdr sums))]
+          [else (and (eq? 0 (fxvector-ref g e))
+                     (loop (fx- e 1) groups sums))])))
+
+(define (solve groups sums P)
+  (define solved
+    (for/list ([g (in-list groups)] [s (in-list sums)])
+      (solve-power-sums (cdr g) s P)))
+  (and (andmap values solved)
+       (for*/list ([cs (in-list solved)] [c (in-fxvector cs)]) c)))
+
+;; ---------------------------------------------------------------------------
+;; Bundles
+
+;; exponents, constants : fxvectors by term without y; degree : in x
+;; parts : list of part
+(struct bundle (exponents constants degree parts)
+  #:authentic)
+
+;; The coefficients at y^power; places : fxvectors of the terms they belong to
+(struct part (power places coefficients)
+  #:authentic)
+
+;; y : #f for none
+(define (make-bundle R x y terms point P)
+  (define coefficients
+    (if y (poly-coefficients R terms y) (list (cons 0 terms))))
+  (define all (union-of-monomials R (map cdr coefficients)))
+  (define n (length all))
+  (define exponents
+    (for/fxvector #:length n ([m (in-list all)]) (monomial-exponent R m x)))
+  (bundle exponents
+          (for/fxvector #:length n ([m (in-list all)]) (monomial-value R m x point P))
+          (for/fold ([d 0]) ([e (in-fxvector exponents)]) (fxmax d e))
+          (for/list ([c (in-list coefficients)])
+            (make-part (car c) (cdr c) all))))
+
+;; All monomials of several polynomials, in decreasing order.
+(define (union-of-monomials R ps)
+  (define (ones p) (for/list ([t (in-list p)]) (cons (car t) 1)))
+  (map car (poly-sum R (map ones ps))))
+
+(define (make-part power terms all)
+  (define n (length terms))
+  (define places (make-fxvector n))
+  (for/fold ([all all] [place 0] #:result (void)) ([t (in-list terms)] [i (in-naturals)])
+    (define-values (rest found)
+      (let find ([all all] [place place])
+        (if (monomial=? (car all) (car t))
+            (values all place)
+            (find (cdr all) (fx+ place 1)))))
+    (fxvector-set! places i found)
+    (values rest found))
+  (part power places
+        (for/fxvector #:length n ([t (in-list terms)]) (cdr t))))
+
+;; -> a procedure that returns, call after call, the images at the next point.
+;; They share one fxvector, which the caller may destroy.
+(define (bundle-images b value P)
+  (define exponents (bundle-exponents b))
+  (define constants (bundle-constants b))
+  (define numbers (bundle-numbers b value P))
+  (define image (make-fxvector (fx+ 1 (bundle-degree b)) 0))
+  (lambda ()
+    (for ([i (in-range (fxvector-length image))]) (fxvector-set! image i 0))
+    (for ([i (in-range (fxvector-length numbers))])
+      (define v (mod* (fxvector-ref numbers i) (fxvector-ref constants i) P))
+      (define e (fxvector-ref exponents i))
+      (fxvector-set! numbers i v)
+      (fxvector-set! image e (mod+ (fxvector-ref image e) v P)))
+    image))
+
+;; The terms' coefficients at y = value.
+(define (bundle-numbers b value P)
+  (define numbers (make-fxvector (fxvector-length (bundle-exponents b)) 0))
+  (for ([k (in-list (bundle-parts b))])
+    (define power (mod-expt value (part-power k) P))
+    (for ([place (in-fxvector (part-places k))] [c (in-fxvector (part-coefficients k))])
+      (fxvector-set! numbers place
+                     (fxremainder (fx+ (fxvector-ref numbers place) (fx* c power)) P))))
+  numbers)

@@ -45,8 +45,8 @@
 ;; The variable whose leading coefficients have fewest terms.
 (define (choose-main R p q variables)
   (define (cost x)
-    (min (poly-term-count (leading-coefficient-in R p x))
-         (poly-term-count (leading-coefficient-in R q x))))
+    (min (length (leading-coefficient-in R p x))
+         (length (leading-coefficient-in R q x))))
   (for/fold ([best (car variables)] [least (cost (car variables))] #:result best)
             ([x (in-list (cdr variables))])
     (define c (cost x))
@@ -56,7 +56,12 @@
 (define (integer-gcd R p q gcd-of)
   (poly-scale R (gcd (poly-content p) (poly-content q)) (gcd-of (list p q))))
 
-(define (leading-coefficient-in R p x) (cdar (poly-coefficients R p x)))
+(define (leading-coefficient-in R p x)
+  (define degree (poly-degree R p x))
+  (define power (variable-power R x degree))
+  (for/list ([t (in-list p)]
+             #:when (eq? degree (monomial-exponent R (car t) x)))
+    (cons (monomial- (car t) power) (cdr t))))
 
 ;; ---------------------------------------------------------------------------
 ;; From residues to integers
@@ -108,78 +113,89 @@
 ;; h modulo P, or #f.  `known` is h modulo other primes, '() at first: once it
 ;; is there its monomials are the skeleton for all variables at once.
 (define (problem-image k P known)
-  (define R (problem-ring k))
-  (define (residues p) (terms-mod p P))
-  (define p (residues (problem-p k)))
-  (define q (residues (problem-q k)))
-  (define lead (residues (problem-lead k)))
+  (define p (terms-mod (problem-p k) P))
+  (define q (terms-mod (problem-q k) P))
+  (define lead (terms-mod (problem-lead k) P))
   (if (null? known)
       (restore k p q lead
                (reverse (problem-others k)) (reverse (problem-other-degrees k)) P)
-      (skeleton-gcd R (problem-x k) p q lead (map car known) (problem-degree k)
-                    (make-point k P 1) P)))
+      (image-over k p q lead known P)))
 
-;; h over x and the given variables, last restored first in the list.
+;; h over x and the given variables; the first is the last to be restored.
 (define (restore k p q lead variables degrees P)
-  (define R (problem-ring k))
-  (cond [(null? variables)
-         (define x (problem-x k))
-         (skeleton-gcd R x p q lead
-                       (for/list ([e (in-range (+ 1 (problem-degree k)))])
-                         (variable-power R x e))
-                       (problem-degree k) (make-point k P 1) P)]
+  (cond [(null? variables) (image-over k p q lead (all-powers k) P)]
         [else
          (define y (car variables))
          (define alpha (sample-residue (problem-seed k) y P))
-         (define first-image
-           (restore k (put-mod R p y alpha P) (put-mod R q y alpha P)
-                    (put-mod R lead y alpha P)
-                    (cdr variables) (cdr degrees) P))
-         (and first-image
-              (restore-one k p q lead y alpha first-image (car degrees) P))]))
+         (define (put p) (put-mod (problem-ring k) p y alpha P))
+         (define image
+           (restore k (put p) (put q) (put lead) (cdr variables) (cdr degrees) P))
+         (and image
+              (restore-one k p q lead y alpha image (car degrees) P))]))
+
+;; Terms with all powers of x that h may have.
+(define (all-powers k)
+  (for/list ([e (in-range (problem-degree k) -1 -1)])
+    (cons (variable-power (problem-ring k) (problem-x k) e) 1)))
+
+;; h when its monomials are those of `known`.
+(define (image-over k p q lead known P)
+  (define-values (s coefficients-at) (prepare k p q lead #f known P))
+  (define coefficients (coefficients-at 0))
+  (and coefficients
+       (sort-terms (for/list ([t (in-list (skeleton-terms s))]
+                              [c (in-list coefficients)]
+                              #:unless (eq? c 0))
+                     (cons (car t) c)))))
 
 ;; h with the variable y, from its image at y = alpha and more of them.
-(define (restore-one k p q lead y alpha first-image degree P)
-  (define R (problem-ring k))
-  (define monomials (map car first-image))
+(define (restore-one k p q lead y alpha image degree P)
+  (define-values (s coefficients-at) (prepare k p q lead y image P))
   (define points
-    (for/fxvector #:length (+ degree 1) ([j (in-range (+ degree 1))])
-      (if (eqv? j 0) alpha (sample-residue (+ 1000 (problem-seed k)) (+ j (* 64 y)) P))))
-  (define images
-    (let loop ([j 1] [images (list first-image)])
-      (cond [(> j degree) (reverse images)]
-            [else
-             (define b (fxvector-ref points j))
-             (define image
-               (skeleton-gcd R (problem-x k)
-                             (put-mod R p y b P) (put-mod R q y b P) (put-mod R lead y b P)
-                             monomials (problem-degree k) (make-point k P (+ j 1)) P))
-             (and image (loop (+ j 1) (cons image images)))])))
-  (and images (interpolate R y monomials points images P)))
+    (for/list ([j (in-range degree)])
+      (sample-residue (+ 1000 (problem-seed k)) (+ j (* 64 y)) P)))
+  (define images (map-or-false coefficients-at points))
+  (and images
+       (interpolate (problem-ring k) y (skeleton-terms s) (cons alpha points)
+                    (cons (map cdr (skeleton-terms s)) images)
+                    P)))
 
-;; Newton's interpolation of every coefficient.
-(define (interpolate R y monomials points images P)
-  (define tables (for/list ([image (in-list images)]) (make-hash image)))
-  (define terms
-    (for*/list ([m (in-list monomials)]
-                [coefficients
-                 (in-value
-                  (newton-coefficients
-                   points
-                   (for/fxvector #:length (length tables) ([t (in-list tables)])
-                     (hash-ref t m 0))
-                   P))]
-                [(c e) (in-indexed-fxvector coefficients)]
-                #:unless (eq? c 0))
-      (cons (monomial+ m (variable-power R y e)) c)))
-  (sort terms monomial>? #:key car))
-
-(define (in-indexed-fxvector v)
-  (in-parallel (in-fxvector v) (in-naturals)))
+;; -> skeleton, and a procedure from values of y to the coefficients there.
+(define (prepare k p q lead y known P)
+  (define R (problem-ring k))
+  (define x (problem-x k))
+  (define point (make-point k P))
+  (define s (make-skeleton R x known point P))
+  (define (bundle p) (make-bundle R x y p point P))
+  (define-values (p* q* lead*) (values (bundle p) (bundle q) (bundle lead)))
+  (values s
+          (lambda (value)
+            (skeleton-coefficients s p* q* lead* value (problem-degree k) P))))
 
 ;; The bases of the power points.
-(define (make-point k P salt)
+(define (make-point k P)
   (define point (make-fxvector (ring-size (problem-ring k)) 0))
   (for ([i (in-list (problem-others k))])
-    (fxvector-set! point i (sample-residue (+ (problem-seed k) (* 17 salt)) i P)))
+    (fxvector-set! point i (sample-residue (+ 500 (problem-seed k)) i P)))
   point)
+
+;; Like map; #f as soon as f gives #f.
+(define (map-or-false f xs)
+  (if (null? xs)
+      '()
+      (let ([y (f (car xs))])
+        (and y
+             (let ([ys (map-or-false f (cdr xs))])
+               (and ys (cons y ys)))))))
+
+;; Newton's interpolation in y of every coefficient.
+;; images : one a point, lists of coefficients in the order of the terms
+(define (interpolate R y terms points images P)
+  (define coefficients-of (make-newton points P))
+  (sort-terms
+   (for*/list ([(t values) (in-parallel terms (apply map list images))]
+               [(c e) (in-parallel (in-fxvector (coefficients-of values)) (in-naturals))]
+               #:unless (eq? c 0))
+     (cons (monomial+ (car t) (variable-power R y e)) c))))
+
+(define (sort-terms terms) (sort terms monomial>? #:key car))
