@@ -69,7 +69,14 @@
    (if (null? point)
        '()
        (apply line "at:" (substitutions point)))
-   (line "value:" (zero-test-value z))))
+   (line "value:" (readable (zero-test-value z)))))
+
+;; A flonum to six digits: it is there to be seen not to be zero.
+(define (readable x)
+  (cond [(or (exact? x) (zero? x)) x]
+        [else
+         (define unit (expt 10.0 (- 5 (inexact->exact (floor (/ (log (abs x)) (log 10)))))))
+         (/ (round (* x unit)) unit)]))
 
 (define (substitutions point)
   (append*

@@ -25,7 +25,17 @@
     (check-= value (zero-test-value v) 1e-9)
     (check-true (> (abs value) 1e-6))
     (for ([entry (in-list (zero-test-witness v))])
-      (check-true (<= 1 (cdr entry) 11)))))
+      (check-true (<= 0 (cdr entry) 11)))))
+
+(test-case "a refutation of a trigonometric identity has an exact value"
+  (for ([d (in-list '((* a (- k (* m (expt omega 2))) (cos (+ (* omega t) phi)))
+                      (- (sin (theta t)) (* 2 (cos (theta t))))
+                      (* (exp (* -1 gamma t)) (+ (* b (x t)) (((expt D 2) x) t)))))])
+    (define v (verdict d))
+    (check-equal? (zero-test-status v) 'refuted)
+    (check-true (exact? (zero-test-value v)))
+    (check-equal? (evaluate-expression (datum->expression d) (point-lookup (zero-test-witness v)))
+                  (zero-test-value v))))
 
 (test-case "a literal function has one value for one argument"
   (check-equal? (status '(- (V (+ a a)) (V (* 2 a)))) 'proved)
