@@ -6,8 +6,9 @@
 ;; matrix when A is seen as acting on tuples x (SICM p. 516 and 5.2.2).
 
 (require "structure.rkt" "matrix.rkt" "linear-algebra.rkt"
-         "../generic/structure.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt")
+         (only-in "signature.rkt" scalar?)
+         "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/dispatch.rkt" "../generic/arithmetic.rkt")
 
 (provide transpose determinant trace
          solve-linear-left solve-linear-right
@@ -19,14 +20,26 @@
 (define (determinant m)
   (cond [(matrix? m) (rows-determinant (square-rows 'determinant m))]
         [(tuple? m) (rows-determinant (tuple-rows 'determinant m))]
-        [else m]))
+        [else (of-scalar-or-function generic:determinant m)]))
 
 (define (trace m)
-  (cond [(or (matrix? m) (tuple? m))
-         (define rows (if (matrix? m) (square-rows 'trace m) (tuple-rows 'trace m)))
-         (for/fold ([sum 0]) ([row (in-vector rows)] [i (in-naturals)])
-           (g:+ sum (vector-ref row i)))]
-        [else m]))
+  (cond [(matrix? m) (diagonal-sum (square-rows 'trace m))]
+        [(tuple? m) (diagonal-sum (tuple-rows 'trace m))]
+        [else (of-scalar-or-function generic:trace m)]))
+
+(define (diagonal-sum rows)
+  (for/fold ([sum 0]) ([row (in-vector rows)] [i (in-naturals)])
+    (g:+ sum (vector-ref row i))))
+
+;; A scalar is a matrix of one entry; a function is taken by its values.
+(define (of-scalar-or-function op x)
+  (cond [(scalar? x) x]
+        [(pointwise? x) (compose-unary op x)]
+        [else (raise-inapplicable op x)]))
+
+(define (generic-of-matrices name procedure) (generic-op name #f procedure '()))
+(define generic:determinant (generic-of-matrices 'determinant determinant))
+(define generic:trace (generic-of-matrices 'trace trace))
 
 ;; The components of a square tuple of tuples, each a vector.
 (define (tuple-rows who s)
@@ -38,7 +51,12 @@
 
 (define (component-vectors who s)
   (for/vector ([x (in-vector (structure-elements (structure-of who s)))])
-    (structure-elements (structure-of who x))))
+    (unless (tuple? x)
+      (raise
+       (exn:fail:contract
+        (format "~a: expected a tuple of tuples; given ~a" who (describe-with-value s))
+        (current-continuation-marks))))
+    (structure-elements (adopt x))))
 
 ;; ---------------------------------------------------------------------------
 ;; Transposition
@@ -51,10 +69,12 @@
     [(m)
      (cond [(matrix? m) (matrix (rows-transpose (matrix-rows m)))]
            [(tuple? m) (transpose-tuple (adopt m))]
-           [else m])]
+           [else (of-scalar-or-function generic:transpose m)])]
     [(ms rs)
      (define ls (compatible-shape (g:* ms rs)))
      (m->s rs (transpose (s->m ls ms rs)) ls)]))
+
+(define generic:transpose (generic-of-matrices 'transpose (lambda (m) (transpose m))))
 
 (define (transpose-tuple s)
   (define rows (component-vectors 'transpose s))

@@ -89,33 +89,68 @@
             (vector x))))
 (define (down->row-matrix s)
   (matrix (vector (structure-elements (structure-of 'down->row-matrix s)))))
-(define (column-matrix->up m) (structure 'up (column m 0)))
-(define (row-matrix->down m) (structure 'down (vector-ref (matrix-rows m) 0)))
+(define (column-matrix->up m)
+  (check-matrix 'column-matrix->up m)
+  (unless (= 1 (m:num-cols m))
+    (raise-arguments-error 'column-matrix->up "expected a matrix of one column" "matrix" m))
+  (structure 'up (column m 0)))
+(define (row-matrix->down m)
+  (check-matrix 'row-matrix->down m)
+  (unless (= 1 (m:num-rows m))
+    (raise-arguments-error 'row-matrix->down "expected a matrix of one row" "matrix" m))
+  (structure 'down (vector-ref (matrix-rows m) 0)))
 
 ;; ---------------------------------------------------------------------------
 ;; Access
 
-(define (m:num-rows m) (vector-length (matrix-rows m)))
-(define (m:num-cols m) (vector-length (vector-ref (matrix-rows m) 0)))
+(define (m:num-rows m)
+  (check-matrix 'm:num-rows m)
+  (vector-length (matrix-rows m)))
+(define (m:num-cols m)
+  (check-matrix 'm:num-cols m)
+  (vector-length (vector-ref (matrix-rows m) 0)))
 
 (define (matrix-ref m i j)
-  (unless (and (exact-nonnegative-integer? i) (exact-nonnegative-integer? j)
-               (< i (m:num-rows m)) (< j (m:num-cols m)))
+  (check-matrix 'matrix-ref m)
+  (unless (and (index-below? i (m:num-rows m)) (index-below? j (m:num-cols m)))
     (raise-arguments-error 'matrix-ref "there is no such entry"
                            "row" i "column" j "matrix" m))
   (entry m i j))
+
+(define (index-below? i n) (and (exact-nonnegative-integer? i) (< i n)))
+
+(define (check-matrix who m)
+  (unless (matrix? m)
+    (raise
+     (exn:fail:contract
+      (format "~a: expected a matrix; given ~a" who (describe-with-value m))
+      (current-continuation-marks)))))
 
 (define (entry m i j) (vector-ref (vector-ref (matrix-rows m) i) j))
 (define (column m j)
   (for/vector #:length (m:num-rows m) ([row (in-vector (matrix-rows m))]) (vector-ref row j)))
 
-(define (m:nth-row m i) (structure 'down (vector-ref (matrix-rows m) i)))
-(define (m:nth-col m j) (structure 'up (column m j)))
+(define (m:nth-row m i)
+  (check-index 'm:nth-row "row" i (m:num-rows m) m)
+  (structure 'down (vector-ref (matrix-rows m) i)))
+(define (m:nth-col m j)
+  (check-index 'm:nth-col "column" j (m:num-cols m) m)
+  (structure 'up (column m j)))
+
+(define (check-index who what i n m)
+  (unless (index-below? i n)
+    (raise-arguments-error who (format "there is no such ~a" what) what i "matrix" m)))
 
 ;; The number of rows of a square matrix.
 (define (m:dimension m) (vector-length (square-rows 'm:dimension m)))
 
+;; The rows from low-row up to but not including high-row, the columns likewise.
 (define (m:submatrix m low-row high-row low-column high-column)
+  (unless (and (index-below? low-row high-row) (<= high-row (m:num-rows m))
+               (index-below? low-column high-column) (<= high-column (m:num-cols m)))
+    (raise-arguments-error 'm:submatrix "there is no such part"
+                           "rows" (list low-row high-row) "columns" (list low-column high-column)
+                           "matrix" m))
   (m:generate (- high-row low-row) (- high-column low-column)
               (lambda (i j) (matrix-ref m (+ low-row i) (+ low-column j)))))
 
@@ -189,6 +224,7 @@
 ;; Square matrices
 
 (define (square-rows who m)
+  (check-matrix who m)
   (unless (= (m:num-rows m) (m:num-cols m))
     (raise-arguments-error who "expected a square matrix" "matrix" m))
   (matrix-rows m))

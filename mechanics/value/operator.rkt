@@ -34,6 +34,8 @@
 ;; The operator of this procedure, printing as `name`; the image of a function
 ;; prints as the application that made it.
 (define (make-operator procedure [name (procedure-datum procedure)])
+  (unless (procedure? procedure)
+    (raise-argument-error 'make-operator "a function of functions" procedure))
   (naming-images procedure (lambda () (value->datum name))))
 
 ;; One whose procedure gives its images their names itself.

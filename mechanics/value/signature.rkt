@@ -34,15 +34,16 @@
 
 ;; A function of a local tuple with n coordinates.
 (define (Lagrangian [n 1])
-  (-> (UP Real (coordinates-shape UP* n) (coordinates-shape UP* n)) Real))
+  (define coordinates (tuple-shape 'Lagrangian UP* n))
+  (-> (UP Real coordinates coordinates) Real))
 
 ;; A function of a Hamiltonian state with n coordinates and n momenta.
 (define (Hamiltonian [n 1])
-  (-> (UP Real (coordinates-shape UP* n) (coordinates-shape DOWN* n)) Real))
+  (-> (UP Real (tuple-shape 'Hamiltonian UP* n) (tuple-shape 'Hamiltonian DOWN* n)) Real))
 
-(define (coordinates-shape make n)
+(define (tuple-shape who make n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error 'Lagrangian "number of coordinates, a positive integer" n))
+    (raise-argument-error who "a number of coordinates, a positive integer" n))
   (if (= n 1) Real (make Real n)))
 
 ;; ---------------------------------------------------------------------------
@@ -56,7 +57,9 @@
      'literal-function
      "a signature has the form (-> domain range), as in (-> (X Real Real) Real)"
      "given" (value->datum d)))
-  (signature (parse-domain (cadr d)) (parse-shape (caddr d)) d))
+  (define domain (parse-domain (cadr d)))
+  (when (null? domain) (raise-bad-shape (cadr d)))
+  (signature domain (parse-shape (caddr d)) d))
 
 (define (parse-domain d)
   (cond [(and (pair? d) (eq? (car d) 'X)) (map parse-shape (cdr d))]

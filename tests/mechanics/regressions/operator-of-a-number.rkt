@@ -1,0 +1,8 @@
+#lang racket/base
+;; make-operator took a number for a procedure and failed when it was applied.
+
+(require rackunit mechanics/value/operator)
+
+(test-case "an operator is made of a function of functions"
+  (check-exn #rx"^make-operator: contract violation\n  expected: a function of functions\n  given: 3"
+             (lambda () (make-operator 3 'three))))
