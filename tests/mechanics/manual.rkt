@@ -141,10 +141,15 @@
        ((current-print) value))
      (words (get-output-string port)))))
 
+;; Which point refutes is no promise.
+(define (without-witness text)
+  (regexp-replace* #px"at: .*? value: \\S+" text "at: ..."))
+
 (test-case "the README shows what the prompt prints"
   (define session (make-session))
   (define shown (interactions (file->lines readme)))
   (check-true (> (length shown) 5))
   (for ([s (in-list shown)])
-    (check-equal? (answer session (car s)) (cdr s) (format "~s" (car s))))
+    (check-equal? (without-witness (answer session (car s))) (without-witness (cdr s))
+                  (format "~s" (car s))))
   (kill-evaluator session))
