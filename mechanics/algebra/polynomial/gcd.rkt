@@ -104,7 +104,7 @@
 ;; Finding a divisor
 
 ;; Larger integers than this many bits are left to the sparse method.
-(define heuristic-limit 3000)
+(define heuristic-limit 2500)
 
 (define (find-divisor R p q variables bounds seed)
   (or (and (eqv? seed 0)

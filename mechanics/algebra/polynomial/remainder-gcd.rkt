@@ -1,59 +1,62 @@
 #lang racket/base
 ;; Greatest common divisors by primitive remainder sequences: slow, but it
-;; always ends with the right answer.
+;; needs no luck and always ends with the right answer.
 ;;
-;; In ℚ[y...][x] a pseudo-remainder r = lc(q)^k p mod q keeps the common
-;; divisors of p and q up to factors free of x.  So gcd(p, q) is
-;; gcd(content p, content q), a gcd in fewer variables, times the last nonzero
-;; primitive part of p, q, r, ....  The pseudo-remainders exceed the degrees of
-;; p and q in the other variables, so all happens in a wider ring.
+;; A common divisor of p and q in ℚ[y...][x] divides every pseudo-remainder
+;; r = lc(q)^k p mod q, and up to factors free of x the common divisors of q and
+;; r are those of p and q.  So gcd(p, q) is the gcd of the contents of p and q in
+;; x, which has fewer variables, times the last nonzero primitive part of
+;; p, q, r, ....  Pseudo-remainders have higher degrees than p and q in the
+;; other variables, hence a wider ring for each.
 
 (require "ring.rkt" "arithmetic.rkt" "structure.rkt" "division.rkt" "content.rkt"
          "rering.rkt")
 
 (provide remainder-gcd)
 
-;; A gcd over the rationals, primitive, of nonzero p and q.
+;; A gcd over the rationals, primitive; p and q not both 0.
 (define (remainder-gcd R p q)
-  (define W (make-ring (ring-size R)
-                       (* 4 (+ (poly-total-degree R p) 1) (+ (poly-total-degree R q) 1))))
-  (rering W R (primitive-gcd W (rering R W p) (rering R W q))))
-
-(define (primitive-gcd R p q)
   (cond [(null? p) (primitive R q)]
         [(null? q) (primitive R p)]
         [(or (poly-constant? p) (poly-constant? q)) (poly-constant R 1)]
         [else
-         (define x (car (poly-variables R (poly+ R (ones p) (ones q)))))
+         (define x (car (poly-variables R p)))
          (define p-content (content-in R p x))
          (define q-content (content-in R q x))
-         (define content (primitive-gcd R p-content q-content))
-         (primitive R
-                    (poly* R content
-                           (remainder-sequence R x
-                                               (poly-divide R p p-content)
-                                               (poly-divide R q q-content))))]))
-
-(define (ones p) (for/list ([t (in-list p)]) (cons (car t) 1)))
+         (define g
+           (last-primitive R x (poly-divide R p p-content) (poly-divide R q q-content)))
+         (primitive R (poly* R (remainder-gcd R p-content q-content) g))]))
 
 (define (primitive R p)
-  (define-values (c pp) (poly-primitive R p))
-  pp)
+  (define-values (content primitive) (poly-primitive R p))
+  primitive)
 
 ;; The gcd of the coefficients of p in variable x.
 (define (content-in R p x)
-  (for/fold ([g '()]) ([c (in-list (poly-coefficients R p x))]
-                       #:break (and (pair? g) (poly-constant? g)))
-    (primitive-gcd R g (cdr c))))
+  (for/fold ([g '()]) ([c (in-list (poly-coefficients R p x))])
+    (remainder-gcd R g (cdr c))))
 
-(define (remainder-sequence R x p q)
-  (cond [(< (poly-degree R p x) (poly-degree R q x)) (remainder-sequence R x q p)]
-        [(eq? 0 (poly-degree R q x)) (poly-constant R 1)]
+;; The last nonzero member of the sequence that begins with p and q.
+(define (last-primitive R x p q)
+  (define m (poly-degree R p x))
+  (define n (poly-degree R q x))
+  (cond [(< m n) (last-primitive R x q p)]
+        [(eqv? n 0) (poly-constant R 1)]
         [else
-         (define r (pseudo-remainder R x p q))
+         ;; every step of the division multiplies by a coefficient of q
+         (define W
+           (make-ring (ring-size R)
+                      (+ (poly-total-degree R p)
+                         (* (+ m (- n) 1) (poly-total-degree R q)))))
+         (define next (rering R W q))
+         (define r (pseudo-remainder W x (rering R W p) next))
          (if (null? r)
              q
-             (remainder-sequence R x q (primitive R (poly-divide R r (content-in R r x)))))]))
+             (rering W R (last-primitive W x next (primitive-in W r x))))]))
+
+;; p without its contents, numeric and in x.
+(define (primitive-in R p x)
+  (primitive R (poly-divide R p (content-in R p x))))
 
 (define (pseudo-remainder R x p q)
   (define divisor (poly-coefficients R q x))
