@@ -38,7 +38,8 @@
 (define (suggestion f who args x)
   (cond [(and x (accepts? f (structure-length x)))
          (did-you-mean f who (vector->list (structure-elements x)))]
-        [(and (not x) (accepts? f 1)) (did-you-mean f who (list (apply up args)))]
+        [(and (not x) (pair? args) (accepts? f 1))
+         (did-you-mean f who (list (apply up args)))]
         [else ""]))
 
 (define (did-you-mean f who args)
