@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Values of polynomials at points, over any numbers and over prime fields.
 
-(require racket/fixnum "modular.rkt" "ring.rkt")
+(require "modular.rkt" "ring.rkt")
 
 (provide poly-evaluate poly-evaluate-mod)
 

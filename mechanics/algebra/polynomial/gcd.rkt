@@ -11,7 +11,8 @@
 ;; else gcd(p, q) = g · gcd(p/g, q/g).  Remainder sequences, which need no luck,
 ;; come last, so the answer is always right and always comes.
 
-(require "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
+(require "monomial.rkt" "ring.rkt"
+         "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
          "modular.rkt" "images.rkt" "rering.rkt"
          "heuristic-gcd.rkt" "sparse-gcd.rkt" "remainder-gcd.rkt")
 

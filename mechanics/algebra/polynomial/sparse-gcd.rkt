@@ -33,14 +33,26 @@
     (integer-gcd R (leading-coefficient-in R p x) (leading-coefficient-in R q x) gcd-of))
   (define problem
     (make-problem R p q x lead variables bounds seed))
-  (let loop ([P (for/fold ([P first-prime]) ([i (in-range seed)]) (next-prime P))]
-             [modulus 1] [h '()] [primes-left 60])
-    (define image (and (> primes-left 0) (problem-image problem P h)))
+  (lift-over-primes problem
+                    (for/fold ([P first-prime]) ([i (in-range seed)]) (next-prime P))
+                    (lambda (h modulus) (verified R p q x (lift h modulus) gcd-of))))
+
+;; A greater coefficient than this many primes tell is given up.
+(define most-primes 400)
+
+;; The first divisor that images of h modulo more and more primes give, tried
+;; when the coefficients look small or stay the same; or #f.
+(define (lift-over-primes problem P divisor)
+  (let loop ([P P] [modulus 1] [h '()] [left most-primes])
+    (define image (problem-image problem P h))
     (define next (and image (combine-residues h modulus image P)))
-    (cond [(not image) #f]
-          [(and (or (equal? next h) (small? next (* modulus P)))
-                (verified R p q x (lift next (* modulus P)) gcd-of))]
-          [else (loop (next-prime P) (* modulus P) next (- primes-left 1))])))
+    (define product (* modulus P))
+    (cond [(eqv? left 0) #f]
+          [(not image)                      ; an unlucky prime, unless the first
+           (and (pair? h) (loop (next-prime P) modulus h (- left 1)))]
+          [(equal? next h) (divisor h modulus)]
+          [(and (small? next product) (divisor next product))]
+          [else (loop (next-prime P) product next (- left 1))])))
 
 ;; The variable whose leading coefficients have fewest terms.
 (define (choose-main R p q variables)

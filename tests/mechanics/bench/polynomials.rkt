@@ -99,11 +99,11 @@
   (define g (fraction))
   (report "sum of fractions of 4 terms over 4" 200 (fraction+ R f g))
   (report "product of fractions of 4 terms over 4" 200 (fraction* R f g))
-  (define fs (for/list ([_ 8]) (fraction)))
-  (report "sum of 8 fractions of 4 terms over 4, only 4 denominators" 1
-          (fraction-sum R (append (for/list ([f (in-list fs)] [g (in-list (cdr fs))] [_ 4])
-                                    (fraction+ R f f))
-                                  (list (car fs) (cadr fs) (caddr fs) (cadddr fs))))))
+  (define denominators (for/list ([_ 4]) (polynomial)))
+  (define fs
+    (for*/list ([_ 2] [d (in-list denominators)])
+      (fraction/ R (fraction-from-poly R (polynomial)) (fraction-from-poly R d))))
+  (report "sum of 8 fractions over 4 denominators" 20 (fraction-sum R fs)))
 
 (module+ main
   (random-seed 20)
