@@ -15,7 +15,7 @@
          "polynomial/fraction.rkt" "polynomial/ring.rkt")
 
 (provide (struct-out field) (struct-out relation)
-         make-field field-fraction reduce-poly reduce-fraction)
+         make-field field-fraction reduce-poly reduce-fraction lower)
 
 ;; kernels : vector by index; relations : from the top of the tower
 (struct field (atlas kernels ring relations) #:authentic)

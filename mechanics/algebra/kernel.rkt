@@ -7,22 +7,22 @@
 ;;
 ;;     sin²θ = 1 - cos²θ,    sinh²u = cosh²u - 1,    rᵠ = u for r = u^(1/q).
 ;;
-;; A kernel has two places, given when all kernels of an expression are known:
-;; its `index` as a variable, which orders the terms of a sum, and its `rank`,
-;; which orders the factors of a product.  Symbols come first in both, by the
+;; When all kernels of an expression are known each gets an `index` as a
+;; variable, a `rank`, which orders the factors of a product, and a `place`,
+;; which orders the terms of a sum.  Symbols come first in both, by the
 ;; alphabet; after them a sum shows the highest derivatives first, a product
-;; last.
+;; last.  Presentation may add kernels, which are ranked between the others.
 
 (require "expression.rkt" "order.rkt")
 
-(provide (struct-out kernel) make-kernel place-kernels!
+(provide (struct-out kernel) make-kernel place-kernels! insert-kernel!
          (struct-out circle) (struct-out angle) (struct-out root))
 
 ;; relation : #f, or the circle or root this kernel belongs to
-(struct kernel (expression relation [index #:mutable] [rank #:mutable])
+(struct kernel (expression relation [index #:mutable] [rank #:mutable] [place #:mutable])
   #:authentic)
 
-(define (make-kernel expression relation) (kernel expression relation #f #f))
+(define (make-kernel expression relation) (kernel expression relation #f #f #f))
 
 ;; The sine and the cosine of a basic angle; hyperbolic ones if sign is -1.
 (struct circle (expression sign [sine #:mutable] [cosine #:mutable])
@@ -38,19 +38,36 @@
   #:authentic)
 
 ;; ---------------------------------------------------------------------------
+;; Places
 
-;; Gives every kernel its places; -> the kernels as a vector by index.
+;; Gives every kernel its index, rank and place; -> the kernels as a vector.
 (define (place-kernels! kernels)
-  (define compare (make-order))
-  (define by-rank
-    (sort kernels (lambda (a b)
-                    (< (compare (kernel-expression a) (kernel-expression b)) 0))))
-  (for ([k (in-list by-rank)] [rank (in-naturals)]) (set-kernel-rank! k rank))
-  (define by-index (sort by-rank > #:key term-priority))
-  (for ([k (in-list by-index)] [index (in-naturals)]) (set-kernel-index! k index))
-  (list->vector by-index))
+  (define by-rank (sort kernels (kernel-before? (make-order))))
+  (for ([k (in-list by-rank)] [rank (in-naturals)]) (set-rank! k rank))
+  (define by-place (sort by-rank < #:key kernel-place))
+  (for ([k (in-list by-place)] [index (in-naturals)]) (set-kernel-index! k index))
+  (list->vector by-place))
+
+(define ((kernel-before? compare) a b)
+  (< (compare (kernel-expression a) (kernel-expression b)) 0))
 
 ;; Symbols first, then by descending order of differentiation.
-(define (term-priority k)
+(define (set-rank! k rank)
   (define e (kernel-expression k))
-  (if (symbol? e) +inf.0 (derivative-order e)))
+  (define class (if (symbol? e) 0 (- 1000 (derivative-order e))))
+  (set-kernel-rank! k rank)
+  (set-kernel-place! k (+ rank (* 1000000 class))))
+
+;; Ranks a new kernel among others, a list by rank; -> the list with it.
+(define (insert-kernel! k ranked)
+  (define before? (kernel-before? (make-order)))
+  (define (between a b)
+    (cond [(and a b) (/ (+ (kernel-rank a) (kernel-rank b)) 2)]
+          [a (+ (kernel-rank a) 1)]
+          [b (- (kernel-rank b) 1)]
+          [else 0]))
+  (let loop ([previous #f] [rest ranked])
+    (cond [(or (null? rest) (before? k (car rest)))
+           (set-rank! k (between previous (and (pair? rest) (car rest))))
+           (cons k rest)]
+          [else (cons (car rest) (loop (car rest) (cdr rest)))])))

@@ -13,7 +13,7 @@
 ;; first.  The choice depends on the value and the order of kernels alone.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "field.rkt" "term.rkt"
-         "exact.rkt"
+         "exact.rkt" "radical-parts.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide present linear-terms)
@@ -24,7 +24,7 @@
   (define numerator (poly->terms F (fraction-numerator f)))
   (define factors (denominator-terms F f))
   (define-values (below others) (split-monomials factors))
-  (define split (term-sort (multiply-terms numerator below)))
+  (define split (split-terms F (fraction-numerator f) below))
   (cond [(null? numerator) 0]
         [(null? factors) (present-sum numerator inexact? size)]
         [(null? others)
@@ -35,15 +35,21 @@
 ;; The value as a linear combination: ((rational . expression) ...), in the
 ;; order of its terms.
 (define (linear-terms F f)
-  (define numerator (poly->terms F (fraction-numerator f)))
   (define-values (below others) (split-monomials (denominator-terms F f)))
   (define divisor
     (and (pair? others)
          (product-expression 1 (factor-expressions others #f))))
-  (for/list ([t (in-list (term-sort (multiply-terms numerator below)))])
+  (for/list ([t (in-list (split-terms F (fraction-numerator f) below))])
     (define monomial (terms->expression (list (term 1 (term-powers t))) #f))
     (cons (term-coefficient t)
           (if divisor (make-node op:/ (list monomial divisor)) monomial))))
+
+;; The terms of a polynomial times powers of kernels, what cancels cancelled.
+(define (split-terms F p below)
+  (term-sort
+   (apply append
+          (for/list ([part (in-list (radical-parts F p below))])
+            (multiply-terms (poly->terms F (car part)) (cdr part))))))
 
 (define (denominator-terms F f)
   (for/list ([h (in-list (fraction-denominator-factors f))])

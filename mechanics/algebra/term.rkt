@@ -15,7 +15,7 @@
          power-expression
          term-size terms-size expression-size)
 
-;; powers : ((kernel . exponent) ...), by ascending index, exponents not 0
+;; powers : ((kernel . exponent) ...), by ascending place, exponents not 0
 (struct term (coefficient powers) #:authentic)
 
 ;; ---------------------------------------------------------------------------
@@ -29,8 +29,8 @@
   (cond [(null? as) #f]
         [(null? bs) #t]
         [else
-         (define i (kernel-index (caar as)))
-         (define j (kernel-index (caar bs)))
+         (define i (kernel-place (caar as)))
+         (define j (kernel-place (caar bs)))
          (cond [(< i j) #t]
                [(> i j) #f]
                [(eqv? (cdar as) (cdar bs)) (powers<? (cdr as) (cdr bs))]

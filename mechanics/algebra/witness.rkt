@@ -38,11 +38,9 @@
           [else
            (define point (integer-point residual (cdar tries) (caar tries)))
            (define-values (value error) (value-at e point 0))
-           (if (and (exact-rational? value) (not (eqv? value 0)) (eqv? error 0))
+           (if (and (exact? value) (not (eqv? value 0)) (eqv? error 0))
                (values point value)
                (loop (cdr tries)))])))
-
-(define (exact-rational? x) (and (rational? x) (exact? x)))
 
 (define algebraic (list op:+ op:- op:* op:/ op:expt op:sqrt op:abs))
 
@@ -93,7 +91,7 @@
              [else (loop (+ k 1) (max bound error) (+ points 1))])])))
 
 (define (decent? value error)
-  (and (real? value) (rational? value) (real? error) (rational? error)))
+  (and (rational? (magnitude value)) (rational? error)))
 
 ;; ---------------------------------------------------------------------------
 

@@ -73,7 +73,7 @@
 
 ;; A flonum to six digits: it is there to be seen not to be zero.
 (define (readable x)
-  (cond [(or (exact? x) (zero? x)) x]
+  (cond [(or (exact? x) (not (real? x)) (zero? x)) x]
         [else
          (define unit (expt 10.0 (- 5 (inexact->exact (floor (/ (log (abs x)) (log 10)))))))
          (/ (round (* x unit)) unit)]))

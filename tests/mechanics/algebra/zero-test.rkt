@@ -37,6 +37,11 @@
     (check-equal? (evaluate-expression (datum->expression d) (point-lookup (zero-test-witness v)))
                   (zero-test-value v))))
 
+(test-case "complex numbers are refuted as real ones are"
+  (check-equal? (status +i) 'refuted)
+  (check-equal? (status '(+ (* +i a) b)) 'refuted)
+  (check-equal? (status '(+ 1 (* +i +i))) 'proved))
+
 (test-case "a literal function has one value for one argument"
   (check-equal? (status '(- (V (+ a a)) (V (* 2 a)))) 'proved)
   (define v (verdict '(- (V a) (V b))))
