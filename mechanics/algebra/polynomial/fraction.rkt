@@ -10,16 +10,18 @@
 ;; of the two terms over the common denominator.
 ;;
 ;; The value is canonical: numerator and expanded denominator depend on it
-;; alone.  How the denominator is split into factors depends on its history.
+;; alone.  How the denominator is split into factors depends on its history;
+;; fraction-denominator-parts splits it in a way that does not.
 
 (require "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt"
-         "division.rkt" "gcd.rkt" "coprime-basis.rkt")
+         "division.rkt" "gcd.rkt" "coprime-basis.rkt" "parts.rkt")
 
 (provide
  ;; making
  fraction? fraction-from-poly
  ;; parts
- fraction-numerator fraction-denominator-factors fraction-denominator
+ fraction-numerator fraction-denominator-factors fraction-denominator-parts
+ fraction-denominator
  ;; asking
  fraction-zero? fraction-polynomial? fraction=? fraction-hash
  ;; arithmetic
@@ -30,6 +32,10 @@
   #:authentic)
 
 (define (fraction-from-poly R p) (fraction p '()))
+
+;; The parts of the denominator (parts.rkt), which depend on the value alone.
+(define (fraction-denominator-parts R f)
+  (product-parts R (fraction-denominator-factors f)))
 
 ;; The denominator multiplied out.
 (define (fraction-denominator R f)

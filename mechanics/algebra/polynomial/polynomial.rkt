@@ -6,7 +6,7 @@
 ;; exn:algebra:degree-overflow.
 
 (require "ring.rkt" "arithmetic.rkt" "structure.rkt" "evaluate.rkt"
-         "division.rkt" "content.rkt" "gcd.rkt" "square-free.rkt")
+         "division.rkt" "content.rkt" "gcd.rkt" "square-free.rkt" "parts.rkt")
 
 (provide
  ;; rings
@@ -21,7 +21,7 @@
  poly+ poly- poly-negate poly* poly-scale poly-expt poly-sum poly-divide
  ;; divisors
  poly-gcd poly-gcd* poly-content poly-primitive poly-monomial-content
- poly-square-free
+ poly-square-free poly-parts
  ;; along one variable
  poly-coefficients poly-from-coefficients poly-derivative poly-substitute
  ;; values

@@ -97,7 +97,22 @@
   (check-true (fraction=? R one-way other))
   (check-equal? (fraction-hash R one-way) (fraction-hash R other))
   (check-true (fraction-zero? (-* one-way other)))
-  (check-equal? (fraction-denominator R one-way) (fraction-denominator R other)))
+  (check-equal? (fraction-denominator R one-way) (fraction-denominator R other))
+  (check-equal? (fraction-denominator-parts R one-way) (fraction-denominator-parts R other)))
+
+(test-case "the parts of a denominator depend on the value alone"
+  (with-seeds 10
+    (define-values (f g h) (apply values (for/list ([_ 3]) (random-fraction R))))
+    (unless (ormap fraction-zero? (list f g h))
+      (define one-way (/* (/* (number 1) f) (** g h)))
+      (define other (/* (/* (/* (number 1) h) g) f))
+      (check-true (fraction=? R one-way other))
+      (check-equal? (fraction-denominator-parts R one-way)
+                    (fraction-denominator-parts R other))
+      (check-equal? (for/fold ([p (poly-constant R 1)])
+                              ([part (fraction-denominator-parts R one-way)])
+                      (poly* R p (poly-expt R (car part) (cdr part))))
+                    (fraction-denominator R one-way)))))
 
 (test-case "different fractions are not fraction=?"
   (check-false (fraction=? R (/* x y) (/* x z)))

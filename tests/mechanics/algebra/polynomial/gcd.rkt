@@ -168,3 +168,22 @@
   (check-equal? (sort (poly-square-free R (product (number 6) p p p q z z)) < #:key cdr)
                 (list (cons q 1) (cons z 2) (cons p 3)))
   (check-equal? (poly-square-free R (number 5)) '()))
+
+;; ---------------------------------------------------------------------------
+;; Parts
+
+(define (check-parts p . expected)
+  (define (as-set parts) (for/hash ([part parts]) (values (car part) (cdr part))))
+  (check-equal? (as-set (poly-parts R p)) (as-set expected)))
+
+(test-case "parts go by variables and multiplicities, dividing variables apart"
+  (define x+1 (sum x (number 1)))
+  (define x-1 (sum x (number -1)))
+  (define y+z (sum y z))
+  (define xy+1 (sum (product x y) (number 1)))
+  (check-parts (number 6))
+  (check-parts (product (number 6) x x y) (cons x 2) (cons y 1))
+  (check-parts (product x+1 x-1) (cons (product x+1 x-1) 1))
+  (check-parts (product x x+1 x-1 x-1) (cons x 1) (cons x+1 1) (cons x-1 2))
+  (check-parts (product x+1 y+z xy+1) (cons x+1 1) (cons y+z 1) (cons xy+1 1))
+  (check-parts (product x+1 x+1 y+z y+z z) (cons x+1 2) (cons y+z 2) (cons z 1)))
