@@ -1,0 +1,86 @@
+#lang racket/base
+;; Actions (SICM 1.4): V1 and what integrals say of what is no number.
+
+(require rackunit
+         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
+         mechanics/numeric/failure
+         mechanics/value/function mechanics/value/structure
+         mechanics/calculus/derivative mechanics/calculus/literal-function
+         mechanics/lagrangian/action mechanics/lagrangian/local-tuple
+         "systems.rkt")
+
+(define (test-path t) (up (g:+ (g:* 4 t) 7) (g:+ (g:* 3 t) 5) (g:+ (g:* 2 t) 1)))
+
+;; A variation that vanishes at both ends.
+(define ((make-eta nu t1 t2) t) (g:* (g:- t t1) (g:- t t2) (nu t)))
+(define (nu t) (up (g:sin t) (g:cos t) (g:square t)))
+(define (varied epsilon)
+  (Lagrangian-action (L-free 3) (g:+ test-path (g:* epsilon (make-eta nu 0 10))) 0 10))
+
+;; ---------------------------------------------------------------------------
+;; V1
+
+(test-case "V1: the action of a free particle on a straight path is 435"
+  (check-= (Lagrangian-action (L-free 3) test-path 0 10) 435 1e-12))
+
+(test-case "V1: varied by 0.001 η it is 435 + 18077/14000"
+  (check-= (varied 0.001) (+ 435 18077/14000) 1e-9))
+
+(test-case "V1: the least action is at no variation"
+  (define minimum (minimize varied -2 1))
+  (check-= (car minimum) 0 1e-5)
+  (check-= (cadr minimum) 435 1e-9)
+  (check-pred exact-positive-integer? (caddr minimum)))
+
+(test-case "exercise 1.4: the action of a free particle is m (Δx)²/(2 Δt)"
+  (for ([m '(1 5/2)] [xa '(0 3)] [xb '(4 -1)] [t1 '(0 1)] [t2 '(2 5)])
+    (define (path t) (g:+ xa (g:* (/ (- xb xa) (- t2 t1)) (g:- t t1))))
+    (check-= (Lagrangian-action (L-free m) path t1 t2)
+             (/ (* m (expt (- xb xa) 2)) (* 2 (- t2 t1))) 1e-12)))
+
+(test-case "the action of the oscillator over a quarter period"
+  ;; ½ (m v² - k x²) on x = cos t, m = k = 1: -½ cos 2t, whose integral is 0
+  (check-= (Lagrangian-action (L-harmonic 1 1) g:cos 0 (acos 0.0)) 0 1e-12)
+  (check-= (Lagrangian-action (L-harmonic 1 1) g:cos 0 (/ (acos 0.0) 2)) -1/4 1e-12))
+
+(test-case "a tolerance may be given"
+  (check-= (Lagrangian-action (L-free 3) test-path 0 10 1e-4) 435 1e-3))
+
+;; ---------------------------------------------------------------------------
+;; Integrals and minima of generic functions
+
+(test-case "definite integrals of functions made by arithmetic"
+  (check-= (definite-integral (g:square g:sin) 0 1) (/ (- 1 (* (sin 1.0) (cos 1.0))) 2) 1e-12)
+  (check-= (definite-integral (D g:exp) 0 1) (- (exp 1.0) 1) 1e-12)
+  (check-= (definite-integral (compose g:square velocity (Gamma g:sin)) 0 1)
+           (/ (+ 1 (* (sin 1.0) (cos 1.0))) 2) 1e-12))
+
+(test-case "a minimum of a function made by arithmetic, as (argument value steps)"
+  (define result (minimize (g:+ g:square (g:* -2 values)) -3 5))
+  (check-equal? (length result) 3)
+  (check-= (car result) 1 1e-7)
+  (check-= (cadr result) -1 1e-12))
+
+;; ---------------------------------------------------------------------------
+;; What is no number
+
+(define-syntax-rule (check-message text expression)
+  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
+             (lambda () expression)))
+
+(test-case "symbols left in the action, or in the limits, are named"
+  (check-exn #rx"^Lagrangian-action: expected a real number; given .*'?m.*\n  give its symbols values first: [(]substitute expression 'm 3 [.][.][.][)]$"
+             (lambda () (Lagrangian-action (L-free 'm) test-path 0 10)))
+  (check-message "Lagrangian-action: expected a real number; given the symbol t2\n  give its symbols values first: (substitute expression 'm 3 ...)"
+                 (Lagrangian-action (L-free 3) test-path 0 't2))
+  (check-exn #rx"^definite-integral: expected a real number; given [(]up 0.*an up tuple of 2"
+             (lambda () (definite-integral (lambda (t) (up t t)) 0 1))))
+
+(test-case "what is no function is refused"
+  (check-exn #rx"^Lagrangian-action: a Lagrangian is a function of the local tuple" (lambda () (Lagrangian-action 3 test-path 0 1)))
+  (check-exn #rx"a path is a function of time" (lambda () (Lagrangian-action (L-free 3) 'q 0 1)))
+  (check-exn #rx"^definite-integral: contract violation\n  expected: a function of one variable" (lambda () (definite-integral 3 0 1)))
+  (check-exn #rx"^minimize: contract violation\n  expected: a function of one variable" (lambda () (minimize (lambda (x y) x) 0 1))))
+
+(test-case "a divergent integral is a mathematical failure"
+  (check-exn exn:fail:mechanics? (lambda () (definite-integral (lambda (t) (g:/ 1 t)) 0 1))))
