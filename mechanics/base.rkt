@@ -9,7 +9,7 @@
          (except-in "value/structure.rkt" up down)
          "value/vector.rkt"
          "calculus/derivative.rkt" "calculus/literal-function.rkt" "calculus/verdict.rkt"
-         "algebra/datum.rkt"
+         "algebra/datum.rkt" "numeric/failure.rkt"
          "lang/pattern.rkt")
 
 (provide
@@ -57,4 +57,9 @@
  ;; verdicts
  prove-zero verify-equal
  verdict? verdict-status verdict-residual verdict-witness verdict-value
- verdict-assumptions verdict-conditions verdict-factored proved? refuted? undecided?)
+ verdict-assumptions verdict-conditions verdict-factored proved? refuted? undecided?
+ ;; failures
+ exn:fail:mechanics exn:fail:mechanics?
+ exn:fail:mechanics:singular exn:fail:mechanics:singular? exn:fail:mechanics:singular-where
+ exn:fail:mechanics:not-convergent exn:fail:mechanics:not-convergent?
+ exn:fail:mechanics:not-convergent-value exn:fail:mechanics:not-convergent-error-estimate)

@@ -18,12 +18,13 @@
 ;; e : the expression; residual : a simpler one of the same value, in whose
 ;; leaves the point is given.  The value is that of e itself, so simplification
 ;; is no part of the evidence.
+;; Where simplification took signs for granted, `positive?`, all integers are.
 ;; -> witness value bound points; witness is #f if none was found.
-(define (find-witness e residual)
+(define (find-witness e residual positive?)
   (define-values (point value) (exact-witness e residual))
   (if point
       (values point value 0 0)
-      (search e residual)))
+      (search e residual positive?)))
 
 ;; ---------------------------------------------------------------------------
 ;; Points where transcendental functions have exact values
@@ -79,12 +80,12 @@
 ;; ---------------------------------------------------------------------------
 ;; Points with integers for all leaves
 
-(define (search e residual)
+(define (search e residual positive?)
   (let loop ([k 0] [bound 0] [points 0])
     (cond
       [(= k point-limit) (values #f 0 bound points)]
       [else
-       (define point (integer-point residual k))
+       (define point (integer-point residual (if positive? k (- k))))
        (define-values (value error) (value-at e point k))
        (cond [(not (decent? value error)) (loop (+ k 1) bound points)]
              [(> (magnitude value) (* 4 error)) (values point value error points)]
@@ -125,10 +126,13 @@
       (let ([head (node-head leaf)])
         (list (literal-head-name head) (literal-head-index head) arguments))))
 
-;; The k-th source of small positive integers, by a linear congruence.
+;; The k-th source of small integers, by a linear congruence: positive ones for
+;; k not negative, of either sign for k negative.
 (define (integers-from k)
-  (define state (+ 12345 (* 7919 k)))
-  (define range (cond [(< k 2) 3] [(< k 6) 5] [else 11]))
+  (define n (abs k))
+  (define state (+ 12345 (* 7919 n)))
+  (define range (cond [(< n 2) 3] [(< n 6) 5] [else 11]))
   (lambda (leaf arguments)
     (set! state (modulo (+ (* 1103515245 state) 12345) 2147483648))
-    (+ 1 (modulo (quotient state 65536) range))))
+    (define size (+ 1 (modulo (quotient state 65536) range)))
+    (if (and (negative? k) (odd? (quotient state 1048576))) (- size) size)))

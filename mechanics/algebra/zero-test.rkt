@@ -35,7 +35,7 @@
          (make-zero-test 'undecided 0 #f 0 0 0 1 0 #f assumptions)]
         [else
          (define-values (factor core condition) (factor-and-core F f))
-         (define-values (witness value bound points) (find-witness e residual))
+         (define-values (witness value bound points) (find-witness e residual (pair? assumptions)))
          (make-zero-test (if witness 'refuted 'undecided) residual witness value bound points
                          factor core condition assumptions)]))
 

@@ -10,19 +10,21 @@
 (provide verdict-report report->text)
 
 ;; status : as a whole.  tests : the zero-test of each scalar, in order.
-(define (verdict-report status tests)
-  (define open (for/list ([z (in-list tests)] [i (in-naturals)]
+;; labels : what the scalars are called; none for one that stands alone.
+(define (verdict-report status tests labels)
+  (define open (for/list ([z (in-list tests)]
+                          [label (in-list (if (null? labels) '(#f) labels))]
                           #:unless (eq? (zero-test-status z) 'proved))
-                 (cons i z)))
+                 (cons label z)))
   (define shared (shared-condition open))
   (append
    (list (list 0 (headline status) #f))
-   (if (and (pair? tests) (null? (cdr tests)))
+   (if (null? labels)
        (append* (for/list ([entry (in-list open)]) (evidence (cdr entry) 1 #t)))
        (append* (for/list ([entry (in-list open)])
-                  (cons (list 1 (format "component ~a" (car entry)) #f)
+                  (cons (list 1 (car entry) #f)
                         (evidence (cdr entry) 2 (not shared))))))
-   (if (and shared (pair? (cdr tests)))
+   (if (and shared (pair? labels))
        (list (list 1 "zero if:" (equation shared)))
        '())
    (for/list ([a (in-list (distinct (append* (map zero-test-assumptions tests))))])

@@ -8,6 +8,7 @@
 
 (require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/arithmetic.rkt"
+         "../value/matrix.rkt" "../value/operator.rkt"
          "../algebra/expression.rkt" "../algebra/zero-test.rkt"
          "verdict-report.rkt")
 
@@ -25,7 +26,8 @@
   #:property prop:custom-write
   (lambda (v port mode) (write-string (report->text (report v)) port)))
 
-(define (report v) (verdict-report (verdict-status v) (verdict-tests v)))
+(define (report v)
+  (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))))
 
 (define (proved? v) (eq? (verdict-status v) 'proved))
 (define (refuted? v) (eq? (verdict-status v) 'refuted))
@@ -94,6 +96,13 @@
       (current-continuation-marks))))
   (zero-test leaf))
 
+(define (raise-operator o)
+  (raise
+   (exn:fail:contract
+    (format "prove-zero: ~a is an operator; give it a function to act on, as in (~a (literal-function 'f))"
+            (value->text o) (value->text o))
+    (current-continuation-marks))))
+
 ;; Functions are taken at a symbolic time t, or at t0 t1 ... if they take
 ;; several arguments; also inside structures.
 (define (at-symbolic-arguments x)
@@ -103,7 +112,27 @@
         [else x]))
 
 (define (symbolic-arguments f)
+  (when (operator? f) (raise-operator f))
   (define n (for/first ([n (in-naturals 1)] #:when (or (accepts? f n) (> n 20))) n))
   (if (= n 1)
       '(t)
       (for/list ([i (in-range n)]) (string->symbol (format "t~a" i)))))
+
+;; ---------------------------------------------------------------------------
+
+;; What to call each scalar of a value, in the order they are judged in;
+;; nothing for a value that is one itself.
+(define (scalar-labels x)
+  (define (walk x path)
+    (cond [(tuple? x)
+           (for/list ([e (in-vector (structure-elements (adopt x)))] [i (in-naturals)]
+                      #:when #t
+                      [label (in-list (walk e (format "~a ~a" path i)))])
+             label)]
+          [(matrix? x)
+           (for*/list ([i (in-range (m:num-rows x))] [j (in-range (m:num-cols x))])
+             (format "~a row ~a, column ~a" path i j))]
+          [else (list path)]))
+  (cond [(tuple? x) (for/list ([l (in-list (walk x ""))]) (string-append "component" l))]
+        [(matrix? x) (for/list ([l (in-list (walk x ""))]) (substring l 1))]
+        [else '()]))

@@ -34,11 +34,7 @@
 
 ;; At least (t, q, v), and v of the shape of q.
 (define (check-local-tuple local)
-  (unless (and (local-tuple? local) (>= (s:length local) 3))
-    (raise
-     (exn:fail:contract
-      (format "F->C: expected a local tuple (up t q v); given ~a" (describe-with-value local))
-      (current-continuation-marks))))
+  (check-local 'F->C local 3)
   (unless (same-shape? (coordinate local) (velocity local))
     (raise
      (exn:fail:contract
@@ -55,6 +51,13 @@
                (same-shape? x y))))
       (not (or (tuple? a) (tuple? b)))))
 
+(define (check-local who local least-length)
+  (unless (and (local-tuple? local) (>= (s:length local) least-length))
+    (raise
+     (exn:fail:contract
+      (format "~a: expected a local tuple (up t q v ...); given ~a" who (describe-with-value local))
+      (current-continuation-marks)))))
+
 ;; How a local tuple (t, q, v) moves: (1, v, 0).
 (define (drift local)
   (up 1 (velocity local) (zero-like (velocity local))))
@@ -66,6 +69,7 @@
 
 ;; q + v (t − t₀) + a (t − t₀)²/2 + ... through the local tuple (SICM p. 96).
 (define (osculating-path local)
+  (check-local 'osculating-path local 2)
   (define parts (cdr (structure->list local)))
   (lambda (t)
     (define dt (g:- t (time local)))

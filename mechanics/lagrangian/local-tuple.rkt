@@ -101,6 +101,8 @@
 
 ;; A local tuple of n coordinates with components named after `name`.
 (define (literal-Lagrangian-state n)
+  (unless (exact-positive-integer? n)
+    (raise-argument-error 'literal-Lagrangian-state "a number of coordinates, at least 1" n))
   (define (tuple name)
     (if (= n 1)
         name

@@ -38,13 +38,16 @@
    (simplify-or-say-why x)))
 
 ;; What the wrapped printer is given in place of x: its text, if it is ours.
-;; The elements of a list are simplified though Racket prints the list.
+;; The elements of a list or vector are simplified though Racket prints it.
 (define (printable x)
   (cond [(in-notation? x)
          (define-values (simplified assumptions) (simplify/assumptions x))
          (as-text simplified assumptions)]
-        [(list? x) (for/list ([e (in-list x)]) (if (in-notation? e) (simplify e) e))]
+        [(list? x) (map simplified-element x)]
+        [(vector? x) (list->vector (map simplified-element (vector->list x)))]
         [else x]))
+
+(define (simplified-element e) (if (in-notation? e) (simplify e) e))
 
 (define (as-text x [assumptions '()])
   (laid-out (value->lines x (output-width) assumptions)))

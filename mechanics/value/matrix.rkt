@@ -82,6 +82,8 @@
             (for/vector #:length columns ([j (in-range columns)]) (f i j)))))
 
 (define (identity-matrix n)
+  (unless (exact-positive-integer? n)
+    (raise-argument-error 'identity-matrix "a number of rows, at least 1" n))
   (m:generate n n (lambda (i j) (if (= i j) 1 0))))
 
 (define (up->column-matrix s)

@@ -47,6 +47,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/derivatives.scrbl"]
 @include-section["reference/expressions.scrbl"]
 @include-section["reference/verdicts.scrbl"]
+@include-section["reference/failures.scrbl"]
 @include-section["reference/local-tuples.scrbl"]
 @include-section["reference/equations.scrbl"]
 @include-section["reference/coordinates.scrbl"]

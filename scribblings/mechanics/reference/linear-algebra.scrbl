@@ -119,7 +119,7 @@ Of a square matrix or a square structure of structures.
               @defproc[(solve-linear-right [b value] [A value]) value])]{
 
 The x for which @racket[(* A x)], or @racket[(* x A)], is b. A matrix without an
-inverse raises @racketidfont{exn:fail:mechanics:singular}.
+inverse raises @racket[exn:fail:mechanics:singular].
 
 @examples[#:eval session
 (solve-linear-left (down (down 'a 0) (down 0 'b)) (down 'p 'q))

@@ -119,7 +119,7 @@ Its unit is that of L times that of time.
 
 The integral of a function of one variable. The tolerance is relative to the
 integral of |f|. If it cannot be met, the error
-@racketidfont{exn:fail:mechanics:not-convergent} carries the best value found.
+@racket[exn:fail:mechanics:not-convergent] carries the best value found.
 
 @examples[#:eval session
 (definite-integral sin 0 pi)

@@ -1,0 +1,37 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt")
+
+@(define session (make-session))
+
+@title[#:tag "failures"]{Failures}
+
+A misuse raises @racket[exn:fail:contract]. A question that was well put and has no
+answer, or none that could be found, raises one of these, which carry the data that
+show why.
+
+@defstruct*[(exn:fail:mechanics exn:fail) ()]{
+
+What they have in common.}
+
+@defstruct*[(exn:fail:mechanics:singular exn:fail:mechanics) ([where any/c])]{
+
+Something is not defined at @racket[where]: a matrix without an inverse, a point at
+which an integrand is not finite.
+
+@examples[#:eval session
+(eval:error (solve-linear-left (down (up 1 2) (up 2 4)) (up 1 1)))
+(with-handlers ([exn:fail:mechanics:singular? exn:fail:mechanics:singular-where])
+  (definite-integral (lambda (t) (/ 1 t)) -1 1))]}
+
+@defstruct*[(exn:fail:mechanics:not-convergent exn:fail:mechanics)
+            ([value any/c] [error-estimate any/c])]{
+
+An approximation did not reach its tolerance. @racket[value] is the best found,
+@racket[error-estimate] says how far off it may be.
+
+@examples[#:eval session
+(with-handlers ([exn:fail:mechanics:not-convergent?
+                 exn:fail:mechanics:not-convergent-value])
+  (definite-integral (lambda (t) (/ 1 t)) 0 1))]}
+
+@(close-session session)
