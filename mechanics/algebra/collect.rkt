@@ -11,22 +11,18 @@
 ;; Arguments of kernels are simplified first, by the procedures of `services`,
 ;; which belong to the simplifier above.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "lattice.rkt" "order.rkt" "exact.rkt")
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "lattice.rkt" "order.rkt" "exact.rkt"
+         "services.rkt" "circle.rkt")
 
-(provide (struct-out services) (struct-out atlas)
+(provide (struct-out atlas)
          (struct-out circular) (struct-out surd) imaginary-unit
          collect-kernels)
 
-;; simplify : expression -> expression
-;; terms    : expression -> ((rational . expression) ...), its sum
-;; split-root : expression degree -> (values outer inner): the root is outer · inner^(1/degree)
-(struct services (simplify terms split-root)
-  #:authentic)
-
 ;; What was found.  resolutions : node, symbol, +i, or number
 ;; that is not rational -> kernel, circular or surd; roots : those in the radicands
-;; of others after them; inexact? : did a flonum occur?
-(struct atlas (kernels resolutions roots inexact?)
+;; of others after them; doubled : circles of which twice the angle occurred;
+;; inexact? : did a flonum occur?
+(struct atlas (kernels resolutions roots doubled inexact? services)
   #:authentic)
 
 ;; What stands for a node: function ∈ sin cos tan of an angle;
@@ -51,7 +47,9 @@
   (atlas (hash-values (collector-kernels c))
          (collector-resolutions c)
          (collector-root-list c)
-         (collector-inexact? c)))
+         (doubled-circles c)
+         (collector-inexact? c)
+         services))
 
 (define (visit! c e)
   (cond [(number? e) (visit-number! c e)]
@@ -201,6 +199,14 @@
         (define basic (vector-ref basics (car x)))
         (cons (car basic) (* (cdr basic) (cdr x)))))))
 
+;; The basic angles that occurred doubled.
+(define (doubled-circles c)
+  (for*/list ([a (in-hash-values (collector-angles c))]
+              [multiples (in-value (angle-multiples a))]
+              #:when (and (pair? multiples) (null? (cdr multiples))
+                          (eqv? 2 (abs (cdar multiples)))))
+    (caar multiples)))
+
 ;; The simplest first: fewest atoms, then by the order of expressions.
 (define (sort-angles c angles)
   (cond [(null? (cdr angles)) angles]
@@ -221,19 +227,6 @@
   (for/fold ([sum 0]) ([entry (in-list form)])
     (e:+ sum (e:* (cdr entry) (hash-ref expressions (car entry))))))
 
-;; (circle . 1) for the form, or (circle . -1) for its negative, whichever has
-;; a positive leading coefficient.
 (define (basic-angle c sign form)
-  (define s (collector-services c))
-  (define u ((services-simplify s) (form->expression c form)))
-  (define leading (if (symbolic? u) (caar ((services-terms s) u)) u))
-  (if (and (real? leading) (negative? leading))
-      (cons (make-circle! c sign ((services-simplify s) (e:negate u))) -1)
-      (cons (make-circle! c sign u) 1)))
-
-(define (make-circle! c sign u)
-  (define o (circle u sign #f #f))
-  (define circular? (eqv? sign 1))
-  (set-circle-sine! o (intern-kernel! c (make-node (if circular? op:sin op:sinh) (list u)) o))
-  (set-circle-cosine! o (intern-kernel! c (make-node (if circular? op:cos op:cosh) (list u))))
-  o)
+  (signed-circle (collector-services c) (form->expression c form)
+                 (lambda (u) (make-circle u sign (lambda (e o) (intern-kernel! c e o))))))

@@ -5,7 +5,7 @@
 ;; the one that can vanish by a choice of parameters: a polynomial in symbols
 ;; alone, if there is one, else the largest factor.
 
-(require "expression.rkt" "kernel.rkt" "field.rkt" "factor.rkt" "present.rkt"
+(require "expression.rkt" "kernel.rkt" "field.rkt" "present.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide factor-and-core)
@@ -14,7 +14,7 @@
 ;; equation (= symbol expression), as a datum, equivalent to core = 0.
 (define (factor-and-core F f)
   (define R (field-ring F))
-  (define-values (c factors) (poly-visible-factors R (fraction-numerator f)))
+  (define factors (poly-parts R (fraction-numerator f)))
   (define core (choose-core F factors))
   (cond [core
          (define p (presentable-sign F (fraction-from-poly R core)))

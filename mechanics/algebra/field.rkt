@@ -11,18 +11,20 @@
 ;; Relations form a tower, each over the kernels of those before it; reducing
 ;; from the top once suffices.
 
-(require "kernel.rkt" "collect.rkt" "walk.rkt" "polynomial/polynomial.rkt"
+(require "kernel.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "polynomial/polynomial.rkt"
          "polynomial/fraction.rkt" "polynomial/ring.rkt")
 
 (provide (struct-out field) (struct-out relation)
-         make-field field-fraction reduce-poly reduce-fraction lower)
+         make-field field-fraction field-inexact? field-circle-sum field-doubled? reduce-poly reduce-fraction lower)
 
-;; kernels : vector by index; relations : from the top of the tower
-(struct field (atlas kernels ring relations) #:authentic)
+;; kernels : vector by index; relations : from the top of the tower;
+;; circles : those known by their angles, presentation may add some
+(struct field (atlas kernels ring relations circles) #:authentic)
 
-;; xᵢ^degree = radicand (a fraction); mask : the bits of a packed monomial that
-;; are not all 0 if the exponent reaches the degree, when the degree is 2.
+;; xᵢ^degree = radicand, a fraction.
 (struct relation (index degree radicand) #:authentic)
+
+(define (field-inexact? F) (atlas-inexact? (field-atlas F)))
 
 ;; ---------------------------------------------------------------------------
 ;; The field and the value of an expression
@@ -30,12 +32,13 @@
 ;; atlas -> field, in a ring of the given greatest degree.
 (define (make-field atlas kernels max-degree)
   (define R (make-ring (vector-length kernels) max-degree))
-  (define F (field atlas kernels R (circle-relations R kernels)))
-  (for/fold ([F F]) ([r (in-list (reverse (atlas-roots atlas)))])
+  (define circles (make-circles kernels (atlas-services atlas)))
+  (define (over relations) (field atlas kernels R relations circles))
+  (for/fold ([F (over (circle-relations R kernels))])
+            ([r (in-list (reverse (atlas-roots atlas)))])
     (define i (kernel-index (root-kernel r)))
     (define value (field-fraction F (root-radicand r)))
-    (field atlas kernels R
-           (cons (relation i (root-degree r) value) (field-relations F)))))
+    (over (cons (relation i (root-degree r) value) (field-relations F)))))
 
 (define (circle-relations R kernels)
   (define one (poly-constant R 1))
@@ -101,3 +104,14 @@
       (fraction* R
                  (fraction-from-poly R (poly-from-coefficients R i (hash-ref groups j)))
                  (fraction-expt R (relation-radicand r) j)))))
+
+;; ---------------------------------------------------------------------------
+;; Angles
+
+;; The circle of the sum (sign 1) or difference of two angles, and 1 or, if it
+;; is that of the opposite, -1.
+(define (field-circle-sum F a b sign)
+  (combine-circles! (field-circles F) a b sign))
+
+(define (field-doubled? F o)
+  (and (memq o (atlas-doubled (field-atlas F))) #t))

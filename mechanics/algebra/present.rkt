@@ -4,189 +4,135 @@
 ;; The value is a reduced fraction of polynomials in kernels.  Presentation
 ;; chooses among equal forms of it, and never changes the value:
 ;;
-;; - a sum is written expanded, or with its numeric and monomial content in
-;;   front when that makes it smaller by a fifth at least;
-;; - a fraction is split over the terms of its numerator, or kept as one
-;;   quotient, whichever is smaller.
+;; - sin² or cos², angles contracted or not: whichever makes fewer terms;
+;; - a fraction is split over the terms of its numerator, or kept whole;
+;; - a sum is written expanded; or with the terms that agree in all kernels but
+;;   symbols collected; or with its content in front.
 ;;
-;; Sizes are counted as symbols and numbers read; ties go to the form named
-;; first.  The choice depends on the value and the order of kernels alone.
+;; The first form named is kept unless another is smaller by a fifth.  The
+;; choice depends on the value and the order of kernels alone.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "field.rkt" "term.rkt"
-         "exact.rkt" "radical-parts.rkt"
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
+         "squares.rkt" "contract.rkt" "pieces.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide present linear-terms)
 
 (define (present F f)
-  (define inexact? (atlas-inexact? (field-atlas F)))
-  (define size (make-kernel-size))
-  (define numerator (poly->terms F (fraction-numerator f)))
-  (define factors (denominator-terms F f))
-  (define-values (below others) (split-monomials factors))
-  (define split (split-terms F (fraction-numerator f) below))
-  (cond [(null? numerator) 0]
-        [(null? factors) (present-sum numerator inexact? size)]
-        [(null? others)
-         (smaller (present-sum split inexact? size)
-                  (present-quotient numerator factors inexact? size))]
-        [else (present-quotient numerator factors inexact? size)]))
+  (cond [(fraction-zero? f) 0]
+        [(fraction-polynomial? f)
+         (define p (fraction-numerator f))
+         (if (poly-constant? p)
+             (form-expression (constant-form F (poly-constant-value p)))
+             (form-expression (present-pieces F (fraction->pieces F f))))]
+        [else
+         (form-expression
+          (smaller-form (present-pieces F (fraction->pieces F f))
+                        (present-pieces F (list (fraction->piece F f)))))]))
+
+(define (constant-form F c) (term-form (term c '()) (field-inexact? F)))
 
 ;; The value as a linear combination: ((rational . expression) ...), in the
 ;; order of its terms.
 (define (linear-terms F f)
-  (define-values (below others) (split-monomials (denominator-terms F f)))
-  (define divisor
-    (and (pair? others)
-         (product-expression 1 (factor-expressions others #f))))
-  (for/list ([t (in-list (split-terms F (fraction-numerator f) below))])
-    (define monomial (terms->expression (list (term 1 (term-powers t))) #f))
+  (define p (fraction->piece F f))
+  (define divisors (piece-divisors F p))
+  (for/list ([t (in-list (term-sort (piece-terms F p)))])
     (cons (term-coefficient t)
-          (if divisor (make-node op:/ (list monomial divisor)) monomial))))
-
-;; The terms of a polynomial times powers of kernels, what cancels cancelled.
-(define (split-terms F p below)
-  (term-sort
-   (apply append
-          (for/list ([part (in-list (radical-parts F p below))])
-            (multiply-terms (poly->terms F (car part)) (cdr part))))))
-
-(define (denominator-terms F f)
-  (for/list ([h (in-list (fraction-denominator-factors f))])
-    (cons (poly->terms F (car h)) (cdr h))))
-
-(define (smaller a b)
-  (if (<= (expression-size a) (expression-size b)) a b))
-
-(define (make-kernel-size)
-  (define memo (make-memo))
-  (lambda (k) (memo k (lambda () (expression-size (kernel-expression k))))))
+          (form-expression (product-form 1 (term-powers t) '() divisors #f)))))
 
 ;; ---------------------------------------------------------------------------
-;; Terms
+;; Polynomials as terms
 
 (define (poly->terms F p)
-  (define kernels (field-kernels F))
-  (term-sort
-   (for/list ([t (in-list (poly-terms (field-ring F) p))])
-     (term (car t)
-           (for/list ([f (in-list (cdr t))])
-             (cons (vector-ref kernels (car f)) (cdr f)))))))
+  (for/list ([t (in-list (contract-angles F
+                                          (shortest-squares F p)
+                                          (lambda (a b sign) (field-circle-sum F a b sign))
+                                          (lambda (o) (field-doubled? F o))))])
+    (make-term (car t) (cdr t))))
 
-;; The single-term factors of a denominator as powers with negative exponents,
-;; and the others.
-(define (split-monomials factors)
-  (for/fold ([below '()] [others '()] #:result (values below (reverse others)))
-            ([f (in-list factors)])
-    (define terms (car f))
-    (if (null? (cdr terms))
-        (values (multiply-powers below (scale-powers (term-powers (car terms)) (- (cdr f))))
-                others)
-        (values below (cons f others)))))
+(define (piece-terms F p)
+  (define powers (term-powers (make-term 1 (piece-powers p))))
+  (multiply-terms (poly->terms F (piece-numerator p)) powers))
 
-(define (scale-powers powers k)
-  (for/list ([p (in-list powers)]) (cons (car p) (* k (cdr p)))))
-
-(define (multiply-powers as bs)
-  (cond [(null? as) bs]
-        [(null? bs) as]
-        [else
-         (define i (kernel-index (caar as)))
-         (define j (kernel-index (caar bs)))
-         (cond [(< i j) (cons (car as) (multiply-powers (cdr as) bs))]
-               [(> i j) (cons (car bs) (multiply-powers as (cdr bs)))]
-               [else
-                (define e (+ (cdar as) (cdar bs)))
-                (define rest (multiply-powers (cdr as) (cdr bs)))
-                (if (eqv? e 0) rest (cons (cons (caar as) e) rest))])]))
-
-(define (multiply-terms terms powers)
-  (for/list ([t (in-list terms)])
-    (term (term-coefficient t) (multiply-powers (term-powers t) powers))))
+(define (piece-divisors F p)
+  (for/list ([h (in-list (piece-factors p))])
+    (cons (present-terms F (poly->terms F (car h))) (cdr h))))
 
 ;; ---------------------------------------------------------------------------
-;; Sums
+;; Sums of pieces
 
-(define (present-sum terms inexact? size)
-  (define-values (c powers core) (extract-content terms))
-  (cond [(null? (cdr terms)) (terms->expression terms inexact?)]
-        [(and (eqv? c 1) (null? powers)) (terms->expression terms inexact?)]
-        [(factored-better? c powers core terms size)
-         (product-of (term c powers) core inexact?)]
-        [else (terms->expression terms inexact?)]))
+;; Pieces without further divisors are one sum of terms.
+(define (present-pieces F pieces)
+  (define whole (filter (lambda (p) (null? (piece-factors p))) pieces))
+  (define others (filter (lambda (p) (pair? (piece-factors p))) pieces))
+  (define terms (apply append (map (lambda (p) (piece-terms F p)) whole)))
+  (define quotients (map (lambda (p) (quotient-form F p)) others))
+  (cond [(null? quotients) (present-terms F terms)]
+        [(null? terms) (sum-form quotients)]
+        [else (sum-form (append (sorted-forms F terms) quotients))]))
 
-;; Does factoring save a fifth?
-(define (factored-better? c powers core terms size)
-  (define whole (terms-size terms size))
-  (define factored
-    (+ 1 (if (eqv? c 1) 0 1)
-       (for/sum ([p (in-list powers)]) (+ (size (car p)) (if (eqv? 1 (cdr p)) 0 2)))
-       (terms-size core size)))
-  (<= (* 5 factored) (* 4 whole)))
+(define (quotient-form F p)
+  (define-values (c powers core) (extract-content (piece-terms F p)))
+  (product-form c powers (core-forms F core) (piece-divisors F p) (field-inexact? F)))
 
-;; -> c powers core: terms = c · powers · core, core with coprime integer
-;; coefficients, not all negative.
-(define (extract-content terms)
-  (define c (content (map term-coefficient terms)))
-  (define signed
-    (if (andmap (lambda (t) (negative? (term-coefficient t))) terms) (- c) c))
-  (define powers
-    (for/fold ([common (term-powers (car terms))]) ([t (in-list (cdr terms))])
-      (common-powers common (term-powers t))))
-  (define inverse (scale-powers powers -1))
-  (values signed powers
-          (for/list ([t (in-list terms)])
-            (term (/ (term-coefficient t) signed)
-                  (multiply-powers (term-powers t) inverse)))))
-
-(define (content cs)
-  (/ (apply gcd (map numerator cs)) (apply lcm (map denominator cs))))
-
-(define (common-powers as bs)
-  (cond [(or (null? as) (null? bs)) '()]
-        [else
-         (define i (kernel-index (caar as)))
-         (define j (kernel-index (caar bs)))
-         (cond [(< i j) (common-powers (cdr as) bs)]
-               [(> i j) (common-powers as (cdr bs))]
-               [else (cons (cons (caar as) (min (cdar as) (cdar bs)))
-                           (common-powers (cdr as) (cdr bs)))])]))
-
-;; The term times a sum: number, symbols, the sum, other kernels.
-(define (product-of t core inexact?)
-  (define-values (above below) (term-split t))
-  (define sum (terms->expression core inexact?))
-  (product-expression (present-number (term-coefficient t) inexact?)
-                      (insert-sum sum above)))
-
-(define (insert-sum sum factors)
-  (cond [(and (pair? factors) (symbol-power? (car factors)))
-         (cons (car factors) (insert-sum sum (cdr factors)))]
-        [else (cons sum factors)]))
-
-(define (symbol-power? e)
-  (or (symbol? e)
-      (and (node? e) (eq? (node-head e) op:expt) (symbol? (car (node-args e))))))
+;; No form for a core that is 1.
+(define (core-forms F core)
+  (if (and (null? (cdr core)) (null? (term-powers (car core))))
+      '()
+      (list (collected-form F core))))
 
 ;; ---------------------------------------------------------------------------
-;; Quotients
+;; Sums of terms
 
-(define (present-quotient numerator factors inexact? size)
-  (define-values (c powers core) (extract-content numerator))
-  (define whole (if (integer? c) 1 (denominator c)))
-  (define above
-    (present-sum (scale-terms whole numerator) inexact? size))
-  (define below
-    (product-expression whole (factor-expressions factors inexact?)))
-  (make-node op:/ (list above below)))
+(define (present-terms F terms)
+  (define usual (collected-form F terms))
+  (cond [(null? (cdr terms)) usual]
+        [else
+         (define-values (c powers core) (extract-content terms))
+         (if (and (eqv? c 1) (null? powers))
+             usual
+             (smaller-form usual
+                           (product-form c powers (core-forms F core) '() (field-inexact? F))))]))
 
-(define (factor-expressions factors inexact?)
-  (for/list ([f (in-list factors)])
-    (define base (terms->expression (car f) inexact?))
-    (if (eqv? (cdr f) 1) base (make-node op:expt (list base (cdr f))))))
+(define (expanded-form F terms) (sum-form (sorted-forms F terms)))
 
-(define (scale-terms c terms)
-  (if (eqv? c 1)
-      terms
-      (for/list ([t (in-list terms)])
-        (term (* c (term-coefficient t)) (term-powers t)))))
+;; A positive constant comes first.
+(define (sorted-forms F terms)
+  (define sorted (term-sort terms))
+  (define constant
+    (for/first ([t (in-list sorted)]
+                #:when (and (null? (term-powers t)) (positive? (term-coefficient t))))
+      t))
+  (for/list ([t (in-list (if constant (cons constant (remq constant sorted)) sorted))])
+    (term-form t (field-inexact? F))))
+
+;; Terms that agree in everything but symbols are one summand, a product with a
+;; sum in the symbols.
+(define (collected-form F terms)
+  (define expanded (expanded-form F terms))
+  (define groups (group-by-kernels (term-sort terms)))
+  (if (or (null? (cdr groups)) (andmap (lambda (g) (null? (cdr g))) groups))
+      expanded
+      (smaller-form expanded (sum-form (map (lambda (g) (group-form F g)) groups)))))
+
+(define (group-form F group)
+  (cond [(null? (cdr group)) (term-form (car group) (field-inexact? F))]
+        [else
+         (define-values (c powers core) (extract-content group))
+         (product-form c powers (list (expanded-form F core)) '() (field-inexact? F))]))
+
+;; A list of lists of terms, in the order of their first terms.
+(define (group-by-kernels terms)
+  (define table (make-hash))
+  (define keys
+    (for/fold ([keys '()]) ([t (in-list terms)])
+      (define key (kernel-part t))
+      (define known? (hash-has-key? table key))
+      (hash-update! table key (lambda (group) (cons t group)) '())
+      (if known? keys (cons key keys))))
+  (for/list ([key (in-list (reverse keys))]) (reverse (hash-ref table key))))
+
+(define (kernel-part t)
+  (for/list ([p (in-list (term-powers t))] #:unless (symbol? (kernel-expression (car p))))
+    (cons (kernel-rank (car p)) (cdr p))))

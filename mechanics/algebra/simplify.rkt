@@ -5,7 +5,7 @@
 ;; the expression is evaluated as a fraction of polynomials in them, reduced by
 ;; the relations among them, and presented.
 
-(require "operation.rkt" "expression.rkt" "datum.rkt" "kernel.rkt" "collect.rkt" "field.rkt"
+(require "operation.rkt" "expression.rkt" "datum.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "field.rkt"
          "present.rkt" "radicand.rkt" "condition.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 

@@ -10,7 +10,8 @@
 ;; with fewer terms is kept, the one without sin² if they tie.
 
 (require "kernel.rkt" "field.rkt"
-         "polynomial/polynomial.rkt" "polynomial/fraction.rkt" "polynomial/ring.rkt")
+         "polynomial/polynomial.rkt" "polynomial/fraction.rkt" "polynomial/ring.rkt"
+         "polynomial/monomial.rkt")
 
 (provide shortest-squares)
 
@@ -45,22 +46,21 @@
 
 ;; Pairs X m + (ratio X) m xᵢ² become (factor X) m xⱼ².
 (define (merge R p i j ratio factor)
-  (define xi² (* 2 (variable-unit R i)))
-  (define xj² (* 2 (variable-unit R j)))
-  (define table (make-hasheqv))
+  (define xi² (variable-power R i 2))
+  (define xj² (variable-power R j 2))
+  (define table (make-monomial-hash R))
   (for ([t (in-list p)]) (hash-set! table (car t) (cdr t)))
   (define merged
-    (for/fold ([merged '()]) ([t (in-list p)]
-                              #:when (>= (monomial-exponent R (car t) i) 2))
-      (define low (- (car t) xi²))
-      (define x (hash-ref table low #f))
-      (cond [(and x (hash-has-key? table (car t)) (= (cdr t) (* ratio x)))
-             (hash-remove! table (car t))
-             (hash-remove! table low)
-             (cons (cons (+ low xj²) (* factor x)) merged)]
-            [else merged])))
+    (for*/list ([t (in-list p)]
+                #:when (>= (monomial-exponent R (car t) i) 2)
+                [low (in-value (monomial- (car t) xi²))]
+                [x (in-value (hash-ref table low #f))]
+                #:when (and x (hash-has-key? table (car t)) (= (cdr t) (* ratio x))))
+      (hash-remove! table (car t))
+      (hash-remove! table low)
+      (list (cons (monomial+ low xj²) (* factor x)))))
   (if (null? merged)
       p
       (poly+ R
              (filter (lambda (t) (hash-has-key? table (car t))) p)
-             (poly-sum R (map list merged)))))
+             (poly-sum R merged))))

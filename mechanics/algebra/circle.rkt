@@ -1,0 +1,56 @@
+#lang racket/base
+;; Circles: basic angles, and the sums of two of them that presentation asks for.
+;;
+;; An angle is known up to its sign: of u and -u the one with a positive leading
+;; term has the circle.
+
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt")
+
+(provide signed-circle make-circle make-circles combine-circles!)
+
+;; u -> (circle . 1), or (circle . -1) if the circle is that of -u.
+(define (signed-circle services u circle-of)
+  (define simple ((services-simplify services) u))
+  (define leading
+    (if (number? simple) simple (caar ((services-terms services) simple))))
+  (if (and (real? leading) (negative? leading))
+      (cons (circle-of ((services-simplify services) (e:negate simple))) -1)
+      (cons (circle-of simple) 1)))
+
+;; intern : expression relation -> kernel
+(define (make-circle u sign intern)
+  (define o (circle u sign #f #f))
+  (define circular? (eqv? sign 1))
+  (define (of op) (make-node op (list u)))
+  (set-circle-sine! o (intern (of (if circular? op:sin op:sinh)) o))
+  (set-circle-cosine! o (intern (of (if circular? op:cos op:cosh)) #f))
+  o)
+
+;; ---------------------------------------------------------------------------
+;; Circles by their angles, with all kernels by rank
+
+(struct circles (table services [ranked #:mutable]) #:authentic)
+
+(define (make-circles kernels services)
+  (define table (make-hash))
+  (for ([k (in-vector kernels)] #:when (circle? (kernel-relation k)))
+    (define o (kernel-relation k))
+    (when (eqv? 1 (circle-sign o))
+      (hash-set! table (circle-expression o) o)))
+  (circles table services (sort (vector->list kernels) < #:key kernel-rank)))
+
+;; The circle of the sum (sign 1) or difference (-1) of two angles, and ±1.
+(define (combine-circles! cs a b sign)
+  (define u ((if (eqv? sign 1) e:+ e:-) (circle-expression a) (circle-expression b)))
+  (define table (circles-table cs))
+  (signed-circle (circles-services cs) u
+                 (lambda (u)
+                   (or (hash-ref table u #f)
+                       (let ([o (make-circle u 1 (lambda (e o) (add-kernel! cs e o)))])
+                         (hash-set! table u o)
+                         o)))))
+
+(define (add-kernel! cs expression relation)
+  (define k (make-kernel expression relation))
+  (set-circles-ranked! cs (insert-kernel! k (circles-ranked cs)))
+  k)
