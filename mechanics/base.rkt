@@ -38,7 +38,7 @@
  structure->vector structure->list vector->up vector->down list->up list->down
  s:generate s:map s:map/r s:fold flip s:same s:opposite
  compatible-shape compatible-zero dual-zero zero-like
- dot-product inner-product outer-product cross-product euclidean-norm
+ dot-product inner-product outer-product cross-product euclidean-norm unequal-contraction
  ;; matrices and linear algebra
  matrix? matrix-by-rows matrix-by-columns m:generate identity-matrix
  up->column-matrix down->row-matrix column-matrix->up row-matrix->down

@@ -5,7 +5,9 @@
 (require racket/match
          "base.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
-         "lagrangian/Lagrange-equations.rkt" "lagrangian/local-tuple.rkt"
+         "lagrangian/Lagrange-equations.rkt"
+         (except-in "lagrangian/local-tuple.rkt" path)
+         "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
          "lagrangian/variation.rkt" "lagrangian/verify.rkt"
          "display/print-expression.rkt"
          "teach/derivation.rkt"
@@ -24,8 +26,11 @@
  literal-Lagrangian-state
  ;; actions
  Lagrangian-action definite-integral minimize
+ make-path make-eta parametric-path-action
+ linear-interpolants Lagrange-interpolation-function
  ;; equations of motion
  Lagrange-equations generalized-LE delta verify-solution
+ Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
  derivation-steps show-derivation
  ;; coordinates
  F->C Gamma-bar osculating-path

@@ -13,7 +13,7 @@
  structure structure? structure-orientation structure-elements
  up down up? down? tuple? adopt vector->up vector->down
  same-orientation flip-orientation structure-length
- structure-map structure-map2 compatible?
+ structure-map structure-map2 compatible? same-shape?
  ;; arithmetic over a given ring
  structure-add structure-multiply contractible? unequal-contraction)
 
@@ -130,6 +130,16 @@
 (define (compatible? a b)
   (and (eq? (structure-orientation a) (structure-orientation b))
        (= (structure-length a) (structure-length b))))
+
+;; Are a and b alike in every orientation and length, at all depths?
+(define (same-shape? a b)
+  (if (and (tuple? a) (tuple? b))
+      (let ([s (adopt a)] [t (adopt b)])
+        (and (compatible? s t)
+             (for/and ([x (in-vector (structure-elements s))]
+                       [y (in-vector (structure-elements t))])
+               (same-shape? x y))))
+      (not (or (tuple? a) (tuple? b)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic

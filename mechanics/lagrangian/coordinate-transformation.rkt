@@ -42,15 +42,6 @@
               (value->text (coordinate local)) (value->text (velocity local)))
       (current-continuation-marks)))))
 
-(define (same-shape? a b)
-  (if (and (tuple? a) (tuple? b))
-      (let ([s (adopt a)] [t (adopt b)])
-        (and (compatible? s t)
-             (for/and ([x (in-vector (structure-elements s))]
-                       [y (in-vector (structure-elements t))])
-               (same-shape? x y))))
-      (not (or (tuple? a) (tuple? b)))))
-
 (define (check-local who local least-length)
   (unless (and (local-tuple? local) (>= (s:length local) least-length))
     (raise

@@ -16,7 +16,7 @@
  s:generate s:map s:map/r s:fold flip s:same s:opposite
  compatible-shape compatible-zero dual-zero zero-like
  ;; products
- dot-product inner-product outer-product cross-product euclidean-norm
+ dot-product inner-product outer-product cross-product euclidean-norm unequal-contraction
  structure-of)
 
 ;; ---------------------------------------------------------------------------

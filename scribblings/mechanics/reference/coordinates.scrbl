@@ -38,6 +38,44 @@ path.
 
 @sicm{1.9, pp. 95–96}}
 
+@section{Total time derivatives}
+
+@defthing[Dt operator?]{
+
+The total time derivative: of a function F of local tuples, the function of local
+tuples longer by one that is the derivative of F by time along every path,
+∂@subscript{0}F + ∂@subscript{1}F v + ∂@subscript{2}F a + ⋯
+
+@examples[#:eval session
+((Dt coordinate) (up 't 'q 'v))
+((Dt (lambda (local) (* (time local) (square (velocity local))))) (up 't 'q 'v 'a))
+(eval:error ((Dt velocity) (up 't 'q)))]
+
+@sicm{1.9, p. 97}}
+
+@deftogether[(@defproc[(Euler-Lagrange-operator [L Lagrangian]) procedure?]
+              @defproc[(LE [L Lagrangian]) procedure?]
+              @defproc[(Lagrange-equations-operator [L Lagrangian]) procedure?])]{
+
+The residual of Lagrange's equations as a function of local tuples with
+accelerations, without any path.
+
+@examples[#:eval session
+(define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+((Euler-Lagrange-operator (L-harmonic 'm 'k)) (up 't 'x 'v 'a))]
+
+@sicm{1.9, p. 98}}
+
+@deftogether[(@defproc[(clip-state [n exact-nonnegative-integer?]) procedure?]
+              @defproc[(trim-last-argument [local local-tuple]) local-tuple])]{
+
+@racket[((clip-state n) local)] is the first n components of a local tuple,
+@racket[trim-last-argument] all but the last.
+
+@examples[#:eval session
+((clip-state 2) (up 't 'q 'v 'a))
+(trim-last-argument (up 't 'q 'v 'a))]}
+
 @section{Polar and spherical coordinates}
 
 Each takes a local tuple in its first coordinates, and gives the second

@@ -140,4 +140,62 @@ the two.
 
 @sicm{1.4, p. 19}}
 
+@section{Paths to try}
+
+@defproc[(make-eta [nu procedure?] [t1 scalar] [t2 scalar]) procedure?]{
+
+The variation t ↦ ν(t) (t − t@subscript{1}) (t − t@subscript{2}), which leaves a
+path where it is at both times. @racket[nu] is a function of time, or a tuple of
+them.
+
+@examples[#:eval session
+(define eta (make-eta (up sin cos square) 0 10))
+(Lagrangian-action (L-free 3) (+ straight (* 0.001 eta)) 0 10)]
+
+@sicm{1.4, p. 18}}
+
+@defproc[(make-path [t0 scalar] [q0 value] [t1 scalar] [q1 value] [qs list?]) procedure?]{
+
+The path through @racket[q0] at @racket[t0], then the coordinates @racket[qs] at
+evenly spaced times, and @racket[q1] at @racket[t1]: the polynomial in time of
+least degree.
+
+@examples[#:eval session
+(define path (make-path 0 'a 2 'c '(b)))
+(path 1)
+((D path) 1)]
+
+@sicm{1.4, p. 20}}
+
+@defproc[(parametric-path-action [L Lagrangian] [t0 real?] [q0 value] [t1 real?] [q1 value])
+         procedure?]{
+
+The action of the path of @racket[make-path], as a function of the list of
+intermediate coordinates.
+
+@examples[#:eval session
+(define action (parametric-path-action (L-free 2) 0 0 1 1))
+(action '(1/3 2/3))
+(action '(1/4 2/3))]
+
+@sicm{1.4, p. 21}}
+
+@defproc[(linear-interpolants [x0 scalar] [x1 scalar] [n exact-nonnegative-integer?]) list?]{
+
+The n values that lie evenly spaced between @racket[x0] and @racket[x1].
+
+@examples[#:eval session (linear-interpolants 0 1 3)]
+
+@sicm{1.4, p. 20}}
+
+@defproc[(Lagrange-interpolation-function [ys list?] [xs list?]) procedure?]{
+
+The polynomial of least degree with the values @racket[ys] at the points
+@racket[xs]. The values may be tuples.
+
+@examples[#:eval session
+((Lagrange-interpolation-function '(0 1 4) '(0 1 2)) 'x)]
+
+@sicm{1.4, p. 20}}
+
 @(close-session session)

@@ -212,6 +212,17 @@ The tuple like @racket[b] whose components are those of @racket[b] multiplied by
 
 @examples[#:eval session (outer-product (up 'a 'b) (down 'x 'y))]}
 
+@defparam[unequal-contraction choice (or/c 'outer-product 'error) #:value 'outer-product]{
+
+What @racket[*] makes of an up and a down tuple of scalars whose lengths differ. In
+the book they multiply like any tuples that do not contract; but that is rarely
+meant, and with @racket['error] it is a mistake that is reported.
+
+@examples[#:eval session
+(* (down 1 2) (up 1 2 3))
+(eval:error (parameterize ([unequal-contraction 'error])
+              (* (down 1 2) (up 1 2 3))))]}
+
 @defproc[(cross-product [a tuple] [b tuple]) structure?]{
 
 The vector product of two tuples of three.

@@ -1,0 +1,52 @@
+#lang racket/base
+;; Paths made to measure: through given points, or varied between fixed ends
+;; (SICM 1.4, pp. 18–21).
+
+(require "action.rkt"
+         "../generic/arithmetic.rkt")
+
+(provide make-path make-eta parametric-path-action
+         linear-interpolants Lagrange-interpolation-function)
+
+;; The polynomial in time through q0 at t0, then the coordinates qs, a list,
+;; evenly spaced, and q1 at t1.
+(define (make-path t0 q0 t1 q1 qs)
+  (unless (list? qs)
+    (raise-argument-error 'make-path "a list of intermediate coordinates" qs))
+  (Lagrange-interpolation-function
+   (append (list q0) qs (list q1))
+   (append (list t0) (linear-interpolants t0 t1 (length qs)) (list t1))))
+
+;; t ↦ ν(t) (t - t1) (t - t2), a variation that leaves the ends where they are.
+(define (make-eta nu t1 t2)
+  (unless (procedure? nu)
+    (raise-argument-error 'make-eta "a function of time, or a tuple of them" nu))
+  (lambda (t) (g:* (g:- t t1) (g:- t t2) (nu t))))
+
+;; ((parametric-path-action L t0 q0 t1 q1) qs): the action of the path of
+;; make-path, as a function of the intermediate coordinates.
+(define ((parametric-path-action L t0 q0 t1 q1) qs)
+  (Lagrangian-action L (make-path t0 q0 t1 q1 qs) t0 t1))
+
+;; n values evenly spaced between x0 and x1, ends excluded, as a list.
+(define (linear-interpolants x0 x1 n)
+  (unless (exact-nonnegative-integer? n)
+    (raise-argument-error 'linear-interpolants "a number of points" n))
+  (define step (g:/ (g:- x1 x0) (add1 n)))
+  (for/list ([i (in-range 1 (add1 n))])
+    (g:+ x0 (g:* i step))))
+
+;; The polynomial of least degree that takes the values ys at the points xs:
+;; Σᵢ yᵢ Πⱼ≠ᵢ (x - xⱼ)/(xᵢ - xⱼ).
+(define (Lagrange-interpolation-function ys xs)
+  (unless (and (list? ys) (list? xs) (= (length ys) (length xs)) (pair? xs))
+    (raise-arguments-error 'Lagrange-interpolation-function
+                           "expected as many values as points, and at least one"
+                           "values" ys "points" xs))
+  (lambda (x)
+    (for/fold ([sum 0]) ([y (in-list ys)] [xi (in-list xs)] [i (in-naturals)])
+      (g:+ sum (g:* (basis-polynomial x xi i xs) y)))))
+
+(define (basis-polynomial x xi i xs)
+  (for/fold ([p 1]) ([xj (in-list xs)] [j (in-naturals)] #:unless (= i j))
+    (g:* p (g:/ (g:- x xj) (g:- xi xj)))))
