@@ -5,7 +5,7 @@
 (require racket/match
          "base.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
-         "lagrangian/Lagrange-equations.rkt"
+         "lagrangian/Lagrange-equations.rkt" "lagrangian/state-derivative.rkt"
          (except-in "lagrangian/local-tuple.rkt" path)
          "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
          "lagrangian/variation.rkt" "lagrangian/verify.rkt"
@@ -30,6 +30,7 @@
  linear-interpolants Lagrange-interpolation-function
  ;; equations of motion
  Lagrange-equations generalized-LE delta verify-solution
+ Lagrangian->acceleration Lagrangian->state-derivative Lagrangian->energy
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
  derivation-steps show-derivation
  ;; coordinates

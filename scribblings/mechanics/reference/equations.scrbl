@@ -54,6 +54,31 @@ an error that says what may have been forgotten.
 
 @sicm{1.5, exercises 1.10 and 1.13}}
 
+@deftogether[(@defproc[(Lagrangian->acceleration [L Lagrangian]) procedure?]
+              @defproc[(Lagrangian->state-derivative [L Lagrangian]) procedure?]
+              @defproc[(Lagrangian->energy [L Lagrangian]) procedure?])]{
+
+Functions of the local tuple @racket[(up t q v)]: the accelerations that Lagrange's
+equations determine; the state derivative @racket[(up 1 v a)]; and the energy
+∂@subscript{2}L v − L.
+
+The accelerations solve (∂@subscript{2}∂@subscript{2}L) a = ∂@subscript{1}L −
+∂@subscript{0}∂@subscript{2}L − ∂@subscript{1}∂@subscript{2}L v. A Lagrangian that
+leaves a direction without inertia raises
+@racket[exn:fail:mechanics:singular].
+
+@examples[#:eval session
+(define state (up 't (up 'x 'y) (up 'v_x 'v_y)))
+(define ((L-anisotropic m k1 k2) (up t (up x y) v))
+  (- (* 1/2 m (square v)) (* 1/2 (+ (* k1 (square x)) (* k2 (square y))))))
+((Lagrangian->acceleration (L-anisotropic 'm 'k1 'k2)) state)
+((Lagrangian->state-derivative (L-anisotropic 'm 'k1 'k2)) state)
+((Lagrangian->energy (L-anisotropic 'm 'k1 'k2)) state)
+(eval:error ((Lagrangian->acceleration (lambda (local) (coordinate local)))
+             (up 't 'x 'v)))]
+
+@sicm{1.7, p. 71 and 1.8.1, p. 82}}
+
 @deftogether[(@defproc[(derivation-steps [equations procedure?] [q path] [t scalar 't])
                        (listof pair?)]
               @defproc[(show-derivation [equations procedure?] [q path] [t scalar 't])

@@ -1,0 +1,48 @@
+#lang racket/base
+;; From a Lagrangian to the motion of local states (SICM 1.7 and 1.8).
+;;
+;; Lagrange's equations are linear in the accelerations: with P = ∂₂L,
+;;
+;;     ∂₂P a = ∂₁L − ∂₀P − ∂₁P v,
+;;
+;; so the accelerations follow from the local state (t, q, v) wherever the mass
+;; matrix ∂₂∂₂L has an inverse.  The energy is E = P v − L.
+
+(require "Lagrange-equations.rkt" "local-tuple.rkt"
+         "../generic/structure.rkt" "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../calculus/derivative.rkt"
+         "../value/function.rkt" "../value/linear.rkt")
+
+(provide Lagrangian->acceleration Lagrangian->state-derivative Lagrangian->energy)
+
+;; (Lagrangian->acceleration L) : (t, q, v) ↦ a
+(define (Lagrangian->acceleration L)
+  (check-Lagrangian 'Lagrangian->acceleration L)
+  (define P ((partial 2) L))
+  (define mass ((partial 2) P))
+  (function-of-state
+   'Lagrangian->acceleration L
+   (lambda (state)
+     (solve-linear-left
+      (mass state)
+      (g:- (((partial 1) L) state)
+           (g:+ (((partial 0) P) state)
+                (g:* (((partial 1) P) state) (velocity state))))))))
+
+;; (Lagrangian->state-derivative L) : (t, q, v) ↦ (1, v, a)
+(define (Lagrangian->state-derivative L)
+  (define acceleration-at (Lagrangian->acceleration L))
+  (function-of-state
+   'Lagrangian->state-derivative L
+   (lambda (state) (up 1 (velocity state) (acceleration-at state)))))
+
+;; (Lagrangian->energy L) : (t, q, v) ↦ P v − L
+(define (Lagrangian->energy L)
+  (check-Lagrangian 'Lagrangian->energy L)
+  (define P ((partial 2) L))
+  (function-of-state
+   'Lagrangian->energy L
+   (lambda (state) (g:- (g:* (P state) (velocity state)) (L state)))))
+
+(define (function-of-state who L f)
+  (make-function f 2 (lambda () (list who (value->datum L)))))
