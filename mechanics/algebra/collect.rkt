@@ -15,11 +15,11 @@
          "services.rkt" "circle.rkt")
 
 (provide (struct-out atlas)
-         (struct-out circular) (struct-out surd) imaginary-unit
+         (struct-out circular) (struct-out surd) (struct-out alias) imaginary-unit
          collect-kernels)
 
 ;; What was found.  resolutions : node, symbol, +i, or number
-;; that is not rational -> kernel, circular or surd; roots : those in the radicands
+;; that is not rational -> kernel, circular, surd or alias; roots : those in the radicands
 ;; of others after them; doubled : circles of which twice the angle occurred;
 ;; inexact? : did a flonum occur?
 (struct atlas (kernels resolutions roots doubled inexact? services)
@@ -28,19 +28,24 @@
 ;; What stands for a node: function ∈ sin cos tan of an angle;
 (struct circular (function angle)
   #:authentic)
-;; outer^power · root^power.
+;; outer^power · root^power;
 (struct surd (outer root power)
+  #:authentic)
+;; another expression.
+(struct alias (expression)
   #:authentic)
 
 ;; ---------------------------------------------------------------------------
 ;; The walk
 
-(struct collector (services kernels resolutions atoms angles roots
+(struct collector (services root blocked kernels resolutions atoms angles roots
                    [root-list #:mutable] [inexact? #:mutable])
   #:authentic)
 
-(define (collect-kernels e services)
-  (define c (collector services (make-hash) (make-hasheqv) (make-atoms)
+;; blocked : nodes to be taken as they simplify by themselves, not expanded; if e
+;; is one, its operands are simplified.
+(define (collect-kernels e services [blocked '()])
+  (define c (collector services e blocked (make-hash) (make-hasheqv) (make-atoms)
                        (make-hash) (make-hash) '() #f))
   (visit! c e)
   (settle-angles! c)
@@ -57,7 +62,21 @@
         [(symbol? e) (resolve! c e (intern-kernel! c e))]
         [else
          (hash-set! (collector-resolutions c) e #t)
-         (visit-node! c e)]))
+         (if (memq e (collector-blocked c))
+             (visit-blocked! c e)
+             (visit-node! c e))]))
+
+;; What a blocked node simplifies to stands for it; a sum as one kernel.
+(define (visit-blocked! c n)
+  (define simple
+    (if (eq? n (collector-root c))
+        (simplify-arguments c n)
+        ((services-simplify (collector-services c)) n)))
+  (cond [(and (node? simple) (memq (node-head simple) (list op:+ op:- (node-head n))))
+         (resolve! c n (intern-kernel! c simple))]
+        [else
+         (visit! c simple)
+         (resolve! c n (alias simple))]))
 
 (define (visit-number! c e)
   (cond [(exact-constant? e)

@@ -11,7 +11,7 @@
 ;; Relations form a tower, each over the kernels of those before it; reducing
 ;; from the top once suffices.
 
-(require "kernel.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "polynomial/polynomial.rkt"
+(require "kernel.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "bounds.rkt" "polynomial/polynomial.rkt"
          "polynomial/fraction.rkt" "polynomial/ring.rkt")
 
 (provide (struct-out field) (struct-out relation)
@@ -48,20 +48,34 @@
     (define sine² (if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one)))
     (relation (kernel-index k) 2 (fraction-from-poly R sine²))))
 
-;; The reduced fraction an expression stands for.
+;; The reduced fraction an expression stands for.  Where it divides by zero, or
+;; would grow past the bounds, the walk is `stuck` at a node.
 (define (field-fraction F e)
-  (reduce-fraction F (evaluate-in (fraction-arithmetic (field-ring F)) (field-atlas F) e)))
+  (reduce-fraction F (evaluate-in (fraction-arithmetic F) (field-atlas F) e)))
 
-(define (fraction-arithmetic R)
-  (define zero (fraction-from-poly R (poly-constant R 0)))
+(define (fraction-arithmetic F)
+  (define R (field-ring F))
+  (define (divisor f)
+    (define g (reduce-fraction F f))
+    (when (fraction-zero? g) (raise-obstacle))
+    g)
   (arithmetic
    (lambda (c) (fraction-from-poly R (poly-constant R c)))
    (lambda (k) (fraction-from-poly R (poly-variable R (kernel-index k))))
-   (lambda (fs) (fraction-sum R fs))
-   (lambda (fs) (for/fold ([p (car fs)]) ([f (in-list (cdr fs))]) (fraction* R p f)))
-   (lambda (f g) (fraction- R f g))
-   (lambda (f g) (fraction/ R f g))
-   (lambda (f k) (fraction-expt R f k))))
+   (lambda (fs) (check-addition fs) (fraction-sum R fs))
+   (lambda (fs)
+     (for/fold ([p (car fs)]) ([f (in-list (cdr fs))])
+       (check-multiplication p f)
+       (fraction* R p f)))
+   (lambda (f g) (check-addition (list f g)) (fraction- R f g))
+   (lambda (f g)
+     (define d (divisor g))
+     (check-multiplication f d)
+     (fraction/ R f d))
+   (lambda (f k)
+     (define base (if (negative? k) (divisor f) f))
+     (check-expansion base (abs k))
+     (fraction-expt R base k))))
 
 ;; ---------------------------------------------------------------------------
 ;; Reduction

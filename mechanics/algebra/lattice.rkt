@@ -8,8 +8,9 @@
 ;;
 ;; First a maximal independent subset of the vectors themselves is kept, the
 ;; earlier ones preferred.  When all others are integer combinations of it (the
-;; usual case) it is the basis; otherwise the Hermite normal form of all
-;; coordinates, scaled to integers, gives one.
+;; usual case) it is the basis.  Otherwise a finer lattice will do: fractions of
+;; the atoms themselves, if there are no more atoms than dimensions, and else
+;; what the Hermite normal form of all coordinates, scaled to integers, gives.
 ;;
 ;; A vector is a list of (key . rational), keys ascending, rationals nonzero.
 
@@ -19,9 +20,25 @@
 ;; vector, a list of (basis position . integer).
 (define (integer-basis vectors)
   (define-values (independent coordinates) (rational-basis vectors))
-  (if (andmap integral? coordinates)
-      (values independent coordinates)
-      (refine independent coordinates)))
+  (define keys (all-keys independent))
+  (cond [(andmap integral? coordinates) (values independent coordinates)]
+        [(= (length keys) (length independent)) (atomic-basis keys vectors)]
+        [else (refine independent coordinates)]))
+
+(define (all-keys vectors)
+  (for*/fold ([keys '()] #:result (sort keys <)) ([v (in-list vectors)] [entry (in-list v)])
+    (if (memv (car entry) keys) keys (cons (car entry) keys))))
+
+;; Each key alone, divided by the common denominator of its coordinates.
+(define (atomic-basis keys vectors)
+  (define divisors
+    (for/list ([k (in-list keys)])
+      (for/fold ([d 1]) ([v (in-list vectors)]) (lcm d (denominator (coordinate v k))))))
+  (values (for/list ([k (in-list keys)] [d (in-list divisors)]) (list (cons k (/ 1 d))))
+          (for/list ([v (in-list vectors)])
+            (for/list ([k (in-list keys)] [d (in-list divisors)] [position (in-naturals)]
+                       #:unless (eqv? 0 (coordinate v k)))
+              (cons position (* d (coordinate v k)))))))
 
 (define (integral? v)
   (for/and ([entry (in-list v)]) (integer? (cdr entry))))

@@ -5,7 +5,7 @@
 ;; the expression is evaluated as a fraction of polynomials in them, reduced by
 ;; the relations among them, and presented.
 
-(require "operation.rkt" "expression.rkt" "datum.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "field.rkt"
+(require "operation.rkt" "expression.rkt" "datum.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "field.rkt" "walk.rkt"
          "present.rkt" "radicand.rkt" "condition.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
@@ -79,17 +79,36 @@
   (define these (services simplify terms split))
   these)
 
-;; -> the field of the expression's kernels and its value there.
-(define (normalize e services)
-  (define atlas (collect-kernels e services))
-  (define kernels (place-kernels! (atlas-kernels atlas)))
-  (let retry ([degree (degree-bound e)])
-    (define result
-      (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
-        (define F (make-field atlas kernels degree))
-        (cons F (field-fraction F e))))
-    (if result
-        (values (car result) (cdr result))
-        (retry (* 2 degree)))))
+;; -> the field of the expression's kernels and its value there.  Sums at which
+;; the walk gets stuck are left unexpanded; after too many of them, e is.
+(define stuck-limit 8)
 
-(define (degree-bound e) 7)
+(define (normalize e services)
+  (let retry ([blocked '()])
+    (define result
+      (with-handlers ([stuck? values])
+        (normalize-around e services
+                          (if (< (length blocked) stuck-limit) blocked (list e)))))
+    (if (stuck? result)
+        (retry (append (sums-to-block (stuck-node result) blocked) blocked))
+        (values (car result) (cdr result)))))
+
+;; The sums among the factors of the operands of n; n itself if there are none.
+(define (sums-to-block n blocked)
+  (define (sums e)
+    (cond [(or (not (node? e)) (memq e blocked)) '()]
+          [(memq (node-head e) (list op:+ op:-)) (list e)]
+          [(memq (node-head e) (list op:* op:/ op:expt)) (operand-sums e)]
+          [else '()]))
+  (define (operand-sums e) (apply append (map sums (node-args e))))
+  (define found (operand-sums n))
+  (if (null? found) (list n) found))
+
+(define (normalize-around e services blocked)
+  (define atlas (collect-kernels e services blocked))
+  (define kernels (place-kernels! (atlas-kernels atlas)))
+  (let retry ([degree 7])
+    (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
+          (define F (make-field atlas kernels degree))
+          (cons F (field-fraction F e)))
+        (retry (+ 1 (* 2 degree))))))

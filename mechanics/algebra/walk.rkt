@@ -8,7 +8,8 @@
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "exact.rkt")
 
-(provide (struct-out arithmetic) evaluate-in)
+(provide (struct-out arithmetic) evaluate-in
+         raise-obstacle (struct-out stuck))
 
 ;; constant : exact rational -> value        kernel : kernel -> value
 ;; sum, product : values -> value            difference, quotient : value value -> value
@@ -16,8 +17,16 @@
 (struct arithmetic (constant kernel sum product difference quotient power)
   #:authentic)
 
+;; An arithmetic that cannot go on, dividing by zero or growing past its bounds,
+;; raises an obstacle; the walk raises the node at which it happened, `stuck`.
+(struct obstacle ())
+(struct stuck (node))
+
+(define (raise-obstacle) (raise (obstacle)))
+
 ;; The value of e, whose kernels the atlas holds.
 (define (evaluate-in A atlas e)
+  (define current e)
   (define resolutions (atlas-resolutions atlas))
   (define memo (make-memo))
   (define turns (make-turns A))
@@ -36,26 +45,27 @@
                   ((arithmetic-product A)
                    (list (constant (imaginary-part x)) (kernel-value imaginary-unit)))))]))
   (define (node-value n)
-    (define head (node-head n))
-    (define args (node-args n))
-    (cond [(eq? head op:+) ((arithmetic-sum A) (map walk args))]
-          [(eq? head op:*) ((arithmetic-product A) (map walk args))]
-          [(eq? head op:-) ((arithmetic-difference A) (walk (car args)) (walk (cadr args)))]
-          [(eq? head op:/) ((arithmetic-quotient A) (walk (car args)) (walk (cadr args)))]
-          [else (resolved-value n args)]))
-  (define (resolved-value n args)
     (define r (hash-ref resolutions n))
     (cond [(kernel? r) ((arithmetic-kernel A) r)]
-          [(circular? r) (circular-value r)]
-          [(surd? r) (surd-value r)]
-          [else ((arithmetic-power A) (walk (car args)) (exact-exponent (cadr args)))]))
+          [(surd? r) (surd-value r (walk (surd-outer r)))]
+          [(alias? r) (walk (alias-expression r))]
+          [(circular? r) (set! current n) (circular-value r)]
+          [else (operation-value n (node-head n) (node-args n))]))
+  (define (operation-value n head args)
+    (define values (map walk (if (eq? head op:expt) (list (car args)) args)))
+    (set! current n)
+    (cond [(eq? head op:+) ((arithmetic-sum A) values)]
+          [(eq? head op:*) ((arithmetic-product A) values)]
+          [(eq? head op:-) ((arithmetic-difference A) (car values) (cadr values))]
+          [(eq? head op:/) ((arithmetic-quotient A) (car values) (cadr values))]
+          [else ((arithmetic-power A) (car values) (exact-exponent (cadr args)))]))
   (define (circular-value r)
     (define turn (turns (circular-angle r)))
     (cond [(memq (circular-function r) (list op:sin op:sinh)) (cdr turn)]
           [(memq (circular-function r) (list op:cos op:cosh)) (car turn)]
           [else ((arithmetic-quotient A) (cdr turn) (car turn))]))
-  (define (surd-value r)
-    (define outer ((arithmetic-power A) (walk (surd-outer r)) (surd-power r)))
+  (define (surd-value r outer-value)
+    (define outer ((arithmetic-power A) outer-value (surd-power r)))
     (if (surd-root r)
         ((arithmetic-product A)
          (list outer
@@ -63,7 +73,8 @@
                 ((arithmetic-kernel A) (root-kernel (surd-root r)))
                 (surd-power r))))
         outer))
-  (walk e))
+  (with-handlers ([obstacle? (lambda (o) (raise (stuck current)))])
+    (walk e)))
 
 ;; ---------------------------------------------------------------------------
 ;; Angles
