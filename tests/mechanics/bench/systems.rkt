@@ -3,8 +3,10 @@
 
 (require mechanics)
 
-(provide chain-Lagrangian chain-path
-         rigid-body-Lagrangian Euler-path)
+(provide chain-Lagrangian chain-path chain-state
+         rigid-body-Lagrangian Euler-path Euler-state
+         Foucault-Lagrangian Foucault-path Foucault-state
+         three-body-Lagrangian plane-path)
 
 (define (numbered name i) (string->symbol (format "~a~a" name i)))
 (define (numbered-list name n)
@@ -37,6 +39,11 @@
 (define (chain-path n)
   (apply up (map literal-function (numbered-list 'theta n))))
 
+(define (chain-state n)
+  (up 't
+      (apply up (numbered-list 'theta n))
+      (apply up (numbered-list 'thetadot n))))
+
 ;; ---------------------------------------------------------------------------
 ;; A free rigid body with principal moments A, B, C, in Euler angles (SICM 2.8).
 
@@ -48,3 +55,49 @@
 
 (define (Euler-path)
   (up (literal-function 'theta) (literal-function 'phi) (literal-function 'psi)))
+
+(define (Euler-state)
+  (up 't (up 'theta 'phi 'psi) (up 'thetadot 'phidot 'psidot)))
+
+;; ---------------------------------------------------------------------------
+;; Foucault's pendulum: mass m on a rod l at colatitude phi of a sphere of radius
+;; R turning at Omega; theta from the local vertical, lambda about it.
+
+(define ((pendulum->space l R phi Omega) (up t (up theta lambda) v))
+  (let* ([x (* l (sin theta) (cos lambda))]
+         [y (* l (sin theta) (sin lambda))]
+         [z (- R (* l (cos theta)))]
+         [X (+ (* x (cos phi)) (* z (sin phi)))]
+         [Z (- (* z (cos phi)) (* x (sin phi)))])
+    (up (- (* X (cos (* Omega t))) (* y (sin (* Omega t))))
+        (+ (* X (sin (* Omega t))) (* y (cos (* Omega t))))
+        Z)))
+
+(define (Foucault-Lagrangian)
+  (define L-free (lambda (local) (* 1/2 'm (square (velocity local)))))
+  (define weight (lambda (local) (* 'm 'g 'l (cos (ref (coordinate local) 0)))))
+  (+ (compose L-free (F->C (pendulum->space 'l 'R 'phi 'Omega)))
+     weight))
+
+(define (Foucault-path) (up (literal-function 'theta) (literal-function 'lambda)))
+(define (Foucault-state) (up 't (up 'theta 'lambda) (up 'thetadot 'lambdadot)))
+
+;; ---------------------------------------------------------------------------
+;; The restricted three-body problem in rotating axes (SICM 1.8.4).
+
+(define (three-body-Lagrangian)
+  (define GM (+ 'GM0 'GM1))
+  (define a0 (* 'a (/ 'GM1 GM)))
+  (define a1 (* 'a (/ 'GM0 GM)))
+  (lambda (local)
+    (define-values (x y) (apply values (structure->list (coordinate local))))
+    (define-values (vx vy) (apply values (structure->list (velocity local))))
+    (define r0 (sqrt (+ (square (+ x a0)) (square y))))
+    (define r1 (sqrt (+ (square (- x a1)) (square y))))
+    (+ (* 1/2 'm (+ (square vx) (square vy)))
+       (* 1/2 'm (square 'Omega) (+ (square x) (square y)))
+       (* 'm 'Omega (- (* x vy) (* vx y)))
+       (/ (* 'GM0 'm) r0)
+       (/ (* 'GM1 'm) r1))))
+
+(define (plane-path) (up (literal-function 'x) (literal-function 'y)))

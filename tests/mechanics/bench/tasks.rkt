@@ -34,15 +34,57 @@
              (lambda () (residual (chain-Lagrangian n) (chain-path n)))
              #:size residual-size))
 
+(define (residual-task name description make-L make-path)
+  (make-task name description
+             (lambda () (residual (make-L) (make-path)))
+             #:size residual-size))
+
+;; ---------------------------------------------------------------------------
+;; State derivatives, simplified
+
+(define (derivative-task name description make-L make-state)
+  (make-task name description
+             (lambda ()
+               (define raw ((m:Lagrangian->state-derivative (make-L)) (make-state)))
+               (cons raw (m:simplify raw)))
+             #:size residual-size))
+
+(define (chain-derivative-task name n)
+  (derivative-task name
+                   (format "state derivative of a chain of ~a links, simplified" n)
+                   (lambda () (chain-Lagrangian n))
+                   (lambda () (chain-state n))))
+
+(define (rigid-body) (rigid-body-Lagrangian 'A 'B 'C))
+
+;; The rate of the energy along the motion, a proof that it is zero.
+(define (energy-rate)
+  (define L (rigid-body))
+  (define rate (m:* ((m:D (m:Lagrangian->energy L)) (Euler-state))
+                    ((m:Lagrangian->state-derivative L) (Euler-state))))
+  (cons rate (m:simplify rate)))
+
 (define tasks
   (list
    (chain-task 'L2 2)
    (chain-task 'L3 3)
    (chain-task 'L4 4)
    (chain-task 'L6 6)
-   (make-task 'R2 "Lagrange equations of a rigid body in Euler angles, simplified"
-              (lambda () (residual (rigid-body-Lagrangian 'A 'B 'C) (Euler-path)))
-              #:size residual-size)))
+   (chain-derivative-task 'S2 2)
+   (chain-derivative-task 'S3 3)
+   (chain-derivative-task 'S4 4)
+   (derivative-task 'R1 "state derivative of a rigid body in Euler angles, simplified"
+                    rigid-body Euler-state)
+   (residual-task 'R2 "Lagrange equations of a rigid body in Euler angles, simplified"
+                  rigid-body Euler-path)
+   (make-task 'R3 "the rigid body's energy is conserved along its state derivative"
+              energy-rate #:size residual-size)
+   (residual-task 'F1 "Lagrange equations of Foucault's pendulum, simplified"
+                  Foucault-Lagrangian Foucault-path)
+   (derivative-task 'F2 "state derivative of Foucault's pendulum, simplified"
+                    Foucault-Lagrangian Foucault-state)
+   (residual-task 'T2 "Lagrange equations of the restricted three-body problem, simplified"
+                  three-body-Lagrangian plane-path)))
 
 ;; ---------------------------------------------------------------------------
 ;; Operations
