@@ -20,6 +20,8 @@
   (cond [(and (flonum? a) (flonum? b)) (fl+ a b)]
         [(and (number? a) (number? b)) (+ a b)]
         [(and (structure? a) (structure? b)) (add-structures a b)]
+        [(and (eqv? a 0) (procedure? b)) b]
+        [(and (eqv? b 0) (procedure? a)) a]
         [else (dispatch-binary generic:+ e:+ add-structures a b)]))
 
 (define (add-structures a b)
@@ -52,10 +54,17 @@
 (define-named g:- -
   (case-lambda
     [(a b) (subtract a b)]
-    [(a) (if (number? a) (- a) (multiply -1 a))]
+    [(a) (negate a)]
     [(a b . more) (for/fold ([d (subtract a b)]) ([x (in-list more)]) (subtract d x))]))
 
-(define-named g:negate negate (lambda (a) (g:- a)))
+(define (negate a)
+  (cond [(number? a) (- a)]
+        [(pointwise? a) (compose-unary generic:negate a)]
+        [else (multiply -1 a)]))
+
+(define-named g:negate negate (lambda (a) (negate a)))
+
+(define generic:negate (generic-op '- #f negate (list (lambda (a v) -1))))
 
 (define generic:-
   (generic-op '- op:- g:- (list (lambda (a b v) 1) (lambda (a b v) -1))))
@@ -67,6 +76,8 @@
   (cond [(and (flonum? a) (flonum? b)) (fl* a b)]
         [(and (number? a) (number? b)) (* a b)]
         [(and (structure? a) (structure? b)) (multiply-structures a b)]
+        [(and (eqv? a 1) (procedure? b)) b]
+        [(and (eqv? b 1) (procedure? a)) a]
         [else (dispatch-binary generic:* e:* multiply-structures a b)]))
 
 (define (multiply-structures a b)

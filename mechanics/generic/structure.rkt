@@ -68,9 +68,11 @@
           (exn:fail:contract
            (format "application: a tuple applies its components to the arguments, but the component ~a of ~a is not a function~a"
                    (value->text f) (value->text s)
-                   (if (symbol? f)
-                       (format "; (literal-function '~a) makes a function of it" f)
-                       ""))
+                   (cond [(symbol? f)
+                          (format "; (literal-function '~a) makes a function of it" f)]
+                         [(number? f)
+                          (format "; (constant-function ~a) makes a function of it" f)]
+                         [else ""]))
            (current-continuation-marks)))]))
 
 (define up

@@ -93,7 +93,7 @@
 ;; Shapes and values
 
 (define (shape-fits? shape x)
-  (cond [(eq? shape 'Any) #t]
+  (cond [(eq? shape 'Any) (scalars? x)]
         [(eq? shape 'Real) (scalar? x)]
         [(tuple? x)
          (define t (adopt x))
@@ -102,6 +102,12 @@
                         [e (in-vector (structure-elements t))])
                 (shape-fits? s e)))]
         [else #f]))
+
+;; A scalar, or a tuple of such at any depth.
+(define (scalars? x)
+  (if (tuple? x)
+      (for/and ([e (in-vector (structure-elements (adopt x)))]) (scalars? e))
+      (scalar? x)))
 
 ;; A number, an expression, or a dual number, of which this floor knows the rank.
 (define (scalar? x)

@@ -85,7 +85,7 @@
 
 (says
  [((D (up V 3)) 't)
-  "application: a tuple applies its components to the arguments, but the component 3 of (up V 3) is not a function"])
+  "application: a tuple applies its components to the arguments, but the component 3 of (up V 3) is not a function; (constant-function 3) makes a function of it"])
 
 ;; ---------------------------------------------------------------------------
 ;; Indices

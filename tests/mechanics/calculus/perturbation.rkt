@@ -168,12 +168,12 @@
     (check-same (slope-at-3 (lambda (x) (slope-at-3 (inner x)))) expected)))
 
 (test-case "a tuple of functions, or a list of them, carries it as well"
-  (define at-3 ((D (lambda (x) (lambda (hs) (g:* (ref hs 0) ((ref hs 1) x))))) 3))
-  (check-same (slope-at-3 (lambda (y) (at-3 (up y (g:* y g:sin)))))
-              ((D (lambda (y) (g:* y y (cos 3)))) 3))
-  (define at-3-of-list ((D (lambda (x) (lambda (hs) (g:* (car hs) ((cadr hs) x))))) 3))
-  (check-same (slope-at-3 (lambda (y) (at-3-of-list (list y (g:* y g:sin)))))
-              ((D (lambda (y) (g:* y y (cos 3)))) 3)))
+  ;; (c, h) ↦ c h'(3), within itself: d/dy (y² cos 3) = 6 cos 3
+  (define at-3 ((D (lambda (x) (lambda (s) (g:* (ref s 0) ((ref s 1) x))))) 3))
+  (check-same (at-3 (up 1 (lambda (y) (at-3 (up y (g:* y g:sin)))))) (* 6 (cos 3)))
+  (define at-3-of-list ((D (lambda (x) (lambda (s) (g:* (car s) ((cadr s) x))))) 3))
+  (check-same (at-3-of-list (list 1 (lambda (y) (at-3-of-list (list y (g:* y g:sin))))))
+              (* 6 (cos 3))))
 
 (test-case "a number that carries it comes back with it"
   ;; (x, y) ↦ x y curried; the outer derivative is by the inner argument

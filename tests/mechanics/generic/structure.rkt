@@ -55,9 +55,9 @@
   (check-equal? ((up g:+ g:*) 2 3) (up 5 6)))
 
 (test-case "a component that is no function is named when the tuple is applied"
-  (check-exn #rx"^application: a tuple applies its components to the arguments, but the component 3 of [(]up 3 sin[)] is not a function$"
+  (check-exn #rx"^application: a tuple applies its components to the arguments, but the component 3 of [(]up 3 sin[)] is not a function; [(]constant-function 3[)] makes a function of it$"
              (lambda () ((up 3 g:sin) 0)))
-  (check-exn #rx"but the component x of [(]down x[)] is not a function" (lambda () ((down 'x)))))
+  (check-exn #rx"but the component x of [(]down x[)] is not a function; [(]literal-function 'x[)] makes a function of it$" (lambda () ((down 'x)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Products (SICM p. 515)
