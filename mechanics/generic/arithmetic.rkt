@@ -27,7 +27,9 @@
 (define (add-structures a b)
   (cond [(eqv? a 0) b]
         [(eqv? b 0) a]
-        [else (structure-add add a b (lambda () (raise-inapplicable generic:+ a b)))]))
+        [else (structure-add add a b raise-sum)]))
+
+(define (raise-sum a b) (raise-inapplicable generic:+ a b))
 
 (define-named g:+ +
   (case-lambda
@@ -48,8 +50,9 @@
 (define (subtract-structures a b)
   (cond [(eqv? a 0) (multiply -1 b)]
         [(eqv? b 0) a]
-        [else (structure-add subtract a b
-                             (lambda () (raise-inapplicable generic:- a b)))]))
+        [else (structure-add subtract a b raise-difference)]))
+
+(define (raise-difference a b) (raise-inapplicable generic:- a b))
 
 (define-named g:- -
   (case-lambda
@@ -81,7 +84,9 @@
         [else (dispatch-binary generic:* e:* multiply-structures a b)]))
 
 (define (multiply-structures a b)
-  (structure-multiply add multiply a b (lambda () (raise-inapplicable generic:* a b))))
+  (structure-multiply add multiply a b raise-product))
+
+(define (raise-product a b) (raise-inapplicable generic:* a b))
 
 (define-named g:* *
   (case-lambda

@@ -104,23 +104,23 @@
   (vector-copy! new 0 v)
   new)
 
+;; The lengths that mechanics is made of are spelled out, for speed.
 (define (vector-map f v)
   (define n (vector-length v))
-  (define new (make-vector n))
-  (let loop ([i 0])
-    (when (< i n)
-      (vector-set! new i (f (vector-ref v i)))
-      (loop (add1 i))))
-  new)
+  (case n
+    [(2) (vector (f (vector-ref v 0)) (f (vector-ref v 1)))]
+    [(3) (vector (f (vector-ref v 0)) (f (vector-ref v 1)) (f (vector-ref v 2)))]
+    [else (build-vector n (lambda (i) (f (vector-ref v i))))]))
 
 (define (vector-map2 f v w)
   (define n (vector-length v))
-  (define new (make-vector n))
-  (let loop ([i 0])
-    (when (< i n)
-      (vector-set! new i (f (vector-ref v i) (vector-ref w i)))
-      (loop (add1 i))))
-  new)
+  (case n
+    [(2) (vector (f (vector-ref v 0) (vector-ref w 0))
+                 (f (vector-ref v 1) (vector-ref w 1)))]
+    [(3) (vector (f (vector-ref v 0) (vector-ref w 0))
+                 (f (vector-ref v 1) (vector-ref w 1))
+                 (f (vector-ref v 2) (vector-ref w 2)))]
+    [else (build-vector n (lambda (i) (f (vector-ref v i) (vector-ref w i))))]))
 
 (define (structure-map f s)
   (same-orientation s (vector-map f (structure-elements s))))
@@ -146,13 +146,12 @@
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
 
-;; The componentwise sum or difference; `complain` is called without arguments
-;; where shapes differ.
+;; The componentwise sum or difference; (complain a b) where shapes differ.
 (define (structure-add add a b complain)
-  (if (and (tuple? a) (tuple? b))
-      (let ([s (adopt a)] [t (adopt b)])
-        (if (compatible? s t) (structure-map2 add s t) (complain)))
-      (complain)))
+  (cond [(and (structure? a) (structure? b))
+         (if (compatible? a b) (structure-map2 add a b) (complain a b))]
+        [(and (tuple? a) (tuple? b)) (structure-add add (adopt a) (adopt b) complain)]
+        [else (complain a b)]))
 
 ;; Two tuples contract when they are of opposite orientation and equal length
 ;; and each pair of components contracts too or has a component that is no
@@ -166,7 +165,7 @@
          (define s (adopt a))
          (define t (adopt b))
          (cond [(contractible? s t) (contract add multiply s t)]
-               [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (complain)]
+               [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (complain s t)]
                [else (structure-map (lambda (y) (multiply s y)) t)])]))
 
 ;; What the product of an up and a down tuple of scalars is when their lengths
