@@ -11,15 +11,16 @@
 ;; Relations form a tower, each over the kernels of those before it; reducing
 ;; from the top once suffices.
 
-(require "kernel.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "bounds.rkt" "polynomial/polynomial.rkt"
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "bounds.rkt" "square-class.rkt" "polynomial/polynomial.rkt"
          "polynomial/fraction.rkt" "polynomial/ring.rkt")
 
 (provide (struct-out field) (struct-out relation)
          make-field field-fraction field-inexact? field-circle-sum field-doubled? reduce-poly reduce-fraction lower)
 
 ;; kernels : vector by index; relations : from the top of the tower;
-;; circles : those known by their angles, presentation may add some
-(struct field (atlas kernels ring relations circles) #:authentic)
+;; circles : those known by their angles, presentation may add some;
+;; assumed : box of polynomials taken not to be negative
+(struct field (atlas kernels ring relations circles assumed) #:authentic)
 
 ;; xᵢ^degree = radicand, a fraction.
 (struct relation (index degree radicand) #:authentic)
@@ -33,12 +34,61 @@
 (define (make-field atlas kernels max-degree)
   (define R (make-ring (vector-length kernels) max-degree))
   (define circles (make-circles kernels (atlas-services atlas)))
-  (define (over relations) (field atlas kernels R relations circles))
+  (define assumed (box '()))
+  (define (over relations) (field atlas kernels R relations circles assumed))
   (for/fold ([F (over (circle-relations R kernels))])
-            ([r (in-list (reverse (atlas-roots atlas)))])
-    (define i (kernel-index (root-kernel r)))
-    (define value (field-fraction F (root-radicand r)))
-    (over (cons (relation i (root-degree r) value) (field-relations F)))))
+            ([r (in-list (sort-tower (atlas-tower atlas)))])
+    (over (cons (if (root? r) (root-relation F r) (modulus-relation F r))
+                (field-relations F)))))
+
+;; Roots and absolute values, inner ones first, then in the order of kernels.
+(define (sort-tower tower)
+  (define (kernel r) (if (root? r) (root-kernel r) r))
+  (define (before? a b)
+    (define d (- (nesting (kernel-expression (kernel a))) (nesting (kernel-expression (kernel b)))))
+    (or (< d 0)
+        (and (eqv? d 0) (< (kernel-rank (kernel a)) (kernel-rank (kernel b))))))
+  (if (or (null? tower) (null? (cdr tower))) tower (sort tower before?)))
+
+;; How deep roots and absolute values are nested in e.
+(define (nesting e)
+  (node-fold e
+             (lambda (leaf) 0)
+             (lambda (n depths)
+               (+ (apply max 0 depths)
+                  (if (memq (node-head n) (list op:sqrt op:expt op:abs)) 1 0)))))
+
+(define (root-relation F r)
+  (define i (kernel-index (root-kernel r)))
+  (define u (field-fraction F (root-radicand r)))
+  (define squares (if (eqv? 2 (root-degree r)) (square-roots F) '()))
+  (define-values (members w basis)
+    (if (or (null? squares) (fraction-zero? u))
+        (values #f #f #f)
+        (square-dependence (field-ring F) u (map relation-radicand squares))))
+  (if members
+      (dependent-root F i (for/list ([m (in-list members)]) (list-ref squares m)) w basis)
+      (relation i (root-degree r) u)))
+
+;; The relations of square roots known so far.
+(define (square-roots F)
+  (for/list ([r (in-list (field-relations F))]
+             #:when (eqv? 2 (relation-degree r))
+             #:when (root? (kernel-relation (vector-ref (field-kernels F) (relation-index r)))))
+    r))
+
+;; The root that is w times other roots.
+(define (dependent-root F i others w basis)
+  (define R (field-ring F))
+  (for ([p (in-list basis)]) (set-box! (field-assumed F) (cons p (unbox (field-assumed F)))))
+  (relation i 1
+            (for/fold ([product w]) ([r (in-list others)])
+              (fraction* R product
+                         (fraction-from-poly R (poly-variable R (relation-index r)))))))
+
+(define (modulus-relation F k)
+  (define u (field-fraction F (modulus-argument (kernel-relation k))))
+  (relation (kernel-index k) 2 (reduce-fraction F (fraction-expt (field-ring F) u 2))))
 
 (define (circle-relations R kernels)
   (define one (poly-constant R 1))

@@ -5,7 +5,8 @@
 ;; the number of symbols, numbers and operators one reads; a number that is not
 ;; written (1, or the sign of a difference) does not count.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "term.rkt" "exact.rkt")
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "term.rkt" "exact.rkt"
+         "exponentials.rkt")
 
 (provide (struct-out form) form-expression
          term-form sum-form product-form smaller-form)
@@ -28,9 +29,11 @@
 ;; c · powers · sums / divisors, where sums are forms and divisors are (form .
 ;; exponent).  A denominator of c is written below when there is a sum above.
 (define (product-form c powers sums divisors inexact?)
-  (define whole (absorb-into-roots powers))
+  (define-values (exponential others) (combine-exponentials powers))
+  (define whole (absorb-into-roots others))
   (define above (by-rank (positive-powers whole)))
   (define below (by-rank (negative-powers whole)))
+  (define extra (if exponential (list exponential) '()))
   (define down? (and (pair? sums) (or (pair? below) (pair? divisors)) (not inexact?)))
   (define top (if down? (numerator (abs c)) (abs c)))
   (define bottom (if down? (denominator c) 1))
@@ -38,13 +41,17 @@
   (define (build sign)
     (define numerator
       (product-expression (present-number (* sign top) inexact?)
-                          (insert-sums (map form-expression sums) (powers->expressions above))))
+                          (append (insert-sums (map form-expression sums)
+                                               (powers->expressions above))
+                                  extra)))
     (if quotient?
         (make-node op:/ (list numerator
                               (product-expression bottom
                                 (append (powers->expressions below) (map divisor-expression divisors)))))
         numerator))
-  (form (+ (factors-size top (+ (powers-size above) (sizes sums)) (+ (length above) (length sums)))
+  (form (+ (factors-size top
+                         (+ (powers-size above) (sizes sums) (for/sum ([e (in-list extra)]) (expression-size e)))
+                         (+ (length above) (length sums) (length extra)))
            (if quotient?
                (+ 1 (factors-size bottom (+ (powers-size below) (divisors-size divisors))
                                   (+ (length below) (length divisors))))
@@ -75,7 +82,9 @@
         [else (expt-expression (kernel-expression k) n)]))
 
 (define (expt-expression base exponent)
-  (if (eqv? exponent 1) base (make-node op:expt (list base exponent))))
+  (cond [(eqv? exponent 1) base]
+        [(eqv? exponent 1/2) (make-node op:sqrt (list base))]
+        [else (make-node op:expt (list base exponent))]))
 
 ;; Where both a kernel x and its root stand, powers of x count as powers of the
 ;; root: x √x is x^(3/2).

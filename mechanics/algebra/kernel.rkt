@@ -5,7 +5,7 @@
 ;; an angle, a root ...: anything the arithmetic takes as a whole.  Some kernels
 ;; satisfy a relation:
 ;;
-;;     sin²θ = 1 - cos²θ,    sinh²u = cosh²u - 1,    rᵠ = u for r = u^(1/q).
+;;     sin²θ = 1 - cos²θ,   sinh²u = cosh²u - 1,   rᵠ = u for r = u^(1/q),   |u|² = u².
 ;;
 ;; When all kernels of an expression are known each gets an `index` as a
 ;; variable, a `rank`, which orders the factors of a product, and a `place`,
@@ -16,9 +16,10 @@
 (require "expression.rkt" "order.rkt")
 
 (provide (struct-out kernel) make-kernel place-kernels! insert-kernel!
-         (struct-out circle) (struct-out angle) (struct-out root))
+         (struct-out circle) (struct-out angle) (struct-out root)
+         (struct-out modulus) (struct-out exponential))
 
-;; relation : #f, or the circle or root this kernel belongs to
+;; relation : #f, or the circle, root, modulus or exponential this kernel is of
 (struct kernel (expression relation [index #:mutable] [rank #:mutable] [place #:mutable])
   #:authentic)
 
@@ -29,13 +30,21 @@
   #:authentic)
 
 ;; An angle occurring under a sine or cosine: a linear form over atoms, and how
-;; many times each basic angle it is, ((circle . integer) ...).
+;; many times each basic angle it is, ((circle . integer) ...).  An exponent is an
+;; angle too; there it is ((kernel . integer) ...), powers of basic exponentials.
 (struct angle (form [multiples #:mutable])
   #:authentic)
 
-;; The q-th root of a radicand.
-(struct root (radicand degree [kernel #:mutable])
+;; The root of this degree of a radicand; its kernel is made when the degree is
+;; settled.
+(struct root (radicand [degree #:mutable] [kernel #:mutable])
   #:authentic)
+
+;; The absolute value of an expression.
+(struct modulus (argument) #:authentic)
+
+;; e^exponent, and the services to simplify exponents with.
+(struct exponential (exponent services) #:authentic)
 
 ;; ---------------------------------------------------------------------------
 ;; Places

@@ -13,6 +13,7 @@
 ;; choice depends on the value and the order of kernels alone.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
+         "exact.rkt"
          "squares.rkt" "contract.rkt" "pieces.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
@@ -32,13 +33,13 @@
 
 (define (constant-form F c) (term-form (term c '()) (field-inexact? F)))
 
-;; The value as a linear combination: ((rational . expression) ...), in the
-;; order of its terms.
+;; The value as a linear combination: ((number . expression) ...), in the order
+;; of its terms.
 (define (linear-terms F f)
   (define p (fraction->piece F f))
   (define divisors (piece-divisors F p))
   (for/list ([t (in-list (term-sort (piece-terms F p)))])
-    (cons (term-coefficient t)
+    (cons (present-number (term-coefficient t) (field-inexact? F))
           (form-expression (product-form 1 (term-powers t) '() divisors #f)))))
 
 ;; ---------------------------------------------------------------------------

@@ -5,33 +5,39 @@
 ;; taken out is assumed not to be negative, and that is told to `assume!`; an
 ;; even power need not be.
 
-(require "collect.rkt" "field.rkt" "present.rkt" "exact.rkt"
+(require "field.rkt" "squares.rkt" "present.rkt" "exact.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
-(provide split-root)
+(provide split-root fraction-factors)
 
 ;; -> outer inner, expressions with f^(1/q) = outer · inner^(1/q).
 (define (split-root F f q assume!)
   (define R (field-ring F))
-  (define one (poly-constant R 1))
-  (define p (fraction-numerator f))
   (cond
     [(fraction-zero? f) (values 0 1)]
     [else
-     (define factors
-       (append (poly-square-free R p)
-               (for/list ([h (in-list (fraction-denominator-factors f))])
-                 (cons (car h) (- (cdr h))))))
-     (define product (power-product R factors))
-     (define number
-       (/ (poly-leading-coefficient p)
-          (poly-leading-coefficient (fraction-numerator (power-product R (poly-square-free R p))))))
-     (define-values (c rest) (split-number number q (atlas-inexact? (field-atlas F))))
+     (define-values (number factors) (value-parts F f))
+     (define-values (c rest) (split-number number q (field-inexact? F)))
      (define-values (out in) (split-factors factors q))
      (for ([g (in-list out)] #:when (odd? (cdr g)))
        (assume! (present F (fraction-from-poly R (car g)))))
      (values (present F (fraction-scale R c (power-product R out)))
              (present F (fraction-scale R rest (power-product R in))))]))
+
+;; -> number and ((polynomial . integer) ...), whose product f is: the parts of
+;; numerator and denominator.  In the form with fewest terms 1 - cos² is a square.
+(define (value-parts F f)
+  (define R (field-ring F))
+  (define p (shortest-squares F (fraction-numerator f)))
+  (define above (poly-parts R p))
+  (define below (fraction-denominator-parts R f))
+  (values (/ (* (poly-leading-coefficient p) (leading below))
+             (* (leading above) (leading (fraction-denominator-factors f))))
+          (append above (for/list ([h (in-list below)]) (cons (car h) (- (cdr h)))))))
+
+(define (leading factors)
+  (for/fold ([c 1]) ([h (in-list factors)])
+    (* c (expt (poly-leading-coefficient (car h)) (cdr h)))))
 
 (define (power-product R factors)
   (for/fold ([f (fraction-from-poly R (poly-constant R 1))]) ([g (in-list factors)])
@@ -60,3 +66,14 @@
     (define rest (- (cdr g) (* k q)))
     (values (if (eqv? k 0) out (cons (cons (car g) k) out))
             (if (eqv? rest 0) in (cons (cons (car g) rest) in)))))
+
+;; The fraction as a number and ((expression . integer) ...), factors with a
+;; positive leading coefficient.
+(define (fraction-factors F f)
+  (define R (field-ring F))
+  (cond [(fraction-zero? f) (values 0 '())]
+        [else
+         (define-values (number parts) (value-parts F f))
+         (values number
+                 (for/list ([g (in-list parts)])
+                   (cons (present F (fraction-from-poly R (car g))) (cdr g))))]))

@@ -4,8 +4,12 @@
 
 (provide (struct-out services))
 
-;; simplify : expression -> expression
-;; terms    : expression -> ((rational . expression) ...), its sum
-;; split-root : expression degree -> (values outer inner): the root is outer · inner^(1/degree)
-(struct services (simplify terms split-root)
+;; simplify   : expression -> expression
+;; terms      : expression -> ((number . expression) ...), whose sum it is; the numbers are
+;;              flonums if they came from flonums
+;; factors    : expression -> number ((expression . integer) ...), whose product it
+;;              is; the expressions have a positive leading coefficient
+;; split-root : expression degree -> outer inner, the root being outer · inner^(1/degree)
+;; assume!    : expression -> void; it is taken not to be negative
+(struct services (simplify terms factors split-root assume!)
   #:authentic)

@@ -76,7 +76,10 @@
   (define (split e degree)
     (define n (normal (if (node? e) e (make-node op:+ (list e)))))
     (split-root (car n) (cdr n) degree (lambda (f) (assume! ledger f))))
-  (define these (services simplify terms split))
+  (define (factors e)
+    (define n (normal (if (node? e) e (make-node op:+ (list e)))))
+    (fraction-factors (car n) (cdr n)))
+  (define these (services simplify terms factors split (lambda (f) (assume! ledger f))))
   these)
 
 ;; -> the field of the expression's kernels and its value there.  Sums at which
@@ -110,5 +113,11 @@
   (let retry ([degree 7])
     (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
           (define F (make-field atlas kernels degree))
-          (cons F (field-fraction F e)))
+          (define f (field-fraction F e))
+          (tell-assumptions F services)
+          (cons F f))
         (retry (+ 1 (* 2 degree))))))
+
+(define (tell-assumptions F services)
+  (for ([p (in-list (unbox (field-assumed F)))])
+    ((services-assume! services) (present F (fraction-from-poly (field-ring F) p)))))

@@ -32,25 +32,30 @@
   (define turns (make-turns A))
   (define (walk e)
     (cond [(number? e) (number-value e)]
-          [(symbol? e) (kernel-value e)]
+          [(symbol? e) (resolved e)]
           [else (memo e (lambda () (node-value e)))]))
-  (define (kernel-value e) ((arithmetic-kernel A) (hash-ref resolutions e)))
+  (define (resolved e) (resolved-value e (hash-ref resolutions e)))
   (define (number-value x)
     (define constant (arithmetic-constant A))
-    (cond [(not (exact-constant? x)) (kernel-value x)]
+    (cond [(not (exact-constant? x)) (resolved x)]
           [(real? x) (constant (rational-part x))]
           [else
            ((arithmetic-sum A)
             (list (constant (rational-part x))
                   ((arithmetic-product A)
-                   (list (constant (imaginary-part x)) (kernel-value imaginary-unit)))))]))
+                   (list (constant (imaginary-part x)) (resolved imaginary-unit)))))]))
   (define (node-value n)
     (define r (hash-ref resolutions n))
+    (if (eq? r #t)
+        (operation-value n (node-head n) (node-args n))
+        (resolved-value n r)))
+  (define (resolved-value n r)
     (cond [(kernel? r) ((arithmetic-kernel A) r)]
-          [(surd? r) (surd-value r (walk (surd-outer r)))]
           [(alias? r) (walk (alias-expression r))]
-          [(circular? r) (set! current n) (circular-value r)]
-          [else (operation-value n (node-head n) (node-args n))]))
+          [(surd? r) (surd-value n r (walk (surd-outer r)))]
+          [else
+           (set! current n)
+           (if (circular? r) (circular-value r) (exponential-value r))]))
   (define (operation-value n head args)
     (define values (map walk (if (eq? head op:expt) (list (car args)) args)))
     (set! current n)
@@ -64,15 +69,22 @@
     (cond [(memq (circular-function r) (list op:sin op:sinh)) (cdr turn)]
           [(memq (circular-function r) (list op:cos op:cosh)) (car turn)]
           [else ((arithmetic-quotient A) (cdr turn) (car turn))]))
-  (define (surd-value r outer-value)
-    (define outer ((arithmetic-power A) outer-value (surd-power r)))
-    (if (surd-root r)
+  (define (exponential-value r)
+    ((arithmetic-product A)
+     (cons ((arithmetic-constant A) 1)
+           (for/list ([m (in-list (angle-multiples (exponential-power-angle r)))])
+             ((arithmetic-power A) ((arithmetic-kernel A) (car m)) (cdr m))))))
+  (define (surd-value n r outer)
+    (set! current n)
+    (define root (surd-root r))
+    (define outer-power ((arithmetic-power A) outer (surd-power r)))
+    (if root
         ((arithmetic-product A)
-         (list outer
+         (list outer-power
                ((arithmetic-power A)
-                ((arithmetic-kernel A) (root-kernel (surd-root r)))
-                (surd-power r))))
-        outer))
+                ((arithmetic-kernel A) (root-kernel root))
+                (* (surd-power r) (/ (root-degree root) (surd-degree r))))))
+        outer-power))
   (with-handlers ([obstacle? (lambda (o) (raise (stuck current)))])
     (walk e)))
 
