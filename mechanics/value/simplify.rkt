@@ -40,8 +40,19 @@
 (define (substitute x . names-and-replacements)
   (define alist (pair-up names-and-replacements))
   (map-leaves
-   (lambda (leaf) (if (symbolic? leaf) (substitute-expression leaf alist) leaf))
+   (lambda (leaf)
+     (cond [(symbolic? leaf) (substitute-expression leaf alist)]
+           [(number? leaf) leaf]
+           [else (raise-nothing-to-replace leaf)]))
    x))
+
+(define (raise-nothing-to-replace x)
+  (raise
+   (exn:fail:contract
+    (format "substitute: expected an expression, or a tuple or matrix of them; given ~a~a"
+            (describe-with-value x)
+            (if (procedure? x) "\n  apply the function first, and substitute in its value" ""))
+    (current-continuation-marks))))
 
 (define (pair-up xs)
   (cond [(null? xs) '()]
