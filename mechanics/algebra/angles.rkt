@@ -81,7 +81,7 @@
         (cons (car basic) (* (cdr basic) (cdr x)))))))
 
 (define (basic-angle c sign form)
-  (signed-circle (collector-services c) (form->expression c form)
+  (signed-angle (collector-services c) (form->expression c form)
                  (lambda (u) (make-circle u sign (lambda (e o) (intern-kernel! c e o))))))
 
 ;; The basic angles that occurred doubled.

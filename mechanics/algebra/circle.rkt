@@ -6,16 +6,17 @@
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt")
 
-(provide signed-circle make-circle make-circles combine-circles!)
+(provide signed-angle make-circle make-circles combine-circles!)
 
-;; u -> (circle . 1), or (circle . -1) if the circle is that of -u.
-(define (signed-circle services u circle-of)
+;; What make gives for u with 1, or for -u with -1 if u has a negative leading
+;; term.
+(define (signed-angle services u make)
   (define simple ((services-simplify services) u))
   (define leading
     (if (number? simple) simple (caar ((services-terms services) simple))))
   (if (and (real? leading) (negative? leading))
-      (cons (circle-of ((services-simplify services) (e:negate simple))) -1)
-      (cons (circle-of simple) 1)))
+      (cons (make ((services-simplify services) (e:negate simple))) -1)
+      (cons (make simple) 1)))
 
 ;; intern : expression relation -> kernel
 (define (make-circle u sign intern)
@@ -43,7 +44,7 @@
 (define (combine-circles! cs a b sign)
   (define u ((if (eqv? sign 1) e:+ e:-) (circle-expression a) (circle-expression b)))
   (define table (circles-table cs))
-  (signed-circle (circles-services cs) u
+  (signed-angle (circles-services cs) u
                  (lambda (u)
                    (or (hash-ref table u #f)
                        (let ([o (make-circle u 1 (lambda (e o) (add-kernel! cs e o)))])

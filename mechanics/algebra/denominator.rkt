@@ -7,8 +7,7 @@
 
 (provide denominator-factors)
 
-;; Finding the parts of factors of more terms than this would cost more than it
-;; is worth.
+;; Finding the parts of longer factors would cost more than it is worth.
 (define parts-limit 100)
 
 ;; -> number and ((polynomial . exponent) ...), their product being the
@@ -17,14 +16,14 @@
   (define R (field-ring F))
   (define given (fraction-denominator-factors f))
   (define factors
-    (if (<= (terms given) parts-limit) (fewer-terms (fraction-denominator-parts R f) given) given))
+    (if (<= (additions given) parts-limit) (fewer-terms (fraction-denominator-parts R f) given) given))
   (values (/ (leading given) (leading factors)) factors))
 
 (define (fewer-terms parts given)
-  (if (< (terms given) (terms parts)) given parts))
+  (if (< (additions given) (additions parts)) given parts))
 
-(define (terms factors)
-  (for/sum ([h (in-list factors)]) (poly-term-count (car h))))
+(define (additions factors)
+  (for/sum ([h (in-list factors)]) (- (poly-term-count (car h)) 1)))
 
 ;; The product's leading coefficient.
 (define (leading factors)

@@ -10,7 +10,7 @@
 ;; of exponentials; then they are written as exponentials.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "lattice.rkt" "services.rkt"
-         "collector.rkt" "exact.rkt")
+         "collector.rkt" "circle.rkt" "exact.rkt")
 
 (provide visit-exponential! visit-symbolic-power! settle-exponentials!
          combine-exponentials)
@@ -52,13 +52,15 @@
   (define ordered (sort-forms c (angles-of c 'exponential)))
   (define-values (basis coordinates) (integer-basis (map angle-form ordered)))
   (define s (collector-services c))
-  (define kernels
+  (define basics
     (for/vector ([form (in-list basis)])
-      (define u ((services-simplify s) (form->expression c form)))
-      (intern-kernel! c (exponential-expression s u) (exponential u s))))
+      (signed-angle s (form->expression c form)
+                    (lambda (u) (intern-kernel! c (exponential-expression s u) (exponential u s))))))
   (for ([a (in-list ordered)] [v (in-list coordinates)])
     (set-angle-multiples! a
-      (for/list ([x (in-list v)]) (cons (vector-ref kernels (car x)) (cdr x))))))
+      (for/list ([x (in-list v)])
+        (define basic (vector-ref basics (car x)))
+        (cons (car basic) (* (cdr basic) (cdr x)))))))
 
 (define (angles-of c kind)
   (for/list ([(key a) (in-hash (collector-angles c))] #:when (eq? (car key) kind)) a))

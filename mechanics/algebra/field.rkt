@@ -141,18 +141,23 @@
 (define (reduce-by R r f)
   (define p (fraction-numerator f))
   (define factors (fraction-denominator-factors f))
-  (define (high? p) (reaches? R p (relation-index r) (relation-degree r)))
-  (cond [(or (high? p) (ormap (lambda (h) (high? (car h))) factors))
+  (define i (relation-index r))
+  (define q (relation-degree r))
+  (define (high? h) (or (reaches? R (car h) i q) (reaches? R (car h) i (/ q (cdr h)) #t)))
+  (cond [(or (reaches? R p i q) (ormap high? factors))
          (for/fold ([value (lower R r p)]) ([h (in-list factors)])
            (fraction/ R value (lower-power R r (car h) (cdr h))))]
         [else f]))
 
-;; Does the variable occur in p to this power?
-(define (reaches? R p i degree)
-  (for/or ([t (in-list p)]) (>= (monomial-exponent R (car t) i) degree)))
+;; Does the variable occur in p to this power?  alone? : and nothing else?
+(define (reaches? R p i degree [alone? #f])
+  (and (or (not alone?) (null? (cdr p)))
+       (for/or ([t (in-list p)]) (>= (monomial-exponent R (car t) i) degree))))
 
 (define (lower-power R r p e)
-  (fraction-expt R (lower R r p) e))
+  (if (null? (cdr p))
+      (lower R r (poly-expt R p e))
+      (fraction-expt R (lower R r p) e)))
 
 ;; p as a fraction in which variable i stays below the relation's degree.
 (define (lower R r p)

@@ -100,10 +100,17 @@
 (define (content cs)
   (/ (apply gcd (map numerator cs)) (apply lcm (map denominator cs))))
 
-;; For each kernel the lesser exponent, absence counting as 0.
+;; For each kernel the lesser exponent, absence counting as 0; for exponentials,
+;; which know no denominators, the one nearer to 0.
 (define (common-powers as bs)
   (define (lesser p q rest)
-    (define e (min (if p (cdr p) 0) (if q (cdr q) 0)))
+    (define m (if p (cdr p) 0))
+    (define n (if q (cdr q) 0))
+    (define e
+      (cond [(not (exponential? (kernel-relation (car (or p q))))) (min m n)]
+            [(and (positive? m) (positive? n)) (min m n)]
+            [(and (negative? m) (negative? n)) (max m n)]
+            [else 0]))
     (if (eqv? e 0) rest (cons (cons (car (or p q)) e) rest)))
   (cond [(and (null? as) (null? bs)) '()]
         [(null? bs) (lesser (car as) #f (common-powers (cdr as) bs))]
