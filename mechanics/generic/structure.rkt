@@ -75,12 +75,14 @@
                          [else ""]))
            (current-continuation-marks)))]))
 
-(define up
-  (case-lambda
-    [(a b) (structure 'up (vector a b))]
-    [(a b c) (structure 'up (vector a b c))]
-    [xs (structure 'up (list->vector xs))]))
-(define (down . xs) (structure 'down (list->vector xs)))
+(define-syntax-rule (define-constructor make)
+  (define make
+    (case-lambda
+      [(a b) (structure 'make (vector a b))]
+      [(a b c) (structure 'make (vector a b c))]
+      [xs (structure 'make (list->vector xs))])))
+(define-constructor up)
+(define-constructor down)
 
 (define (tuple? x) (or (structure? x) (vector? x)))
 (define (up? x)

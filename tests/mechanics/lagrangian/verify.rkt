@@ -1,0 +1,46 @@
+#lang racket/base
+;; Verdicts on proposed paths.
+
+(require rackunit
+         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
+         mechanics/value/structure
+         mechanics/calculus/literal-function mechanics/calculus/verdict
+         mechanics/lagrangian/local-tuple mechanics/lagrangian/verify
+         "systems.rkt")
+
+(define (oscillation omega) (lambda (t) (g:* 'a (g:cos (g:+ (g:* omega t) 'phi)))))
+
+;; A condition (= left right) as plain data.
+(define (expression-of condition)
+  (read (open-input-string (format "~s" condition))))
+
+(test-case "the oscillator: refuted in general, proved for the right frequency"
+  (define L (L-harmonic 'm 'k))
+  (define v (verify-solution L (oscillation 'omega)))
+  (check-true (refuted? v))
+  (check-not-false (member '(= k (* m (expt omega 2))) (map expression-of (verdict-conditions v))))
+  (check-true (proved? (verify-solution L (oscillation (g:sqrt (g:/ 'k 'm))))))
+  (check-true (proved? (verify-solution (L-harmonic 'm (g:* 'm (g:square 'omega))) (oscillation 'omega)))))
+
+(test-case "a circular orbit"
+  (define (circle t) (up (g:* 'R (g:cos (g:* 'omega t))) (g:* 'R (g:sin (g:* 'omega t)))))
+  (check-true (proved? (verify-solution (L-orbital 'm (g:* 'm (g:square 'omega) (g:cube 'R))) circle)))
+  (check-true (refuted? (verify-solution (L-orbital 'm 'mu) circle))))
+
+(test-case "with a force: the damped oscillator, exactly when γ and ω satisfy the two relations"
+  (define (damped gamma omega) (lambda (t) (g:* (g:exp (g:* -1 gamma t)) (g:cos (g:* omega t)))))
+  (define (friction local) (g:* -1 'b (velocity local)))
+  (define (verdict gamma omega)
+    (verify-solution (L-harmonic 'm 'k) (damped gamma omega) #:force friction))
+  (check-true (refuted? (verdict 'gamma 'omega)))
+  (define gamma (g:/ 'b (g:* 2 'm)))
+  (check-true (proved? (verdict gamma (g:sqrt (g:- (g:/ 'k 'm) (g:square gamma)))))))
+
+(test-case "with an order"
+  (define (L local)
+    (g:- (g:* -1/2 'm (coordinate local) (acceleration local)) (g:* 1/2 'k (g:square (coordinate local)))))
+  (check-true (proved? (verify-solution L #:order 2 (oscillation (g:sqrt (g:/ 'k 'm)))))))
+
+(test-case "what is no path or no Lagrangian is refused as by Lagrange-equations"
+  (check-exn #rx"[(]literal-function 'x[)] makes a path of that name" (lambda () (verify-solution (L-free 'm) 'x)))
+  (check-exn #rx"^Lagrange-equations: a Lagrangian is a function" (lambda () (verify-solution 3 (literal-function 'x)))))
