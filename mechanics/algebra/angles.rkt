@@ -12,7 +12,7 @@
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "lattice.rkt" "services.rkt"
          "collector.rkt" "circle.rkt")
 
-(provide visit-angle! settle-angles! doubled-circles)
+(provide visit-angle! settle-angles! doubled-circles dependent-angles?)
 
 (define circular-functions (list op:sin op:cos op:tan))
 
@@ -92,3 +92,11 @@
               #:when (and (pair? multiples) (null? (cdr multiples))
                           (eqv? 2 (abs (cdar multiples)))))
     (caar multiples)))
+
+;; Was any angle a combination of basic ones?
+(define (dependent-angles? c)
+  (for/or ([(key a) (in-hash (collector-angles c))])
+    (and (eq? (car key) 'circular)
+         (let ([multiples (angle-multiples a)])
+           (and (pair? multiples)
+                (or (pair? (cdr multiples)) (not (eqv? 1 (abs (cdar multiples))))))))))

@@ -20,8 +20,9 @@
 ;; What was found.  resolutions : node, symbol or odd number -> kernel, circular,
 ;; surd, exponential-power or alias.  tower : roots, and kernels of absolute
 ;; values, those within others after them.  doubled : circles of which twice the
-;; angle occurred.  inexact? : did a flonum occur?
-(struct atlas (kernels resolutions tower doubled inexact? services)
+;; angle occurred.  dependent? : were there angles that are not basic?
+;; inexact? : did a flonum occur?
+(struct atlas (kernels resolutions tower doubled dependent? inexact? services)
   #:authentic)
 
 ;; blocked : nodes to be taken as they simplify by themselves, not expanded; if e
@@ -38,6 +39,7 @@
          (collector-resolutions c)
          (collector-tower c)
          (doubled-circles c)
+         (dependent-angles? c)
          (collector-inexact? c)
          services))
 

@@ -12,7 +12,8 @@
 ;; from the top once suffices.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "bounds.rkt" "square-class.rkt" "polynomial/polynomial.rkt"
-         "polynomial/fraction.rkt" "polynomial/ring.rkt")
+         "polynomial/fraction.rkt" "polynomial/ring.rkt"
+         "polynomial/monomial.rkt")
 
 (provide (struct-out field) (struct-out relation)
          make-field field-fraction field-inexact? field-circle-sum field-doubled? reduce-poly reduce-fraction lower)
@@ -116,23 +117,47 @@
    (lambda (fs)
      (for/fold ([p (car fs)]) ([f (in-list (cdr fs))])
        (check-multiplication p f)
-       (fraction* R p f)))
+       (reduce-if-worthwhile F (fraction* R p f))))
    (lambda (f g) (check-addition (list f g)) (fraction- R f g))
    (lambda (f g)
      (define d (divisor g))
      (check-multiplication f d)
-     (fraction/ R f d))
+     (reduce-fraction F (fraction/ R f d)))
    (lambda (f k)
      (define base (if (negative? k) (divisor f) f))
      (check-expansion base (abs k))
-     (fraction-expt R base k))))
+     (reduce-if-worthwhile F (fraction-expt R base k)))))
+
+;; Short polynomials are left for the end: most of their sin² + cos² cancel.
+(define (reduce-if-worthwhile F f)
+  (if (and (fraction-polynomial? f) (short? (fraction-numerator f) 300))
+      f
+      (reduce-fraction F f)))
+
+(define (short? p limit)
+  (cond [(null? p) #t]
+        [(eqv? limit 0) #f]
+        [else (short? (cdr p) (- limit 1))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Reduction
 
 (define (reduce-fraction F f)
-  (for/fold ([f f]) ([r (in-list (field-relations F))])
-    (reduce-by (field-ring F) r f)))
+  (if (and (fraction-polynomial? f) (low? F (fraction-numerator f)))
+      f
+      (for/fold ([f f]) ([r (in-list (field-relations F))])
+        (reduce-by (field-ring F) r f))))
+
+;; Does a quick look show that no relation applies?  The bits of all exponents
+;; of a variable together are at least its greatest exponent.
+(define (low? F p)
+  (or (null? p)
+      (null? (field-relations F))
+      (let ([R (field-ring F)]
+            [bits (for/fold ([bits (caar p)]) ([t (in-list (cdr p))])
+                    (monomial-join bits (car t)))])
+        (for/and ([r (in-list (field-relations F))])
+          (< (monomial-exponent R bits (relation-index r)) (relation-degree r))))))
 
 ;; The value of a polynomial with every relation applied.
 (define (reduce-poly F p)

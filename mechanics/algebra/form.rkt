@@ -8,7 +8,7 @@
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "term.rkt" "exact.rkt"
          "exponentials.rkt")
 
-(provide (struct-out form) form-expression
+(provide (struct-out form) form-expression expression-size
          term-form sum-form product-form smaller-form)
 
 ;; sign : ±1; build : ±1 -> expression, given the sign to show
@@ -165,10 +165,17 @@
         [(eqv? c 1) (+ size (if (eqv? count 1) 0 1))]
         [else (+ size 2)]))
 
+;; Counted as far as `size-limit`: an expression shared within itself may be
+;; longer than anyone could count.
+(define size-limit 500)
+
 (define (expression-size e)
-  (cond [(not (node? e)) 1]
-        [else
-         (define head (node-head e))
-         (for/fold ([size (if (and (literal-head? head) (pair? (literal-head-index head))) 2 1)])
-                   ([a (in-list (node-args e))])
-           (+ size (expression-size a)))]))
+  (let count ([e e] [size 0])
+    (cond [(>= size size-limit) size]
+          [(not (node? e)) (+ size 1)]
+          [else
+           (for/fold ([size (+ size (head-size (node-head e)))]) ([a (in-list (node-args e))])
+             (count a size))])))
+
+(define (head-size h)
+  (if (and (literal-head? h) (pair? (literal-head-index h))) 2 1))

@@ -7,40 +7,97 @@
 ;; applied, which a person can put in by hand.  Otherwise the test is
 ;; *undecided* and says at how many points it found zero, and to what bound.
 ;; The points are always the same.
+;;
+;; A large graph is first judged modulo primes: if it is not zero, a point is
+;; found for it as it stands, and it is expanded only when its residual is
+;; asked for.
 
-(require "expression.rkt" "simplify.rkt" "condition.rkt" "present.rkt" "witness.rkt")
+(require "expression.rkt" "simplify.rkt" "condition.rkt" "present.rkt"
+         "witness.rkt" "fingerprint.rkt" "polynomial/fraction.rkt")
 
 (provide zero-test
          zero-test? zero-test-status zero-test-residual zero-test-witness zero-test-value
          zero-test-bound zero-test-points zero-test-factor zero-test-core
          zero-test-condition zero-test-assumptions)
 
-;; status : 'proved, 'refuted or 'undecided     residual : expression, simplified
+;; status : 'proved, 'refuted or 'undecided
 ;; witness : #f or ((expression . number) ...)  value : the residual's there
 ;; bound : the greatest rounding error at the points tried without a decision
-;; points : how many those were                 factor, core : residual = factor · core
-;; condition : #f or an equation, as a datum, for which core = 0
-;; assumptions : datums such as (>= R 0) that the residual takes for granted
-(struct zero-test (status residual witness value bound points factor core condition
-                          assumptions)
+;; points : how many those were
+;; form : box of a form, or of the expression to make it from
+(struct zero-test (status witness value bound points form)
   #:name zero-test-result
   #:constructor-name make-zero-test)
 
-(define (zero-test e)
+;; residual : expression, simplified             factor, core : residual = factor · core
+;; condition : #f or an equation, as a datum, for which core = 0
+;; assumptions : datums such as (>= R 0) that the residual takes for granted
+(struct form (residual factor core condition assumptions) #:authentic)
+
+(define (zero-test-residual z) (form-residual (settled-form z)))
+(define (zero-test-factor z) (form-factor (settled-form z)))
+(define (zero-test-core z) (form-core (settled-form z)))
+(define (zero-test-condition z) (form-condition (settled-form z)))
+(define (zero-test-assumptions z) (form-assumptions (settled-form z)))
+
+(define (settled-form z)
+  (define content (unbox (zero-test-form z)))
+  (cond [(form? content) content]
+        [else
+         (define made (make-form content))
+         (set-box! (zero-test-form z) made)
+         made]))
+
+(define (make-form e)
   (define-values (F f assumptions) (normal-form e))
-  (define residual (present F f))
-  (cond [(and (eqv? residual 0) (not (contains-flonum? e)))
-         (make-zero-test 'proved 0 #f 0 0 0 1 0 #f assumptions)]
-        [(eqv? residual 0)
-         (make-zero-test 'undecided 0 #f 0 0 0 1 0 #f assumptions)]
+  (cond [(fraction-zero? f) (form 0 1 0 #f assumptions)]
         [else
          (define-values (factor core condition) (factor-and-core F f))
-         (define-values (witness value bound points) (find-witness e residual (pair? assumptions)))
-         (make-zero-test (if witness 'refuted 'undecided) residual witness value bound points
-                         factor core condition assumptions)]))
+         (form (present F f) factor core condition assumptions)]))
+
+;; ---------------------------------------------------------------------------
+;; The test
+
+(define (zero-test e)
+  (or (and (large? e) (refute-at-once e))
+      (test-canonically e)))
+
+(define (test-canonically e)
+  (define f (make-form e))
+  (define residual (form-residual f))
+  (define exact-zero? (and (eqv? residual 0) (not (contains-flonum? e))))
+  (define-values (witness value bound points)
+    (if (eqv? residual 0)
+        (values #f 0 0 0)
+        (find-witness e residual (pair? (form-assumptions f)))))
+  (make-zero-test (cond [exact-zero? 'proved] [witness 'refuted] [else 'undecided])
+                  witness value bound points (box f)))
+
+;; -> a refutation, or #f
+(define (refute-at-once e)
+  (define-values (witness value bound points)
+    (if (eq? (fingerprint e) 'nonzero)
+        (find-witness e e #f)
+        (values #f 0 0 0)))
+  (and witness
+       (make-zero-test 'refuted witness value bound points (box e))))
+
+;; ---------------------------------------------------------------------------
 
 ;; Numbers under functions count: they are no better known than others.
 (define (contains-flonum? e)
   (node-fold e
              (lambda (leaf) (and (number? leaf) (not (exact? leaf))))
              (lambda (n found) (ormap values found))))
+
+;; Has the graph more nodes than this?
+(define large 2000)
+
+(define (large? e)
+  (define seen (make-hasheq))
+  (let walk ([e e])
+    (cond [(or (not (node? e)) (hash-ref seen e #f)) #f]
+          [(= (hash-count seen) large) #t]
+          [else
+           (hash-set! seen e #t)
+           (ormap walk (node-args e))])))

@@ -1,0 +1,135 @@
+#lang racket/base
+;; Normal forms: the field of an expression's kernels, and its value there.
+;;
+;; The kernels of an expression are found, their arguments simplified first, by
+;; the same means; then the expression is evaluated as a fraction of polynomials
+;; in them, reduced by the relations among them.  One `workspace` serves an
+;; expression and everything within it: each node is treated once, and what is
+;; taken for granted is written down.
+
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "field.rkt"
+         "walk.rkt" "present.rkt" "form.rkt" "order.rkt" "radicand.rkt"
+         "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
+
+(provide make-workspace workspace-assumptions
+         workspace-simplify workspace-normal workspace-atlas)
+
+;; ---------------------------------------------------------------------------
+;; The assumptions made so far, each once
+
+(struct workspace (services normal-of table [list #:mutable]) #:authentic)
+
+(define (assume! w expression)
+  (unless (hash-ref (workspace-table w) expression #f)
+    (hash-set! (workspace-table w) expression #t)
+    (set-workspace-list! w (cons expression (workspace-list w)))))
+
+;; As datums such as (>= R 0).
+(define (workspace-assumptions w)
+  (for/list ([e (in-list (reverse (workspace-list w)))])
+    (list '>= (expression->datum e) 0)))
+
+(define (workspace-simplify w e) ((services-simplify (workspace-services w)) e))
+
+;; -> (field . fraction)
+(define (workspace-normal w e) ((workspace-normal-of w) e))
+
+;; The kernels of e, without evaluating it.
+(define (workspace-atlas w e) (collect-kernels e (workspace-services w)))
+
+;; ---------------------------------------------------------------------------
+;; The services kernels are collected with: everything once a node
+
+(define (make-workspace)
+  (define normals (make-memo))
+  (define simples (make-memo))
+  (define (normal e)
+    (if (node? e)
+        (normals e (lambda () (normalize e services*)))
+        (normalize (make-node op:+ (list e)) services*)))
+  (define (call f e . more)
+    (define n (normal e))
+    (apply f (car n) (cdr n) more))
+  (define (simplify e)
+    (if (or (not (node? e)) (simple-application? e))
+        e
+        (simples e (lambda () (settle e normal)))))
+  (define (terms e)
+    (cond [(or (symbol? e) (simple-application? e)) (list (cons 1 e))]
+          [else (call linear-terms e)]))
+  (define (factors e) (call fraction-factors e))
+  (define (split-root* e degree) (call split-root e degree assume))
+  (define (assume e) (assume! w e))
+  (define services* (services simplify terms factors split-root* assume))
+  (define w (workspace services* normal (make-hash) '()))
+  w)
+
+;; A literal function of symbols and exact numbers: nothing to do.
+(define (simple-application? e)
+  (and (node? e)
+       (literal-head? (node-head e))
+       (for/and ([a (in-list (node-args e))])
+         (or (symbol? a) (and (number? a) (exact? a))))))
+
+;; What e is presented as.  Which angles are basic depends on those that occur,
+;; so where some depend on others the result is simplified again until it is one
+;; that came before: the least of those that keep coming back.
+(define (settle e normal)
+  (define (next e) (let ([n (normal e)]) (present (car n) (cdr n))))
+  (define first (next e))
+  (if (atlas-dependent? (field-atlas (car (normal e))))
+      (let loop ([seen (list first)])
+        (define last (car seen))
+        (define new (if (node? last) (next last) last))
+        (define cycle (member new (reverse seen)))
+        (cond [cycle (least cycle)]
+              [(= (length seen) settle-limit) (least (cons new seen))]
+              [else (loop (cons new seen))]))
+      first))
+
+(define settle-limit 4)
+
+(define (least es)
+  (for/fold ([best (car es)]) ([e (in-list (cdr es))])
+    (define k (- (expression-size e) (expression-size best)))
+    (if (or (< k 0) (and (eqv? k 0) (expression<? e best))) e best)))
+
+;; -> (field . fraction), the field of e's kernels and its value there.  Sums at which
+;; the walk gets stuck are left unexpanded; after too many of them, e is.
+(define stuck-limit 8)
+
+(define (normalize e services)
+  (let retry ([blocked '()])
+    (define result
+      (with-handlers ([stuck? values])
+        (normalize-around e services
+                          (if (< (length blocked) stuck-limit) blocked (list e)))))
+    (if (stuck? result)
+        (retry (append (sums-to-block (stuck-node result) blocked) blocked))
+        result)))
+
+;; The sums among the factors of the operands of n; n itself if there are none.
+(define (sums-to-block n blocked)
+  (define (sums e)
+    (cond [(or (not (node? e)) (memq e blocked)) '()]
+          [(memq (node-head e) (list op:+ op:-)) (list e)]
+          [(memq (node-head e) (list op:* op:/ op:expt)) (operand-sums e)]
+          [else '()]))
+  (define (operand-sums e) (apply append (map sums (node-args e))))
+  (define found (operand-sums n))
+  (if (null? found) (list n) found))
+
+(define (normalize-around e services blocked)
+  (define atlas (collect-kernels e services blocked))
+  (define kernels (place-kernels! (atlas-kernels atlas)))
+  (let retry ([degree 7])
+    (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
+          (define F (make-field atlas kernels degree))
+          (define f (field-fraction F e))
+          (tell-assumptions F services)
+          (cons F f))
+        (retry (+ 1 (* 2 degree))))))
+
+(define (tell-assumptions F services)
+  (for ([p (in-list (unbox (field-assumed F)))])
+    ((services-assume! services) (present F (fraction-from-poly (field-ring F) p)))))
