@@ -1,17 +1,16 @@
 #lang racket/base
 ;; Printing values on demand, simplified: what the prompt does to results.
 
-(require "layout.rkt" "text.rkt"
-         "../generic/describe.rkt" "../value/simplify.rkt")
+(require "layout.rkt" "result.rkt" "text.rkt"
+         "../generic/describe.rkt")
 
-(provide print-expression pe show-expression se print-labelled)
+(provide print-expression pe show-expression se print-labelled print-assumptions)
 
 (define line-width 79)
 
 ;; The value, simplified, in the book's form, on lines of its own.
 (define (print-expression x)
-  (define-values (simplified assumptions) (simplify/assumptions x))
-  (write-string (value->lines simplified line-width assumptions))
+  (print (simplified-result x line-width))
   (newline))
 
 (define pe print-expression)
@@ -26,3 +25,9 @@
   (write-string "\n  ")
   (write-string (layout (value->datum x) (- line-width 2)))
   (newline))
+
+;; What simplification took for granted, a line for each assumption.
+(define (print-assumptions assumptions)
+  (for ([a (in-list assumptions)])
+    (write-string (assumption->text a))
+    (newline)))

@@ -5,7 +5,7 @@
 (require "layout.rkt"
          "../generic/describe.rkt" "../calculus/verdict.rkt")
 
-(provide value->lines)
+(provide value->lines assumption->text)
 
 ;; The text of a value; beneath it, as comments, what its simplification took
 ;; for granted.
@@ -16,7 +16,9 @@
              (layout-report (verdict-lines x) width)
              (layout (value->datum x) width))
          (for/list ([a (in-list assumptions)])
-           (format "\n; assuming ~a" (value->text a)))))
+           (string-append "\n" (assumption->text a)))))
+
+(define (assumption->text a) (format "; assuming ~a" (value->text a)))
 
 ;; The lines of a report, each a label and its content.
 (define (layout-report report width)

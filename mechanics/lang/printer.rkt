@@ -7,11 +7,7 @@
 ;; is as a value that prints as that text; so output keeps the colour, the
 ;; value history and the line ends of the editor it appears in.
 
-(require "../display/text.rkt"
-         "../calculus/verdict.rkt"
-         "../algebra/expression.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt"
-         "../value/simplify.rkt")
+(require "../display/result.rkt")
 
 (provide install-printer! print-result)
 
@@ -37,34 +33,6 @@
   ((if (session-printer? printer) (session-printer-other printer) printer)
    (simplify-or-say-why x)))
 
-;; What the wrapped printer is given in place of x: its text, if it is ours.
-;; The elements of a list or vector are simplified though Racket prints it.
-(define (printable x)
-  (cond [(in-notation? x)
-         (define-values (simplified assumptions) (simplify/assumptions x))
-         (as-text simplified assumptions)]
-        [(list? x) (map simplified-element x)]
-        [(vector? x) (list->vector (map simplified-element (vector->list x)))]
-        [else x]))
-
-(define (simplified-element e) (if (in-notation? e) (simplify e) e))
-
-(define (as-text x [assumptions '()])
-  (laid-out (value->lines x (output-width) assumptions)))
-
-;; Text that prints as itself in all of Racket's modes.
-(struct laid-out (text)
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (l port mode) (write-string (laid-out-text l) port)))
-
-;; Is x written by us?  Numbers are not: they look the same either way.
-(define (in-notation? x)
-  (or (symbolic? x)
-      (has-kind? x)
-      (verdict? x)
-      (and (procedure? x) (not (custom-write? x)))))
-
 ;; ---------------------------------------------------------------------------
 ;; Simplification that cannot take the prompt down
 
@@ -72,7 +40,7 @@
   (with-handlers ([exn:break?
                    (lambda (e)
                      (note "simplification interrupted; the result as computed:")
-                     (unsimplified x))])
+                     (plain-result x (output-width)))])
     (simplify-or-say-why x)))
 
 (define (simplify-or-say-why x)
@@ -80,10 +48,8 @@
                    (lambda (e)
                      (note (format "the result could not be simplified (~a)"
                                    (exn-message e)))
-                     (unsimplified x))])
-    (printable x)))
-
-(define (unsimplified x) (if (in-notation? x) (as-text x) x))
+                     (plain-result x (output-width)))])
+    (simplified-result x (output-width))))
 
 (define (note text)
   (define port (current-error-port))

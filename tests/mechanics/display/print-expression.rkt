@@ -1,0 +1,30 @@
+#lang racket/base
+;; print-expression shows a value as the prompt shows a result.
+
+(require mechanics
+         mechanics/lang/printer
+         rackunit)
+
+(define (text-of show x)
+  (define port (open-output-string))
+  (parameterize ([current-output-port port])
+    (show x))
+  (get-output-string port))
+
+(test-case "a value is printed simplified, with what that assumed beneath it"
+  (check-equal? (text-of print-expression (+ 'a 'a)) "(* 2 a)\n")
+  (check-equal? (text-of print-expression (up (sqrt (square 'r)) 1))
+                "(up r 1)\n; assuming (>= r 0)\n"))
+
+(test-case "lists are Racket's to print, their elements simplified"
+  (check-equal? (text-of print-expression (list 1 (+ 'a 'a))) "(list 1 (* 2 a))\n")
+  (check-equal? (text-of print-expression "text") "\"text\"\n"))
+
+(test-case "the short names and show-expression print the same"
+  (for ([show (in-list (list pe show-expression se))])
+    (check-equal? (text-of show (* 'a 'b 'a)) (text-of print-expression (* 'a 'b 'a)))))
+
+(test-case "the prompt answers the same"
+  (for ([x (in-list (list (+ 'a 'a) (list (+ 'a 'a) "b") (vector (+ 'a 'a)) "text" 1/2 sin
+                          (up 'a (sqrt (square 'r))) (prove-zero (- 'a 'b)) (list)))])
+    (check-equal? (text-of print-expression x) (text-of print-result x))))
