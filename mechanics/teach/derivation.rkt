@@ -3,7 +3,7 @@
 
 (require "../generic/elementary.rkt"
          "../calculus/derivative.rkt"
-         "../value/function.rkt" "../value/simplify.rkt"
+         "../value/function.rkt" "../value/simplify.rkt" "../value/structure.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../display/print-expression.rkt")
 
@@ -13,26 +13,38 @@
 ;; partial derivatives there, the time derivatives of the momenta, the force and
 ;; the residual; all simplified.
 (define (derivation-steps equations q [t 't])
+  (for/list ([s (in-list (steps 'derivation-steps equations q t))])
+    (cons (car s) (simplify (cdr s)))))
+
+;; Prints the steps, each as `label at t`, then its value; in the end what
+;; simplification assumed on the way.
+(define (show-derivation equations q [t 't])
+  (define all (steps 'show-derivation equations q t))
+  (define-values (values assumptions) (simplify/assumptions (list->up (map cdr all))))
+  (for ([s (in-list all)] [v (in-list (structure->list values))])
+    (print-labelled (list (car s) t) v))
+  (print-assumptions assumptions))
+
+;; The steps as they are computed.
+(define (steps who equations q t)
   (unless (equations? equations)
-    (raise-argument-error 'derivation-steps "(Lagrange-equations L)" equations))
+    (raise-argument-error who "(Lagrange-equations L)" equations))
   (define L (equations-Lagrangian equations))
   (define n (equations-order equations))
   (define force (equations-force equations))
-  (define path (Gamma q (+ n 2)))
-  (define (step label f) (cons label (simplify (f t))))
-  (define (partial-along k) (compose ((partial k) L) path))
+  (define local (Gamma (path who q) (+ n 2)))
+  (define local-label (if (= n 1) '(Gamma q) `(Gamma q ,(+ n 2))))
+  (define (step label f) (cons label (f t)))
+  (define (along-label F) `(compose ,F ,local-label))
+  (define (partial-label k) (along-label `((partial ,k) L)))
+  (define (partial-along k) (compose ((partial k) L) local))
   (append
-   (list (step '(Gamma q) path)
-         (step '(compose L (Gamma q)) (compose L path)))
+   (list (step local-label local)
+         (step (along-label 'L) (compose L local)))
    (for/list ([k (in-range 1 (+ n 2))])
-     (step `(compose ((partial ,k) L) (Gamma q)) (partial-along k)))
+     (step (partial-label k) (partial-along k)))
    (for/list ([k (in-range 1 (add1 n))])
-     (step `(,(if (= k 1) 'D `(expt D ,k)) (compose ((partial ,(add1 k)) L) (Gamma q)))
+     (step (list (if (= k 1) 'D `(expt D ,k)) (partial-label (add1 k)))
            ((g:expt D k) (partial-along (add1 k)))))
-   (if force (list (step '(compose force (Gamma q)) (compose force path))) '())
+   (if force (list (step (along-label 'force) (compose force local))) '())
    (list (step '((Lagrange-equations L) q) (equations q)))))
-
-;; Prints the steps, each as `label at t`, then its value.
-(define (show-derivation equations q [t 't])
-  (for ([s (in-list (derivation-steps equations q t))])
-    (print-labelled (list (car s) t) (cdr s))))
