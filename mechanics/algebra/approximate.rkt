@@ -2,8 +2,9 @@
 ;; Numeric values with a bound on their rounding error.
 ;;
 ;; A value is a pair (number . error), the true value being within `error` of
-;; the number: exact arithmetic has error 0, a flonum that was typed is taken
-;; to be uncertain in its last place, and every operation passes errors on to
+;; the number: exact arithmetic has error 0, a flonum that was given may be the
+;; result of a few operations on others, such as (square (sqrt 2)), and is taken
+;; to be uncertain by a few units in its last place, and every operation passes errors on to
 ;; first order and adds its own rounding.  So "not zero" can be told from
 ;; "zero within rounding".
 
@@ -27,7 +28,7 @@
   (values (car result) (cdr result)))
 
 (define (plain x) (cons x 0))
-(define (constant x) (cons x (if (exact? x) 0 (* 0.5 unit (magnitude x)))))
+(define (constant x) (cons x (if (exact? x) 0 (* 4.0 unit (magnitude x)))))
 
 ;; The value alone, of tuples too.
 (define (bare v)

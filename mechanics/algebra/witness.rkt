@@ -96,11 +96,17 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; The value and error of e where the point says, other leaves getting integers
-;; of their own; not a number where e is not defined.
+;; The value and error of e where the point says; not a number where e is not
+;; defined.  Leaves of e that the residual has lost get integers of their own,
+;; each the same one wherever it stands.
 (define (value-at e point k)
   (with-handlers ([exn:fail? (lambda (x) (values +nan.0 +nan.0))])
-    (approximate-expression e (point-lookup point (integers-from (+ 100 k))))))
+    (approximate-expression e (point-lookup point (remembering (integers-from (+ 100 k)))))))
+
+(define (remembering next)
+  (define seen (make-hash))
+  (lambda (leaf arguments)
+    (hash-ref! seen (leaf-key leaf arguments) (lambda () (next leaf arguments)))))
 
 ;; Small integers for the leaves of e, zeros for those of `zeros`: ((leaf .
 ;; integer) ...).  A literal function has one value for one argument.
