@@ -38,20 +38,15 @@
                   #:tolerance [tolerance 1e-8]
                   #:limit [limit 200]
                   #:name [who 'minimize])
-  (check-end who low)
-  (check-end who high)
-  (unless (and (real? tolerance) (> tolerance 0))
-    (raise-argument-error who "a positive tolerance" tolerance))
+  (check-finite who low "end of the interval")
+  (check-finite who high "end of the interval")
+  (check-tolerance who tolerance)
   (define (at x) (point x (sample who f x)))
   (define a (real->double-flonum (min low high)))
   (define b (real->double-flonum (max low high)))
   (define start (at (+ a (* golden (- b a)))))
   (descend (search a b start start start 0.0 0.0 0)
            (resolution tolerance (- b a)) at limit who))
-
-(define (check-end who x)
-  (unless (and (real? x) (< -inf.0 x +inf.0))
-    (raise-argument-error who "a finite real number as end of the interval" x)))
 
 ;; How close two trials near x may be.
 (define ((resolution tolerance width) x)

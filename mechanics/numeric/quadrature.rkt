@@ -133,18 +133,13 @@
                           #:tolerance [tolerance 1e-10]
                           #:limit [limit 1000]
                           #:name [who 'quadrature])
-  (check-limit who low)
-  (check-limit who high)
-  (unless (and (real? tolerance) (> tolerance 0))
-    (raise-argument-error who "a positive tolerance" tolerance))
+  (check-finite who low "limit of integration")
+  (check-finite who high "limit of integration")
+  (check-tolerance who tolerance)
   (define (g x) (sample who f x))
   (define whole
     (integrate-panel g (real->double-flonum low) (real->double-flonum high)))
   (refine (list whole) 1 (max tolerance (* 2.0 rounding)) limit who g))
-
-(define (check-limit who x)
-  (unless (and (real? x) (< -inf.0 x +inf.0))
-    (raise-argument-error who "a finite real number as limit of integration" x)))
 
 ;; panels : sorted, greatest error first; count : how many.
 (define (refine panels count tolerance limit who f)

@@ -1,11 +1,14 @@
 #lang racket/base
-;; One value of a function given by the user, as a finite flonum, or a message
-;; that says where the function gave something else.
+;; What a numerical method is given by the user: values of a function, ends of an
+;; interval, a tolerance.  Each is checked here, with a message that says what is
+;; wrong with it.
 
 (require "failure.rkt")
 
-(provide sample)
+(provide sample check-finite check-tolerance)
 
+;; One value of the function as a finite flonum, or a message that says where it
+;; gave something else.
 ;; sample : symbol (flonum -> real) flonum -> flonum
 (define (sample who f x)
   (define y (f x))
@@ -20,3 +23,12 @@
   z)
 
 (define (finite? z) (< -inf.0 z +inf.0))
+
+;; role : what x is, as in "limit of integration".
+(define (check-finite who x role)
+  (unless (and (real? x) (finite? x))
+    (raise-argument-error who (string-append "a finite real number as " role) x)))
+
+(define (check-tolerance who tolerance)
+  (unless (and (real? tolerance) (> tolerance 0))
+    (raise-argument-error who "a positive tolerance" tolerance)))
