@@ -68,11 +68,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Basic angles
 
+;; Multiples of an angle up to this are expanded.
+(define multiple-limit 32)
+
 (define (settle-angles! c kind sign)
   (define angles
     (for/list ([(key a) (in-hash (collector-angles c))] #:when (eq? (car key) kind)) a))
   (define ordered (sort-forms c angles))
-  (define-values (basis coordinates) (integer-basis (map angle-form ordered)))
+  (define-values (basis coordinates) (modest-basis (map angle-form ordered) multiple-limit))
   (define basics (for/vector ([form (in-list basis)]) (basic-angle c sign form)))
   (for ([a (in-list ordered)] [v (in-list coordinates)])
     (set-angle-multiples! a

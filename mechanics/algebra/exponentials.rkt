@@ -47,10 +47,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Basic exponentials
 
+;; Powers of an exponential up to this are taken for powers.
+(define power-limit 1000)
+
 (define (settle-exponentials! c)
   (settle-hyperbolics! c)
   (define ordered (sort-forms c (angles-of c 'exponential)))
-  (define-values (basis coordinates) (integer-basis (map angle-form ordered)))
+  (define-values (basis coordinates) (modest-basis (map angle-form ordered) power-limit))
   (define s (collector-services c))
   (define basics
     (for/vector ([form (in-list basis)])

@@ -14,7 +14,7 @@
 ;;
 ;; A vector is a list of (key . rational), keys ascending, rationals nonzero.
 
-(provide integer-basis vector-scale vector-add)
+(provide integer-basis modest-basis vector-scale vector-add)
 
 ;; vectors -> (values basis coordinates), coordinates a list with, for each
 ;; vector, a list of (basis position . integer).
@@ -24,6 +24,45 @@
   (cond [(andmap integral? coordinates) (values independent coordinates)]
         [(= (length keys) (length independent)) (atomic-basis keys vectors)]
         [else (refine independent coordinates)]))
+
+;; The same with no coordinate above `limit`: vectors whose ratios are not that
+;; simple (2.1 and 2.2, read as the binary fractions they are, or 60 and 1) are
+;; kept apart, as if nothing related them.
+(define (modest-basis vectors limit)
+  (define-values (basis coordinates) (integer-basis vectors))
+  (if (modest? coordinates limit)
+      (values basis coordinates)
+      (basis-by-groups vectors limit)))
+
+(define (modest? coordinates limit)
+  (for*/and ([v (in-list coordinates)] [entry (in-list v)]) (<= (abs (cdr entry)) limit)))
+
+;; Every vector joins the first group whose basis stays modest with it, or
+;; begins a group of its own.
+(define (basis-by-groups vectors limit)
+  (define groups                        ; each a list of vectors, last one first
+    (for/fold ([groups '()]) ([v (in-list vectors)])
+      (join v groups limit)))
+  (for/fold ([basis '()] [table '()]
+             #:result (values basis (for/list ([v (in-list vectors)]) (cdr (assq v table)))))
+            ([group (in-list groups)])
+    (define members (reverse group))
+    (define-values (own coordinates) (integer-basis members))
+    (define offset (length basis))
+    (values (append basis own)
+            (append (for/list ([v (in-list members)] [c (in-list coordinates)])
+                      (cons v (for/list ([entry (in-list c)])
+                                (cons (+ offset (car entry)) (cdr entry)))))
+                    table))))
+
+(define (join v groups limit)
+  (cond [(null? groups) (list (list v))]
+        [else
+         (define bigger (cons v (car groups)))
+         (define-values (basis coordinates) (integer-basis (reverse bigger)))
+         (if (and (< (length basis) (length bigger)) (modest? coordinates limit))
+             (cons bigger (cdr groups))
+             (cons (car groups) (join v (cdr groups) limit)))]))
 
 (define (all-keys vectors)
   (for*/fold ([keys '()] #:result (sort keys <)) ([v (in-list vectors)] [entry (in-list v)])
