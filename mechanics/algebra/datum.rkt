@@ -6,7 +6,7 @@
 ;; `print-limit` atoms and says how many it left out, counting them on the
 ;; shared pairs.  Symbols are written without quotes or bars they do not need.
 
-(provide print-limit write-datum datum->text datum-size)
+(provide print-limit write-datum datum->text make-sizer omission)
 
 ;; The greatest number of atoms written for one value; #f for no bound.
 (define print-limit
@@ -34,8 +34,12 @@
     (write-string "(" port)
     (let loop ([xs xs] [first? #t])
       (cond [(null? xs) (void)]
+            [(not (pair? xs))
+             (write-string " . " port)
+             (atom! xs)]
             [(and (<= budget 0) (not first?))
-             (write-string (format " ...~a more" (size xs)) port)]
+             (write-string " " port)
+             (write-string (omission (size xs)) port)]
             [else
              (unless first? (write-string " " port))
              (item! (car xs))
@@ -43,9 +47,13 @@
     (write-string ")" port))
   (item! d))
 
-;; How many atoms a datum has, written out.
-(define (datum-size d) ((make-sizer) d))
+;; What stands for n atoms left out.
+(define (omission n)
+  (if (< n 1000000000)
+      (format "...~a more" n)
+      (format "...10^~a more" (quotient (* 30103 (integer-length n)) 100000))))
 
+;; -> (datum -> how many atoms it has, written out), costing each pair once.
 (define (make-sizer)
   (define sizes (make-hasheq))
   (define (size d)

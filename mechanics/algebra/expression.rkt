@@ -21,6 +21,8 @@
  ;; kinds
  expression? symbolic? node? node-head node-args
  make-node expression=? expression-hash
+ ;; forms that were asked for
+ requested? requested-assumptions request-form
  ;; constructors
  e:+ e:- e:* e:/ e:expt e:negate e:apply e:application
  ;; walks
@@ -42,6 +44,15 @@
 (define (make-node head args)
   (node head args (hash-node head args)))
 
+;; A node in a form that was asked for (expanded, factored ...), and what finding
+;; it assumed: a node like any other, but shown as it stands.
+(struct requested node (assumptions) #:authentic)
+
+(define (request-form e assumptions)
+  (if (node? e)
+      (requested (node-head e) (node-args e) (node-hash e) assumptions)
+      e))
+
 ;; A value the algebra can hold.
 (define (expression? x) (or (number? x) (symbolic? x)))
 (define (symbolic? x) (or (symbol? x) (node? x)))
@@ -56,12 +67,15 @@
 
 (define (commutative? head) (or (eq? head op:+) (eq? head op:*)))
 
+;; Mixed so that two equal operands do not just double the sum: in towers of
+;; squares that would lose a bit at every level.
+(define (scatter k) (bitwise-xor (* 3 k) (arithmetic-shift k -23)))
+
 (define (hash-node head args)
   (define start (mask (head-hash head)))
   (if (commutative? head)
       (for/fold ([h start]) ([a (in-list args)])
-        (define k (expression-hash a))
-        (mask (+ h (* k (bitwise-ior 1 (bitwise-and k #xFFFF))))))
+        (mask (+ h (scatter (expression-hash a)))))
       (for/fold ([h start]) ([a (in-list args)])
         (mask (+ (* 31 h) (expression-hash a))))))
 

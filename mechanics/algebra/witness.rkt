@@ -17,7 +17,8 @@
 
 ;; e : the expression; residual : a simpler one of the same value, in whose
 ;; leaves the point is given.  The value is that of e itself, so simplification
-;; is no part of the evidence.
+;; is no part of the evidence; where the residual has another value, the point
+;; is outside what simplification took for granted, and is passed over.
 ;; Where simplification took signs for granted, `positive?`, all integers are.
 ;; -> witness value bound points; witness is #f if none was found.
 (define (find-witness e residual positive?)
@@ -38,7 +39,7 @@
     (cond [(null? tries) (values #f 0)]
           [else
            (define point (integer-point residual (cdar tries) (caar tries)))
-           (define-values (value error) (value-at e point 0))
+           (define-values (value error) (value-of-both e residual point 0))
            (if (and (exact? value) (not (eqv? value 0)) (eqv? error 0))
                (values point value)
                (loop (cdr tries)))])))
@@ -86,7 +87,7 @@
       [(= k point-limit) (values #f 0 bound points)]
       [else
        (define point (integer-point residual (if positive? k (- k))))
-       (define-values (value error) (value-at e point k))
+       (define-values (value error) (value-of-both e residual point k))
        (cond [(not (decent? value error)) (loop (+ k 1) bound points)]
              [(> (magnitude value) (* 4 error)) (values point value error points)]
              [else (loop (+ k 1) (max bound error) (+ points 1))])])))
@@ -95,6 +96,16 @@
   (and (rational? (magnitude value)) (rational? error)))
 
 ;; ---------------------------------------------------------------------------
+
+;; The value and error of e, not numbers if those of the residual differ.
+(define (value-of-both e residual point k)
+  (define-values (value error) (value-at e point k))
+  (define-values (other its-error) (value-at residual point k))
+  (if (or (eq? e residual)
+          (and (decent? value error) (decent? other its-error)
+               (<= (magnitude (- value other)) (* 4 (+ error its-error)))))
+      (values value error)
+      (values +nan.0 +nan.0)))
 
 ;; The value and error of e where the point says; not a number where e is not
 ;; defined.  Leaves of e that the residual has lost get integers of their own,

@@ -49,6 +49,11 @@
          made]))
 
 (define (make-form e)
+  (if (and (number? e) (not (rational? (magnitude e))))
+      (form e 1 e #f '())
+      (make-form-of-finite e)))
+
+(define (make-form-of-finite e)
   (define-values (F f assumptions) (normal-form e))
   (cond [(fraction-zero? f) (form 0 1 0 #f assumptions)]
         [else
@@ -59,10 +64,14 @@
 ;; The test
 
 (define (zero-test e)
-  (cond [(and (number? e) (rounding? e))
+  (cond [(and (number? e) (not (rational? (magnitude e))))
+         (make-zero-test (if (infinite-number? e) 'refuted 'undecided) '() e 0 0 (box e))]
+        [(and (number? e) (rounding? e))
          (make-zero-test 'undecided #f e (magnitude e) 1 (box e))]
         [else (or (and (large? e) (refute-at-once e))
                   (test-canonically e))]))
+
+(define (infinite-number? x) (eqv? (magnitude x) +inf.0))
 
 ;; A flonum that stands alone does not tell what it is the difference of; one
 ;; this small may be what rounding left of numbers about 1.

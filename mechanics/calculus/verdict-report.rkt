@@ -51,7 +51,11 @@
    (if (and with-condition? (zero-test-condition z))
        (list (list depth "zero if:" (equation (zero-test-condition z))))
        '())
-   (if (eq? (zero-test-status z) 'refuted) (witness z line) (bound z line))))
+   (cond [(not-a-number? (zero-test-residual z)) (line "evidence:" "it is not a number")]
+         [(eq? (zero-test-status z) 'refuted) (witness z line)]
+         [else (bound z line)])))
+
+(define (not-a-number? x) (and (number? x) (not (= x x))))
 
 ;; The factor that cannot vanish and the core that may, where there are both.
 (define (factors z line)
@@ -75,7 +79,7 @@
 
 ;; A flonum to six digits: it is there to be seen not to be zero.
 (define (readable x)
-  (cond [(or (exact? x) (not (real? x)) (zero? x)) x]
+  (cond [(or (exact? x) (not (rational? x)) (zero? x)) x]
         [else
          (define unit (expt 10.0 (- 5 (inexact->exact (floor (/ (log (abs x)) (log 10)))))))
          (/ (round (* x unit)) unit)]))

@@ -9,7 +9,7 @@
 (require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/arithmetic.rkt"
          "../value/matrix.rkt" "../value/operator.rkt"
-         "../algebra/expression.rkt" "../algebra/operation.rkt" "../algebra/zero-test.rkt"
+         "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt" "../algebra/zero-test.rkt"
          "verdict-report.rkt")
 
 (provide prove-zero verify-equal
@@ -112,20 +112,51 @@
             (value->text o) (value->text o))
     (current-continuation-marks))))
 
-;; Functions are taken at a symbolic time t, or at t0 t1 ... if they take
-;; several arguments; also inside structures.
-(define (at-symbolic-arguments x)
-  (cond [(and (procedure? x) (not (tuple? x)))
-         (at-symbolic-arguments (apply x (symbolic-arguments x)))]
-        [(tuple? x) (structure-map at-symbolic-arguments (adopt x))]
-        [else x]))
+;; ---------------------------------------------------------------------------
+;; Functions are judged at symbolic arguments
 
-(define (symbolic-arguments f)
-  (when (operator? f) (raise-operator f))
-  (define n (for/first ([n (in-naturals 1)] #:when (or (accepts? f n) (> n 20))) n))
-  (if (= n 1)
-      '(t)
-      (for/list ([i (in-range n)]) (string->symbol (format "t~a" i)))))
+;; A function, wherever it stands in x, is taken at symbols of its own, which
+;; occur nowhere else; its value may be a function again.  In the result they
+;; are renamed to t, or t0 t1 ... if there are several, or to what comes next if
+;; the user has a t already.
+(define (at-symbolic-arguments x [arguments '()])
+  (map-leaves
+   (lambda (leaf)
+     (cond [(operator? leaf) (raise-operator leaf)]
+           [(procedure? leaf)
+            (define fresh (fresh-arguments leaf))
+            (at-symbolic-arguments (apply leaf fresh) (append arguments fresh))]
+           [(symbolic? leaf) (rename-arguments leaf arguments)]
+           [else leaf]))
+   x))
+
+(define (fresh-arguments f)
+  (define n (for/first ([n (in-sequences (in-range 1 21) '(0))] #:when (accepts? f n)) n))
+  (unless n
+    (raise-arguments-error 'prove-zero "cannot choose arguments for the function" "function" f))
+  (for/list ([i (in-range n)])
+    (string->uninterned-symbol (if (= n 1) "t" (format "t~a" i)))))
+
+(define (rename-arguments e arguments)
+  (define taken (free-symbols e))
+  (substitute-expression
+   e
+   (for/list ([a (in-list arguments)])
+     (define name (unused-name (symbol->string a) taken))
+     (hash-set! taken name #t)
+     (cons a name))))
+
+(define (unused-name base taken)
+  (for/first ([suffix (in-sequences '("") (in-naturals 1))]
+              #:unless (hash-ref taken (string->symbol (format "~a~a" base suffix)) #f))
+    (string->symbol (format "~a~a" base suffix))))
+
+(define (free-symbols e)
+  (define found (make-hasheq))
+  (node-fold e
+             (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t)))
+             void)
+  found)
 
 ;; ---------------------------------------------------------------------------
 

@@ -33,6 +33,7 @@
 ;; The item of a datum, cut where the budget ends; shared pairs are counted
 ;; without being written out.
 (define (prepare d)
+  (define size (make-sizer))
   (define budget (or (print-limit) +inf.0))
   (define (item x)
     (cond [(pair? x) (make-block (items x))]
@@ -43,7 +44,7 @@
       (cond [(null? xs) '()]
             [(not (pair? xs)) (list "." (item xs))]
             [(and (<= budget 0) (not first?))
-             (list (format "...~a more" (datum-size xs)))]
+             (list (omission (size xs)))]
             [else
              (define first-item (item (car xs)))
              (cons first-item (loop (cdr xs) #f))])))

@@ -7,4 +7,4 @@
 
 ;; The verdict on the residual of the path q at a symbolic time t.
 (define (verify-solution L q #:force [Q #f] #:order [n 1])
-  (prove-zero (((Lagrange-equations L #:force Q #:order n) q) 't)))
+  (prove-zero ((Lagrange-equations L #:force Q #:order n) q)))
