@@ -5,7 +5,7 @@
 (require "generic/arithmetic.rkt" "generic/elementary.rkt" "generic/compare.rkt"
          "generic/loops.rkt"
          "value/constants.rkt" "value/function.rkt" "value/linear.rkt" "value/matrix.rkt"
-         "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt"
+         "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt" "value/forms.rkt"
          (except-in "value/structure.rkt" up down)
          "value/vector.rkt"
          "calculus/derivative.rkt" "calculus/literal-function.rkt" "calculus/verdict.rkt"
@@ -53,7 +53,8 @@
  ;; derivatives
  D partial
  ;; expressions
- expression simplify factor substitute print-limit
+ expression simplify substitute print-limit
+ expand factor collect coefficient together apart numerator denominator
  ;; verdicts
  prove-zero verify-equal
  verdict? verdict-status verdict-residual verdict-witness verdict-value

@@ -1,5 +1,6 @@
 #lang racket/base
-;; A value as a result is shown: simplified, in the book's notation.
+;; A value as a result is shown: simplified, unless another form was asked for, in
+;; the book's notation.
 ;;
 ;; What is ours becomes text that prints as itself; what is not (strings, lists,
 ;; pictures) stays as it is for Racket to print, its elements simplified.
@@ -16,8 +17,8 @@
 ;; The elements of a list or vector are simplified though Racket prints it.
 (define (simplified-result x width)
   (cond [(in-notation? x)
-         (define-values (simplified assumptions) (simplify/assumptions x))
-         (laid-out (value->lines simplified width assumptions))]
+         (define-values (shown assumptions) (as-shown x))
+         (laid-out (value->lines shown width assumptions))]
         [(list? x) (map simplified-element x)]
         [(vector? x) (list->vector (map simplified-element (vector->list x)))]
         [else x]))
@@ -26,7 +27,11 @@
 (define (plain-result x width)
   (if (in-notation? x) (laid-out (value->lines x width)) x))
 
-(define (simplified-element e) (if (in-notation? e) (simplify e) e))
+(define (simplified-element e)
+  (cond [(in-notation? e)
+         (define-values (shown assumptions) (as-shown e))
+         shown]
+        [else e]))
 
 ;; Text that prints as itself in all of Racket's modes.
 (struct laid-out (text)

@@ -4,7 +4,7 @@
 (require "../generic/describe.rkt"
          "../algebra/expression.rkt" "../algebra/simplify.rkt" "../algebra/evaluate.rkt")
 
-(provide expression simplify simplify/assumptions factor substitute with-literals)
+(provide expression simplify simplify/assumptions as-shown substitute with-literals)
 
 ;; The plain S-expression of a value, as it prints.
 (define (expression x) (value->datum x))
@@ -14,13 +14,25 @@
   (map-leaves (lambda (leaf) (if (symbolic? leaf) (simplify-expression leaf) leaf)) x))
 
 ;; The simplified value, and what simplification assumed.
-(define (simplify/assumptions x)
+(define (simplify/assumptions x) (map-expressions simplify-expression/assumptions x))
+
+;; The value as a result is shown, and what getting there assumed: simplified,
+;; but for scalars in a form that was asked for.
+(define (as-shown x)
+  (map-expressions (lambda (e)
+                     (if (requested? e)
+                         (values e (requested-assumptions e))
+                         (simplify-expression/assumptions e)))
+                   x))
+
+;; rewrite : expression -> expression and assumptions
+(define (map-expressions rewrite x)
   (define assumptions '())
   (define value
     (map-leaves
      (lambda (leaf)
        (cond [(symbolic? leaf)
-              (define-values (e used) (simplify-expression/assumptions leaf))
+              (define-values (e used) (rewrite leaf))
               (set! assumptions (append assumptions used))
               e]
              [else leaf]))
@@ -30,11 +42,6 @@
 (define (distinct xs)
   (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
     (if (member x kept) kept (cons x kept))))
-
-;; The same value with every scalar written as a product as far as its factors
-;; are found.
-(define (factor x)
-  (map-leaves (lambda (leaf) (if (symbolic? leaf) (factor-expression leaf) leaf)) x))
 
 ;; (substitute value 'm 3 'k (expt omega 2) ...), all at once.
 (define (substitute x . names-and-replacements)

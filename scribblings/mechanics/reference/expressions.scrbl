@@ -18,13 +18,6 @@ difference tells which.
 (simplify (+ (square (sin 'x)) (square (cos 'x))))
 (simplify (up (/ (- (square 'a) (square 'b)) (- 'a 'b)) (* 1/2 'x 2)))]}
 
-@defproc[(factor [x value]) value]{
-
-The same value with each scalar written as a product, as far as factors are found.
-
-@examples[#:eval session
-(displayln (factor (- (* 'a 'k) (* 'a 'm (square 'omega)))))]}
-
 @defproc[(substitute [x value] [name scalar] [replacement scalar] ... ...) value]{
 
 The value with each name, a symbol or an expression such as
@@ -45,6 +38,97 @@ and lists.
 (expression (* 'b (sin 'a) 'b))
 (expression (simplify (* 'b (sin 'a) 'b)))
 (cadr (expression (up 1 2)))]}
+
+@section{Forms}
+
+What follows works on every scalar of a value; tuples and matrices keep their
+shape. The result equals @racket[x], under the assumptions shown with it. It is
+shown in the form that was asked for, where any other result is simplified to be
+shown; calculating with it goes on as with any value, and
+@racket[simplify] simplifies it.
+
+@examples[#:eval session
+(define square-of-sum (expand (expt (+ 'a 'b) 2)))
+square-of-sum
+(* 'c square-of-sum (/ 1 (+ 'a 'b)))
+(eval:error (expand sin))]
+
+@defproc[(expand [x value]) value]{
+
+Products of sums, and their integer powers, are multiplied out; the result is one
+sum of terms. Sines and cosines are not combined. A term keeps below it those sums
+that divide it.
+
+@examples[#:eval session
+(expand (* (+ 'x 1) (- 'x 2)))
+(expand (square (+ (sin 'x) (cos 'x))))
+(expand (/ (+ 'a (* 'b 'c)) (+ 'c 'd)))]}
+
+@defproc[(factor [x value]) value]{
+
+A product of powers of factors that cannot be factored further over the rational
+numbers in the symbols, functions and roots that occur. A factor too large to be
+examined stays whole.
+
+@examples[#:eval session
+(factor (- (* 'a 'k) (* 'a 'm (square 'omega))))
+(factor (- (expt 'a 4) (expt 'b 4)))
+(factor (+ (* 2 (square 'x)) (* 5 'x 'y) (* 2 (square 'y))))
+(factor (/ (- (square 'x) 1) (+ (square 'x) (* -4 'x) 4)))]}
+
+@defproc[(collect [x value] [in (or/c scalar (listof scalar))]) value]{
+
+A polynomial in @racket[in], a symbol or a literal function applied, or in each of a
+list of them, the highest powers first and the coefficients simplified. What is
+divided by a sum with @racket[in] in it becomes one quotient of such polynomials.
+
+@examples[#:eval session
+(collect (+ (* 'a 'm) (* 'b (square 'm)) (* 'c 'm) 'd) 'm)
+(define q (literal-function 'q))
+(define equation
+  (+ (* 'm (((square D) q) 't)) (* 'M (((square D) q) 't))
+     (* 'c ((D q) 't)) (* 'd ((D q) 't)) (* 'k (q 't))))
+(collect equation (list (((square D) q) 't) ((D q) 't)))
+(eval:error (collect equation 3))]}
+
+@defproc[(coefficient [x value] [in scalar] [n exact-integer?]) value]{
+
+The coefficient of @racket[(expt in n)] in @racket[x] as a polynomial in
+@racket[in]; negative powers are allowed.
+
+@examples[#:eval session
+(coefficient (expt (+ 'a 'm) 3) 'm 2)
+(coefficient equation (((square D) q) 't) 1)
+(eval:error (coefficient (/ 1 (+ 1 'm)) 'm 0))]}
+
+@defproc[(together [x value]) value]{
+
+One quotient in lowest terms.
+
+@examples[#:eval session
+(together (+ (/ 'a 'b) (/ 'c 'd)))
+(together (+ (/ 1 'x) (/ 1 (+ 'x 1))))]}
+
+@deftogether[(@defproc[(numerator [x value]) value]
+              @defproc[(denominator [x value]) value])]{
+
+What stands above and below in @racket[(together x)]. On numbers these are
+Racket's own.
+
+@examples[#:eval session
+(denominator (+ (/ 'a 'b) (/ 'c 'd)))
+(list (numerator 6/4) (numerator (/ 'a 2)))]}
+
+@defproc[(apart [x value] [in scalar]) value]{
+
+Partial fractions in @racket[in], a symbol or a literal function applied; all else
+counts as constant. The denominators are powers of the factors that
+@racket[factor] finds, so a quadratic without rational factors stays.
+
+@examples[#:eval session
+(apart (/ 1 (* (square 's) (+ 's 'a))) 's)
+(apart (/ (expt 's 3) (* (+ (square 's) 1) (- 's 1))) 's)
+(eval:error (apart (/ 1 's) 3))]}
 
 @section{Showing}
 

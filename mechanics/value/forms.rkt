@@ -1,0 +1,121 @@
+#lang racket/base
+;; Forms of a value that people ask for: expanded, factored, collected ...
+;;
+;; Each works on every scalar of the value.  The results are shown in the form
+;; asked for, where others are simplified first; calculating with them goes on
+;; as with any value, and `simplify` simplifies them.
+
+(require "../generic/describe.rkt"
+         "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../algebra/expand.rkt" "../algebra/collect-terms.rkt" "../algebra/quotient.rkt"
+         "../algebra/partial-fractions.rkt" "../algebra/factorization.rkt"
+         "../algebra/simplify.rkt")
+
+(provide expand factor collect coefficient together apart
+         (rename-out [numerator-of numerator] [denominator-of denominator]))
+
+;; ---------------------------------------------------------------------------
+;; The forms
+
+;; Products and powers of sums multiplied out.
+(define (expand x) (reform 'expand expand-expression x))
+
+;; A product of irreducible factors.
+(define (factor x) (reform 'factor factored-expression x))
+
+;; One quotient in lowest terms.
+(define (together x) (reform 'together together-expression x))
+
+;; (collect x 'm), (collect x (list 'm ((D f) 't))): a polynomial in these, their
+;; highest powers first.
+(define collect
+  (case-lambda
+    [(x in)
+     (define chosen (if (list? in) in (list in)))
+     (for ([e (in-list chosen)]) (check-unknown 'collect e))
+     (reform 'collect (lambda (e) (collect-expression e chosen)) x)]
+    [(x) (raise-no-unknown 'collect "(collect x 'm) or (collect x (list 'm 'n))" x)]))
+
+;; Partial fractions in a symbol.
+(define apart
+  (case-lambda
+    [(x in)
+     (check-unknown 'apart in)
+     (reform 'apart (lambda (e) (partial-fractions e in)) x)]
+    [(x) (raise-no-unknown 'apart "(apart x 's)" x)]))
+
+;; The coefficient of in^n, simplified.
+(define (coefficient x in n)
+  (check-unknown 'coefficient in)
+  (unless (exact-integer? n)
+    (raise-argument-error 'coefficient "an integer, the power whose coefficient is wanted" n))
+  (map-scalars 'coefficient
+               (lambda (e)
+                 (define-values (c assumptions) (expression-coefficient e in n))
+                 (or c (raise-not-polynomial e in)))
+               x))
+
+(define (numerator-of x)
+  (if (number? x) (numerator x) (part-of-quotient 'numerator (lambda (n d) n) x)))
+
+(define (denominator-of x)
+  (if (number? x) (denominator x) (part-of-quotient 'denominator (lambda (n d) d) x)))
+
+(define (part-of-quotient who choose x)
+  (reform who
+          (lambda (e)
+            (define-values (n d assumptions) (numerator-and-denominator e))
+            (values (choose n d) assumptions))
+          x))
+
+;; ---------------------------------------------------------------------------
+;; On every scalar
+
+;; rewrite : expression -> expression and assumptions
+(define (reform who rewrite x)
+  (map-scalars who
+               (lambda (e)
+                 (define-values (new assumptions) (rewrite e))
+                 (request-form new assumptions))
+               x))
+
+(define (map-scalars who f x)
+  (map-leaves
+   (lambda (leaf)
+     (if (expression? leaf) (f leaf) (raise-no-expression who leaf)))
+   x))
+
+;; ---------------------------------------------------------------------------
+;; Complaints
+
+(define (raise-no-expression who x)
+  (raise
+   (exn:fail:contract
+    (format "~a: expected an expression, or a tuple or matrix of them; given ~a~a"
+            who (describe-with-value x)
+            (if (procedure? x) "\n  apply the function first, and use it on its value" ""))
+    (current-continuation-marks))))
+
+(define (unknown? e)
+  (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
+
+(define (check-unknown who e)
+  (unless (unknown? e)
+    (raise
+     (exn:fail:contract
+      (format "~a: expected a symbol, or a literal function applied such as ((D f) 't); given ~a"
+              who (describe-with-value e))
+      (current-continuation-marks)))))
+
+(define (raise-no-unknown who usage x)
+  (raise
+   (exn:fail:contract
+    (format "~a: it is not said in what; use ~a\n  given only: ~a" who usage (value->text x))
+    (current-continuation-marks))))
+
+(define (raise-not-polynomial e in)
+  (raise
+   (exn:fail:contract
+    (format "coefficient: the expression is no polynomial in ~a: it is divided by a sum with ~a in it\n  expression: ~a"
+            (value->text in) (value->text in) (value->text e))
+    (current-continuation-marks))))
