@@ -1,128 +1,181 @@
 #lang racket/base
 ;; A quick verdict on zero, modulo primes.
 ;;
-;; The kernels of e are given random residues modulo a prime p that satisfy the
-;; relations among them:
+;; The graph is put on a tape and evaluated in GF(p), symbols and applications
+;; of literal functions having random residues; equal functions of arguments
+;; with equal residues are equal.  What vanishes has the residue 0; what does
+;; not has it, by the theorem of Schwartz and Zippel, with a probability of
+;; about its degree over p.
 ;;
-;;     cos θ = (1 - t²)/(1 + t²),  sin θ = 2t/(1 + t²)   for basic angles
-;;     cosh u = (1 + t²)/(1 - t²), sinh u = 2t/(1 - t²)
-;;     √u, that root of u which is itself a square, for p ≡ 3 (mod 4)
+;; Sines and exponentials are homomorphisms from sums to products, and stay so:
+;; if q divides p - 1 and g has the order q in GF(p)*, then
 ;;
-;; and e is evaluated in one walk.  For rational functions of symbols, literal
-;; applications, sines, cosines and exponentials a residue other than 0 *proves*
-;; that e is not zero.  By the theorem of Schwartz and Zippel an expression
-;; that is not zero has the residue 0 with a probability of about its degree
-;; over p; several zeros, modulo different primes, are good evidence.
+;;     exp u = g^(u mod q),  sinh u = (exp u - exp(-u))/2, ...
+;;
+;; where u is evaluated in GF(q), at residues of its own; and if r divides p + 1
+;; and the point (c, s) has the order r on the circle c² + s² = 1 over GF(p),
+;;
+;;     cos u + i sin u = (c + i s)^(u mod r).
+;;
+;; So all laws for sums and rational multiples of arguments hold, and those are
+;; compared as functions, not as they are written.  Functions within functions
+;; take a *chain* of primes.  Since p ≡ 3 (mod 4), just one root of a square is a
+;; square itself; it is the root, and √(uv) = √u √v.
+;;
+;; For rational operations, sines and exponentials a residue other than 0
+;; therefore *proves* that e is not zero: exponentials are algebraically
+;; independent where their exponents are linearly independent.  Roots have
+;; signs of their own, and logarithms and the like are taken for unknown
+;; functions; there a residue other than 0 only suggests.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "normalize.rkt" "walk.rkt"
-         "polynomial/modular.rkt")
+(require racket/fixnum
+         "operation.rkt" "expression.rkt" "tape.rkt" "polynomial/modular.rkt"
+         "residues.rkt")
 
-(provide fingerprint)
+(provide fingerprint tape-fingerprint fingerprint-points)
 
-;; Primes below 2^30 that are 3 modulo 4.
-(define primes (list 1073741783 1073741723 1073741719))
+;; Level 0 is where the value is sought.  Arguments of exponentials at level k
+;; are evaluated at level 2k + 1, angles at level 2k + 2; at the last levels
+;; functions are unknown ones.
+(define chains
+  '#(#(1073612039 536806019 8946767 38343287 8946767 4473383 186391)
+     #(1072962959 536481479 4470679 1213759 4470679 248371 111767)
+     #(1044152519 522076259 8701271 23730739 8701271 870127 120851)))
+(define level-count 7)
 
-;; Points that fail, for a division by zero or a root that is not there, are
-;; replaced, so often.
-(define attempts 24)
+;; At how many points, modulo a prime each, 'zero was found.
+(define fingerprint-points (vector-length chains))
 
-;; -> 'zero : e is 0 at a point modulo each prime.
-;;    'nonzero : e is not zero.
-;;    'unknown : no point was found, or what was found does not decide.
-(define (fingerprint e)
-  (define atlas (workspace-atlas (make-workspace) e))
-  (define kernels (place-kernels! (atlas-kernels atlas)))
-  (define residues (for/list ([p (in-list primes)]) (residue-at-some-point e atlas kernels p)))
-  (cond [(andmap (lambda (r) (eqv? r 0)) residues) 'zero]
-        [(and (decidable? atlas kernels)
-              (for/or ([r (in-list residues)]) (and r (not (eqv? r 0)))))
-         'nonzero]
-        [else 'unknown]))
+;; Points where something is divided by 0, or has no root, are replaced so often.
+(define attempts 32)
 
-;; Are the kernels independent but for the relations of sines?  So it is when they
-;; are made of symbols, literal functions, sines and exponentials by rational
-;; operations alone: then equal arguments have equal canonical forms.
-(define (decidable? atlas kernels)
-  (and (null? (atlas-tower atlas))
-       (for/and ([k (in-vector kernels)]) (plain? (kernel-expression k)))))
+;; -> 'zero : e is 0 at a point modulo each prime, 'nonzero : e is not zero,
+;;    'nonzero? : very probably it is not, 'unknown : no point was found.
+(define (fingerprint e) (tape-fingerprint (expression->tape e)))
 
-(define (plain? e)
-  (node-fold e
-             (lambda (leaf) (or (symbol? leaf) (exact? leaf)))
-             (lambda (n plain)
-               (define head (node-head n))
-               (and (andmap values plain)
-                    (or (literal-head? head)
-                        (and (memq head plain-operations) #t)
-                        (and (eq? head op:expt) (exact-integer? (cadr (node-args n)))))))))
+(define (tape-fingerprint t)
+  (define-values (plan sure?) (make-plan t))
+  (let loop ([chain 0])
+    (define value (and plan (< chain fingerprint-points) (value-at-some-point plan chain)))
+    (cond [(or (not plan) (and (not value) (< chain fingerprint-points))) 'unknown]
+          [(not value) 'zero]
+          [(eqv? value 0) (loop (+ chain 1))]
+          [else (if sure? 'nonzero 'nonzero?)])))
 
-(define plain-operations
-  (list op:+ op:- op:* op:/ op:sin op:cos op:tan op:sinh op:cosh op:tanh op:exp
-        op:up op:down))
+;; ---------------------------------------------------------------------------
+;; Plans: at which levels which items are needed
 
-;; The residue, or #f.
-(define (residue-at-some-point e atlas kernels p)
+;; levels : fxvector of sets of levels, as bits; heads : numbers of literal heads
+(struct plan (tape levels heads) #:authentic)
+
+;; -> a plan, or #f if there are numbers that have no residue; is a residue
+;; other than 0 a proof?
+(define (make-plan t)
+  (define items (tape-items t))
+  (define n (vector-length items))
+  (define levels (make-fxvector n 0))
+  (fxvector-set! levels (- n 1) 1)
+  (define sure?
+    (for/fold ([sure? #t]) ([k (in-range (- n 1) -1 -1)])
+      (define e (vector-ref items k))
+      (cond [(node? e)
+             (and (spread-levels! levels k e (vector-ref (tape-operands t) k)) sure?)]
+            [else sure?])))
+  (values (and (for/and ([e (in-vector items)]) (or (not (number? e)) (rational? e)))
+               (plan t levels (number-heads items)))
+          sure?))
+
+;; Marks the operands of e at the levels it needs; -> is e sure?
+(define (spread-levels! levels k e operands)
+  (define here (fxvector-ref levels k))
+  (define op (node-head e))
+  (define (mark! j there) (fxvector-set! levels j (fxior there (fxvector-ref levels j))))
+  (define (mark-all! there) (for ([j (in-list operands)]) (mark! j there)))
+  (cond [(or (literal-head? op) (memq op rational)) (mark-all! here) #t]
+        [(memq op exponential) (mark-all! (exponent-levels here)) (deep-enough? here)]
+        [(memq op circular) (mark-all! (angle-levels here)) (deep-enough? here)]
+        [(and (eq? op op:expt) (not (number? (cadr (node-args e)))))
+         (mark! (car operands) here)
+         (mark! (cadr operands) (exponent-levels here))
+         #f]
+        [else (mark-all! here) (and (eq? op op:expt) (integer? (cadr (node-args e))))]))
+
+(define rational (list op:+ op:* op:- op:/ op:up op:down))
+(define exponential (list op:exp op:sinh op:cosh op:tanh))
+(define circular (list op:sin op:cos op:tan))
+
+;; Bits 0, 1, 2 to bits 1, 3, 5 or 2, 4, 6; the last levels have none below.
+(define last-levels #b1111000)
+(define (deep-enough? bits) (fx= 0 (fxand bits last-levels)))
+(define (exponent-levels bits)
+  (fxior (fxand bits last-levels)
+         (fxlshift (fxand bits 1) 1) (fxlshift (fxand bits 2) 2) (fxlshift (fxand bits 4) 3)))
+(define (angle-levels bits)
+  (fxior (fxand bits last-levels)
+         (fxlshift (fxand bits 1) 2) (fxlshift (fxand bits 2) 3) (fxlshift (fxand bits 4) 4)))
+
+;; Equal literal heads have equal numbers.
+(define (number-heads items)
+  (define table (make-hash))
+  (define numbers (make-hasheq))
+  (for ([e (in-vector items)] #:when (and (node? e) (literal-head? (node-head e))))
+    (define head (node-head e))
+    (unless (hash-ref numbers head #f)
+      (define key (cons (literal-head-name head) (literal-head-index head)))
+      (hash-set! numbers head (hash-ref! table key (lambda () (+ 100 (hash-count table)))))))
+  numbers)
+
+;; ---------------------------------------------------------------------------
+;; Evaluation
+
+;; The residue of the whole, or #f.
+(define (value-at-some-point plan chain)
   (for/or ([seed (in-range attempts)])
-    (with-handlers ([stuck? (lambda (s) #f)])
-      (define point (random-point atlas kernels seed p))
-      (and point
-           (evaluate-in (modular-arithmetic point p) atlas e)))))
+    (value-at plan (vector-ref chains chain) (+ seed (* chain attempts)))))
 
-;; ---------------------------------------------------------------------------
-;; Points
+(define (value-at plan primes seed)
+  (define levels (plan-levels plan))
+  (define used (for/fold ([bits 0]) ([b (in-fxvector levels)]) (fxior bits b)))
+  (define n (fxvector-length levels))
+  (define sites (make-vector level-count #f))
+  (let loop ([level (- level-count 1)])
+    (cond [(< level 0) (fxvector-ref (site-values (vector-ref sites 0)) (- n 1))]
+          [(not (fxbit-set? used level)) (loop (- level 1))]
+          [else
+           (vector-set! sites level (make-level-site primes level seed sites n))
+           (and (fill-site! plan level (vector-ref sites level))
+                (loop (- level 1)))])))
 
-;; A vector of residues by index, or #f if a radicand is no square there.
-(define (random-point atlas kernels seed p)
-  (define point (make-vector (vector-length kernels) 0))
-  (define (put! k value) (vector-set! point (kernel-index k) value))
-  (define (at k) (sample-residue seed (kernel-index k) p))
-  (for ([k (in-vector kernels)]) (put! k (at k)))
-  (for ([k (in-vector kernels)] #:when (circle? (kernel-relation k)))
-    (put-circle! put! (kernel-relation k) (at k) p))
-  (and (for/and ([r (in-list (reverse (atlas-tower atlas)))])
-         (put-root! put! point atlas r p))
-       point))
+(define (fxbit-set? bits k) (fx= 1 (fxand 1 (fxrshift bits k))))
 
-(define (put-circle! put! o t p)
-  (define square (mod* t t p))
-  (define plus (mod+ 1 square p))
-  (define minus (mod- 1 square p))
-  (define circular? (eqv? 1 (circle-sign o)))
-  (define inverse (invert (if circular? plus minus) p))
-  (put! (circle-sine o) (mod* (mod* 2 t p) inverse p))
-  (put! (circle-cosine o) (mod* (if circular? minus plus) inverse p)))
+(define (make-level-site primes level seed sites n)
+  (define (below k)
+    (define s (and (< k level-count) (vector-ref sites k)))
+    (values (and s (vector-ref primes k)) (and s (site-values s))))
+  (define-values (q exponents) (below (+ (* 2 level) 1)))
+  (define-values (r angles) (below (+ (* 2 level) 2)))
+  (make-site (vector-ref primes level) (mix (mix 1 seed) level) (even? seed)
+             n q exponents r angles))
 
-;; -> was there a root?
-(define (put-root! put! point atlas r p)
-  (define (value e) (evaluate-in (modular-arithmetic point p) atlas e))
-  (cond [(kernel? r)
-         (put! r (value (modulus-argument (kernel-relation r))))
-         #t]
-        [(eqv? 2 (root-degree r))
-         (define u (value (root-radicand r)))
-         (define root (mod-expt u (quotient (+ p 1) 4) p))
-         (put! (root-kernel r) root)
-         (= u (mod* root root p))]
-        [else #f]))
+;; -> did all go well?
+(define (fill-site! plan level s)
+  (define items (tape-items (plan-tape plan)))
+  (define operands (tape-operands (plan-tape plan)))
+  (define levels (plan-levels plan))
+  (define values (site-values s))
+  (define n (vector-length items))
+  (let loop ([k 0])
+    (cond [(fx= k n) #t]
+          [(not (fxbit-set? (fxvector-ref levels k) level)) (loop (fx+ k 1))]
+          [else
+           (define x (item-residue plan s k (vector-ref items k) (vector-ref operands k)))
+           (and x
+                (begin (fxvector-set! values k x)
+                       (loop (fx+ k 1))))])))
 
-;; ---------------------------------------------------------------------------
-;; Arithmetic
-
-(define (invert x p)
-  (if (eqv? x 0) (raise-obstacle) (mod-inverse x p)))
-
-(define (modular-arithmetic point p)
-  (define (power x k)
-    (if (negative? k)
-        (mod-expt (invert x p) (- k) p)
-        (mod-expt x k p)))
-  (arithmetic
-   (lambda (c)
-     (when (zero? (modulo (denominator c) p)) (raise-obstacle))
-     (residue c p))
-   (lambda (k) (vector-ref point (kernel-index k)))
-   (lambda (xs) (for/fold ([sum 0]) ([x (in-list xs)]) (mod+ sum x p)))
-   (lambda (xs) (for/fold ([product 1]) ([x (in-list xs)]) (mod* product x p)))
-   (lambda (x y) (mod- x y p))
-   (lambda (x y) (mod* x (invert y p) p))
-   power))
+(define (item-residue plan s k e operands)
+  (cond [(symbol? e) (site-symbol s k)]
+        [(number? e) (site-number s e)]
+        [(literal-head? (node-head e))
+         (site-application s (hash-ref (plan-heads plan) (node-head e)) operands)]
+        [else (site-operation s (node-head e) (node-args e) operands)]))
