@@ -7,7 +7,7 @@
 ;; back from it.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
-         "exact.rkt" "pieces.rkt" "present.rkt" "simplify.rkt"
+         "size.rkt" "exact.rkt" "pieces.rkt" "present.rkt" "simplify.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide together-expression numerator-and-denominator
@@ -92,10 +92,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Expressions as forms
 
-;; A leading minus becomes the form's sign.
+;; A leading minus becomes the form's sign.  Nothing is chosen by size here, so the
+;; form has none.
 (define (expression->form e)
   (define opposite (and (negative-expression? e) (negated e)))
-  (form (expression-size e)
+  (form 0
         (if opposite -1 1)
         (lambda (sign)
           (cond [opposite (if (eqv? sign 1) opposite e)]
