@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What finding kernels keeps, and what it finds.
 
-(require "expression.rkt" "kernel.rkt" "lattice.rkt" "order.rkt" "services.rkt" "exact.rkt")
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "lattice.rkt" "order.rkt" "services.rkt" "exact.rkt")
 
 (provide
  ;; what stands for a node
@@ -72,8 +72,19 @@
         (hash-set! (atoms-expressions table) k e)
         k)))
 
+;; A longer sum than this is an atom of its own.
+(define form-limit 40)
+
 ;; The sum of ((number . expression) ...) as a vector over atoms.
 (define (linear-form c terms)
+  (if (> (length terms) form-limit)
+      (linear-form c (list (cons 1 (sum-of terms))))
+      (short-linear-form c terms)))
+
+(define (sum-of terms)
+  (make-node op:+ (for/list ([t (in-list terms)]) (e:* (car t) (cdr t)))))
+
+(define (short-linear-form c terms)
   (for/fold ([form '()]) ([t (in-list terms)])
     (unless (exact? (car t)) (set-collector-inexact-forms?! c #t))
     (vector-add form (list (cons (atom-key! (collector-atoms c) (cdr t))

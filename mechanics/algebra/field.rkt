@@ -11,7 +11,7 @@
 ;; Relations form a tower, each over the kernels of those before it; reducing
 ;; from the top once suffices.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "bounds.rkt" "square-class.rkt" "polynomial/polynomial.rkt"
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "bounds.rkt" "square-class.rkt" "polynomial/polynomial.rkt"
          "polynomial/fraction.rkt" "polynomial/ring.rkt"
          "polynomial/monomial.rkt")
 
@@ -106,6 +106,7 @@
 
 (define (fraction-arithmetic F)
   (define R (field-ring F))
+  (define fuel (services-fuel (atlas-services (field-atlas F))))
   (define (divisor f)
     (define g (reduce-fraction F f))
     (when (fraction-zero? g) (raise-obstacle))
@@ -113,19 +114,19 @@
   (arithmetic
    (lambda (c) (fraction-from-poly R (poly-constant R c)))
    (lambda (k) (fraction-from-poly R (poly-variable R (kernel-index k))))
-   (lambda (fs) (check-addition fs) (fraction-sum R fs))
+   (lambda (fs) (check-addition fuel fs) (fraction-sum R fs))
    (lambda (fs)
      (for/fold ([p (car fs)]) ([f (in-list (cdr fs))])
-       (check-multiplication p f)
+       (check-multiplication fuel p f)
        (reduce-if-worthwhile F (fraction* R p f))))
-   (lambda (f g) (check-addition (list f g)) (fraction- R f g))
+   (lambda (f g) (check-addition fuel (list f g)) (fraction- R f g))
    (lambda (f g)
      (define d (divisor g))
-     (check-multiplication f d)
+     (check-multiplication fuel f d)
      (reduce-fraction F (fraction/ R f d)))
    (lambda (f k)
      (define base (if (negative? k) (divisor f) f))
-     (check-expansion base (abs k))
+     (check-expansion fuel base (abs k))
      (reduce-if-worthwhile F (fraction-expt R base k)))))
 
 ;; Short polynomials are left for the end: most of their sin² + cos² cancel.

@@ -6,9 +6,9 @@
 ;; written (1, or the sign of a difference) does not count.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "term.rkt" "exact.rkt"
-         "exponentials.rkt")
+         "exponentials.rkt" "size.rkt")
 
-(provide (struct-out form) form-expression expression-size
+(provide (struct-out form) form-expression
          term-form sum-form product-form smaller-form)
 
 ;; sign : ±1; build : ±1 -> expression, given the sign to show
@@ -153,7 +153,7 @@
     (define k (car p))
     (define r (kernel-relation k))
     (define unit? (eqv? 1 (if (and (root? r) (> (cdr p) 1)) (/ (cdr p) (root-degree r)) (cdr p))))
-    (+ (expression-size (kernel-expression k)) (if unit? 0 2))))
+    (+ (kernel-size k) (if unit? 0 2))))
 
 (define (divisors-size divisors)
   (for/sum ([d (in-list divisors)])
@@ -164,18 +164,3 @@
   (cond [(eqv? count 0) 1]
         [(eqv? c 1) (+ size (if (eqv? count 1) 0 1))]
         [else (+ size 2)]))
-
-;; Counted as far as `size-limit`: an expression shared within itself may be
-;; longer than anyone could count.
-(define size-limit 500)
-
-(define (expression-size e)
-  (let count ([e e] [size 0])
-    (cond [(>= size size-limit) size]
-          [(not (node? e)) (+ size 1)]
-          [else
-           (for/fold ([size (+ size (head-size (node-head e)))]) ([a (in-list (node-args e))])
-             (count a size))])))
-
-(define (head-size h)
-  (if (and (literal-head? h) (pair? (literal-head-index h))) 2 1))

@@ -13,17 +13,20 @@
 ;; alphabet; after them a sum shows the highest derivatives first, a product
 ;; last.  Presentation may add kernels, which are ranked between the others.
 
-(require "expression.rkt" "order.rkt")
+(require "expression.rkt" "order.rkt" "size.rkt")
 
 (provide (struct-out kernel) make-kernel place-kernels! insert-kernel!
          (struct-out circle) (struct-out angle) (struct-out root)
          (struct-out modulus) (struct-out exponential))
 
 ;; relation : #f, or the circle, root, modulus or exponential this kernel is of
-(struct kernel (expression relation [index #:mutable] [rank #:mutable] [place #:mutable])
+;; size : of the expression, as written
+(struct kernel (expression relation size
+                           [index #:mutable] [rank #:mutable] [place #:mutable])
   #:authentic)
 
-(define (make-kernel expression relation) (kernel expression relation #f #f #f))
+(define (make-kernel expression relation)
+  (kernel expression relation (expression-size expression) #f #f #f))
 
 ;; The sine and the cosine of a basic angle; hyperbolic ones if sign is -1.
 (struct circle (expression sign [sine #:mutable] [cosine #:mutable])

@@ -8,7 +8,7 @@
 ;; taken for granted is written down.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "field.rkt"
-         "walk.rkt" "present.rkt" "form.rkt" "order.rkt" "radicand.rkt"
+         "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt" "order.rkt" "radicand.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide make-workspace workspace-assumptions
@@ -17,7 +17,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The assumptions made so far, each once
 
-(struct workspace (services normal-of table [list #:mutable]) #:authentic)
+(struct workspace (services normal-of simplify-anew table [list #:mutable]) #:authentic)
 
 (define (assume! w expression)
   (unless (hash-ref (workspace-table w) expression #f)
@@ -29,7 +29,10 @@
   (for/list ([e (in-list (reverse (workspace-list w)))])
     (list '>= (expression->datum e) 0)))
 
-(define (workspace-simplify w e) ((services-simplify (workspace-services w)) e))
+(define (workspace-simplify w e)
+  (if (or (not (node? e)) (simple-application? e))
+      e
+      ((workspace-simplify-anew w) e)))
 
 ;; -> (field . fraction)
 (define (workspace-normal w e) ((workspace-normal-of w) e))
@@ -40,28 +43,40 @@
 ;; ---------------------------------------------------------------------------
 ;; The services kernels are collected with: everything once a node
 
+;; The tables know expressions by structure: kernels are met again and again in
+;; nodes of their own.  What something simplifies to has its normal form.
 (define (make-workspace)
-  (define normals (make-memo))
-  (define simples (make-memo))
+  (define normals (make-hash))
+  (define simples (make-hash))
   (define (normal e)
-    (if (node? e)
-        (normals e (lambda () (normalize e services*)))
-        (normalize (make-node op:+ (list e)) services*)))
+    (define n (if (node? e) e (make-node op:+ (list e))))
+    (or (hash-ref normals n #f)
+        (let ([form (normalize n services*)])
+          (hash-set! normals n form)
+          form)))
   (define (call f e . more)
-    (define n (normal e))
+    (define n (call-nested fuel (lambda () (normal e))))
     (apply f (car n) (cdr n) more))
   (define (simplify e)
-    (if (or (not (node? e)) (simple-application? e))
-        e
-        (simples e (lambda () (settle e normal)))))
+    (cond [(or (not (node? e)) (simple-application? e)) e]
+          [(hash-ref simples e #f)]
+          [else (call-nested fuel (lambda () (simplify-anew e)))]))
+  (define (simplify-anew e)
+    (define simple (settle (normal e) services*))
+    (hash-set! simples e simple)
+    (when (node? simple)
+      (hash-set! simples simple simple)
+      (hash-set! normals simple (normal e)))
+    simple)
   (define (terms e)
     (cond [(or (symbol? e) (simple-application? e)) (list (cons 1 e))]
           [else (call linear-terms e)]))
   (define (factors e) (call fraction-factors e))
   (define (split-root* e degree) (call split-root e degree assume))
   (define (assume e) (assume! w e))
-  (define services* (services simplify terms factors split-root* assume))
-  (define w (workspace services* normal (make-hash) '()))
+  (define fuel (make-fuel))
+  (define services* (services simplify terms factors split-root* assume fuel))
+  (define w (workspace services* normal simplify-anew (make-hash) '()))
   w)
 
 ;; A literal function of symbols and exact numbers: nothing to do.
@@ -71,13 +86,15 @@
        (for/and ([a (in-list (node-args e))])
          (or (symbol? a) (and (number? a) (exact? a))))))
 
-;; What e is presented as.  Which angles are basic depends on those that occur,
-;; so where some depend on others the result is simplified again until it is one
-;; that came before: the least of those that keep coming back.
-(define (settle e normal)
-  (define (next e) (let ([n (normal e)]) (present (car n) (cdr n))))
-  (define first (next e))
-  (if (atlas-dependent? (field-atlas (car (normal e))))
+;; What a normal form is presented as.  Which angles are basic depends on those
+;; that occur, so where some depend on others the result is simplified again
+;; until it is one that came before: the least of those that keep coming back.
+(define (settle form services)
+  (define (next e)
+    (define n (normalize e services))
+    (present (car n) (cdr n)))
+  (define first (present (car form) (cdr form)))
+  (if (atlas-dependent? (field-atlas (car form)))
       (let loop ([seen (list first)])
         (define last (car seen))
         (define new (if (node? last) (next last) last))
@@ -126,6 +143,7 @@
     (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
           (define F (make-field atlas kernels degree))
           (define f (field-fraction F e))
+          (spend-on-terms! (services-fuel services) (poly-term-count (fraction-numerator f)))
           (tell-assumptions F services)
           (cons F f))
         (retry (+ 1 (* 2 degree))))))

@@ -3,8 +3,8 @@
 ;;
 ;; Numbers, then symbols by the alphabet, then compound algebra (a sum under a
 ;; function, say), then literal functions, then known functions, then
-;; derivatives by order.  Equal expressions compare as 0, in whatever order
-;; their operands were written.  An order remembers the sorted operands of the
+;; derivatives by order; shorter sums and products before longer ones.  Equal
+;; expressions compare as 0, in whatever order their operands were written.  An order remembers the sorted operands of the
 ;; sums and products it has met, so that sorting costs the graph.
 
 (require "operation.rkt" "expression.rkt")
@@ -25,23 +25,25 @@
                  [else (compare-nodes a b)])]))
   (define (compare-nodes a b)
     (define k (compare-heads (node-head a) (node-head b)))
-    (if (eq? k 0)
-        (compare-lists (operands a) (operands b))
-        k))
+    (cond [(not (eq? k 0)) k]
+          [(commutative? a)
+           (define d (- (length (node-args a)) (length (node-args b))))
+           (if (eq? d 0) (compare-lists (operands a) (operands b)) d)]
+          [else (compare-lists (node-args a) (node-args b))]))
   (define (compare-lists as bs)
     (cond [(null? as) (if (null? bs) 0 -1)]
           [(null? bs) 1]
           [else (define k (compare (car as) (car bs)))
                 (if (eq? k 0) (compare-lists (cdr as) (cdr bs)) k)]))
   (define (operands n)
-    (if (memq (node-head n) (list op:+ op:*))
-        (sorted n (lambda () (sort (node-args n) before?)))
-        (node-args n)))
+    (sorted n (lambda () (sort (node-args n) before?))))
   (define (before? a b) (< (compare a b) 0))
   compare)
 
 (define (expression-compare a b) ((make-order) a b))
 (define (expression<? a b) (< (expression-compare a b) 0))
+
+(define (commutative? n) (memq (node-head n) (list op:+ op:*)))
 
 ;; ---------------------------------------------------------------------------
 ;; Kinds

@@ -11,5 +11,6 @@
 ;;              is; the expressions have a positive leading coefficient
 ;; split-root : expression degree -> outer inner, the root being outer · inner^(1/degree)
 ;; assume!    : expression -> void; it is taken not to be negative
-(struct services (simplify terms factors split-root assume!)
+;; fuel       : what the work may cost altogether (bounds.rkt)
+(struct services (simplify terms factors split-root assume! fuel)
   #:authentic)
