@@ -6,6 +6,7 @@
 (define pkg-authors '("the mechanics authors"))
 (define deps '(("base" #:version "8.7")))
 (define build-deps '("drracket-tool-text-lib"
+                     "math-lib"
                      "racket-doc"
                      "rackunit-lib"
                      "sandbox-lib"
