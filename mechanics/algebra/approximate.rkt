@@ -8,24 +8,36 @@
 ;; first order and adds its own rounding.  So "not zero" can be told from
 ;; "zero within rounding".
 
-(require "operation.rkt" "expression.rkt")
+(require "operation.rkt" "expression.rkt" "tape.rkt")
 
-(provide approximate-expression)
+(provide approximate-tape)
 
 (define unit (expt 2.0 -52))
 
+;; Exact numbers of more bits than these become flonums: what powers of powers
+;; come to would not fit into memory.
+(define bit-limit 2000)
+
 ;; lookup : as for evaluate-expression, giving plain numbers.
 ;; -> number and error; the number is not finite where e is not defined.
-(define (approximate-expression e lookup)
-  (define result
-    (node-fold e
-               (lambda (leaf) (if (symbol? leaf) (plain (lookup leaf '())) (constant leaf)))
-               (lambda (n args)
-                 (define head (node-head n))
-                 (if (literal-head? head)
-                     (plain (lookup n (map bare args)))
-                     (approximate head args)))))
+(define (approximate-tape t lookup)
+  (define items (tape-items t))
+  (define n (vector-length items))
+  (define values-so-far (make-vector n #f))
+  (define (values-of ks)
+    (if (null? ks)
+        '()
+        (cons (vector-ref values-so-far (car ks)) (values-of (cdr ks)))))
+  (for ([e (in-vector items)] [ks (in-vector (tape-operands t))] [k (in-naturals)])
+    (vector-set! values-so-far k (item-value e (values-of ks) lookup)))
+  (define result (vector-ref values-so-far (- n 1)))
   (values (car result) (cdr result)))
+
+(define (item-value e args lookup)
+  (cond [(symbol? e) (plain (lookup e '()))]
+        [(number? e) (constant e)]
+        [(literal-head? (node-head e)) (plain (lookup e (map bare args)))]
+        [else (approximate (node-head e) args)]))
 
 (define (plain x) (cons x 0))
 (define (constant x) (cons x (if (exact? x) 0 (* 4.0 unit (magnitude x)))))
@@ -35,7 +47,17 @@
   (if (symbol? (car v)) (cons (car v) (map bare (cdr v))) (car v)))
 
 (define (rounded x error)
-  (cons x (if (exact? x) error (+ error (* unit (magnitude x))))))
+  (cond [(fixnum? x) (cons x error)]
+        [(not (exact? x)) (cons x (+ error (* unit (magnitude x))))]
+        [(<= (bits x) bit-limit) (cons x error)]
+        [else
+         (define y (exact->inexact x))
+         (cons y (+ error (* unit (magnitude y))))]))
+
+(define (bits x)
+  (if (real? x)
+      (+ (integer-length (numerator x)) (integer-length (denominator x)))
+      (+ (bits (real-part x)) (bits (imag-part x)))))
 
 ;; ---------------------------------------------------------------------------
 
@@ -46,6 +68,8 @@
         [(eq? op op:-) (add - (car args) (cadr args))]
         [(eq? op op:*) (for/fold ([p (car args)]) ([a (in-list (cdr args))]) (multiply p a))]
         [(eq? op op:/) (divide (car args) (cadr args))]
+        [(and (eq? op op:expt) (enormous? (caar args) (caadr args)))
+         (approximate op (cons (inexact (car args)) (cdr args)))]
         [else
          (define value (apply f (map car args)))
          (rounded value (propagated op (map car args) (map cdr args) value))]))
@@ -65,6 +89,14 @@
   (rounded q (if (positive? room)
                  (/ (+ (cdr a) (* (magnitude q) (cdr b))) room)
                  +inf.0)))
+
+;; Would the power be an exact number of too many bits?
+(define (enormous? base n)
+  (and (exact? base) (exact? n) (real? n)
+       (not (memv base '(0 1 -1)))
+       (> (* (bits base) (abs n)) bit-limit)))
+
+(define (inexact a) (rounded (exact->inexact (car a)) (cdr a)))
 
 ;; The error of value = op(xs) due to those of xs: |derivative| · error.
 (define (propagated op xs errors value)

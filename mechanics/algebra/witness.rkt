@@ -8,17 +8,16 @@
 ;; within rounding; zeros at those are what "undecided" reports.  The points
 ;; are always the same.
 
-(require "operation.rkt" "expression.rkt" "approximate.rkt" "evaluate.rkt")
+(require "operation.rkt" "expression.rkt" "tape.rkt" "approximate.rkt")
 
 (provide find-witness)
 
 ;; How many points with integers for all leaves are tried.
 (define point-limit 12)
 
-;; e : the expression; residual : a simpler one of the same value, in whose
-;; leaves the point is given.  The value is that of e itself, so simplification
-;; is no part of the evidence; where the residual has another value, the point
-;; is outside what simplification took for granted, and is passed over.
+;; e, residual : tapes of the expression and of a simpler one of the same value,
+;; in whose leaves the point is given, or twice the same.  The value is that of e
+;; itself, so simplification is no part of the evidence.
 ;; Where simplification took signs for granted, `positive?`, all integers are.
 ;; -> witness value bound points; witness is #f if none was found.
 (define (find-witness e residual positive?)
@@ -31,52 +30,44 @@
 ;; Points where transcendental functions have exact values
 
 (define (exact-witness e residual)
-  (define under (leaves-under-functions residual))
-  (define outside (leaves-outside-functions residual))
-  (define only-under
-    (for/hash ([leaf (in-hash-keys under)] #:unless (hash-ref outside leaf #f)) (values leaf #t)))
+  (define-values (under only-under) (leaves-under-functions residual))
   (let loop ([tries (list (cons only-under 0) (cons only-under 1) (cons under 0))])
     (cond [(null? tries) (values #f 0)]
           [else
-           (define point (integer-point residual (cdar tries) (caar tries)))
-           (define-values (value error) (value-of-both e residual point 0))
+           (define-values (point value error)
+             (integer-point e residual (cdar tries) (caar tries)))
            (if (and (exact? value) (not (eqv? value 0)) (eqv? error 0))
                (values point value)
                (loop (cdr tries)))])))
 
 (define algebraic (list op:+ op:- op:* op:/ op:expt op:sqrt op:abs))
 
-;; The leaves standing somewhere below a function such as sin.
-(define (leaves-under-functions e)
-  (define found (make-hash))
-  (node-fold/down e
-                  (lambda (n below?) (or below? (transcendental? n)))
-                  (lambda (leaf below?) (when below? (hash-set! found leaf #t))))
-  found)
-
-;; The leaves standing somewhere that no such function is above.
-(define (leaves-outside-functions e)
-  (define found (make-hash))
-  (node-fold/down e
-                  (lambda (n below?) (or below? (transcendental? n)))
-                  (lambda (leaf below?) (unless below? (hash-set! found leaf #t))))
-  found)
-
 (define (transcendental? n)
   (and (operation? (node-head n)) (not (memq (node-head n) algebraic))))
 
-;; Visits the leaves of e, literal applications among them, with a state passed
-;; down from the root; every node once for each state.
-(define (node-fold/down e step visit)
-  (define seen (make-hasheq))
-  (let walk ([e e] [state #f])
-    (cond [(number? e) (void)]
-          [(or (symbol? e) (literal-head? (node-head e))) (visit e state)]
-          [(memv state (hash-ref seen e '())) (void)]
+;; -> the leaves standing somewhere below a function such as sin, and those that
+;; stand nowhere else.  From the root down every item learns whether it is
+;; outside (bit 1), below (bit 2) or both; a literal application is a leaf.
+(define (leaves-under-functions t)
+  (define items (tape-items t))
+  (define n (vector-length items))
+  (define states (make-vector n 0))
+  (define leaves (make-hash))
+  (vector-set! states (- n 1) 1)
+  (for ([k (in-range (- n 1) -1 -1)])
+    (define e (vector-ref items k))
+    (define state (vector-ref states k))
+    (cond [(or (number? e) (eqv? state 0)) (void)]
+          [(or (symbol? e) (literal-head? (node-head e)))
+           (hash-update! leaves e (lambda (old) (bitwise-ior old state)) 0)]
           [else
-           (hash-update! seen e (lambda (states) (cons state states)) '())
-           (define next (step e state))
-           (for ([a (in-list (node-args e))]) (walk a next))])))
+           (define below (if (transcendental? e) 2 state))
+           (for ([j (in-list (vector-ref (tape-operands t) k))])
+             (vector-set! states j (bitwise-ior below (vector-ref states j))))]))
+  (define (those test)
+    (for/hash ([(leaf state) (in-hash leaves)] #:when (test state)) (values leaf #t)))
+  (values (those (lambda (state) (>= state 2)))
+          (those (lambda (state) (eqv? state 2)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Points with integers for all leaves
@@ -86,8 +77,8 @@
     (cond
       [(= k point-limit) (values #f 0 bound points)]
       [else
-       (define point (integer-point residual (if positive? k (- k))))
-       (define-values (value error) (value-of-both e residual point k))
+       (define-values (point value error)
+         (integer-point e residual (if positive? k (- k)) #hash()))
        (cond [(not (decent? value error)) (loop (+ k 1) bound points)]
              [(> (magnitude value) (* 4 error)) (values point value error points)]
              [else (loop (+ k 1) (max bound error) (+ points 1))])])))
@@ -97,44 +88,40 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; The value and error of e, not numbers if those of the residual differ.
-(define (value-of-both e residual point k)
-  (define-values (value error) (value-at e point k))
-  (define-values (other its-error) (value-at residual point k))
-  (if (or (eq? e residual)
-          (and (decent? value error) (decent? other its-error)
-               (<= (magnitude (- value other)) (* 4 (+ error its-error)))))
-      (values value error)
-      (values +nan.0 +nan.0)))
-
-;; The value and error of e where the point says; not a number where e is not
-;; defined.  Leaves of e that the residual has lost get integers of their own,
-;; each the same one wherever it stands.
-(define (value-at e point k)
-  (with-handlers ([exn:fail? (lambda (x) (values +nan.0 +nan.0))])
-    (approximate-expression e (point-lookup point (remembering (integers-from (+ 100 k)))))))
-
-(define (remembering next)
+;; Small integers for the leaves of residual, zeros for those of `zeros`; leaves
+;; only e has get integers of their own.  A literal function has one value for
+;; one argument.
+;; -> ((leaf . integer) ...), the value and the error of e there; not a number
+;; where e is not defined.
+(define (integer-point e residual k zeros)
   (define seen (make-hash))
-  (lambda (leaf arguments)
-    (hash-ref! seen (leaf-key leaf arguments) (lambda () (next leaf arguments)))))
-
-;; Small integers for the leaves of e, zeros for those of `zeros`: ((leaf .
-;; integer) ...).  A literal function has one value for one argument.
-(define (integer-point e k [zeros #hash()])
-  (define next (integers-from k))
-  (define seen (make-hash))
-  (define point '())
-  (define (lookup leaf arguments)
-    (define value
+  (define (lookup next choose)
+    (lambda (leaf arguments)
       (hash-ref! seen (leaf-key leaf arguments)
-                 (lambda () (if (hash-ref zeros leaf #f) 0 (next leaf arguments)))))
-    (unless (assoc leaf point)
-      (set! point (cons (cons leaf value) point)))
+                 (lambda () (choose leaf (lambda () (next leaf arguments)))))))
+  (define listed (make-hash))
+  (define point '())
+  (define (list! leaf value)
+    (unless (hash-ref listed leaf #f)
+      (hash-set! listed leaf #t)
+      (set! point (cons (cons leaf value) point))))
+  (define assign
+    (lookup (integers-from k)
+            (lambda (leaf other) (if (hash-ref zeros leaf #f) 0 (other)))))
+  (define (assign-and-list leaf arguments)
+    (define value (assign leaf arguments))
+    (list! leaf value)
     value)
-  (with-handlers ([exn:fail? void])
-    (evaluate-expression e lookup))
-  (reverse point))
+  (define-values (value error) (value-at residual assign-and-list))
+  (define-values (value-of-e error-of-e)
+    (if (eq? e residual)
+        (values value error)
+        (value-at e (lookup (integers-from (+ 100 (abs k))) (lambda (leaf other) (other))))))
+  (values (reverse point) value-of-e error-of-e))
+
+(define (value-at t lookup)
+  (with-handlers ([exn:fail? (lambda (x) (values +nan.0 +nan.0))])
+    (approximate-tape t lookup)))
 
 ;; A literal function is known by its name, derivative and arguments' values.
 (define (leaf-key leaf arguments)

@@ -8,12 +8,13 @@
 ;; *undecided* and says at how many points it found zero, and to what bound.
 ;; The points are always the same.
 ;;
-;; A large graph is first judged modulo primes: if it is not zero, a point is
-;; found for it as it stands, and it is expanded only when its residual is
-;; asked for.
+;; A large graph is first judged modulo primes (fingerprint.rkt): if it is not
+;; zero, a point is found for it as it stands, and it is expanded only when its
+;; residual is asked for.  If it is zero there, a proof is tried; should it grow
+;; past the bounds, the test is undecided, with a bound of 0 at those points.
 
 (require "expression.rkt" "simplify.rkt" "condition.rkt" "present.rkt"
-         "witness.rkt" "fingerprint.rkt" "polynomial/fraction.rkt")
+         "tape.rkt" "witness.rkt" "fingerprint.rkt" "polynomial/fraction.rkt")
 
 (provide zero-test
          zero-test? zero-test-status zero-test-residual zero-test-witness zero-test-value
@@ -22,7 +23,8 @@
 
 ;; status : 'proved, 'refuted or 'undecided
 ;; witness : #f or ((expression . number) ...)  value : the residual's there
-;; bound : the greatest rounding error at the points tried without a decision
+;; bound : the greatest rounding error at the points tried without a decision; 0 if
+;; those were points modulo primes
 ;; points : how many those were
 ;; form : box of a form, or of the expression to make it from
 (struct zero-test (status witness value bound points form)
@@ -64,47 +66,44 @@
 ;; The test
 
 (define (zero-test e)
-  (cond [(and (number? e) (not (rational? (magnitude e))))
-         (make-zero-test (if (infinite-number? e) 'refuted 'undecided) '() e 0 0 (box e))]
-        [(and (number? e) (rounding? e))
-         (make-zero-test 'undecided #f e (magnitude e) 1 (box e))]
-        [else (or (and (large? e) (refute-at-once e))
-                  (test-canonically e))]))
+  (if (large? e)
+      (test-large e (expression->tape e))
+      (test-canonically e (expression->tape e) search-canonically)))
 
-(define (infinite-number? x) (eqv? (magnitude x) +inf.0))
-
-;; A flonum that stands alone does not tell what it is the difference of; one
-;; this small may be what rounding left of numbers about 1.
-(define (rounding? x)
-  (and (inexact? x) (< (magnitude x) 1e-14)))
-
-(define (test-canonically e)
+;; search : tape form -> witness value bound points, should the form not be 0
+(define (test-canonically e t search)
   (define f (make-form e))
-  (define residual (form-residual f))
-  (define exact-zero? (and (eqv? residual 0) (not (contains-flonum? e))))
+  (define zero? (eqv? (form-residual f) 0))
   (define-values (witness value bound points)
-    (if (eqv? residual 0)
-        (values #f 0 0 0)
-        (find-witness e residual (pair? (form-assumptions f)))))
-  (make-zero-test (cond [exact-zero? 'proved] [witness 'refuted] [else 'undecided])
+    (if zero? (values #f 0 0 0) (search t f)))
+  (make-zero-test (cond [(and zero? (not (contains-flonum? t))) 'proved]
+                        [witness 'refuted]
+                        [else 'undecided])
                   witness value bound points (box f)))
 
+(define (search-canonically t f)
+  (find-witness t (expression->tape (form-residual f)) (pair? (form-assumptions f))))
+
+(define (test-large e t)
+  (define print (tape-fingerprint t))
+  (or (and (eq? print 'nonzero) (refute-at-once e t))
+      (test-canonically e t
+                        (if (eq? print 'zero)
+                            (lambda (t f) (values #f 0 0 fingerprint-points))
+                            search-canonically))))
+
 ;; -> a refutation, or #f
-(define (refute-at-once e)
-  (define-values (witness value bound points)
-    (if (eq? (fingerprint e) 'nonzero)
-        (find-witness e e #f)
-        (values #f 0 0 0)))
+(define (refute-at-once e t)
+  (define-values (witness value bound points) (find-witness t t #f))
   (and witness
        (make-zero-test 'refuted witness value bound points (box e))))
 
 ;; ---------------------------------------------------------------------------
 
 ;; Numbers under functions count: they are no better known than others.
-(define (contains-flonum? e)
-  (node-fold e
-             (lambda (leaf) (and (number? leaf) (not (exact? leaf))))
-             (lambda (n found) (ormap values found))))
+(define (contains-flonum? t)
+  (for/or ([e (in-vector (tape-items t))])
+    (and (number? e) (not (exact? e)))))
 
 ;; Has the graph more nodes than this?
 (define large 2000)
