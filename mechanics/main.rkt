@@ -16,7 +16,7 @@
 (provide
  (all-from-out racket/base racket/match "base.rkt")
  ;; the language
- #%app #%module-begin #%top-interaction
+ #%app #%top #%module-begin #%top-interaction
  ;; local tuples
  Gamma path->state-path ->local ->state ->L-state
  time coordinate velocity acceleration

@@ -1,13 +1,14 @@
 #lang racket/base
 ;; The body of a `#lang mechanics` module, and the prompt.
 
-(require "printer.rkt"
+(require "printer.rkt" "unbound.rkt"
          (only-in "pattern.rkt" [define define/pattern])
          syntax/wrap-modbeg
          (for-syntax racket/base))
 
 (provide (rename-out [module-begin #%module-begin]
-                     [top-interaction #%top-interaction]))
+                     [top-interaction #%top-interaction])
+         #%top)
 
 ;; ---------------------------------------------------------------------------
 ;; The prompt
@@ -17,8 +18,12 @@
   (syntax-case stx ()
     [(_ . form)
      (eq? (syntax-local-context) 'top-level)
-     #'(begin (#%plain-app install-printer!) form)]
+     #'(begin (#%plain-app install-session!) form)]
     [_ (raise-syntax-error #f "not at top level" stx)]))
+
+(define (install-session!)
+  (install-printer!)
+  (install-hints!))
 
 ;; ---------------------------------------------------------------------------
 ;; Modules

@@ -12,7 +12,7 @@ the expressions at its top level, simplified. Run as a program, it gives DrRacke
 and @exec{racket -i} a prompt that prints in the same way. Numbers, strings,
 lists and other values print as in Racket.
 
-The following three are never written by hand. They are what makes a module, a
+The following four are never written by hand. They are what makes a module, a
 prompt and an application of this language.
 
 @defform[(#%module-begin form ...)]{
@@ -33,6 +33,11 @@ that it stands for.
 @examples[#:eval session
 (eval:error (3 't))
 ((vector sin cos) 't)]}
+
+@defform[(#%top . id)]{
+
+A name without a definition. The error says how it is written as a symbol, for
+what is missing most often is a quote.}
 
 @section{Binding with patterns}
 

@@ -5,6 +5,7 @@
 (require (only-in mechanics)
          (only-in mechanics/generic/kind make-kind prop:kind rank:scalar)
          mechanics/lang/printer
+         (only-in mechanics/lang/unbound install-hints!)
          racket/port
          racket/string
          rackunit)
@@ -203,6 +204,40 @@
                 (lines "1" "2")))
 
 ;; ---------------------------------------------------------------------------
+;; Names without a definition
+
+(test-case "an unbound name in a module is located and told from a symbol"
+  (check-equal?
+   (syntax-message "#lang mechanics" "(define ((L m) (up t q v)) (* m v))" "(L m)")
+   "example:3:3: m: unbound identifier; as a symbol it is written 'm\n  in: m")
+  (check-exn exn:fail:syntax:unbound?
+             (lambda () (declare (lines "#lang mechanics" "(define (f) (+ y 1))")))))
+
+(test-case "names may be defined further down, in modules, submodules and bodies"
+  (check-equal? (run-module "#lang mechanics"
+                            "(define (f) (g y))"
+                            "(define (g z) (define (a) b) (define b z) (a))"
+                            "(define-syntax-rule (m) (list y))"
+                            "(define y 3)"
+                            "(f)"
+                            "(m)"
+                            "(module* inner #f (h) (define (h) (k y)) (define k values))")
+                (lines "3" "'(3)")))
+
+(test-case "a name used before its definition is run is as in Racket"
+  (check-exn #rx"^x: undefined;\n cannot reference an identifier before its definition"
+             (lambda () (run-module "#lang mechanics" "x" "(define x 1)"))))
+
+(test-case "eval in a module's namespace finds what is defined later"
+  (check-equal? (run-module "#lang mechanics"
+                            "(define-namespace-anchor here)"
+                            "(define n (namespace-anchor->namespace here))"
+                            "(eval '(define (p) q) n)"
+                            "(eval '(define q 7) n)"
+                            "(eval '(p) n)")
+                (lines "7")))
+
+;; ---------------------------------------------------------------------------
 ;; The prompt
 
 (test-case "racket -I mechanics simplifies, defines and redefines"
@@ -247,6 +282,29 @@
   (check-equal? output '("u"))
   (check-regexp-match #rx"f: the argument does not match the pattern \\(up a b\\)" errors)
   (check-regexp-match #rx"the symbol x is a number here, not a function" errors))
+
+(test-case "an unbound name at the prompt is told from a symbol; it may be defined later"
+  (for ([arguments '(("-I" "mechanics") ("-i" "-l" "racket/base" "-l" "mechanics"))])
+    (define-values (output errors)
+      (session arguments
+               "(define ((L m) (up t q v)) (* m v))"
+               "(L m)"
+               "(define (f) (g 1))"
+               "(define (g x) x)"
+               "(f)"))
+    (check-equal? output '("1"))
+    (check-regexp-match #rx"m: undefined;.*top-level\n.*  as a symbol it is written 'm\n" errors)
+    (check-false (regexp-match? #rx"'g" errors))))
+
+(test-case "a name of a module that is used too early is told from no symbol"
+  (define e (exn:fail:contract:variable
+             "x: undefined;\n cannot reference an identifier before its definition\n  in module: \"a.rkt\""
+             (current-continuation-marks) 'x))
+  (define shown '())
+  (parameterize ([error-display-handler (lambda (message e) (set! shown (list message e)))])
+    (install-hints!)
+    ((error-display-handler) (exn-message e) e))
+  (check-equal? shown (list (exn-message e) e)))
 
 ;; ---------------------------------------------------------------------------
 ;; Simplification that fails

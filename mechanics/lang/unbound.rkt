@@ -1,0 +1,72 @@
+#lang racket/base
+;; Names without a definition.  The commonest is a symbol whose quote was
+;; forgotten, as in (L-harmonic m k), so whoever meets one says how a symbol is
+;; written: the expander in a module, the error display at the prompt.
+
+(require (for-syntax racket/base))
+
+(provide (rename-out [top #%top])
+         install-hints!)
+
+;; ---------------------------------------------------------------------------
+;; In a module
+
+;; Among definitions, a name may be one that is defined further down: it is
+;; looked up again when all of them are known.
+(define-syntax (top stx)
+  (syntax-case stx ()
+    [(_ . id)
+     (identifier? #'id)
+     (cond
+       [(or (not (syntax-transforming-module-expression?)) (identifier-binding #'id))
+        (syntax/loc stx (#%top . id))]
+       [(eq? (syntax-local-context) 'expression) (raise-unbound #'id)]
+       [else (syntax/loc stx (#%expression id))])]
+    [(_ . other) (syntax/loc stx (#%top . other))]))
+
+(begin-for-syntax
+  (define (raise-unbound id)
+    (define name (syntax-e id))
+    (raise-syntax-error
+     #f (format "unbound identifier; as a symbol it is written '~s" name)
+     id #:exn exn:fail:syntax:unbound)))
+
+;; ---------------------------------------------------------------------------
+;; At the prompt
+
+;; A value of `error-display-handler`; `other` is the handler it wraps.
+(struct hinting-display (other)
+  #:property prop:procedure
+  (lambda (display message e)
+    (define hint (hint-for message e))
+    (define other (hinting-display-other display))
+    (if hint
+        (other (string-append message hint) (with-hint e hint))
+        (other message e))))
+
+;; Make the current error display ours; again is no harm.
+(define (install-hints!)
+  (define display (error-display-handler))
+  (unless (hinting-display? display)
+    (error-display-handler (hinting-display display))))
+
+;; Names that the prompt knows nothing of, not those that a module uses too
+;; early: they need no quote.
+(define (hint-for message e)
+  (and (exn:fail:contract:variable? e)
+       (regexp-match? #rx"cannot reference an identifier before its definition" message)
+       (let ([id (exn:fail:contract:variable-id e)])
+         (and (or (regexp-match? #rx"in module: top-level$" message)
+                  (unknown-in-module? id))
+              (format "\n  as a symbol it is written '~s" id)))))
+
+;; Is the prompt inside a module, as in DrRacket, which does not define the name?
+(define (unknown-in-module? id)
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (and (variable-reference->module-source (eval '(#%variable-reference)))
+         (not (identifier-binding (namespace-symbol->identifier id))))))
+
+(define (with-hint e hint)
+  (exn:fail:contract:variable (string-append (exn-message e) hint)
+                              (exn-continuation-marks e)
+                              (exn:fail:contract:variable-id e)))
