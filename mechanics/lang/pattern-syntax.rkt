@@ -19,7 +19,7 @@
 
 (provide pattern? (struct-out bound) destructure
          has-pattern? rewrite-formals rewrite-bindings
-         check-distinct note-pattern-heads)
+         check-arguments check-distinct note-pattern-heads)
 
 ;; ---------------------------------------------------------------------------
 ;; Patterns
@@ -142,6 +142,19 @@
 (define (has-pattern? formals)
   (define-values (arguments tail) (parse-formals formals))
   (for/or ([a (in-list arguments)]) (pattern? (argument-name a))))
+
+;; Refuse what is in parentheses but neither a pattern nor an optional argument:
+;; a pattern whose head was forgotten.
+(define (check-arguments formals stx)
+  (define-values (arguments tail) (parse-formals formals))
+  (for ([a (in-list arguments)])
+    (define name (argument-name a))
+    (when (and (pair? (syntax-e name)) (not (pattern? name)))
+      (define written (syntax->datum name))
+      (raise-syntax-error
+       #f (format "~s is no argument; a structure pattern begins with up or down: ~s"
+                  written (cons 'up written))
+       stx name))))
 
 ;; An argument list without patterns, the patterns taken out of it, and the
 ;; identifiers it binds.  The default of an optional argument sees the

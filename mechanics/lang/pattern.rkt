@@ -46,6 +46,7 @@
 ;; A curried head is taken apart from outside in, and every procedure it makes
 ;; bears the name that is defined.
 (define-syntax (define/pattern stx)
+  (check-head stx)
   (syntax-case stx ()
     [(_ (name . formals) body ...)
      (and (identifier? #'name) (has-pattern? #'formals))
@@ -66,6 +67,18 @@
     [_ (as #'define stx)]))
 
 (begin-for-syntax
+  ;; The arguments of every procedure that a head makes.
+  (define (check-head stx)
+    (syntax-case stx ()
+      [(_ head . _)
+       (let check ([head #'head])
+         (syntax-case head ()
+           [(inner . formals)
+            (begin (check-arguments #'formals stx)
+                   (check #'inner))]
+           [_ (void)]))]
+      [_ (void)]))
+
   ;; The name that a curried head defines, or #f.
   (define (head-name head)
     (syntax-case head ()
@@ -78,6 +91,7 @@
 
 (begin-for-syntax
   (define ((expand-lambda plain) stx)
+    (check-formals stx)
     (syntax-case stx ()
       [(_ formals body ...)
        (has-pattern? #'formals)
@@ -88,6 +102,12 @@
           (quasisyntax/loc stx (#,plain #,formals #,@body))
           bounds))]
       [_ (as plain stx)])))
+
+(begin-for-syntax
+  (define (check-formals stx)
+    (syntax-case stx ()
+      [(_ formals . _) (check-arguments #'formals stx)]
+      [_ (void)])))
 
 (define-syntax lambda/pattern (expand-lambda #'lambda))
 (define-syntax λ/pattern (expand-lambda #'λ))

@@ -249,6 +249,22 @@
   (check-regexp-match #rx"a structure pattern is a proper list"
                       (syntax-message '(lambda ((up a . b)) a))))
 
+(test-case "a pattern without its head is told what it lacks, wherever it stands"
+  (define message "(t q v) is no argument; a structure pattern begins with up or down: (up t q v)")
+  (define (says? form who)
+    (define text (syntax-message form))
+    (check-equal? (car (regexp-split #rx"\n" text)) (string-append who ": " message)))
+  (says? '(define (L (t q v)) 1) "define")
+  (says? '(define ((L m) (t q v)) 1) "define")
+  (says? '(define ((L (t q v)) m) 1) "define")
+  (says? '(define ((L m) #:k (t q v)) 1) "define")
+  (says? '(lambda (a (t q v)) 1) "lambda")
+  (says? '(λ ([a 1] (t q v)) 1) "λ"))
+
+(test-case "an optional argument is no pattern without its head"
+  (for ([form '((lambda ([a 1] [(up b c) 2]) a) (define ((f [a 1]) #:k [b 2] . c) a))])
+    (check-equal? (syntax-message form) "no error")))
+
 (test-case "a procedure without a body is refused under the name of the form"
   (check-regexp-match #rx"^define: no expressions for procedure body"
                       (syntax-message '(define (f (up a)))))
