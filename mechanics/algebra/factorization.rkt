@@ -7,7 +7,7 @@
 ;; a minus sign that is left goes into a difference if there is one.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
-         "present.rkt" "pieces.rkt" "quotient.rkt" "simplify.rkt"
+         "squares.rkt" "present.rkt" "pieces.rkt" "quotient.rkt" "simplify.rkt"
          "polynomial/factor.rkt" "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide factored-expression)
@@ -37,13 +37,26 @@
 
 ;; The product times q^e, q factored.
 (define (multiply F product q e)
-  (define R (field-ring F))
-  (define parts (poly-factor R q))
-  (define leading
-    (for/product ([h (in-list parts)]) (expt (poly-leading-coefficient (car h)) (cdr h))))
-  (for/fold ([product (scaled product (expt (/ (poly-leading-coefficient q) leading) e))])
+  (define parts (poly-factor (field-ring F) q))
+  (for/fold ([product (scaled product (expt (constant-factor q parts) e))])
             ([h (in-list parts)])
-    (multiply-factor F product (car h) (* e (cdr h)))))
+    (define finer (finer-parts F (car h)))
+    (if finer
+        (multiply F product finer (* e (cdr h)))
+        (multiply-factor F product (car h) (* e (cdr h))))))
+
+(define (constant-factor q parts)
+  (/ (poly-leading-coefficient q)
+     (for/product ([h (in-list parts)]) (expt (poly-leading-coefficient (car h)) (cdr h)))))
+
+;; An irreducible polynomial may have factors when cosines are eliminated instead
+;; of sines, or here and there one and the other: then such a form of it, else #f.
+(define (finer-parts F p)
+  (define q (shortest-squares F p))
+  (and (not (poly=? p q))
+       (let ([parts (poly-factor (field-ring F) q)])
+         (or (pair? (cdr parts)) (> (cdar parts) 1)))
+       q))
 
 (define (scaled product c)
   (factors (* c (factors-number product)) (factors-powers product) (factors-polynomials product)))

@@ -85,6 +85,31 @@
   (check-equal? (parted '(* 3 s) 's) '(* 3 s))
   (check-equal? (parted '(- s s) 's) 0))
 
+(test-case "a factored expression is a product of irreducible factors"
+  (check-forms factored
+   [(- (expt a 4) (expt b 4)) (* (- a b) (+ a b) (+ (expt a 2) (expt b 2)))]
+   [(- (* a k) (* a m (expt omega 2))) (* a (- k (* m (expt omega 2))))]
+   [(+ (* 2 x x) (* 5 x y) (* 2 y y)) (* (+ x (* 2 y)) (+ (* 2 x) y))]
+   [(/ (- (* x x) 1) (+ (* x x) (* -4 x) 4)) (/ (* (- x 1) (+ 1 x)) (expt (- x 2) 2))]
+   [(- (expt (+ x y 1) 2) (expt (+ z 2) 2)) (* (+ x y (* -1 z) -1) (+ 3 x y z))]
+   [(+ (* 1.5 a x) (* 1.5 a y)) (* 1.5 a (+ x y))]
+   [(+ (expt x 2) (expt y 2)) (+ (expt x 2) (expt y 2))]
+   [12 12]))
+
+(test-case "signs are where they are least in the way"
+  (check-forms factored
+   [(- b a) (- b a)]
+   [(* (- b a) (- d c)) (* (- a b) (- c d))]
+   [(* -1 (+ a b) (+ c d)) (* -1 (+ a b) (+ c d))]
+   [(* -1 c (- a b)) (* c (- b a))]))
+
+(test-case "factors know that sin² is 1 - cos²"
+  (check-forms factored
+   [(* (expt (sin x) 4) (+ 1 (cos x))) (* (+ 1 (cos x)) (expt (sin x) 4))]
+   [(- (expt (cosh u) 2) 1) (expt (sinh u) 2)]
+   [(- (expt (* a (cos x)) 2) (expt (* b (sin x)) 2))
+    (* (- (* a (cos x)) (* b (sin x))) (+ (* a (cos x)) (* b (sin x))))]))
+
 ;; ---------------------------------------------------------------------------
 ;; Any expression
 
