@@ -11,7 +11,7 @@
 (require "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../numeric/failure.rkt")
 
-(provide rows-determinant rows-solve rows-transpose)
+(provide rows-determinant rows-solve rows-solve-each rows-inverse rows-transpose)
 
 (define (entry rows i j) (vector-ref (vector-ref rows i) j))
 
@@ -37,27 +37,31 @@
   (for/fold ([p sign]) ([row (in-vector rows)] [i (in-naturals)])
     (* p (vector-ref row i))))
 
-;; The determinant of the last n - i rows, in the columns of a bit set.
 (define (determinant-by-minors rows)
+  ((minors rows) (all-columns (vector-length rows))))
+
+(define (all-columns n) (sub1 (arithmetic-shift 1 n)))
+(define (without columns j) (bitwise-and columns (bitwise-not (arithmetic-shift 1 j))))
+
+;; The function whose value at a bit set of columns is the determinant of the
+;; last rows, as many as there are columns, in these columns.
+(define (minors rows)
   (define n (vector-length rows))
-  (define minors (make-hasheqv))
+  (define known (make-hasheqv))
   (define (minor i columns)
     (cond [(= i n) 1]
-          [(hash-ref minors columns #f)]
+          [(hash-ref known columns #f)]
           [else
            (define d (expand i columns))
-           (hash-set! minors columns d)
+           (hash-set! known columns d)
            d]))
   (define (expand i columns)
     (for/fold ([sum 0] [sign 1] #:result sum)
-              ([j (in-range n)] #:when (bitwise-bit-set? columns j))
+              ([j (in-range (integer-length columns))] #:when (bitwise-bit-set? columns j))
       (define a (entry rows i j))
-      (define term
-        (if (eqv? a 0)
-            0
-            (g:* a (minor (add1 i) (bitwise-and columns (bitwise-not (arithmetic-shift 1 j)))))))
+      (define term (if (eqv? a 0) 0 (g:* a (minor (add1 i) (without columns j)))))
       (values (if (= sign 1) (g:+ sum term) (g:- sum term)) (- sign))))
-  (minor 0 (sub1 (arithmetic-shift 1 n))))
+  (lambda (columns) (minor 0 columns)))
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
@@ -86,17 +90,51 @@
     (vector-set! x i (/ known (entry rows i i))))
   x)
 
-(define (solve-by-Cramer who rows b)
-  (define d (determinant-by-minors rows))
-  (when (and (number? d) (zero? d)) (raise-singular-system who rows))
+(define (solve-by-Cramer who rows b [d (nonzero-determinant who rows)])
   (for/vector #:length (vector-length b) ([j (in-range (vector-length b))])
     (g:/ (determinant-by-minors (replace-column rows j b)) d)))
+
+(define (nonzero-determinant who rows)
+  (define d (determinant-by-minors rows))
+  (when (and (number? d) (zero? d)) (raise-singular-system who rows))
+  d)
 
 (define (replace-column rows j b)
   (for/vector #:length (vector-length rows) ([row (in-vector rows)] [x (in-vector b)])
     (define new (copy row))
     (vector-set! new j x)
     new))
+
+;; The solutions for several right-hand sides, a vector of vectors.
+(define (rows-solve-each who rows bs)
+  (define d (if (all-numbers? rows) #f (nonzero-determinant who rows)))
+  (for/vector #:length (vector-length bs) ([b (in-vector bs)])
+    (if d (solve-by-Cramer who rows b d) (rows-solve who rows b))))
+
+;; The rows of the inverse; where the entries are not numbers, cofactors over the
+;; determinant, those of one row from one table of minors.
+(define (rows-inverse who rows)
+  (define n (vector-length rows))
+  (if (all-numbers? rows)
+      (rows-transpose (rows-solve-each who rows (unit-rows n)))
+      (inverse-by-cofactors rows (nonzero-determinant who rows))))
+
+(define (unit-rows n)
+  (for/vector #:length n ([i (in-range n)])
+    (for/vector #:length n ([j (in-range n)]) (if (= i j) 1 0))))
+
+(define (inverse-by-cofactors rows d)
+  (define n (vector-length rows))
+  (define all (all-columns n))
+  (rows-transpose
+   (for/vector #:length n ([i (in-range n)])
+     (define minor (minors (without-row rows i)))
+     (for/vector #:length n ([j (in-range n)])
+       (define m (minor (without all j)))
+       (g:/ (if (even? (+ i j)) m (g:- m)) d)))))
+
+(define (without-row rows i)
+  (for/vector ([row (in-vector rows)] [k (in-naturals)] #:unless (= k i)) row))
 
 (define (raise-singular-system who rows)
   (raise-singular

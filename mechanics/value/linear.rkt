@@ -41,22 +41,42 @@
 (define generic:determinant (generic-of-matrices 'determinant determinant))
 (define generic:trace (generic-of-matrices 'trace trace))
 
-;; The components of a square tuple of tuples, each a vector.
+;; The rows of the square matrix that a tuple of tuples holds: one row, the
+;; scalars in order, for each component.  Nested deeper, it is a tuple of tuples
+;; in some shape of index, as a mass matrix is for the coordinates of several
+;; particles: the components are then of the first shape that makes it square.
 (define (tuple-rows who s)
-  (define rows (component-vectors who s))
-  (unless (for/and ([row (in-vector rows)]) (= (vector-length row) (vector-length rows)))
-    (raise-arguments-error who "expected as many components in each component as there are components"
-                           "structure" s))
-  rows)
+  (check-tuple-of-tuples who s)
+  (or (let try ([like (s:ref s 0)])
+        (and (tuple? like)
+             (let ([rows (parts-of-shape s like)])
+               (if (and rows (= (length rows) (s:dimension like)))
+                   (for/vector ([row (in-list rows)]) (scalars row))
+                   (and (positive? (s:length like)) (try (s:ref like 0)))))))
+      (raise-arguments-error who "expected as many components in each component as there are components"
+                             "structure" s)))
 
-(define (component-vectors who s)
-  (for/vector ([x (in-vector (structure-elements (structure-of who s)))])
-    (unless (tuple? x)
-      (raise
-       (exn:fail:contract
-        (format "~a: expected a tuple of tuples; given ~a" who (describe-with-value s))
-        (current-continuation-marks))))
-    (structure-elements (adopt x))))
+;; The parts of A that are of one shape, in order, where A is a nest of these;
+;; #f if it is not.
+(define (parts-of-shape A like)
+  (cond [(same-shape? A like) (list A)]
+        [(tuple? A)
+         (for/fold ([parts '()]) ([x (in-vector (structure-elements (adopt A)))])
+           #:break (not parts)
+           (define more (parts-of-shape x like))
+           (and more (append parts more)))]
+        [else #f]))
+
+;; The scalars of a tuple, at any depth, as a vector.
+(define (scalars s) (list->vector (reverse (s:fold cons '() s))))
+
+(define (check-tuple-of-tuples who s)
+  (define elements (structure-elements (structure-of who s)))
+  (unless (and (positive? (vector-length elements)) (for/and ([x (in-vector elements)]) (tuple? x)))
+    (complain "~a: expected a tuple of tuples; given ~a" who (describe-with-value s))))
+
+(define (complain format-string . args)
+  (raise (exn:fail:contract (apply format format-string args) (current-continuation-marks))))
 
 ;; ---------------------------------------------------------------------------
 ;; Transposition
@@ -77,9 +97,16 @@
 (define generic:transpose (generic-of-matrices 'transpose (lambda (m) (transpose m))))
 
 (define (transpose-tuple s)
-  (define rows (component-vectors 'transpose s))
-  (define inner (structure-orientation (structure-of 'transpose (s:ref s 0))))
-  (structure inner
+  (check-tuple-of-tuples 'transpose s)
+  (define rows
+    (for/vector ([x (in-vector (structure-elements s))]) (structure-elements (adopt x))))
+  (define inner (adopt (s:ref s 0)))
+  (unless (for/and ([row (in-vector rows)])
+            (and (= (vector-length row) (structure-length inner))
+                 (for/and ([x (in-vector row)]) (not (tuple? x)))))
+    (complain "~a: expected components of one length that hold scalars; given ~a\n  the transpose of a deeper structure depends on what it multiplies: (transpose s x)"
+              'transpose (describe-with-value s)))
+  (structure (structure-orientation inner)
              (for/vector ([row (in-vector (rows-transpose rows))])
                (same-orientation s row))))
 
@@ -88,56 +115,92 @@
 
 ;; x such that (* A x) is b.
 (define (solve-linear-left A b)
+  (define who 'solve-linear-left)
   (cond [(matrix? A)
-         (define x (rows-solve 'solve-linear-left (square-rows 'solve-linear-left A)
-                               (right-hand-side 'solve-linear-left A b)))
-         (if (matrix? b) (up->column-matrix (structure 'up x)) (structure 'up x))]
-        [(tuple? A) (solve-by-outer-index 'solve-linear-left (adopt A) b)]
+         (define rows (square-rows who A))
+         (cond [(and (up? b) (= (s:length b) (m:num-rows A)))
+                (structure 'up (rows-solve who rows (structure-elements (adopt b))))]
+               [(and (matrix? b) (= (m:num-rows b) (m:num-rows A)))
+                (matrix (rows-transpose
+                         (rows-solve-each who rows (rows-transpose (matrix-rows b)))))]
+               [else (raise-right-hand-side who "an up tuple or a matrix of ~a rows" A b)])]
+        [(tuple? A) (solve-by-outer-index who (adopt A) b)]
         [else (g:/ b A)]))
 
 ;; x such that (* x A) is b.
 (define (solve-linear-right b A)
+  (define who 'solve-linear-right)
   (cond [(matrix? A)
-         (structure 'down (rows-solve 'solve-linear-right
-                                      (rows-transpose (square-rows 'solve-linear-right A))
-                                      (right-hand-side 'solve-linear-right A b)))]
-        [(tuple? A)
-         (define inner (structure-of 'solve-linear-right (s:ref A 0)))
-         (if (eq? (structure-orientation inner) (structure-orientation (adopt A)))
-             (solve-by-outer-index 'solve-linear-right (adopt A) b)
-             (solve-by-inner-index 'solve-linear-right (adopt A) inner b))]
-        [else (g:/ b A)]))
+         (define rows (rows-transpose (square-rows who A)))
+         (cond [(and (down? b) (= (s:length b) (m:num-cols A)))
+                (structure 'down (rows-solve who rows (structure-elements b)))]
+               [(and (matrix? b) (= (m:num-cols b) (m:num-cols A)))
+                (matrix (rows-solve-each who rows (matrix-rows b)))]
+               [else (raise-right-hand-side who "a down tuple or a matrix of ~a columns" A b)])]
+        [(not (tuple? A)) (g:/ b A)]
+        [(eq? (s:same A) (innermost-orientation A)) (solve-by-outer-index who (adopt A) b)]
+        [else (solve-by-inner-index who (adopt A) b)]))
 
-(define (right-hand-side who A b)
-  (define v
-    (cond [(matrix? b) (structure-elements (if (= 1 (m:num-cols b)) (m:nth-col b 0) (m:nth-row b 0)))]
-          [(tuple? b) (structure-elements (adopt b))]
-          [else (raise-argument-error who "a tuple or a matrix of one row or column" b)]))
-  (unless (= (vector-length v) (m:num-rows A))
-    (raise-arguments-error who "the matrix and the right-hand side differ in size"
-                           "matrix" A "right-hand side" b))
-  v)
+(define (raise-right-hand-side who expected A b)
+  (complain "~a: the right-hand side must be ~a, to match ~a; given ~a~a"
+            who (format expected (m:num-rows A)) (value->text A) (describe-with-value b)
+            (if (pair? b) "\n  a list is not a tuple; use (up x y ...)" "")))
 
-;; Σᵢ xᵢ Aᵢ = b, the x of orientation opposite to A's.
+(define (innermost-orientation s)
+  (define first (and (positive? (s:length s)) (s:ref s 0)))
+  (if (tuple? first) (innermost-orientation first) (s:same s)))
+
+;; Σᵢ xᵢ Aᵢ = b, the x of orientation opposite to A's: A is a nest of parts of
+;; the shape of b, the columns, and x is nested as they are.
 (define (solve-by-outer-index who A b)
-  (define rows (tuple-rows who A))
-  (structure (flip-orientation (structure-orientation A))
-             (rows-solve who (rows-transpose rows) (matching who A (s:ref A 0) b))))
+  (check-tuple-of-tuples who A)
+  (define columns (parts-of-shape A b))
+  (unless (and columns (tuple? b)) (raise-mismatch who A (s:ref A 0) b))
+  (define x (solve-columns who (map scalars columns) (scalars b) A))
+  (fill (let shape ([part A]) (if (same-shape? part b) 0 (structure-map shape (flip-outer part)))) x))
 
-;; Σⱼ Aᵢⱼ xⱼ = bᵢ, the x of orientation opposite to that of A's components.
-(define (solve-by-inner-index who A inner b)
-  (structure (flip-orientation (structure-orientation inner))
-             (rows-solve who (tuple-rows who A) (matching who A A b))))
+(define (flip-outer s)
+  (structure (flip-orientation (s:same s)) (structure-elements (adopt s))))
 
-;; The components of b, which must be of the shape of `like`.
-(define (matching who A like b)
-  (unless (and (tuple? b) (compatible? (adopt b) (adopt like)))
-    (raise
-     (exn:fail:contract
-      (format "~a: the right-hand side must be ~a, to match ~a; given ~a"
-              who (describe (adopt like)) (value->text A) (describe-with-value b))
-      (current-continuation-marks))))
-  (structure-elements (adopt b)))
+;; Σⱼ Aᵢⱼ xⱼ = bᵢ, the x of orientation opposite to that of A's components: for
+;; each scalar of b there is a part of A, a row, and x is shaped as those are.
+(define (solve-by-inner-index who A b)
+  (check-tuple-of-tuples who A)
+  (define parts (parts-at-scalars A b))
+  (unless (and parts (tuple? b) (for/and ([p (in-list parts)]) (same-shape? p (car parts))))
+    (raise-mismatch who A A b))
+  (define rows (list->vector (map scalars parts)))
+  (define x (solve-columns who (vector->list (rows-transpose rows)) (scalars b) A))
+  (fill (flip (car parts)) x))
+
+;; The parts of A that lie where b has its scalars, in order; #f if A is not
+;; nested as b is.
+(define (parts-at-scalars A b)
+  (cond [(not (tuple? b)) (list A)]
+        [(and (tuple? A) (compatible? (adopt A) (adopt b)))
+         (for/fold ([parts '()])
+                   ([x (in-vector (structure-elements (adopt A)))]
+                    [y (in-vector (structure-elements (adopt b)))])
+           #:break (not parts)
+           (define more (parts-at-scalars x y))
+           (and more (append parts more)))]
+        [else #f]))
+
+(define (solve-columns who columns b A)
+  (unless (= (length columns) (vector-length b))
+    (raise-arguments-error who "there are not as many unknowns as equations"
+                           "unknowns" (length columns) "equations" (vector-length b)
+                           "structure" A))
+  (rows-solve who (rows-transpose (list->vector columns)) b))
+
+;; A structure shaped like `like` with these scalars, in order.
+(define (fill like v)
+  (define k -1)
+  (s:map/r (lambda (_) (set! k (add1 k)) (vector-ref v k)) like))
+
+(define (raise-mismatch who A like b)
+  (complain "~a: the right-hand side must be ~a, to match ~a; given ~a"
+            who (describe (adopt like)) (value->text A) (describe-with-value b)))
 
 ;; ---------------------------------------------------------------------------
 ;; Structures as matrices (SICM p. 353)

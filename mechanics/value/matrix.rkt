@@ -167,18 +167,24 @@
   (case (generic-op-name op)
     [(+ -) (add-matrices op a b)]
     [(*) (multiply op a b)]
-    [(/) (if (matrix? b)
-             (multiply op a (m:invert b))
-             (matrix-map (lambda (x) (g:/ x b)) a))]
+    [(/) (divide op a b)]
     [(expt) (power op a b)]
     [else (raise-inapplicable op a b)]))
+
+;; What multiplies a tuple is the inverse, but what a message shows is the matrix.
+(define (divide op a b)
+  (cond [(not (matrix? b))
+         (if (tuple? b) (raise-inapplicable op a b) (matrix-map (lambda (x) (g:/ x b)) a))]
+        [(not (tuple? a)) (multiply op a (m:invert b))]
+        [(and (down? a) (= (s:length a) (m:num-rows b))) (tuple-times-matrix op a (m:invert b))]
+        [else (raise-inapplicable op a b)]))
 
 ;; A number added to a square matrix is that multiple of the identity.
 (define (add-matrices op a b)
   (define add (generic-op-procedure op))
   (define (as-matrix x other)
     (cond [(matrix? x) x]
-          [(= (m:num-rows other) (m:num-cols other))
+          [(and (not (tuple? x)) (= (m:num-rows other) (m:num-cols other)))
            (matrix-map (lambda (e) (g:* x e)) (identity-matrix (m:num-rows other)))]
           [else (raise-inapplicable op a b)]))
   (define m (as-matrix a b))
@@ -207,10 +213,15 @@
 (define (power op m n)
   (unless (and (matrix? m) (exact-integer? n)) (raise-inapplicable op m n))
   (square-rows 'expt m)
-  (if (negative? n)
-      (power op (m:invert m) (- n))
-      (for/fold ([p (identity-matrix (m:num-rows m))]) ([_ (in-range n)])
-        (matrix-product p m))))
+  (cond [(negative? n) (power op (m:invert m) (- n))]
+        [(zero? n) (identity-matrix (m:num-rows m))]
+        [else (positive-power m n)]))
+
+;; By repeated squaring.
+(define (positive-power m n)
+  (cond [(= n 1) m]
+        [(even? n) (positive-power (matrix-product m m) (quotient n 2))]
+        [else (matrix-product (positive-power m (sub1 n)) m)]))
 
 ;; A matrix times an up tuple, a down tuple times a matrix.
 (define (matrix-times-tuple op m s)
@@ -232,9 +243,4 @@
   (matrix-rows m))
 
 (define (m:invert m)
-  (define rows (square-rows 'invert m))
-  (define n (vector-length rows))
-  (matrix
-   (rows-transpose
-    (for/vector #:length n ([unit (in-vector (matrix-rows (identity-matrix n)))])
-      (rows-solve 'invert rows unit)))))
+  (matrix (rows-inverse 'invert (square-rows 'invert m))))

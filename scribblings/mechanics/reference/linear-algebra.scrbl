@@ -118,8 +118,10 @@ Of a square matrix or a square structure of structures.
 @deftogether[(@defproc[(solve-linear-left [A value] [b value]) value]
               @defproc[(solve-linear-right [b value] [A value]) value])]{
 
-The x for which @racket[(* A x)], or @racket[(* x A)], is b. A matrix without an
-inverse raises @racket[exn:fail:mechanics:singular].
+The x for which @racket[(* A x)], or @racket[(* x A)], is b. For a matrix A, b is
+an up tuple on the left and a down tuple on the right, or a matrix, which is
+solved for column by column, or row by row. Tuples may be nested to any depth. A
+matrix without an inverse raises @racket[exn:fail:mechanics:singular].
 
 @examples[#:eval session
 (solve-linear-left (down (down 'a 0) (down 0 'b)) (down 'p 'q))
