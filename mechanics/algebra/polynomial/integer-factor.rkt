@@ -12,12 +12,14 @@
 
 (provide integer-factors square-free? subsets choices-limit)
 
-;; More modular factors than these are not combined.
+;; More modular factors than these are not combined, higher degrees not tried.
 (define choices-limit 14)
+(define degree-limit 50)
 
-;; The irreducible factors of f, primitive, square-free and of positive degree.
+;; The irreducible factors of f, primitive, square-free and of positive degree;
+;; f alone where they were too much work.
 (define (integer-factors f)
-  (if (<= (vector-length f) 2)
+  (if (or (<= (vector-length f) 2) (> (vector-length f) degree-limit))
       (list f)
       (let-values ([(P factors) (fewest-modular-factors f)])
         (if (and P (<= (length factors) choices-limit))

@@ -57,7 +57,9 @@ square-of-sum
 
 Products of sums, and their integer powers, are multiplied out; the result is one
 sum of terms. Sines and cosines are not combined. A term keeps below it those sums
-that divide it.
+that divide it. A power or product that would have tens of thousands of terms is left
+as it is. (Racket's @racketidfont{expand}, of syntax, stays in
+@racketmodname[racket/base].)
 
 @examples[#:eval session
 (expand (* (+ 'x 1) (- 'x 2)))
@@ -66,9 +68,9 @@ that divide it.
 
 @defproc[(factor [x value]) value]{
 
-A product of powers of factors that cannot be factored further over the rational
-numbers in the symbols, functions and roots that occur. A factor too large to be
-examined stays whole.
+A product of powers of factors that cannot be factored further, as polynomials in
+the symbols, functions and roots that occur with rational coefficients. A factor of
+more terms or a higher degree than can be examined quickly stays whole.
 
 @examples[#:eval session
 (factor (- (* 'a 'k) (* 'a 'm (square 'omega))))
@@ -76,11 +78,11 @@ examined stays whole.
 (factor (+ (* 2 (square 'x)) (* 5 'x 'y) (* 2 (square 'y))))
 (factor (/ (- (square 'x) 1) (+ (square 'x) (* -4 'x) 4)))]}
 
-@defproc[(collect [x value] [in (or/c scalar (listof scalar))]) value]{
+@defproc[(collect [x value] [unknown (or/c scalar (listof scalar))]) value]{
 
-A polynomial in @racket[in], a symbol or a literal function applied, or in each of a
-list of them, the highest powers first and the coefficients simplified. What is
-divided by a sum with @racket[in] in it becomes one quotient of such polynomials.
+A polynomial in @racket[unknown], a symbol or a literal function applied, or in each
+of a list of them, the highest powers first and the coefficients simplified. What is
+divided by a sum in which an unknown occurs becomes one quotient of such polynomials.
 
 @examples[#:eval session
 (collect (+ (* 'a 'm) (* 'b (square 'm)) (* 'c 'm) 'd) 'm)
@@ -91,10 +93,10 @@ divided by a sum with @racket[in] in it becomes one quotient of such polynomials
 (collect equation (list (((square D) q) 't) ((D q) 't)))
 (eval:error (collect equation 3))]}
 
-@defproc[(coefficient [x value] [in scalar] [n exact-integer?]) value]{
+@defproc[(coefficient [x value] [unknown scalar] [n exact-integer?]) value]{
 
-The coefficient of @racket[(expt in n)] in @racket[x] as a polynomial in
-@racket[in]; negative powers are allowed.
+The coefficient of @racket[(expt unknown n)] in @racket[x] as a polynomial in
+@racket[unknown]; negative powers are allowed.
 
 @examples[#:eval session
 (coefficient (expt (+ 'a 'm) 3) 'm 2)
@@ -119,9 +121,9 @@ Racket's own.
 (denominator (+ (/ 'a 'b) (/ 'c 'd)))
 (list (numerator 6/4) (numerator (/ 'a 2)))]}
 
-@defproc[(apart [x value] [in scalar]) value]{
+@defproc[(apart [x value] [unknown scalar]) value]{
 
-Partial fractions in @racket[in], a symbol or a literal function applied; all else
+Partial fractions in @racket[unknown], a symbol or a literal function applied; all else
 counts as constant. The denominators are powers of the factors that
 @racket[factor] finds, so a quadratic without rational factors stays.
 
