@@ -6,7 +6,7 @@
 ;; their kernels, higher powers first, so that a residual is grouped by its
 ;; symbols and then by its highest derivatives.
 
-(require "kernel.rkt")
+(require "kernel.rkt" "order.rkt" "exponentials.rkt")
 
 (provide (struct-out term) make-term term-sort
          multiply-powers invert-powers scale-terms multiply-terms
@@ -23,9 +23,29 @@
 ;; ---------------------------------------------------------------------------
 ;; Order
 
-(define (term-sort terms) (sort terms term<?))
+(define (term-sort terms)
+  (if (ormap has-exponential? terms)
+      (sort-by-exponents terms)
+      (sort terms powers<? #:key term-powers)))
 
-(define (term<? a b) (powers<? (term-powers a) (term-powers b)))
+;; Which exponentials are basic depends on those that occurred, so they do not
+;; decide except by their product.
+(define (sort-by-exponents terms)
+  (define compare (make-order))
+  (define keys
+    (for/list ([t (in-list terms)])
+      (define-values (exponential others) (combine-exponentials (term-powers t)))
+      (vector (filter (lambda (p) (not (exponential-power? p))) (term-powers t))
+              (or exponential 0)
+              t)))
+  (define (before? a b)
+    (cond [(powers<? (vector-ref a 0) (vector-ref b 0)) #t]
+          [(powers<? (vector-ref b 0) (vector-ref a 0)) #f]
+          [else (< (compare (vector-ref b 1) (vector-ref a 1)) 0)]))
+  (map (lambda (key) (vector-ref key 2)) (sort keys before?)))
+
+(define (exponential-power? p) (exponential? (kernel-relation (car p))))
+(define (has-exponential? t) (ormap exponential-power? (term-powers t)))
 
 (define (powers<? as bs)
   (cond [(null? as) #f]

@@ -57,12 +57,30 @@
            (set! current n)
            (if (circular? r) (circular-value r) (exponential-value r))]))
   (define (operation-value n head args)
+    (if (eq? head op:/)
+        (divide n (walk (car args)) (cadr args))
+        (simple-operation-value n head args)))
+  ;; By the factors of a divisor one after the other: they are known then.
+  (define (divide n value divisor)
+    (define head (and (node? divisor) (eq? #t (hash-ref resolutions divisor)) (node-head divisor)))
+    (cond [(eq? head op:*)
+           (for/fold ([v value]) ([d (in-list (node-args divisor))]) (divide n v d))]
+          [(eq? head op:expt)
+           (define base (walk (car (node-args divisor))))
+           (set! current n)
+           ((arithmetic-product A)
+            (list value
+                  ((arithmetic-power A) base (- (exact-exponent (cadr (node-args divisor)))))))]
+          [else
+           (define d (walk divisor))
+           (set! current n)
+           ((arithmetic-quotient A) value d)]))
+  (define (simple-operation-value n head args)
     (define values (map walk (if (eq? head op:expt) (list (car args)) args)))
     (set! current n)
     (cond [(eq? head op:+) ((arithmetic-sum A) values)]
           [(eq? head op:*) ((arithmetic-product A) values)]
           [(eq? head op:-) ((arithmetic-difference A) (car values) (cadr values))]
-          [(eq? head op:/) ((arithmetic-quotient A) (car values) (cadr values))]
           [else ((arithmetic-power A) (car values) (exact-exponent (cadr args)))]))
   (define (circular-value r)
     (define turn (turns (circular-angle r)))
