@@ -138,3 +138,10 @@
       (when once
         (check-kept (car tool) e once)
         (check-equal? (first-value (cdr tool) once) once)))))
+
+(test-case "partial fractions of high degree, with symbols for coefficients"
+  (define e
+    (datum->expression '(/ (expt s 4) (* (+ (expt s 3) a) (+ (expt s 2) (* b s) c) (expt (+ s x) 2)))))
+  (define parts (first-value partial-fractions e 's))
+  (check-kept "apart" e parts)
+  (check-equal? (length (node-args parts)) 4))
