@@ -19,7 +19,7 @@
 
 (provide Lagrange-equations generalized-LE
          equations? equations-Lagrangian equations-force equations-order
-         check-Lagrangian)
+         check-Lagrangian scalar-valued)
 
 (define kind:equations
   (make-kind #:rank rank:function
@@ -32,7 +32,9 @@
 (struct equations (Lagrangian force order)
   #:authentic
   #:property prop:kind kind:equations
-  #:property prop:procedure (lambda (e q) (residual-along e q))
+  #:property prop:procedure
+  (case-lambda [(e q) (residual-along e q)]
+               [(e . arguments) (raise-one-path e arguments)])
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write (lambda (e port mode) (write-value e port)))
 
@@ -53,7 +55,7 @@
 (define (generalized-LE L #:order [n 2]) (Lagrange-equations L #:order n))
 
 (define (residual-along e q)
-  (define L (scalar-valued (equations-Lagrangian e)))
+  (define L (scalar-valued 'Lagrange-equations (equations-Lagrangian e)))
   (define n (equations-order e))
   (define local (Gamma (path 'Lagrange-equations q) (+ n 2)))
   (define force (equations-force e))
@@ -61,7 +63,7 @@
    (lambda (t)
      (define momenta (momentum-terms L local n t))
      (define residual (g:- momenta (((partial 1) L) (local t))))
-     (if force (g:- residual (force (local t))) residual))
+     (if force (g:- residual (force-like momenta (force (local t)))) residual))
    2
    (lambda () (list (value->datum e) (value->datum q)))))
 
@@ -71,6 +73,35 @@
     (define along (compose ((partial (add1 k)) L) local))
     (define term ((for/fold ([f along]) ([_ (in-range k)]) (D f)) t))
     (if (odd? k) (g:+ sum term) (g:- sum term))))
+
+;; ---------------------------------------------------------------------------
+;; Bad paths and forces
+
+(define (raise-one-path e arguments)
+  (raise
+   (exn:fail:contract:arity
+    (format "Lagrange-equations: the equations take one argument, a path, but got ~a~a"
+            (length arguments)
+            (if (= (length arguments) 2)
+                (format "; the time comes next: (((Lagrange-equations ~a) ~a) ~a)"
+                        (value->text (equations-Lagrangian e))
+                        (argument->text (car arguments)) (argument->text (cadr arguments)))
+                ""))
+    (current-continuation-marks))))
+
+(define (argument->text x)
+  (string-append (if (symbol? x) "'" "") (value->text x)))
+
+;; The force, known to have the shape of the rate of change of momentum; 0 is no
+;; force whatever the shape.
+(define (force-like momenta force)
+  (cond [(or (eqv? force 0) (same-shape? momenta force)) force]
+        [else
+         (raise
+          (exn:fail:contract
+           (format "Lagrange-equations: the force must be ~a, like the momenta; given ~a"
+                   (if (tuple? momenta) (describe momenta) "a number") (describe-with-value force))
+           (current-continuation-marks)))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Bad Lagrangians
@@ -85,21 +116,25 @@
         [(not (accepts? L 1))
          (raise
           (exn:fail:contract
-           (format "~a: a Lagrangian takes one argument, the local tuple, but ~a does not.\n  If it takes parameters first, supply them: (~a (~a ...))"
-                   who (value->text L) who (value->text L))
+           (format "~a: a Lagrangian takes one argument, the local tuple, but ~a does not.~a\n  If it takes parameters first, supply them: (~a (~a ...))"
+                   who (value->text L)
+                   (if (accepts? L 3)
+                       "\n  If it takes the time, coordinates and velocities, write them as one argument: (up t q v)"
+                       "")
+                   who (value->text L))
            (current-continuation-marks)))]))
 
 ;; L, refusing to go on when its value is no number.
-(define (scalar-valued L)
+(define (scalar-valued who L)
   (lambda (local)
     (define value (L local))
-    (if (scalar? value) value (raise-not-scalar L value))))
+    (if (scalar? value) value (raise-not-scalar who L value))))
 
-(define (raise-not-scalar L value)
+(define (raise-not-scalar who L value)
   (raise
    (exn:fail:contract
-    (format "Lagrange-equations: the value of a Lagrangian is a number, but that of ~a is ~a~a"
-            (value->text L) (describe-with-value value)
+    (format "~a: the value of a Lagrangian is a number, but that of ~a is ~a~a"
+            who (value->text L) (describe-with-value value)
             (if (pointwise? value)
                 "\n  was a parameter left out, as the mass in (L-free-particle 'm)?"
                 ""))

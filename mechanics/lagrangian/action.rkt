@@ -11,8 +11,9 @@
 
 (define (Lagrangian-action L q t1 t2 [tolerance 1e-10])
   (check-Lagrangian 'Lagrangian-action L)
-  (define along (Gamma q))
-  (integrate 'Lagrangian-action (lambda (t) (L (along t))) t1 t2 tolerance))
+  (define along (Gamma (path 'Lagrangian-action q)))
+  (define value (scalar-valued 'Lagrangian-action L))
+  (integrate 'Lagrangian-action (lambda (t) (value (along t))) t1 t2 tolerance))
 
 ;; The integral of a function of one variable, to a tolerance relative to the
 ;; integral of its absolute value.

@@ -6,7 +6,8 @@
 ;; compose with D and with each other.
 
 (require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../calculus/derivative.rkt" "../value/structure.rkt")
+         "../calculus/derivative.rkt" "../value/structure.rkt"
+         (only-in "../value/signature.rkt" scalar?))
 
 (provide
  Gamma path->state-path path
@@ -40,18 +41,38 @@
 
 ;; q, known to be a path; a Racket vector counts as a tuple.
 (define (path who q)
-  (cond [(procedure? q) q]
-        [(and (vector? q) (for/and ([f (in-vector q)]) (procedure? f))) (adopt q)]
-        [else
-         (raise
-          (exn:fail:contract
-           (format "~a: a path is a function of time, or a tuple of such functions; given ~a~a"
-                   who (describe-with-value q)
-                   (cond [(symbol? q)
-                          (format "\n  (literal-function '~a) makes a path of that name" q)]
-                         [(pair? q) "\n  a list is not a tuple; use (up x y ...)"]
-                         [else ""]))
-           (current-continuation-marks)))]))
+  (cond [(tuple? q) (tuple-of-paths who (adopt q) q)]
+        [(and (procedure? q) (accepts? q 1)) q]
+        [else (raise-no-path who q (path-hint q))]))
+
+;; A tuple whose components, all the way down, are paths.
+(define (tuple-of-paths who q whole)
+  (for ([f (in-vector (structure-elements q))] [i (in-naturals)])
+    (cond [(tuple? f) (tuple-of-paths who (adopt f) whole)]
+          [(not (and (procedure? f) (accepts? f 1)))
+           (raise-no-path who whole (component-hint i f))]))
+  q)
+
+(define (raise-no-path who q hint)
+  (raise
+   (exn:fail:contract
+    (format "~a: a path is a function of time, or a tuple of such functions; given ~a~a"
+            who (describe-with-value q) hint)
+    (current-continuation-marks))))
+
+(define (path-hint q)
+  (cond [(symbol? q) (format "\n  (literal-function '~a) makes a path of that name" q)]
+        [(pair? q) "\n  a list is not a tuple; use (up x y ...)"]
+        [(procedure? q) (format "\n  a path takes one argument, the time; this takes ~a" (arity->text q))]
+        [else ""]))
+
+(define (component-hint i f)
+  (format "\n  its component ~a is ~a~a" i (describe-with-value f)
+          (cond [(procedure? f) (path-hint f)]
+                [(scalar? f)
+                 (format "; a constant path is (lambda (t) ~a)"
+                         (if (symbol? f) (format "'~a" f) (value->text f)))]
+                [else ""])))
 
 ;; ---------------------------------------------------------------------------
 ;; Building and taking apart

@@ -18,14 +18,15 @@
 ;; (Lagrangian->acceleration L) : (t, q, v) ↦ a
 (define (Lagrangian->acceleration L)
   (check-Lagrangian 'Lagrangian->acceleration L)
-  (define P ((partial 2) L))
+  (define L-scalar (scalar-valued 'Lagrangian->acceleration L))
+  (define P ((partial 2) L-scalar))
   (define mass ((partial 2) P))
   (function-of-state
    'Lagrangian->acceleration L
    (lambda (state)
      (solve-linear-left
       (mass state)
-      (g:- (((partial 1) L) state)
+      (g:- (((partial 1) L-scalar) state)
            (g:+ (((partial 0) P) state)
                 (g:* (((partial 1) P) state) (velocity state))))))))
 
@@ -39,10 +40,11 @@
 ;; (Lagrangian->energy L) : (t, q, v) ↦ P v − L
 (define (Lagrangian->energy L)
   (check-Lagrangian 'Lagrangian->energy L)
-  (define P ((partial 2) L))
+  (define L-scalar (scalar-valued 'Lagrangian->energy L))
+  (define P ((partial 2) L-scalar))
   (function-of-state
    'Lagrangian->energy L
-   (lambda (state) (g:- (g:* (P state) (velocity state)) (L state)))))
+   (lambda (state) (g:- (g:* (P state) (velocity state)) (L-scalar state)))))
 
 (define (function-of-state who L f)
   (make-function f 2 (lambda () (list who (value->datum L)))))

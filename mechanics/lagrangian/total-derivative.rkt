@@ -56,8 +56,9 @@
 ;; The residual of Lagrange's equations as a function of (t, q, v, a).
 (define (Euler-Lagrange-operator L)
   (check-Lagrangian 'Euler-Lagrange-operator L)
+  (define L-scalar (scalar-valued 'Euler-Lagrange-operator L))
   (define residual
-    (g:- (Dt ((partial 2) L)) (compose ((partial 1) L) trim-last-argument)))
+    (g:- (Dt ((partial 2) L-scalar)) (compose ((partial 1) L-scalar) trim-last-argument)))
   (make-function residual 2 (lambda () (list 'Euler-Lagrange-operator (value->datum L)))))
 
 (define LE Euler-Lagrange-operator)
