@@ -16,14 +16,18 @@
 ;; exponents, angles : values at the levels below, or #f
 ;; exponential, circle : powers with exponents 2^k of a generator, or #f
 ;; order : of the exponential generator
-(struct site (prime values seed squares? exponents order exponential angles circle)
+;; turned, point : the place of the last angle, and the point of the circle for
+;; it: sine and cosine mostly come together
+(struct site (prime values seed squares? exponents order exponential angles circle
+                    [turned #:mutable] [point #:mutable])
   #:authentic)
 
 ;; n places; q, r : primes of the levels of exponents and angles
 (define (make-site p seed squares? n q exponents r angles)
   (site p (make-fxvector n 0) seed squares?
         exponents q (and q (exponential-powers p q))
-        angles (and r (circle-powers p r))))
+        angles (and r (circle-powers p r))
+        #f #f))
 
 (define-syntax-rule (value s k) (fxvector-ref (site-values s) k))
 
@@ -196,13 +200,18 @@
 
 ;; A point of the circle is (cosine . sine).
 (define (circular-value s p op k)
-  (define point
-    (if (site-circle s)
-        (turn-from (site-circle s) (fxvector-ref (site-angles s) k) p)
-        (unknown-turn s p k)))
+  (unless (eqv? k (site-turned s))
+    (set-site-turned! s k)
+    (set-site-point! s (circle-point s p k)))
+  (define point (site-point s))
   (cond [(eq? op op:sin) (cdr point)]
         [(eq? op op:cos) (car point)]
         [else (quotient-residue (cdr point) (car point) p)]))
+
+(define (circle-point s p k)
+  (if (site-circle s)
+      (turn-from (site-circle s) (fxvector-ref (site-angles s) k) p)
+      (unknown-turn s p k)))
 
 (define (turn a b p)
   (cons (mod- (mod* (car a) (car b) p) (mod* (cdr a) (cdr b) p) p)

@@ -7,7 +7,8 @@
 (require "clock.rkt" "task.rkt" "tasks.rkt")
 
 (define (measure-task t)
-  (define-values (result time) (call/cpu (task-run t)))
+  (define prepared ((task-prepare t)))
+  (define-values (result time) (call/cpu (lambda () ((task-run t) prepared))))
   (list time (and (task-size t) ((task-size t) result))))
 
 (define (measure-micro m)

@@ -7,16 +7,24 @@
 ;; Racket's own operations in the same process.
 
 (provide
- (struct-out task) make-task
+ (struct-out task) make-task make-prepared-task
  (struct-out micro) make-micro
  repeat
  opaque)
 
-;; run : -> result; size : result -> integer or string, or #f
-(struct task (name title run size))
+;; prepare : -> any, not timed; run : what prepare gave -> result;
+;; size : result -> integer or string, or #f
+(struct task (name title prepare run size))
 
 (define (make-task name title run #:size [size #f])
-  (task name title run size))
+  (task name title void (lambda (_) (run)) size))
+
+(define (make-prepared-task name title prepare run #:size [size #f])
+  (define (prepare-cleanly)
+    (define prepared (prepare))
+    (collect-garbage)
+    prepared)
+  (task name title prepare-cleanly run size))
 
 ;; run, baseline : count -> any, doing the operation that many times (`repeat`);
 ;; baseline may be #f; reach : what the design asks for, a string.

@@ -3,6 +3,9 @@
 ;; compare it with go into peers.rkt, under its name.
 
 (require (prefix-in m: mechanics)
+         (only-in mechanics/algebra/fingerprint fingerprint)
+         (only-in mechanics/algebra/zero-test zero-test zero-test-status)
+         "rotations.rkt"
          "systems.rkt"
          "task.rkt")
 
@@ -64,6 +67,18 @@
                     ((m:Lagrangian->state-derivative L) (Euler-state))))
   (cons rate (m:simplify rate)))
 
+;; ---------------------------------------------------------------------------
+;; Zero-testing
+
+;; judge : residual -> what it is found to be
+(define (zero-task name description vanishing? judge)
+  (make-prepared-task name description
+                      (lambda () (rotations-residual vanishing?))
+                      (lambda (e) (cons e (judge e)))
+                      #:size (lambda (r)
+                               (format "~a (tree ~a) ~a" (graph-size (car r))
+                                       (tree-size (car r)) (cdr r)))))
+
 (define tasks
   (list
    (chain-task 'L2 2)
@@ -84,7 +99,11 @@
    (derivative-task 'F2 "state derivative of Foucault's pendulum, simplified"
                     Foucault-Lagrangian Foucault-state)
    (residual-task 'T2 "Lagrange equations of the restricted three-body problem, simplified"
-                  three-body-Lagrangian plane-path)))
+                  three-body-Lagrangian plane-path)
+   (zero-task 'Z1 "zero test of a large residual that does not vanish, with a witness"
+              #f (lambda (e) (zero-test-status (zero-test e))))
+   (zero-task 'Z2 "fingerprint of a large residual that vanishes"
+              #t fingerprint)))
 
 ;; ---------------------------------------------------------------------------
 ;; Operations
