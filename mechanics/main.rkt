@@ -4,6 +4,7 @@
 
 (require racket/match
          "base.rkt"
+         "calculus/minimum.rkt" (only-in "calculus/integral.rkt" definite-integral)
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/Lagrange-equations.rkt" "lagrangian/state-derivative.rkt"
          (except-in "lagrangian/local-tuple.rkt" path)
@@ -25,9 +26,10 @@
  state->t state->q state->qdot state->qddot state->n-dof Q Qdot Qdotdot
  literal-Lagrangian-state
  ;; actions
- Lagrangian-action definite-integral minimize
- make-path make-eta parametric-path-action
+ Lagrangian-action make-path make-eta parametric-path-action
  linear-interpolants Lagrange-interpolation-function
+ ;; integrals and minima
+ definite-integral minimize
  ;; equations of motion
  Lagrange-equations generalized-LE delta verify-solution
  Lagrangian->acceleration Lagrangian->state-derivative Lagrangian->energy

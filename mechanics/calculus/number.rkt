@@ -1,0 +1,23 @@
+#lang racket/base
+;; Where only numbers will do: what the numerical algorithms are given.
+
+(require "../generic/function.rkt" "../generic/describe.rkt"
+         "../algebra/expression.rkt")
+
+(provide number check-function-of-one-variable)
+
+;; x, known to be a real number.
+(define (number who x)
+  (cond [(real? x) x]
+        [else
+         (raise
+          (exn:fail:contract
+           (format "~a: expected a real number; given ~a~a" who (describe-with-value x)
+                   (if (symbolic? x)
+                       "\n  give its symbols values first: (substitute expression 'm 3 ...)"
+                       ""))
+           (current-continuation-marks)))]))
+
+(define (check-function-of-one-variable who f)
+  (unless (and (procedure? f) (accepts? f 1))
+    (raise-argument-error who "a function of one variable" f)))

@@ -1,0 +1,70 @@
+#lang racket/base
+;; Integrals of generic functions, and derivatives through them.
+
+(require rackunit
+         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
+         mechanics/numeric/failure
+         mechanics/value/function mechanics/value/structure
+         mechanics/calculus/derivative mechanics/calculus/integral
+         mechanics/lagrangian/local-tuple)
+
+(test-case "definite integrals of functions made by arithmetic"
+  (check-= (definite-integral (g:square g:sin) 0 1) (/ (- 1 (* (sin 1.0) (cos 1.0))) 2) 1e-12)
+  (check-= (definite-integral (D g:exp) 0 1) (- (exp 1.0) 1) 1e-12)
+  (check-= (definite-integral (compose g:square velocity (Gamma g:sin)) 0 1)
+           (/ (+ 1 (* (sin 1.0) (cos 1.0))) 2) 1e-12))
+
+;; ---------------------------------------------------------------------------
+;; Derivatives
+
+(define (integral-of-exp a b) (definite-integral (lambda (x) (g:* a (g:exp (g:* b x)))) 0 1))
+(define (closed-form a b) (g:* a (g:/ (g:- (g:exp b) 1) b)))
+
+;; Both limit and integrand depend on a.
+(define (moving a) (definite-integral (lambda (x) (g:sin (g:* a x))) 0 a))
+(define (moving-in-closed-form a) (g:/ (g:- 1 (g:cos (g:* a a))) a))
+
+(test-case "the derivative of an integral is the integral of the derivative"
+  (check-= ((D (lambda (b) (integral-of-exp 1 b))) 0.3)
+           ((D (lambda (b) (closed-form 1 b))) 0.3) 1e-10)
+  (check-= (s:ref ((D integral-of-exp) 1.5 0.3) 1) (s:ref ((D closed-form) 1.5 0.3) 1) 1e-10))
+
+(test-case "derivatives through an integral nest, in either order"
+  (define expected (((partial 0) ((partial 1) closed-form)) 1.5 0.3))
+  (check-= (((partial 0) ((partial 1) integral-of-exp)) 1.5 0.3) expected 1e-10)
+  (check-= (((partial 1) ((partial 0) integral-of-exp)) 1.5 0.3) expected 1e-10)
+  (check-= (((partial 1) ((partial 1) integral-of-exp)) 1.5 0.3)
+           (((partial 1) ((partial 1) closed-form)) 1.5 0.3) 1e-10))
+
+(test-case "a derivative within the integrand is not taken for the one outside"
+  (define (f a)
+    (definite-integral (lambda (x) ((D (lambda (y) (g:sin (g:* a y)))) x)) 0 1))
+  (check-= ((D f) 1.5) (cos 1.5) 1e-10))
+
+(test-case "by a limit the derivative is the integrand"
+  (check-= ((D (lambda (b) (definite-integral g:sin 0 b))) 1.0) (sin 1.0) 1e-12)
+  (check-= ((D (lambda (b) (definite-integral g:sin b 2))) 1.0) (- (sin 1.0)) 1e-12)
+  (check-= ((D (D (lambda (b) (definite-integral g:sin 0 b)))) 1.0) (cos 1.0) 1e-12))
+
+(test-case "by a parameter of integrand and limit it is the sum of both"
+  (check-= ((D moving) 1.0) ((D moving-in-closed-form) 1.0) 1e-10)
+  (check-= ((D (D moving)) 1.0) ((D (D moving-in-closed-form)) 1.0) 1e-10))
+
+(test-case "an integrand that is dual in places only is integrated all the same"
+  (define (f a)
+    (definite-integral (lambda (x) (if (< x 1/2) x (g:* a x))) 0 1 1e-6))
+  (check-= ((D f) 2.0) 3/8 1e-5))
+
+;; ---------------------------------------------------------------------------
+;; What cannot be integrated
+
+(test-case "what is no number, or no function, is refused"
+  (check-exn #rx"^definite-integral: expected a real number; given [(]up 0.*an up tuple of 2"
+             (lambda () (definite-integral (lambda (t) (up t t)) 0 1)))
+  (check-exn #rx"^definite-integral: expected a real number; given .*\n  give its symbols values first"
+             (lambda () ((D (lambda (a) (definite-integral (lambda (x) (g:* a 'm x)) 0 1))) 1)))
+  (check-exn #rx"^definite-integral: contract violation\n  expected: a function of one variable"
+             (lambda () (definite-integral 3 0 1))))
+
+(test-case "a divergent integral is a mathematical failure"
+  (check-exn exn:fail:mechanics? (lambda () (definite-integral (lambda (t) (g:/ 1 t)) 0 1))))
