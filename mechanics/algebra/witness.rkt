@@ -119,7 +119,15 @@
     (if (eq? e residual)
         (values value error)
         (value-at e (lookup (integers-from (+ 100 (abs k))) (lambda (leaf other) (other))))))
-  (values (reverse point) value-of-e error-of-e))
+  (if (agree? value error value-of-e error-of-e)
+      (values (reverse point) value-of-e error-of-e)
+      (values #f +nan.0 +nan.0)))
+
+;; Where e and the residual differ, the point is outside what simplification took
+;; for granted.
+(define (agree? x x-error y y-error)
+  (and (decent? x x-error) (decent? y y-error)
+       (<= (magnitude (- x y)) (* 4 (+ x-error y-error)))))
 
 (define (value-at t lookup)
   (with-handlers ([exn:fail? (lambda (x) (values +nan.0 +nan.0))])

@@ -66,9 +66,20 @@
 ;; The test
 
 (define (zero-test e)
-  (if (large? e)
-      (test-large e (expression->tape e))
-      (test-canonically e (expression->tape e) search-canonically)))
+  (cond [(and (number? e) (inexact? e) (test-flonum e))]
+        [(large? e) (test-large e (expression->tape e))]
+        [else (test-canonically e (expression->tape e) search-canonically)]))
+
+;; A flonum that stands alone does not tell what it is the difference of; one
+;; this small may be what rounding left of numbers about 1.  Infinity is not
+;; zero, and of what is not a number nothing can be said.
+;; -> a verdict, or #f for an ordinary flonum
+(define (test-flonum x)
+  (define size (magnitude x))
+  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 (box x))]
+        [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 (box x))]
+        [(rational? size) #f]
+        [else (make-zero-test 'undecided #f x 0 0 (box x))]))
 
 ;; search : tape form -> witness value bound points, should the form not be 0
 (define (test-canonically e t search)
