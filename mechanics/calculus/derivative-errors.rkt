@@ -4,7 +4,7 @@
 (require "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../algebra/datum.rkt")
 
-(provide raise-needs-function raise-arity-of-differentiated raise-no-such-component
+(provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated raise-no-such-component
          raise-not-differentiable-at check-path)
 
 (define (complain format-string . args)
@@ -21,6 +21,16 @@
                   [(pair? x) list-hint]
                   [else ""])))
 
+;; (D f x), where ((D f) x) is meant.
+(define (raise-takes-only-function who args)
+  (complain "~a: takes one function; it was given ~a~a"
+            (datum->text who) (if (null? args) "no argument" (format "~a arguments" (length args)))
+            (cond [(or (null? args) (ormap procedure? (cdr args))) ""]
+                  [(or (procedure? (car args)) (symbol? (car args)))
+                   (format ", and the arguments of its derivative come after that~a"
+                           (did-you-mean (car args) who (cdr args)))]
+                  [else ""])))
+
 (define list-hint "\n  a list is not a tuple; use (up x y ...)")
 
 ;; f was asked for its derivative at arguments it does not take.
@@ -28,8 +38,11 @@
   (define name (value->text f))
   (define x (and (pair? args) (null? (cdr args)) (tuple? (car args)) (adopt (car args))))
   (define n (length args))
+  (define derivative (datum->text (list who (value->datum f))))
+  (when (and (null? args) (accepts? f 0))
+    (complain "~a: needs at least one argument, to differentiate by; it was given none" derivative))
   (complain "~a: ~a takes ~a; it was given ~a~a"
-            (datum->text (list who (value->datum f))) name (arity->text f)
+            derivative name (arity->text f)
             (cond [x (format "one ~a tuple of ~a" (structure-orientation x) (structure-length x))]
                   [(= n 1) (format "1 argument, ~a" (value->text (car args)))]
                   [else (format "~a arguments" n)])

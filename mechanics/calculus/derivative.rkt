@@ -68,7 +68,9 @@
 
 (define D
   (make-primitive-operator
-   (lambda (f) (derivative-function 'D f derivative-at))
+   (case-lambda
+     [(f) (derivative-function 'D f derivative-at)]
+     [fs (raise-takes-only-function 'D fs)])
    (lambda () 'D)))
 
 ;; (partial i j ...): the derivative by component j of component i ... of the
@@ -78,7 +80,9 @@
   (define name (cons 'partial path))
   (define (at f x) (partial-at f x path path))
   (make-primitive-operator
-   (lambda (f) (derivative-function name f at))
+   (case-lambda
+     [(f) (derivative-function name f at)]
+     [fs (raise-takes-only-function name fs)])
    (lambda () name)))
 
 ;; The function whose value at x is (derivative-at f x); several arguments are
@@ -86,7 +90,7 @@
 (define (derivative-function name given-f derivative-at)
   (define f (if (vector? given-f) (vector->up given-f) given-f))
   (unless (procedure? f) (raise-needs-function name f))
-  (define mask (arity-mask f))
+  (define mask (bitwise-and (arity-mask f) -2))         ; without arguments there is nothing to vary
   (define (make-datum) (list name (value->datum f)))
   (make-function
    (case-lambda

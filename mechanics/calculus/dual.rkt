@@ -26,7 +26,7 @@
 
 (define kind:dual
   (make-kind #:rank rank:dual
-             #:describe (lambda (d) "a number-like expression")
+             #:describe (lambda (d) (string-append (describe (innermost d)) " being differentiated"))
              #:datum (lambda (d) (value->datum (dual-primal d)))
              #:unary (lambda (op d) (dual-unary op d))
              #:binary (lambda (op a b) (dual-binary op a b))
@@ -43,6 +43,9 @@
 (define (fresh-tag)
   (define n (unbox counter))
   (if (box-cas! counter n (add1 n)) n (fresh-tag)))
+
+;; What stands in the place of x + x' ε when no derivative is taken.
+(define (innermost x) (if (dual? x) (innermost (dual-primal x)) x))
 
 ;; x + ε
 (define (perturb tag x) (make-dual tag x 1))

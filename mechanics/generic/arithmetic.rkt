@@ -63,7 +63,8 @@
 (define (negate a)
   (cond [(number? a) (- a)]
         [(pointwise? a) (compose-unary generic:negate a)]
-        [else (multiply -1 a)]))
+        [(arithmetic-value? a) (multiply -1 a)]
+        [else (raise-inapplicable generic:negate a)]))
 
 (define-named g:negate negate (lambda (a) (negate a)))
 
@@ -84,9 +85,12 @@
         [else (dispatch-binary generic:* e:* multiply-structures a b)]))
 
 (define (multiply-structures a b)
-  (structure-multiply add multiply a b raise-product))
+  (structure-multiply add multiply a b raise-product raise-unlike-products))
 
 (define (raise-product a b) (raise-inapplicable generic:* a b))
+(define (raise-unlike-products a b)
+  (raise-inapplicable-because
+   generic:* "they contract, but the products of their components are of different shapes" a b))
 
 (define-named g:* *
   (case-lambda
@@ -107,16 +111,17 @@
           [(number? a) (* a a)]
           [(tuple? a) (sum-of-squares (structure-elements (adopt a)))]
           [(pointwise? a) (compose-unary generic:square a)]
-          [else (multiply a a)])))
+          [(arithmetic-value? a) (multiply a a)]
+          [else (raise-inapplicable generic:square a)])))
 
 (define (sum-of-squares elements)
   (for/fold ([sum 0]) ([x (in-vector elements)]) (add sum (g:square x))))
 
 (define-named g:cube cube
   (lambda (a)
-    (if (pointwise? a)
-        (compose-unary generic:cube a)
-        (multiply a (g:square a)))))
+    (cond [(pointwise? a) (compose-unary generic:cube a)]
+          [(arithmetic-value? a) (multiply a (g:square a))]
+          [else (raise-inapplicable generic:cube a)])))
 
 (define generic:square
   (generic-op 'square #f g:square (list (lambda (a v) (multiply 2 a)))))

@@ -9,7 +9,8 @@
 (require "kind.rkt" "structure.rkt" "function.rkt" "describe.rkt"
          "../algebra/expression.rkt")
 
-(provide dispatch-unary dispatch-binary raise-inapplicable raise-unary-arity)
+(provide dispatch-unary dispatch-binary raise-inapplicable raise-inapplicable-because raise-unary-arity
+         arithmetic-value?)
 
 (define (rank x)
   (cond [(has-kind? x) (kind-rank (kind-of x))]
@@ -17,6 +18,9 @@
         [(vector? x) rank:structure]
         [(procedure? x) rank:function]
         [else #f]))
+
+;; Is x something that arithmetic is about?
+(define (arithmetic-value? x) (and (rank x) #t))
 
 (define (dispatch-unary op x)
   (define r (rank x))
@@ -52,6 +56,12 @@
     [else (format "cannot be taken of ~a and ~a" a b)]))
 
 (define (raise-inapplicable op . args)
+  (raise-with-hint op args (hint args)))
+
+(define (raise-inapplicable-because op reason . args)
+  (raise-with-hint op args (string-append "\n  " reason)))
+
+(define (raise-with-hint op args hint)
   (define name (generic-op-name op))
   (raise (exn:fail:contract
           (string-append
@@ -59,7 +69,7 @@
            (apply string-append
                   (for/list ([a (in-list args)] [i (in-naturals 1)])
                     (format "\n  argument ~a: ~a" i (describe-with-value a))))
-           (hint args))
+           hint)
           (current-continuation-marks))))
 
 (define (headline name args)

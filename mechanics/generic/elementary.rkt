@@ -102,7 +102,7 @@
 (define generic:expt
   (generic-op 'expt op:expt g:expt
               (list (lambda (b n value)
-                      (if (eqv? n 0) 0 (g:* n (g:expt b (g:- n 1)))))
+                      (if (and (number? n) (zero? n)) 0 (g:* n (g:expt b (g:- n 1)))))
                     (lambda (b n value)
                       (if (and (number? value) (zero? value))
                           0

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Sums and products over sequences, generic.
 
-(require (for-syntax racket/base) "arithmetic.rkt")
+(require (for-syntax racket/base syntax/for-body) "arithmetic.rkt")
 
 (provide g:for/sum g:for/product g:for*/sum g:for*/product)
 
@@ -9,9 +9,11 @@
   (define-syntax (id stx)
     (syntax-case stx ()
       [(_ clauses body (... ...))
-       (with-syntax ([original stx])
+       (with-syntax ([original stx]
+                     [((before (... ...)) (after (... ...))) (split-for-body stx #'(body (... ...)))])
          #'(for/fold/derived original ([total start]) clauses
-             (combine total (let () body (... ...)))))])))
+             before (... ...)
+             (combine total (let () after (... ...)))))])))
 
 (define-accumulation g:for/sum for/fold/derived 0 g:+)
 (define-accumulation g:for/product for/fold/derived 1 g:*)

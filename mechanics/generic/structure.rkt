@@ -6,7 +6,8 @@
 ;; arithmetic means; the scalar `+` and `*` it needs are passed in, so that it
 ;; stands below the generic arithmetic that uses it.
 
-(require "kind.rkt" "describe.rkt")
+(require "kind.rkt" "describe.rkt"
+         (only-in "../algebra/expression.rkt" expression?))
 
 (provide
  ;; data
@@ -159,14 +160,14 @@
 ;; and each pair of components contracts too or has a component that is no
 ;; tuple; the product is then the sum of the products of components.
 ;; Otherwise each component of the right one is multiplied by the left one
-;; (SICM p. 515).
-(define (structure-multiply add multiply a b complain)
+;; (SICM p. 515).  (complain-sum a b) where the products cannot be added.
+(define (structure-multiply add multiply a b complain complain-sum)
   (cond [(not (tuple? a)) (structure-map (lambda (y) (multiply a y)) (adopt b))]
         [(not (tuple? b)) (structure-map (lambda (x) (multiply x b)) (adopt a))]
         [else
          (define s (adopt a))
          (define t (adopt b))
-         (cond [(contractible? s t) (contract add multiply s t)]
+         (cond [(contractible? s t) (contract (adding add (lambda () (complain-sum s t))) multiply s t)]
                [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (complain s t)]
                [else (structure-map (lambda (y) (multiply s y)) t)])]))
 
@@ -193,6 +194,21 @@
                  [y (in-vector (structure-elements t))])
          (or (not (tuple? x)) (not (tuple? y))
              (contractible? (adopt x) (adopt y))))))
+
+;; Addition of products of components, which fails where one is a tuple and the
+;; other not, or they are tuples of different shapes.
+(define (adding add fail)
+  (define (plus a b)
+    (cond [(and (structure? a) (structure? b))
+           (if (compatible? a b) (structure-map2 plus a b) (fail))]
+          [(and (structure? a) (scalar? b)) (fail)]
+          [(and (scalar? a) (structure? b)) (fail)]
+          [else (add a b)]))
+  plus)
+
+(define (scalar? x)
+  (cond [(has-kind? x) (< (kind-rank (kind-of x)) rank:structure)]
+        [else (and (not (eqv? x 0)) (expression? x))]))
 
 (define (contract add multiply s t)
   (define v (structure-elements s))

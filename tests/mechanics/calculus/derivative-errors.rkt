@@ -29,6 +29,21 @@
 (define G (literal-function 'G (-> (UP Real Real) Real)))
 
 ;; ---------------------------------------------------------------------------
+;; The number of arguments of the operators
+
+(says
+ [(D 'x 't)
+  "D: takes one function; it was given 2 arguments, and the arguments of its derivative come after that.\n"
+  "  Did you mean ((D x) 't)?"]
+ [((partial 0) g:sin 'x)
+  "(partial 0): takes one function; it was given 2 arguments, and the arguments of its derivative come after that.\n"
+  "  Did you mean (((partial 0) sin) 'x)?"]
+ [(D g:sin g:cos) "D: takes one function; it was given 2 arguments"]
+ [((partial 0)) "(partial 0): takes one function; it was given no argument"]
+ [((D 'x 't)) "D: takes one function; it was given 2 arguments, and the arguments of its derivative come after that.\n"
+  "  Did you mean ((D x) 't)?"])
+
+;; ---------------------------------------------------------------------------
 ;; The number of arguments
 
 (says
@@ -47,6 +62,14 @@
  [((D h) 'x 'y)
   "(D h): h takes 1 argument; it was given 2 arguments.\n"
   "  Did you mean ((D h) (up 'x 'y))?"]
+ [((D g))
+  "(D g): g takes 2 arguments; it was given 0 arguments"]
+ [((D g:sin))
+  "(D sin): needs at least one argument, to differentiate by; it was given none"]
+ [((D (lambda () 3)))
+  "(D <function>): needs at least one argument, to differentiate by; it was given none"]
+ [(((partial 0) g:+))
+  "((partial 0) +): needs at least one argument, to differentiate by; it was given none"]
  [((D k))
   "(D k): k takes 1 to 3 arguments; it was given 0 arguments"]
  [((D F) (up 'x (g:* 2 'y)))
@@ -135,5 +158,5 @@
   "D: the function returned a value that has no derivative: #t, a boolean"])
 
 (test-case "an error within the function shows values, never dual numbers"
-  (check-exn #rx"argument 1: x, a number-like expression\n  argument 2: [(]up 1 2[)]"
+  (check-exn #rx"argument 1: x, a number-like expression being differentiated\n  argument 2: [(]up 1 2[)]"
              (lambda () ((D (lambda (x) (g:+ x (up 1 2)))) 'x))))

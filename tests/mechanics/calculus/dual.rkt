@@ -55,10 +55,10 @@
     (for ([mode '("~a" "~s" "~v" "~e")])
       (check-equal? (format mode d) "x"))
     (check-equal? (format "~v" (up d 1)) "(up x 1)")
-    (check-equal? (describe-with-value d) "x, a number-like expression")))
+    (check-equal? (describe-with-value d) "x, a number-like expression being differentiated")))
 
 (test-case "a message about a dual number shows its value"
-  (check-exn #rx"argument 1: x, a number-like expression\n" (lambda () (g:+ (make-dual 3 'x 1) (up 1 2)))))
+  (check-exn #rx"argument 1: x, a number-like expression being differentiated\n" (lambda () (g:+ (make-dual 3 'x 1) (up 1 2)))))
 
 (test-case "arithmetic agrees with the product of truncated polynomials"
   ;; (a + bε)(c + dε) by hand, at two levels

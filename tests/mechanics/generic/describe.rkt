@@ -15,7 +15,7 @@
         [text '("a number" "a number-like expression" "a number-like expression"
                 "an up tuple of 2" "a down tuple of 1" "an up tuple of 2" "a function" "a function"
                 "an operator" "a literal function (-> (UP Real Real) Real)" "a 1 by 2 matrix"
-                "a number-like expression" "a list" "a string" "a boolean" "no value (void)"
+                "a number being differentiated" "a list" "a string" "a boolean" "no value (void)"
                 "a value that is no part of the arithmetic")])
     (check-equal? (describe x) text)))
 

@@ -84,9 +84,8 @@
   "  argument 2: (x y), a list\n"
   "  a list is not a tuple; use (up x y ...)"]
  [(g:square '(1 2))
-  "*: cannot multiply a list by a list\n"
+  "square: cannot be taken of a list\n"
   "  argument 1: (1 2), a list\n"
-  "  argument 2: (1 2), a list\n"
   "  a list is not a tuple; use (up x y ...)"]
  [(g:+ 1 "two")
   "+: cannot add a number and a string\n"

@@ -34,3 +34,8 @@
 
 (test-case "a summand that cannot be added is named"
   (check-exn #rx"^[+]: cannot add a number and a list" (lambda () (g:for/sum ([i 3]) '(1)))))
+
+(test-case "#:break and #:final in the body, and definitions"
+  (check-equal? (g:for/sum ([i 5]) #:break (= i 3) i) 3)
+  (check-equal? (g:for/sum ([i 5]) (define j (* i 2)) #:final (= i 2) j) 6)
+  (check-equal? (g:for*/product ([i '(1 2)] [j '(a b)]) #:break (eq? j 'b) (g:* i j)) 'a))

@@ -6,7 +6,8 @@
 
 (test-case "x^0 has derivative 0, at 0 too"
   (check-equal? ((D (lambda (x) (g:expt x 0))) 0) 0)
-  (check-equal? ((D (lambda (x) (g:expt x 0))) 'x) 0))
+  (check-equal? ((D (lambda (x) (g:expt x 0))) 'x) 0)
+  (check-equal? ((D (lambda (x) (g:expt x 0.0))) 0.0) 0))
 
 (test-case "x^1 has derivative 1 at 0"
   (check-equal? ((D (lambda (x) (g:expt x 1))) 0) 1))
