@@ -46,21 +46,20 @@
   (unless (or (string=? text "") (string-suffix? text "\n"))
     (newline)))
 
-;; Each skip on a line of its own.
+;; Each skip on a line of its own, then their number, if there are any.
 (define (print-skips outcomes)
   (for* ([o (in-list outcomes)]
          [reason (in-list (outcome-skips o))])
-    (printf "skipped: ~a: ~a\n" (short-name (outcome-file o)) reason)))
+    (printf "skipped: ~a: ~a\n" (short-name (outcome-file o)) reason))
+  (define skips (total (lambda (o) (length (outcome-skips o))) outcomes))
+  (unless (eqv? skips 0)
+    (printf "~a skipped\n" skips)))
 
 (define (total part outcomes)
   (for/sum ([o (in-list outcomes)]) (part o)))
 
 (define (failed-total outcomes) (total outcome-failed outcomes))
 
-;; `N passed, N failed`, with `, N skipped` when there are any.
+;; The last line, always in this form.
 (define (tally outcomes)
-  (define skips (total (lambda (o) (length (outcome-skips o))) outcomes))
-  (format "~a passed, ~a failed~a"
-          (total outcome-passed outcomes)
-          (failed-total outcomes)
-          (if (eqv? skips 0) "" (format ", ~a skipped" skips))))
+  (format "~a passed, ~a failed" (total outcome-passed outcomes) (failed-total outcomes)))
