@@ -23,7 +23,7 @@
 (define (print-labelled label x)
   (write-string (layout label line-width))
   (write-string "\n  ")
-  (write-string (layout (value->datum x) (- line-width 2)))
+  (write-string (layout (value->datum x) line-width 2))
   (newline))
 
 ;; What simplification took for granted, a line for each assumption.

@@ -2,7 +2,9 @@
 ;; print-expression shows a value as the prompt shows a result.
 
 (require mechanics
+         (only-in mechanics/display/print-expression print-labelled)
          mechanics/lang/printer
+         racket/string
          rackunit)
 
 (define (text-of show x)
@@ -28,3 +30,13 @@
   (for ([x (in-list (list (+ 'a 'a) (list (+ 'a 'a) "b") (vector (+ 'a 'a)) "text" 1/2 sin
                           (up 'a (sqrt (square 'r))) (prove-zero (- 'a 'b)) (list)))])
     (check-equal? (text-of print-expression x) (text-of print-result x))))
+
+(test-case "a labelled value is indented on all its lines, which keep within the width"
+  (define long (for/fold ([sum 0]) ([i 20]) (+ sum (* 'alpha (sin (* i 'omega))))))
+  (define lines (string-split (text-of (lambda (x) (print-labelled '(f t) x)) long) "\n"))
+  (check-equal? (car lines) "(f t)")
+  (check-true (> (length lines) 3))
+  (check-regexp-match #rx"^  [(][+] " (cadr lines))
+  (for ([l (in-list (cddr lines))])
+    (check-regexp-match #rx"^     +[^ ]" l))
+  (for ([l (in-list lines)]) (check-true (<= (string-length l) 79))))
