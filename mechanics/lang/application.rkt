@@ -9,7 +9,8 @@
 ;;
 ;;     (let ([t argument] ...) (if (procedure? f) (f t ...) (complain ...)))
 ;;
-;; where constants, and variables among variables, need no t.  A name imported
+;; where constants, and variables among variables, need no t.  At the prompt f
+;; itself comes first, for it may be undefined.  A name imported
 ;; from another module is trusted; any other operator, as in ((D f) x), is
 ;; tested on its way: ((callable operator) argument ...).
 
@@ -106,9 +107,10 @@
     (define bindings
       (for/list ([a (in-list arguments)] [t (in-list temporaries)] #:when t)
         #`[(#,t) #,(without-name a)]))
-    (if (null? bindings)
-        call
-        #`(let-values #,bindings #,call)))
+    (cond [(null? bindings) call]
+          [(or (syntax-transforming-module-expression?) (identifier-binding f))
+           #`(let-values #,bindings #,call)]
+          [else #`(let-values () #,f (let-values #,bindings #,call))]))
 
   ;; An identifier for each argument that needs one, or #f.  Constants need
   ;; none; variables do when a sibling might assign them.

@@ -296,6 +296,18 @@
     (check-regexp-match #rx"m: undefined;.*top-level\n.*  as a symbol it is written 'm\n" errors)
     (check-false (regexp-match? #rx"'g" errors))))
 
+(test-case "a function that is undefined is noticed before its arguments are evaluated"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(undefined-f (displayln 1))"
+             "(define (f x) (undefined-g (displayln x)))"
+             "(f 2)"
+             "(define (undefined-g y) 'done)"
+             "(undefined-g (displayln 3))"
+             "(f 4)"))
+  (check-equal? output '("3" "done" "4" "done"))
+  (check-regexp-match #rx"undefined-f: undefined;.*undefined-g: undefined;" errors))
+
 (test-case "a name of a module that is used too early is told from no symbol"
   (define e (exn:fail:contract:variable
              "x: undefined;\n cannot reference an identifier before its definition\n  in module: \"a.rkt\""
