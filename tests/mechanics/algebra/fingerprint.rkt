@@ -55,6 +55,8 @@
     (- (expt (sqrt (+ a b)) 2) a b)
     (- (sqrt (expt a 2)) a)
     (- (expt (expt (+ a b) 1/3) 2) (expt (+ a b) 2/3))
+    (- (expt (expt (- a b) 1/3) 3) (- a b))
+    (- (* (expt (- b c) 1/5) (expt (- b c) 4/5)) (- b c))
     (- (expt (expt a 1/4) 2) (sqrt a))
     (- (expt (abs (- a b)) 2) (expt (- b a) 2))
     (- (expt a (+ n 1)) (* a (expt a n)))
