@@ -7,7 +7,10 @@
 ;; is as a value that prints as that text; so output keeps the colour, the
 ;; value history and the line ends of the editor it appears in.
 
-(require "../display/result.rkt")
+(require racket/lazy-require
+         "../display/result.rkt")
+
+(lazy-require [racket/pretty (pretty-print-columns)])
 
 (provide install-printer! print-result)
 
@@ -67,7 +70,7 @@
   (define port (current-output-port))
   (define columns
     (cond [(port-writes-special? port)
-           ((dynamic-require 'racket/pretty 'pretty-print-columns))]
+           (pretty-print-columns)]
           [(terminal-port? port) (terminal-columns)]
           [else default-width]))
   (if (exact-positive-integer? columns) columns default-width))
