@@ -3,7 +3,7 @@
 ;; literals, derivatives, simplification, verdicts.
 
 (require "generic/arithmetic.rkt" "generic/elementary.rkt" "generic/compare.rkt"
-         "generic/loops.rkt"
+         "generic/loops.rkt" "generic/rounding.rkt"
          "value/constants.rkt" "value/function.rkt" "value/linear.rkt" "value/matrix.rkt"
          "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt" "value/forms.rkt"
          (except-in "value/structure.rkt" up down)
@@ -22,7 +22,9 @@
              [g:exp exp] [g:log log] [g:abs abs]
              [g:sin sin] [g:cos cos] [g:tan tan] [g:sec sec] [g:csc csc] [g:cot cot]
              [g:asin asin] [g:acos acos] [g:atan atan]
-             [g:sinh sinh] [g:cosh cosh] [g:tanh tanh])
+             [g:sinh sinh] [g:cosh cosh] [g:tanh tanh]
+             [g:exact->inexact exact->inexact] [g:magnitude magnitude]
+             [g:floor floor] [g:ceiling ceiling] [g:truncate truncate] [g:round round])
  pi :pi :-pi :pi/2 :2pi
  ;; comparison
  (rename-out [g:= =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]

@@ -5,7 +5,7 @@
 ;; equality at a generic point; an order between values that are not constant
 ;; does not exist, and asking for it is an error that names the value.
 
-(require "naming.rkt" "kind.rkt" "structure.rkt" "arithmetic.rkt"
+(require "naming.rkt" "kind.rkt" "structure.rkt" "arithmetic.rkt" "describe.rkt"
          "../algebra/expression.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
@@ -52,7 +52,8 @@
     (cond [(number? c) (zero? c)]
           [(tuple? c) (for/and ([e (in-vector (structure-elements (adopt c)))]) (g:zero? e))]
           [(has-kind? c) ((kind-zero? (kind-of c)) c)]
-          [else #f])))
+          [(or (symbolic? c) (procedure? c)) #f]
+          [else (raise-with-value 'zero? "expected a value of the arithmetic" c)])))
 
 (define-named g:one? one?
   (lambda (x)
@@ -84,12 +85,16 @@
   (if (real? c) c (raise-no-order who c)))
 
 (define (raise-no-order who x)
-  (raise-arguments-error
+  (raise-with-value
    who
    (if (symbolic? x)
        "an expression that is not a number has no order; give its symbols values first"
        "expected real numbers")
-   "value" x))
+   x))
+
+(define (raise-with-value who what x)
+  (raise (exn:fail:contract (format "~a: ~a\n  value: ~a" who what (describe-with-value x))
+                            (current-continuation-marks))))
 
 (define-named g:positive? positive?
   (lambda (x) (positive? (real-comparand 'positive? x))))

@@ -66,9 +66,16 @@
 
 (define (atan-2 y x)
   (if (and (number? y) (number? x))
-      (atan y x)
+      (angle-of-point y x)
       (dispatch-binary generic:atan2 (lambda (y x) (e:apply op:atan y x))
                        (lambda (y x) (raise-inapplicable generic:atan2 y x)) y x)))
+
+;; The origin has no angle; at complex numbers Racket's own message will do.
+(define (angle-of-point y x)
+  (when (and (eqv? y 0) (eqv? x 0))
+    (raise (exn:fail:contract "atan: the point at the origin has no angle; given 0 and 0"
+                              (current-continuation-marks))))
+  (atan y x))
 
 (define-named g:atan atan
   (case-lambda [(y) (atan-1 y)] [(y x) (atan-2 y x)]))

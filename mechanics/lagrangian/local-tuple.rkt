@@ -93,9 +93,10 @@
      (exn:fail:contract
       (format "~a: expected a local tuple (up t q v ...) with ~a; given ~a~a"
               who what (describe-with-value local)
-              (if (eq? who 'time)
-                  "\n  Racket's form for timing an expression is in racket/base under the same name: (require (only-in racket/base [time racket:time]))"
-                  ""))
+              (cond [(eq? who 'time)
+                     "\n  Racket's form for timing an expression is in racket/base under the same name: (require (only-in racket/base [time racket:time]))"]
+                    [(pair? local) "\n  a list is not a tuple; use (up t q v ...)"]
+                    [else ""]))
       (current-continuation-marks))))
   (vector-ref (structure-elements (adopt local)) i))
 

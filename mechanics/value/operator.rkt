@@ -21,7 +21,8 @@
              #:binary (lambda (op a b) (combine-operators op a b))))
 
 ;; procedure : function -> function.  make-datum : -> what the operator prints as.
-(struct operator (procedure make-datum)
+;; power : (cons operator exponent) if it is a power of another, or #f.
+(struct operator (procedure make-datum power)
   #:authentic
   #:property prop:kind kind:operator
   #:property prop:procedure
@@ -40,7 +41,7 @@
 
 ;; One whose procedure gives its images their names itself.
 (define (make-primitive-operator procedure make-datum)
-  (operator procedure make-datum))
+  (operator procedure make-datum #f))
 
 (define (naming-images procedure make-datum)
   (operator
@@ -50,7 +51,8 @@
          (make-function image (arity-mask image)
                         (lambda () (cons (make-datum) (map value->datum fs))))
          image))
-   make-datum))
+   make-datum
+   #f))
 
 (define I-operator (make-primitive-operator (lambda (f) f) (lambda () 'I)))
 
@@ -65,7 +67,9 @@
 (define (combine-operators op a b)
   (case (generic-op-name op)
     [(+ -) (pointwise op a b)]
-    [(*) (if (and (eq? a b) (operator? a)) (power op a 2) (product a b))]
+    [(*) (if (and (operator? a) (operator? b) (eq? (base-of a) (base-of b)))
+             (power-of (base-of a) (+ (exponent-of a) (exponent-of b)))
+             (product a b))]
     [(/) (if (operator? b) (raise-inapplicable op a b) (product (g:/ 1 b) a))]
     [(expt) (power op a b)]
     [else (raise-inapplicable op a b)]))
@@ -86,12 +90,24 @@
 (define (power op a n)
   (unless (and (operator? a) (exact-nonnegative-integer? n))
     (raise-inapplicable op a n))
+  (if (operator-power a)
+      (power-of (base-of a) (* n (exponent-of a)))
+      (power-of a n)))
+
+(define (power-of a n)
   (define f (operator-procedure a))
   (case n
     [(0) I-operator]
     [(1) a]
-    [else (naming-images (lambda (g) (for/fold ([g g]) ([_ (in-range n)]) (f g)))
-                         (lambda () (list 'expt (value->datum a) n)))]))
+    [else (as-power (naming-images (lambda (g) (for/fold ([g g]) ([_ (in-range n)]) (f g)))
+                                   (lambda () (list 'expt (value->datum a) n)))
+                    a n)]))
+
+;; Powers of one operator are multiplied by adding their exponents.
+(define (as-power o base exponent)
+  (operator (operator-procedure o) (operator-make-datum o) (cons base exponent)))
+(define (base-of o) (if (operator-power o) (car (operator-power o)) o))
+(define (exponent-of o) (if (operator-power o) (cdr (operator-power o)) 1))
 
 (define (commutator a b) (g:- (g:* a b) (g:* b a)))
 (define (anticommutator a b) (g:+ (g:* a b) (g:* b a)))

@@ -92,6 +92,8 @@
 (define (s:generate n orientation f)
   (unless (memq orientation '(up down))
     (raise-argument-error 's:generate "'up or 'down" orientation))
+  (unless (exact-nonnegative-integer? n)
+    (raise-argument-error 's:generate "a number of components, at least 0" n))
   (structure orientation (build-vector n f)))
 
 ;; f applied to each component; with several structures, to corresponding ones.
@@ -164,21 +166,32 @@
                               [y (in-vector (structure-elements t))])
            (g:+ sum (dot-product x y)))]
         [(and (procedure? a) (procedure? b) (not (tuple? a)) (not (tuple? b)))
-         (make-function (lambda args (dot-product (apply a args) (apply b args)))
-                        (bitwise-and (arity-mask a) (arity-mask b))
-                        (lambda () (list 'dot-product (value->datum a) (value->datum b))))]
+         (product-of-functions 'dot-product dot-product a b)]
         [(or (tuple? a) (tuple? b))
          (raise-arguments-error 'dot-product "expected two tuples, or two numbers"
                                 "first" a "second" b)]
         [else (g:* a b)]))
 
+;; The product of the values of two functions; a may be no function.
+(define (product-of-functions name product a b)
+  (make-function (lambda args (product (if (pointwise? a) (apply a args) a) (apply b args)))
+                 (bitwise-and (arity-mask a) (arity-mask b))
+                 (lambda () (list name (value->datum a) (value->datum b)))))
+
 (define (inner-product a b) (dot-product a b))
 
 ;; The tuple like b of a times each component of b.
 (define (outer-product a b)
-  (structure-map (lambda (y) (g:* a y)) (structure-of 'outer-product b)))
+  (if (pointwise? b)
+      (product-of-functions 'outer-product outer-product a b)
+      (structure-map (lambda (y) (g:* a y)) (structure-of 'outer-product b))))
 
 (define (cross-product a b)
+  (if (and (pointwise? a) (pointwise? b))
+      (product-of-functions 'cross-product cross-product a b)
+      (cross-product-of-tuples a b)))
+
+(define (cross-product-of-tuples a b)
   (define s (structure-of 'cross-product a))
   (define t (structure-of 'cross-product b))
   (unless (= 3 (structure-length s) (structure-length t))

@@ -155,6 +155,38 @@ say.
 
 @sicm{1.4, p. 21, note}}
 
+@section{Numbers}
+
+@defproc[(exact->inexact [x value]) value]{
+
+The flonum nearest to a number. Symbols stay as they are, and a derivative passes
+through.
+
+@examples[#:eval session
+(exact->inexact 1/3)
+((D (lambda (x) (* x (exact->inexact x)))) 3)]}
+
+@deftogether[(@defproc[(floor [x value]) value]
+              @defproc[(ceiling [x value]) value]
+              @defproc[(truncate [x value]) value]
+              @defproc[(round [x value]) value])]{
+
+Of real numbers only. The derivative is 0 between the jumps.
+
+@examples[#:eval session
+(floor 2.5)
+((D floor) 2.5)
+(eval:error ((D floor) 2))
+(eval:error (floor 'x))]}
+
+@defproc[(magnitude [x value]) value]{
+
+That of a complex number; of anything else @racket[(abs x)].
+
+@examples[#:eval session
+(magnitude 3+4i)
+(magnitude 'x)]}
+
 @section{Comparison}
 
 @defproc[(= [x value] [y value] ...) boolean?]{

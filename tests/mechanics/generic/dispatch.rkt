@@ -140,17 +140,17 @@
 (says
  [(g:< 'a 'b)
   "<: an expression that is not a number has no order; give its symbols values first\n"
-  "  value: 'a"]
+  "  value: the symbol a"]
  [(g:>= 1 (g:sin 'x))
   ">=: an expression that is not a number has no order; give its symbols values first\n"
-  "  value: (sin x)"]
+  "  value: (sin x), a number-like expression"]
  [(g:< (up 1 2) 3)
-  "<: expected real numbers\n  value: (up 1 2)"]
+  "<: expected real numbers\n  value: (up 1 2), an up tuple of 2"]
  [(g:> 1 +2i)
-  ">: expected real numbers\n  value: 0+2i"]
+  ">: expected real numbers\n  value: the number 0+2i"]
  [(g:positive? 'm)
   "positive?: an expression that is not a number has no order; give its symbols values first\n"
-  "  value: 'm"]
+  "  value: the symbol m"]
  [(g:max 'a 1)
   "max: an expression that is not a number has no order; give its symbols values first\n"
-  "  value: 'a"])
+  "  value: the symbol a"])

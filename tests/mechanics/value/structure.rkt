@@ -150,3 +150,11 @@
 (test-case "the Euclidean norm is the root of the square"
   (check-equal? (euclidean-norm (up 3 4)) 5)
   (check-equal? (euclidean-norm (down 1 2 2)) 3))
+
+(test-case "products of functions that return tuples are functions"
+  (define (e t) (up 1 t 0))
+  (define (f t) (up 0 1 t))
+  (check-equal? ((cross-product e f) 2) (cross-product (e 2) (f 2)))
+  (check-equal? ((outer-product e f) 2) (outer-product (e 2) (f 2)))
+  (check-equal? (format "~a" (cross-product e f)) "(cross-product e f)")
+  (check-exn #rx"^cross-product: expected a tuple; given the number 1" (lambda () (cross-product 1 e))))

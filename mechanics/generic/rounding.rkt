@@ -1,0 +1,49 @@
+#lang racket/base
+;; Conversion and rounding, generic: functions of numbers only, which neither
+;; stop a derivative on its way nor enter expressions.
+;;
+;; exact->inexact is the identity as far as the mathematics goes.  Roundings are
+;; constant between their jumps, where they have no derivative.
+
+(require "naming.rkt" "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt" "compare.rkt"
+         "elementary.rkt" "describe.rkt" "../algebra/expression.rkt")
+
+(provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude)
+
+;; A symbol stands for an inexact number as well as for an exact one.
+(define-named g:exact->inexact exact->inexact
+  (lambda (x)
+    (cond [(number? x) (exact->inexact x)]
+          [(expression? x) x]
+          [(tuple? x) (structure-map g:exact->inexact (adopt x))]
+          [else (dispatch-unary generic:exact->inexact x)])))
+
+(define generic:exact->inexact
+  (generic-op 'exact->inexact #f g:exact->inexact (list (lambda (x value) 1))))
+
+(define-named g:magnitude magnitude
+  (lambda (x) (if (number? x) (magnitude x) (g:abs x))))
+
+;; jump : x and its rounded value -> a number that is zero where the rounding jumps
+(define-syntax-rule (define-rounding id generic name numeric jump)
+  (begin
+    (define-named id name
+      (lambda (x)
+        (cond [(real? x) (numeric x)]
+              [(or (number? x) (expression? x)) (raise-inapplicable generic x)]
+              [else (dispatch-unary generic x)])))
+    (define generic
+      (generic-op 'name #f id
+                  (list (lambda (x value)
+                          (if (g:zero? (jump x value)) (raise-at-jump 'name x) 0)))))))
+
+(define-rounding g:floor generic:floor floor floor g:-)
+(define-rounding g:ceiling generic:ceiling ceiling ceiling g:-)
+(define-rounding g:truncate generic:truncate truncate truncate
+  (lambda (x value) (if (g:zero? value) 1 (g:- x value))))
+(define-rounding g:round generic:round round round
+  (lambda (x value) (g:- (g:abs (g:- x value)) 1/2)))
+
+(define (raise-at-jump who x)
+  (raise (exn:fail:contract (format "~a: has no derivative where it jumps, at ~a" who (value->text x))
+                            (current-continuation-marks))))
