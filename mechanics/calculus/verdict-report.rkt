@@ -91,11 +91,12 @@
              (list (value->datum (car entry)) "=" (cdr entry))))))
 
 (define (bound z line)
-  (if (zero? (zero-test-points z))
-      (line "evidence:" "zero within rounding; exact numbers would tell")
-      (line "evidence:"
-            (format "at ~a points, zero to within ~a" (zero-test-points z)
-                    (zero-test-bound z)))))
+  (define points (zero-test-points z))
+  (define size (zero-test-bound z))
+  (line "evidence:"
+        (cond [(zero? points) "zero within rounding; exact numbers would tell"]
+              [(eqv? size 0) (format "zero at ~a points, exactly or modulo primes" points)]
+              [else (format "at ~a points, zero to within ~a" points size)])))
 
 ;; ---------------------------------------------------------------------------
 
