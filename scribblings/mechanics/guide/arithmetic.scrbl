@@ -107,12 +107,11 @@ One has another meaning: @racket[time] is the selector of the time from a local
 tuple. See @secref["questions"].
 
 These are Racket's own and know numbers only: @racket[quotient],
-@racket[remainder], @racket[modulo], @racket[gcd], @racket[round],
-@racket[floor], @racket[number->string], @racket[exact->inexact] and the like.
-Given a symbol they complain in Racket's words:
+@racket[remainder], @racket[modulo], @racket[gcd], @racket[number->string] and the
+like. Given a symbol they complain in Racket's words:
 
 @examples[#:eval session #:label #f
-(eval:error (exact->inexact 'x))]
+(eval:error (quotient 'x 2))]
 
 @section{Printing}
 
