@@ -38,7 +38,7 @@ bench: compile
 
 docs: compile
 	@echo 'Building the manual ...'
-	@$(RACO) make $(MANUAL)
+	@$(RACO) make $(wildcard examples/mechanics/*/*.rkt) $(MANUAL)
 	@$(RACO) scribble --quiet --htmls --dest build/doc \
 	    ++main-xref-in --redirect-main https://docs.racket-lang.org/ $(MANUAL)
 	@echo 'The manual begins at build/doc/mechanics/index.html'
