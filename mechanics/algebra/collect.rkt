@@ -11,6 +11,7 @@
 ;; which belong to the simplifier above.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "exact.rkt" "services.rkt"
+         "order.rkt" "size.rkt"
          "collector.rkt" "angles.rkt" "exponentials.rkt" "logarithms.rkt")
 
 (provide (struct-out atlas) collect-kernels imaginary-unit
@@ -120,12 +121,10 @@
   (define degree (denominator k))
   (define-values (outer inner)
     ((services-split-root (collector-services c)) base degree))
+  (define r (and (not (eqv? inner 1)) (intern-root! c inner degree)))
+  (when (and r (eqv? degree 2)) (consider-radicand! c r outer inner base))
   (visit! c outer)
-  (resolve! c n
-            (surd outer
-                  (and (not (eqv? inner 1)) (intern-root! c inner degree))
-                  degree
-                  (numerator k))))
+  (resolve! c n (surd outer r degree (numerator k))))
 
 ;; Roots of one radicand are powers of one root.
 (define (intern-root! c radicand degree)
@@ -136,14 +135,73 @@
          known]
         [else
          (visit! c radicand)
-         (define r (root radicand degree #f))
+         (define r (root radicand degree 1 '() #f))
          (hash-set! roots radicand r)
          (add-relation! c r)
          r]))
 
+;; A sum of squares is kept as it was written, if that is shorter, with its
+;; denominator under the root: distances have such radicands.
+(define (consider-radicand! c r outer inner base)
+  (when (and (node? base) (memq (node-head base) (list op:+ op:-)) (reciprocal? outer))
+    (define tidy (tidy-sum c base))
+    (when (< (* 5 (expression-size tidy)) (* 4 (expression-size inner)))
+      (visit! c tidy)
+      (visit! c outer)
+      (set-root-candidates! r (cons (cons tidy outer) (root-candidates r))))))
+
+(define (reciprocal? e)
+  (or (eqv? e 1)
+      (and (node? e) (eq? (node-head e) op:/) (eqv? 1 (car (node-args e))))))
+
+;; The sum of the operands, each simplified, powers of sums not expanded; the
+;; longest first.
+(define (tidy-sum c e)
+  (define compare (make-order))
+  (define (before? a b)
+    (define d (- (expression-size b) (expression-size a)))
+    (or (< d 0) (and (eqv? d 0) (< (compare a b) 0))))
+  (define operands
+    (for/list ([a (in-list (node-args e))]) (tidy-power c a)))
+  (if (eq? (node-head e) op:+)
+      (make-node op:+ (sort operands before?))
+      (make-node op:- operands)))
+
+(define (tidy-power c e)
+  (define simplify (services-simplify (collector-services c)))
+  (define base+exponent (power-parts e))
+  (if base+exponent
+      (e:expt (simplify (car base+exponent)) (cdr base+exponent))
+      (simplify e)))
+
+;; (base . exponent) if e is a power, or a product of equal factors; else #f.
+(define (power-parts e)
+  (define args (if (node? e) (node-args e) '()))
+  (cond [(null? args) #f]
+        [(eq? (node-head e) op:expt)
+         (and (exact-integer? (cadr args)) (cons (car args) (cadr args)))]
+        [else
+         (and (eq? (node-head e) op:*)
+              (for/and ([a (in-list (cdr args))]) (equal? a (car args)))
+              (cons (car args) (length args)))]))
+
 (define (settle-roots! c)
   (for ([r (in-hash-values (collector-roots c))])
+    (choose-radicand! r)
     (set-root-kernel! r (intern-kernel! c (root-expression r) r))))
+
+;; The shortest of the candidates, if the degree has not grown meanwhile.
+(define (choose-radicand! r)
+  (define compare (make-order))
+  (define (shorter a b)
+    (define d (- (expression-size (car a)) (expression-size (car b))))
+    (if (or (< d 0) (and (eqv? d 0) (< (compare (car a) (car b)) 0))) a b))
+  (define candidates (root-candidates r))
+  (when (and (pair? candidates) (eqv? 2 (root-degree r)))
+    (define best
+      (for/fold ([best (car candidates)]) ([a (in-list (cdr candidates))]) (shorter a best)))
+    (set-root-radicand! r (car best))
+    (set-root-scale! r (cdr best))))
 
 (define (root-expression r)
   (define u (root-radicand r))

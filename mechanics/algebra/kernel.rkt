@@ -38,9 +38,11 @@
 (struct angle (form [multiples #:mutable])
   #:authentic)
 
-;; The root of this degree of a radicand; its kernel is made when the degree is
-;; settled.
-(struct root (radicand [degree #:mutable] [kernel #:mutable])
+;; The root of this degree of a radicand.  What is known of it grows until all is
+;; met: the degree, and candidates ((radicand . scale) ...) for a more readable
+;; radicand, scale^degree times the one it began with.
+(struct root ([radicand #:mutable] [degree #:mutable] [scale #:mutable]
+              [candidates #:mutable] [kernel #:mutable])
   #:authentic)
 
 ;; The absolute value of an expression.

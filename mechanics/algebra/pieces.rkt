@@ -55,8 +55,9 @@
            (add-power powers (vector-ref (field-kernels F) (car v)) (- (* (cdr v) e))))
          (piece-factors p)))
 
-;; A root that occurs, with its radicand as a primitive polynomial.
-(struct base (kernel degree radicand content) #:authentic)
+;; A root r that occurs, of degree q: r^q = content · radicand / below, with a
+;; primitive polynomial of several terms and factors ((polynomial . exponent) ...).
+(struct base (kernel degree content radicand below) #:authentic)
 
 (define (occurring-roots F f)
   (define R (field-ring F))
@@ -66,26 +67,44 @@
           (positive? (poly-degree R (car h) i)))))
   (for*/list ([r (in-list (field-relations F))]
               [k (in-value (vector-ref (field-kernels F) (relation-index r)))]
-              #:when (and (root? (kernel-relation k))
-                          (fraction-polynomial? (relation-radicand r))
-                          (occurs? (relation-index r))
-                          (pair? (fraction-numerator (relation-radicand r)))
-                          (pair? (cdr (fraction-numerator (relation-radicand r))))))
-    (define-values (content primitive)
-      (poly-primitive R (fraction-numerator (relation-radicand r))))
-    (base k (relation-degree r) primitive content)))
+              #:when (and (root? (kernel-relation k)) (occurs? (relation-index r)))
+              [p (in-value (fraction-numerator (relation-radicand r)))]
+              #:when (and (pair? p) (pair? (cdr p))))
+    (define-values (content primitive) (poly-primitive R p))
+    (base k (relation-degree r) content primitive
+          (fraction-denominator-factors (relation-radicand r)))))
 
-;; Factors of the denominator that are radicands become powers of their roots:
-;; h = r^q / content.
+;; Factors of the denominator that are radicands become powers of their roots.
 (define (absorb-radicands F roots p)
   (for/fold ([p p]) ([b (in-list roots)])
     (define h
       (for/first ([h (in-list (piece-factors p))] #:when (poly=? (car h) (base-radicand b))) h))
     (if h
-        (piece (poly-scale (field-ring F) (expt (base-content b) (cdr h)) (piece-numerator p))
-               (add-power (piece-powers p) (base-kernel b) (- (* (base-degree b) (cdr h))))
-               (remq h (piece-factors p)))
+        (multiply-by-base F b (- (cdr h))
+                          (piece (piece-numerator p) (piece-powers p) (remq h (piece-factors p))))
         p)))
+
+;; The piece times radicand^k, that is (r^q below / content)^k.
+(define (multiply-by-base F b k p)
+  (define scaled
+    (piece (poly-scale (field-ring F) (expt (base-content b) (- k)) (piece-numerator p))
+           (add-power (piece-powers p) (base-kernel b) (* k (base-degree b)))
+           (piece-factors p)))
+  (for/fold ([p scaled]) ([h (in-list (base-below b))])
+    (multiply-by-factor F p (car h) (* k (cdr h)))))
+
+;; The piece times h^k.
+(define (multiply-by-factor F p h k)
+  (define R (field-ring F))
+  (define old (for/first ([g (in-list (piece-factors p))] #:when (poly=? (car g) h)) g))
+  (define left (- (if old (cdr old) 0) k))
+  (define others (if old (remq old (piece-factors p)) (piece-factors p)))
+  (cond [(null? (cdr h))
+         (divide-by-term F p (car h) (- k))]
+        [(positive? left)
+         (piece (piece-numerator p) (piece-powers p) (cons (cons h left) others))]
+        [else
+         (piece (poly* R (piece-numerator p) (poly-expt R h (- left))) (piece-powers p) others)]))
 
 (define (add-power powers k n)
   (define old (assq k powers))
@@ -102,10 +121,10 @@
   (for*/list ([group (in-list (groups F (piece-numerator p) (base-radicand b)))]
               [low+rest (in-list (poly-coefficients R group i))])
     (define-values (quotient times) (divide-out R (cdr low+rest) (base-radicand b) #f))
-    (piece (poly-scale R (expt (base-content b) (- times)) quotient)
-           (add-power (piece-powers p) (base-kernel b)
-                      (+ (car low+rest) (* times (base-degree b))))
-           (piece-factors p))))
+    (multiply-by-base F b times
+                      (piece quotient
+                             (add-power (piece-powers p) (base-kernel b) (car low+rest))
+                             (piece-factors p)))))
 
 (define (split-by-factor F h p)
   (define R (field-ring F))

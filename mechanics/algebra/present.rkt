@@ -89,12 +89,16 @@
 (define (present-terms F terms)
   (define usual (collected-form F terms))
   (cond [(null? (cdr terms)) usual]
-        [else
-         (define-values (c powers core) (extract-content terms))
-         (if (and (eqv? c 1) (null? powers))
-             usual
-             (smaller-form usual
-                           (product-form c powers (core-forms F core) '() (field-inexact? F))))]))
+        [(ormap (lambda (t) (pair? (negative-powers (term-powers t)))) terms)
+         (prefer-factored F (prefer-factored F usual terms #t) terms #f)]
+        [else (prefer-factored F usual terms #f)]))
+
+;; The terms with their content in front, if that is enough smaller.
+(define (prefer-factored F usual terms shared?)
+  (define-values (c powers core) (extract-content terms shared?))
+  (if (and (eqv? c 1) (null? powers))
+      usual
+      (smaller-form usual (product-form c powers (core-forms F core) '() (field-inexact? F)))))
 
 (define (expanded-form F terms) (sum-form (sorted-forms F terms)))
 

@@ -106,38 +106,39 @@
 ;; Content
 
 ;; terms = c · powers · core, where the core has coprime integer coefficients,
-;; not all negative, and no kernel to a negative power or in every term.
-(define (extract-content terms)
+;; not all negative, and no kernel to a negative power or in every term; or, if
+;; `shared?`, only what all terms share is taken out: no common denominator.
+(define (extract-content terms [shared? #f])
   (define c (content (map term-coefficient terms)))
   (define signed
     (if (andmap (lambda (t) (negative? (term-coefficient t))) terms) (- c) c))
   (define powers
     (for/fold ([common (term-powers (car terms))]) ([t (in-list (cdr terms))])
-      (common-powers common (term-powers t))))
+      (common-powers common (term-powers t) shared?)))
   (values signed powers
           (multiply-terms (scale-terms (/ 1 signed) terms) (invert-powers powers))))
 
 (define (content cs)
   (/ (apply gcd (map numerator cs)) (apply lcm (map denominator cs))))
 
-;; For each kernel the lesser exponent, absence counting as 0; for exponentials,
-;; which know no denominators, the one nearer to 0.
-(define (common-powers as bs)
+;; For each kernel the lesser exponent, absence counting as 0; or what is shared:
+;; the one nearer to 0.  Exponentials know no denominators.
+(define (common-powers as bs shared?)
   (define (lesser p q rest)
     (define m (if p (cdr p) 0))
     (define n (if q (cdr q) 0))
     (define e
-      (cond [(not (exponential? (kernel-relation (car (or p q))))) (min m n)]
+      (cond [(not (or shared? (exponential? (kernel-relation (car (or p q)))))) (min m n)]
             [(and (positive? m) (positive? n)) (min m n)]
             [(and (negative? m) (negative? n)) (max m n)]
             [else 0]))
     (if (eqv? e 0) rest (cons (cons (car (or p q)) e) rest)))
   (cond [(and (null? as) (null? bs)) '()]
-        [(null? bs) (lesser (car as) #f (common-powers (cdr as) bs))]
-        [(null? as) (lesser #f (car bs) (common-powers as (cdr bs)))]
+        [(null? bs) (lesser (car as) #f (common-powers (cdr as) bs shared?))]
+        [(null? as) (lesser #f (car bs) (common-powers as (cdr bs) shared?))]
         [else
          (define i (kernel-place (caar as)))
          (define j (kernel-place (caar bs)))
-         (cond [(< i j) (lesser (car as) #f (common-powers (cdr as) bs))]
-               [(> i j) (lesser #f (car bs) (common-powers as (cdr bs)))]
-               [else (lesser (car as) (car bs) (common-powers (cdr as) (cdr bs)))])]))
+         (cond [(< i j) (lesser (car as) #f (common-powers (cdr as) bs shared?))]
+               [(> i j) (lesser #f (car bs) (common-powers as (cdr bs) shared?))]
+               [else (lesser (car as) (car bs) (common-powers (cdr as) (cdr bs) shared?))])]))
