@@ -16,9 +16,9 @@
 
 (define (form-expression f) ((form-build f) (form-sign f)))
 
-;; The second only if it saves a fifth: people recognise sums by their terms.
+;; The second only if it saves a sixth: people recognise sums by their terms.
 (define (smaller-form usual other)
-  (if (<= (* 5 (form-size other)) (* 4 (form-size usual))) other usual))
+  (if (<= (* 6 (form-size other)) (* 5 (form-size usual))) other usual))
 
 ;; ---------------------------------------------------------------------------
 ;; Products

@@ -9,7 +9,7 @@
 ;; - a sum is written expanded; or with the terms that agree in all kernels but
 ;;   symbols collected; or with its content in front.
 ;;
-;; The first form named is kept unless another is smaller by a fifth.  The
+;; The first form named is kept unless another is smaller by a sixth.  The
 ;; choice depends on the value and the order of kernels alone.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
