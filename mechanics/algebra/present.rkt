@@ -14,7 +14,7 @@
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
          "exact.rkt"
-         "squares.rkt" "contract.rkt" "pieces.rkt"
+         "spelling.rkt" "pieces.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide present linear-terms)
@@ -37,28 +37,37 @@
 ;; of its terms.
 (define (linear-terms F f)
   (define p (fraction->piece F f))
-  (define divisors (piece-divisors F p))
+  (define-values (sign divisors) (piece-divisors F p))
   (for/list ([t (in-list (term-sort (piece-terms F p)))])
-    (cons (present-number (term-coefficient t) (field-inexact? F))
+    (cons (present-number (* sign (term-coefficient t)) (field-inexact? F))
           (form-expression (product-form 1 (term-powers t) '() divisors #f)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Polynomials as terms
 
 (define (poly->terms F p)
-  (for/list ([t (in-list (contract-angles F
-                                          (shortest-squares F p)
-                                          (lambda (a b sign) (field-circle-sum F a b sign))
-                                          (lambda (o) (field-doubled? F o))))])
-    (make-term (car t) (cdr t))))
+  (for/list ([t (in-list (spell F p))]) (make-term (car t) (cdr t))))
 
 (define (piece-terms F p)
   (define powers (term-powers (make-term 1 (piece-powers p))))
   (multiply-terms (poly->terms F (piece-numerator p)) powers))
 
+;; -> 1 or -1, and the divisors ((form . exponent) ...): the sign, taken from
+;; those that would be mostly negative, belongs to the numerator.
 (define (piece-divisors F p)
-  (for/list ([h (in-list (piece-factors p))])
-    (cons (present-terms F (poly->terms F (car h))) (cdr h))))
+  (for/fold ([sign 1] [divisors '()] #:result (values sign (reverse divisors)))
+            ([h (in-list (piece-factors p))])
+    (define terms (poly->terms F (car h)))
+    (define flip? (mostly-negative? terms))
+    (values (if (and flip? (odd? (cdr h))) (- sign) sign)
+            (cons (cons (present-terms F (if flip? (scale-terms -1 terms) terms)) (cdr h))
+                  divisors))))
+
+(define (mostly-negative? terms)
+  (define (negative t) (negative? (term-coefficient t)))
+  (define surplus (for/sum ([t (in-list terms)]) (if (negative t) 1 -1)))
+  (or (positive? surplus)
+      (and (eqv? surplus 0) (negative (car (term-sort terms))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Sums of pieces
@@ -74,8 +83,10 @@
         [else (sum-form (append (sorted-forms F terms) quotients))]))
 
 (define (quotient-form F p)
-  (define-values (c powers core) (extract-content (piece-terms F p)))
-  (product-form c powers (core-forms F core) (piece-divisors F p) (field-inexact? F)))
+  (define-values (sign divisors) (piece-divisors F p))
+  (define-values (c powers core)
+    (extract-content (scale-terms sign (piece-terms F p))))
+  (product-form c powers (core-forms F core) divisors (field-inexact? F)))
 
 ;; No form for a core that is 1.
 (define (core-forms F core)
