@@ -1,7 +1,8 @@
 #lang racket/base
 ;; What finding kernels keeps, and what it finds.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "lattice.rkt" "order.rkt" "services.rkt" "exact.rkt")
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "lattice.rkt" "order.rkt"
+         "services.rkt" "exact.rkt")
 
 (provide
  ;; what stands for a node

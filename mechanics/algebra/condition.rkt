@@ -44,7 +44,9 @@
 ;; being a number or, failing that, a monomial.
 (define (condition F p)
   (define variables (poly-variables (field-ring F) p))
-  (and (for/and ([i (in-list variables)]) (symbol? (kernel-expression (vector-ref (field-kernels F) i))))
+  (define (symbolic-variable? i)
+    (symbol? (kernel-expression (vector-ref (field-kernels F) i))))
+  (and (andmap symbolic-variable? variables)
        (or (for/or ([i (in-list variables)]) (solve-for F p i poly-constant?))
            (for/or ([i (in-list variables)]) (solve-for F p i monomial?)))))
 

@@ -16,7 +16,9 @@
   (define R (field-ring F))
   (define given (fraction-denominator-factors f))
   (define factors
-    (if (<= (additions given) parts-limit) (fewer-terms (fraction-denominator-parts R f) given) given))
+    (if (<= (additions given) parts-limit)
+        (fewer-terms (fraction-denominator-parts R f) given)
+        given))
   (values (/ (leading given) (leading factors)) factors))
 
 (define (fewer-terms parts given)

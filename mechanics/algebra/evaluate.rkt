@@ -48,7 +48,9 @@
 
 ;; Arguments of applications may hold other applications: those come first.
 (define (applications-inside-out point)
-  (sort (filter (lambda (entry) (node? (car entry))) point) < #:key (lambda (entry) (depth (car entry)))))
+  (sort (filter (lambda (entry) (node? (car entry))) point)
+        <
+        #:key (lambda (entry) (depth (car entry)))))
 
 (define (depth e)
   (node-fold e (lambda (leaf) 0) (lambda (n depths) (+ 1 (apply max 0 depths)))))

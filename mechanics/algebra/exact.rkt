@@ -36,5 +36,8 @@
 
 ;; The q-th root of n if it is an integer, else 1.
 (define (whole-root n q)
-  (define r (if (eqv? q 2) (integer-sqrt n) (inexact->exact (round (expt (real->double-flonum n) (/ 1.0 q))))))
+  (define r
+    (if (eqv? q 2)
+        (integer-sqrt n)
+        (inexact->exact (round (expt (real->double-flonum n) (/ 1.0 q))))))
   (if (= (expt r q) n) r 1))

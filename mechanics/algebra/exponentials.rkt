@@ -32,11 +32,14 @@
          (resolve! c n (exponential-power (intern-angle! c 'exponential (linear-form c others))))]
         [else
          (define rest (for/fold ([sum 0]) ([t (in-list others)]) (e:+ sum (e:* (car t) (cdr t)))))
+         (define exponential (if (eqv? rest 0) 1 (make-node op:exp (list rest))))
          (resolve-alias! c n
-                         (for/fold ([product (if (eqv? rest 0) 1 (make-node op:exp (list rest)))])
-                                   ([t (in-list powers)])
-                           (e:* product
-                                (make-node op:expt (list (car (node-args (cdr t))) (exact-exponent (car t)))))))]))
+                         (for/fold ([product exponential]) ([t (in-list powers)])
+                           (e:* product (logarithm-power t))))]))
+
+;; e^(k log b) = b^k
+(define (logarithm-power t)
+  (make-node op:expt (list (car (node-args (cdr t))) (exact-exponent (car t)))))
 
 (define (logarithm-term? t)
   (and (node? (cdr t))
@@ -58,7 +61,8 @@
   (define basics
     (for/vector ([form (in-list basis)])
       (signed-angle s (form->expression c form)
-                    (lambda (u) (intern-kernel! c (exponential-expression s u) (exponential u s))))))
+                    (lambda (u)
+                      (intern-kernel! c (exponential-expression s u) (exponential u s))))))
   (for ([a (in-list ordered)] [v (in-list coordinates)])
     (set-angle-multiples! a
       (for/list ([x (in-list v)])

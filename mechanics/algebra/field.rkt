@@ -11,12 +11,15 @@
 ;; Relations form a tower, each over the kernels of those before it; reducing
 ;; from the top once suffices.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "circle.rkt" "walk.rkt" "bounds.rkt" "square-class.rkt" "polynomial/polynomial.rkt"
-         "polynomial/fraction.rkt" "polynomial/ring.rkt"
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collect.rkt"
+         "circle.rkt" "walk.rkt" "bounds.rkt" "square-class.rkt"
+         "polynomial/polynomial.rkt" "polynomial/fraction.rkt" "polynomial/ring.rkt"
          "polynomial/monomial.rkt")
 
 (provide (struct-out field) (struct-out relation)
-         make-field field-fraction field-inexact? field-circle-sum field-doubled? reduce-poly reduce-fraction lower)
+         make-field field-fraction field-inexact?
+         field-circle-sum field-doubled?
+         reduce-poly reduce-fraction lower)
 
 ;; kernels : vector by index; relations : from the top of the tower;
 ;; circles : those known by their angles, presentation may add some;

@@ -9,7 +9,7 @@
          "exponentials.rkt" "size.rkt")
 
 (provide (struct-out form) form-expression
-         term-form sum-form product-form smaller-form)
+         term-form sum-form product-form smaller-form shorter-form)
 
 ;; sign : ±1; build : ±1 -> expression, given the sign to show
 (struct form (size sign build) #:authentic)
@@ -19,6 +19,10 @@
 ;; The second only if it saves a sixth: people recognise sums by their terms.
 (define (smaller-form usual other)
   (if (<= (* 6 (form-size other)) (* 5 (form-size usual))) other usual))
+
+;; The second only if it is shorter at all.
+(define (shorter-form usual other)
+  (if (< (form-size other) (form-size usual)) other usual))
 
 ;; ---------------------------------------------------------------------------
 ;; Products
@@ -47,10 +51,12 @@
     (if quotient?
         (make-node op:/ (list numerator
                               (product-expression bottom
-                                (append (powers->expressions below) (map divisor-expression divisors)))))
+                                (append (powers->expressions below)
+                                        (map divisor-expression divisors)))))
         numerator))
   (form (+ (factors-size top
-                         (+ (powers-size above) (sizes sums) (for/sum ([e (in-list extra)]) (expression-size e)))
+                         (+ (powers-size above) (sizes sums)
+                            (for/sum ([e (in-list extra)]) (expression-size e)))
                          (+ (length above) (length sums) (length extra)))
            (if quotient?
                (+ 1 (factors-size bottom (+ (powers-size below) (divisors-size divisors))

@@ -4,8 +4,9 @@
 ;; Numbers, then symbols by the alphabet, then compound algebra (a sum under a
 ;; function, say), then literal functions, then known functions, then
 ;; derivatives by order; shorter sums and products before longer ones.  Equal
-;; expressions compare as 0, in whatever order their operands were written.  An order remembers the sorted operands of the
-;; sums and products it has met, so that sorting costs the graph.
+;; expressions compare as 0, in whatever order their operands were written.  An
+;; order remembers the sorted operands of the sums and products it has met, so
+;; that sorting costs the graph.
 
 (require "operation.rkt" "expression.rkt")
 

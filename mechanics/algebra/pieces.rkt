@@ -13,7 +13,7 @@
 (require "kernel.rkt" "field.rkt" "squares.rkt" "denominator.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt" "polynomial/ring.rkt")
 
-(provide fraction->piece fraction->pieces (struct-out piece))
+(provide fraction->piece fraction->pieces fraction->pieces/roots (struct-out piece))
 
 ;; numerator · ∏ kernel^exponent / ∏ factor^exponent.  powers : ((kernel .
 ;; integer) ...), the integers of either sign; factors : ((polynomial .
@@ -25,13 +25,16 @@
   (absorb-radicands F (occurring-roots F f) (split-denominator F f)))
 
 (define (fraction->pieces F f)
-  (define roots (occurring-roots F f))
-  (define start (absorb-radicands F roots (split-denominator F f)))
-  (define by-roots
-    (for/fold ([pieces (list start)]) ([r (in-list roots)])
-      (join F (append-map* (lambda (p) (split-by-root F r p)) pieces))))
-  (for/fold ([pieces by-roots]) ([h (in-list (distinct-factors by-roots))])
+  (define pieces (fraction->pieces/roots F f))
+  (for/fold ([pieces pieces]) ([h (in-list (distinct-factors pieces))])
     (join F (append-map* (lambda (p) (split-by-factor F h p)) pieces))))
+
+;; The fraction taken apart by its roots alone.
+(define (fraction->pieces/roots F f)
+  (define roots (occurring-roots F f))
+  (for/fold ([pieces (list (absorb-radicands F roots (split-denominator F f)))])
+            ([r (in-list roots)])
+    (join F (append-map* (lambda (p) (split-by-root F r p)) pieces))))
 
 (define (append-map* f xs) (apply append (map f xs)))
 
@@ -182,9 +185,10 @@
           [else (cons p joined)])))
 
 (define (same-denominator? p q)
-  (and (same-set? (piece-powers p) (piece-powers q) (lambda (a b) (and (eq? (car a) (car b)) (eqv? (cdr a) (cdr b)))))
-       (same-set? (piece-factors p) (piece-factors q)
-                  (lambda (a b) (and (eqv? (cdr a) (cdr b)) (poly=? (car a) (car b)))))))
+  (define ((same-power? same-base?) a b)
+    (and (eqv? (cdr a) (cdr b)) (same-base? (car a) (car b))))
+  (and (same-set? (piece-powers p) (piece-powers q) (same-power? eq?))
+       (same-set? (piece-factors p) (piece-factors q) (same-power? poly=?))))
 
 (define (same-set? as bs same?)
   (and (= (length as) (length bs))

@@ -27,9 +27,11 @@
              (form-expression (constant-form F (poly-constant-value p)))
              (form-expression (present-pieces F (fraction->pieces F f))))]
         [else
+         (define (present-as pieces) (present-pieces F pieces))
          (form-expression
-          (smaller-form (present-pieces F (fraction->pieces F f))
-                        (present-pieces F (list (fraction->piece F f)))))]))
+          (smaller-form (shorter-form (present-as (fraction->pieces F f))
+                                      (present-as (fraction->pieces/roots F f)))
+                        (present-as (list (fraction->piece F f)))))]))
 
 (define (constant-form F c) (term-form (term c '()) (field-inexact? F)))
 

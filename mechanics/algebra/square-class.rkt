@@ -112,7 +112,8 @@
     (/ (car numbers) (for/product ([i (in-list members)]) (list-ref numbers i))))
   (define negatives (total (lambda (i) (if (negative? (list-ref numbers i)) 1 0))))
   (define root (/ (integer-sqrt (numerator c)) (integer-sqrt (denominator c))))
-  (for/fold ([w (fraction-from-poly R (poly-constant R (if (eqv? 0 (modulo negatives 4)) root (- root))))])
+  (define signed-root (if (eqv? 0 (modulo negatives 4)) root (- root)))
+  (for/fold ([w (fraction-from-poly R (poly-constant R signed-root))])
             ([b (in-list basis)])
     (fraction* R w
                (fraction-expt R (fraction-from-poly R (car b))

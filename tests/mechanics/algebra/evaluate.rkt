@@ -15,7 +15,8 @@
                           (let loop ([ps pairs])
                             (if (null? ps)
                                 '()
-                                (cons (cons (datum->expression (car ps)) (datum->expression (cadr ps)))
+                                (cons (cons (datum->expression (car ps))
+                                            (datum->expression (cadr ps)))
                                       (loop (cddr ps))))))))
 
 (test-case "expressions are evaluated exactly where numbers are exact"

@@ -30,4 +30,5 @@
 (test-case "fractions refine the basis"
   (check-equal? (check-basis (list theta half)) (list half))
   (check-equal? (length (check-basis (list difference (vector-scale 1/2 difference) theta))) 2)
-  (check-equal? (length (check-basis (list (vector-scale 2 difference) (vector-scale 3 difference)))) 1))
+  (define multiples (list (vector-scale 2 difference) (vector-scale 3 difference)))
+  (check-equal? (length (check-basis multiples)) 1))

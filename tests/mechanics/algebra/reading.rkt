@@ -21,7 +21,9 @@
   (case head
     [(+) (for/fold ([sum 0]) ([a (in-list args)]) (e:+ sum a))]
     [(*) (for/fold ([product 1]) ([a (in-list args)]) (e:* product a))]
-    [(-) (if (null? (cdr args)) (e:negate (car args)) (for/fold ([difference (car args)]) ([a (in-list (cdr args))]) (e:- difference a)))]
+    [(-) (if (null? (cdr args))
+             (e:negate (car args))
+             (for/fold ([difference (car args)]) ([a (in-list (cdr args))]) (e:- difference a)))]
     [(/) (apply e:/ args)]
     [(expt) (apply e:expt args)]
     [else (make-node (datum->head head) args)]))
