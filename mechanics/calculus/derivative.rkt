@@ -6,7 +6,7 @@
 ;; argument.  Several arguments are taken together as one up tuple
 ;; (SICM p. 516).
 
-(require "dual.rkt" "derivative-errors.rkt"
+(require "perturbed.rkt" "dual.rkt" "extract.rkt" "derivative-errors.rkt"
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../value/operator.rkt" "../algebra/expression.rkt")
 
@@ -17,7 +17,7 @@
 
 ;; The derivative of f, a function of one argument, at x.
 (define (derivative-at f x)
-  (cond [(or (expression? x) (dual? x))
+  (cond [(or (expression? x) (perturbed? x))
          (define tag (fresh-tag))
          (extract-tangent tag (f (perturb tag x)))]
         [(tuple? x) (derivative-by-components f (adopt x))]

@@ -5,7 +5,7 @@
 ;; Integration is linear, so the integral of f + f' ε is that of f plus ε times
 ;; that of f'; and at a limit b + b' ε it is the integral up to b plus f(b) b' ε.
 
-(require "dual.rkt" "number.rkt"
+(require "dual.rkt" "extract.rkt" "number.rkt"
          "../generic/arithmetic.rkt"
          (prefix-in numeric: "../numeric/quadrature.rkt"))
 

@@ -4,7 +4,8 @@
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
          mechanics/generic/describe
-         mechanics/value/matrix mechanics/calculus/dual mechanics/calculus/literal-function
+         mechanics/value/matrix mechanics/calculus/perturbed mechanics/calculus/dual mechanics/calculus/extract
+         mechanics/calculus/literal-function
          "../laws/same.rkt" "../laws/random.rkt" "../laws/element.rkt")
 
 (test-case "a dual number without tangent is its value"

@@ -9,7 +9,7 @@
 (require mechanics/algebra/expression
          (only-in mechanics/generic/arithmetic g:*) mechanics/generic/structure mechanics/generic/function
          mechanics/value/matrix mechanics/value/operator
-         mechanics/calculus/dual mechanics/calculus/literal-function
+         mechanics/calculus/perturbed mechanics/calculus/dual mechanics/calculus/literal-function
          "numeric-value.rkt")
 
 (provide same? close? close-to)
@@ -39,7 +39,7 @@
          (same-parts? (map vector->up (vector->list (matrix-rows a)))
                       (map vector->up (vector->list (matrix-rows b))))]
         [(and (or (dual? a) (dual? b)) (scalar? a) (scalar? b))
-         (define tag (greatest-tag a b))
+         (define tag (perturbed-tag (outermost a b)))
          (and (same? (primal-part a tag) (primal-part b tag) tolerance)
               (same? (tangent-part a tag) (tangent-part b tag) tolerance))]
         [(or (operator? a) (operator? b)) (same? (image a) (image b) tolerance)]

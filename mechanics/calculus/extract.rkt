@@ -1,0 +1,78 @@
+#lang racket/base
+;; The coefficient of an ε in a value of any shape.
+;;
+;; The value may be a function, run only later, when its argument may carry the
+;; very ε that is to be extracted from its value: the derivative of
+;; x ↦ (y ↦ ...) applied to itself, say (Manzyuk et al., arXiv:1211.4892).
+;; Extraction therefore renames that ε in the arguments for as long as the
+;; function runs.  To rename within a function is to rename in its values, after
+;; shielding its arguments in the same way.
+
+(require "perturbed.rkt" "dual.rkt"
+         "../generic/kind.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../value/operator.rkt" "../algebra/expression.rkt")
+
+(provide extract extract-tangent)
+
+;; The first derivative: the coefficient of the ε of a dual number.
+(define (extract-tangent tag x) (extract 'D tag dual-tangent x))
+
+;; pick : perturbed value with this tag -> its part asked for, linear in it
+;; operator : what a function is said to have undergone, for printing
+(define (extract operator tag pick x)
+  (define (from x)
+    (cond [(perturbed? x) (from-perturbed x)]
+          [(expression? x) 0]
+          [else (map-leaves from-leaf x)]))
+  (define (from-leaf x)
+    (cond [(perturbed? x) (from-perturbed x)]
+          [(expression? x) 0]
+          [(procedure? x) (shielding tag x from (lambda () (list operator (value->datum x))))]
+          [else (raise-no-derivative x)]))
+  (define (from-perturbed x)
+    (define t (perturbed-tag x))
+    (cond [(eqv? t tag) (pick x)]
+          [(< t tag) 0]
+          [else ((parts-map (parts-of x)) from x)]))
+  (from x))
+
+(define (raise-no-derivative x)
+  (raise
+   (exn:fail:contract
+    (format "D: the function returned a value that has no derivative: ~a~a"
+            (describe-with-value x)
+            (if (pair? x) "\n  a list is not a tuple; use (up x y ...)" ""))
+    (current-continuation-marks))))
+
+;; ---------------------------------------------------------------------------
+;; Renaming
+
+;; x with one ε replaced by another.
+(define (rename-tag old new x)
+  (define (rename x)
+    (cond [(perturbed? x) (rename-perturbed x)]
+          [(expression? x) x]
+          [(pair? x) (cons (rename (car x)) (rename (cdr x)))]
+          [else (map-leaves rename-leaf x)]))
+  (define (rename-leaf x)
+    (cond [(perturbed? x) (rename-perturbed x)]
+          [(and (procedure? x) (not (closed? x)))
+           (shielding old x rename (lambda () (value->datum x)))]
+          [else x]))
+  (define (rename-perturbed x)
+    (define t (perturbed-tag x))
+    ((parts-retag (parts-of x)) (if (eqv? t old) new t) rename x))
+  (rename x))
+
+(define (closed? f) (and (has-kind? f) (kind-closed? (kind-of f))))
+
+;; `change` after f, on arguments in which another ε stands for this one
+;; meanwhile; an operator if f is one.
+(define (shielding tag f change make-datum)
+  (define (procedure . args)
+    (define shield (fresh-tag))
+    (define shielded (for/list ([a (in-list args)]) (rename-tag tag shield a)))
+    (rename-tag shield tag (change (apply f shielded))))
+  (if (operator? f)
+      (make-primitive-operator procedure make-datum)
+      (make-function procedure (arity-mask f) make-datum)))
