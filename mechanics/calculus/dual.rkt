@@ -22,12 +22,15 @@
 
 (struct dual perturbed (primal tangent)
   #:authentic
+  #:constructor-name construct-dual
+  #:omit-define-syntaxes
   #:property prop:kind kind:dual
   #:property prop:parts
   (parts (lambda (d) (dual-primal d))
          (lambda (f d) (make-dual (dual-tag d) (f (dual-primal d)) (f (dual-tangent d))))
          (lambda (tag f d) (g:+ (f (dual-primal d)) (g:* (f (dual-tangent d)) (dual tag 0 1))))))
 
+(define (dual tag primal tangent) (construct-dual kind:dual tag primal tangent))
 (define (dual-tag d) (perturbed-tag d))
 
 ;; x + ε

@@ -7,12 +7,12 @@
 ;; greatest number is outermost: the parts of a perturbed value, the
 ;; coefficients of its ε, contain only lesser tags.
 
-(require "../generic/describe.rkt")
+(require "../generic/kind.rkt" "../generic/describe.rkt")
 
 (provide (struct-out perturbed) (struct-out parts) prop:parts parts-of
          fresh-tag outermost innermost)
 
-(struct perturbed (tag)
+(struct perturbed carrier (tag)
   #:authentic
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write (lambda (x port mode) (write-value x port)))

@@ -20,6 +20,8 @@
   (cond [(and (flonum? a) (flonum? b)) (fl+ a b)]
         [(and (number? a) (number? b)) (+ a b)]
         [(and (structure? a) (structure? b)) (add-structures a b)]
+        [(or (carrier? a) (carrier? b))
+         (dispatch-binary generic:+ e:+ add-structures a b)]
         [(and (eqv? a 0) (procedure? b)) b]
         [(and (eqv? b 0) (procedure? a)) a]
         [else (dispatch-binary generic:+ e:+ add-structures a b)]))
@@ -62,6 +64,7 @@
 
 (define (negate a)
   (cond [(number? a) (- a)]
+        [(carrier? a) (multiply -1 a)]
         [(pointwise? a) (compose-unary generic:negate a)]
         [(arithmetic-value? a) (multiply -1 a)]
         [else (raise-inapplicable generic:negate a)]))
@@ -80,6 +83,8 @@
   (cond [(and (flonum? a) (flonum? b)) (fl* a b)]
         [(and (number? a) (number? b)) (* a b)]
         [(and (structure? a) (structure? b)) (multiply-structures a b)]
+        [(or (carrier? a) (carrier? b))
+         (dispatch-binary generic:* e:* multiply-structures a b)]
         [(and (eqv? a 1) (procedure? b)) b]
         [(and (eqv? b 1) (procedure? a)) a]
         [else (dispatch-binary generic:* e:* multiply-structures a b)]))
@@ -109,6 +114,7 @@
   (lambda (a)
     (cond [(flonum? a) (fl* a a)]
           [(number? a) (* a a)]
+          [(carrier? a) (multiply a a)]
           [(tuple? a) (sum-of-squares (structure-elements (adopt a)))]
           [(pointwise? a) (compose-unary generic:square a)]
           [(arithmetic-value? a) (multiply a a)]

@@ -13,7 +13,7 @@
          arithmetic-value?)
 
 (define (rank x)
-  (cond [(has-kind? x) (kind-rank (kind-of x))]
+  (cond [(kind-of x #f) => kind-rank]
         [(or (symbolic? x) (number? x)) rank:scalar]
         [(vector? x) rank:structure]
         [(procedure? x) rank:function]
@@ -23,6 +23,11 @@
 (define (arithmetic-value? x) (and (rank x) #t))
 
 (define (dispatch-unary op x)
+  (if (carrier? x)
+      ((kind-unary (carrier-kind x)) op x)
+      (dispatch-unary-by-rank op x)))
+
+(define (dispatch-unary-by-rank op x)
   (define r (rank x))
   (cond [(not r) (raise-inapplicable op x)]
         [(eqv? r rank:scalar) (e:apply (generic-op-operation op) x)]
@@ -33,6 +38,12 @@
 ;; symbolic : combines two expressions.
 ;; structural : combines two values of which one is a structure.
 (define (dispatch-binary op symbolic structural a b)
+  (cond [(and (carrier? a) (or (carrier? b) (expression? b)))
+         ((kind-binary (carrier-kind a)) op a b)]
+        [(and (carrier? b) (expression? a)) ((kind-binary (carrier-kind b)) op a b)]
+        [else (dispatch-binary-by-rank op symbolic structural a b)]))
+
+(define (dispatch-binary-by-rank op symbolic structural a b)
   (define ra (rank a))
   (define rb (rank b))
   (cond [(not (and ra rb)) (raise-inapplicable op a b)]
