@@ -23,6 +23,8 @@
              [g:sin sin] [g:cos cos] [g:tan tan] [g:sec sec] [g:csc csc] [g:cot cot]
              [g:asin asin] [g:acos acos] [g:atan atan]
              [g:sinh sinh] [g:cosh cosh] [g:tanh tanh]
+             [g:sech sech] [g:csch csch] [g:coth coth]
+             [g:asinh asinh] [g:acosh acosh] [g:atanh atanh] [g:sgn sgn]
              [g:exact->inexact exact->inexact] [g:magnitude magnitude]
              [g:floor floor] [g:ceiling ceiling] [g:truncate truncate] [g:round round])
  pi :pi :-pi :pi/2 :2pi

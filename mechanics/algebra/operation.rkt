@@ -4,62 +4,57 @@
 ;; An expression node `(op arg ...)` is headed either by an *operation*, a
 ;; function whose meaning the algebra knows (`+`, `sin`, ...), or by a
 ;; *literal head*, an unknown function of the user's, possibly differentiated
-;; (`x`, `(D x)`, `((partial 1) F)`).  This file defines both records and the
-;; operations themselves; the meaning of an operation on anything but numbers
-;; (its derivative, its action on structures) belongs to the floors above.
+;; (`x`, `(D x)`, `((partial 1) F)`).  This file defines both records, and makes
+;; the operations from the table of them; the meaning of an operation on anything
+;; but numbers (its derivative, its action on structures) belongs to the floors
+;; above.
+
+(require (for-syntax racket/base)
+         "operation-table.rkt")
 
 (provide
  ;; operations
  (struct-out operation)
  op:+ op:* op:- op:/ op:expt op:sqrt op:exp op:log
- op:sin op:cos op:tan op:asin op:acos op:atan op:sinh op:cosh op:tanh op:abs
+ op:sin op:cos op:tan op:asin op:acos op:atan
+ op:sinh op:cosh op:tanh op:asinh op:acosh op:atanh op:abs op:sgn
  op:up op:down
+ operations          ; those of the table, in its order
  ;; literal heads
  (struct-out literal-head)
  make-literal-head literal-head-derivative head=? head-hash head->datum)
 
 ;; numeric : number ... -> number, or #f for the uninterpreted constructors
 ;; `up` and `down`, which occur only inside arguments of literal functions.
-(struct operation (name arity numeric)
+(struct operation (name numeric)
   #:authentic)
 
-(define-syntax-rule (define-operations [id name arity numeric] ...)
-  (begin (define id (operation 'name arity numeric)) ...))
+;; op:sin from the entry of `sin`, and so on through the table; where two entries
+;; share a name, as those of (atan y) and (atan y x), one operation serves both.
+(define-syntax (define-operations stx)
+  (syntax-case stx ()
+    [(_ all)
+     (let ([entries (distinct operation-entries)])
+       (with-syntax ([((id name numeric) ...)
+                      (for/list ([e (in-list entries)])
+                        (syntax-case e ()
+                          [(name arguments numeric . _)
+                           (list (datum->syntax stx (prefixed #'name)) #'name #'numeric)]))])
+         #'(begin
+             (define id (operation 'name numeric)) ...
+             (define all (list id ...)))))]))
 
-(define (cosh x) (/ (+ (exp x) (exp (- x))) 2))
-(define (sinh x)
-  (cond [(eqv? x 0) 0]
-        [(and (real? x) (< (abs x) 1e-2))   ; Taylor: no cancellation near 0
-         (let* ([x (exact->inexact x)] [s (* x x)])
-           (* x (+ 1 (* (/ s 6) (+ 1 (* (/ s 20) (+ 1 (/ s 42))))))))]
-        [else (/ (- (exp x) (exp (- x))) 2)]))
-(define (tanh x)
-  (cond [(not (real? x)) (/ (sinh x) (cosh x))]
-        [(> x 20) 1.0]
-        [(< x -20) -1.0]
-        [else (/ (sinh x) (cosh x))]))
+(begin-for-syntax
+  (define (entry-name e) (syntax-e (car (syntax-e e))))
+  (define (prefixed name) (string->symbol (format "op:~a" (syntax-e name))))
+  (define (distinct entries)
+    (for/fold ([kept '()] #:result (reverse kept)) ([e (in-list entries)])
+      (if (memq (entry-name e) (map entry-name kept)) kept (cons e kept)))))
 
-(define-operations
-  [op:+ + #f +]
-  [op:* * #f *]
-  [op:- - 2 -]
-  [op:/ / 2 /]
-  [op:expt expt 2 expt]
-  [op:sqrt sqrt 1 sqrt]
-  [op:exp exp 1 exp]
-  [op:log log 1 log]
-  [op:sin sin 1 sin]
-  [op:cos cos 1 cos]
-  [op:tan tan 1 tan]
-  [op:asin asin 1 asin]
-  [op:acos acos 1 acos]
-  [op:atan atan #f atan]                    ; (atan y) and (atan y x)
-  [op:sinh sinh 1 sinh]
-  [op:cosh cosh 1 cosh]
-  [op:tanh tanh 1 tanh]
-  [op:abs abs 1 (lambda (x) (if (real? x) (abs x) (magnitude x)))]
-  [op:up up #f #f]
-  [op:down down #f #f])
+(define-operations operations)
+
+(define op:up (operation 'up #f))
+(define op:down (operation 'down #f))
 
 ;; ---------------------------------------------------------------------------
 ;; Literal heads

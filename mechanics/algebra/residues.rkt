@@ -103,12 +103,11 @@
   (fxremainder (mix-values s (operation-number op) operands) (site-prime s)))
 
 (define (operation-number op)
-  (let loop ([ops unknown-operations] [k 0])
+  (let loop ([ops numbered-operations] [k 0])
     (cond [(null? ops) k]
           [(eq? op (car ops)) k]
           [else (loop (cdr ops) (+ k 1))])))
-(define unknown-operations
-  (list op:log op:asin op:acos op:atan op:up op:down op:expt op:exp op:sin))
+(define numbered-operations (list* op:up op:down operations))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers

@@ -1,7 +1,9 @@
 #lang racket/base
 ;; What D and partial say when they are misused.
 
-(require "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
+(require "literal-function.rkt"
+         "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
+         "../generic/kind.rkt" "../generic/elementary.rkt"
          "../algebra/datum.rkt")
 
 (provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated raise-no-such-component
@@ -51,9 +53,16 @@
 (define (suggestion f who args x)
   (cond [(and x (accepts? f (structure-length x)))
          (did-you-mean f who (vector->list (structure-elements x)))]
-        [(and (not x) (pair? args) (accepts? f 1))
+        [(and (not x) (pair? args) (accepts? f 1) (may-take? f (apply up args)))
          (did-you-mean f who (list (apply up args)))]
         [else ""]))
+
+;; As far as one can tell without trying.
+(define (may-take? f tuple)
+  (cond [(literal-function? f) (literal-function-takes? f (list tuple))]
+        [else (not (memq f scalar-functions))]))
+
+(define scalar-functions (map generic-op-procedure elementary-operations))
 
 (define (did-you-mean f who args)
   (format ".\n  Did you mean ~a?"

@@ -7,7 +7,8 @@
 ;; and Pearlmutter 2005): every ε carries a tag of its own (perturbed.rkt).
 
 (require "perturbed.rkt"
-         "../generic/kind.rkt" "../generic/describe.rkt" "../generic/arithmetic.rkt")
+         "../generic/kind.rkt" "../generic/describe.rkt" "../generic/arithmetic.rkt"
+         "../algebra/expression.rkt")
 
 (provide dual? dual-tag dual-tangent perturb
          make-dual primal-part tangent-part)
@@ -18,7 +19,11 @@
              #:datum (lambda (d) (value->datum (dual-primal d)))
              #:unary (lambda (op d) (dual-unary op d))
              #:binary (lambda (op a b) (dual-binary op a b))
-             #:comparand (lambda (d) (dual-primal d))))
+             #:comparand (lambda (d) (dual-primal d))
+             #:same? (lambda (same? a b)
+                       (and (eqv? (dual-tag a) (dual-tag b))
+                            (same? (dual-primal a) (dual-primal b))
+                            (same? (dual-tangent a) (dual-tangent b))))))
 
 (struct dual perturbed (primal tangent)
   #:authentic
@@ -52,7 +57,7 @@
   (define x (dual-primal d))
   (define value ((generic-op-procedure op) x))
   (define slope ((car (generic-op-partials op)) x value))
-  (make-dual (dual-tag d) value (g:* slope (dual-tangent d))))
+  (varying (dual-tag d) value (g:* slope (dual-tangent d))))
 
 ;; Where the outermost ε is not a dual number's, its own arithmetic decides.
 (define (dual-binary op a b)
@@ -64,12 +69,28 @@
 (define (combine op a b tag)
   (define x (primal-part a tag))
   (define y (primal-part b tag))
-  (define dx (tangent-part a tag))
-  (define dy (tangent-part b tag))
   (define value ((generic-op-procedure op) x y))
-  (define-values (by-first by-second)
-    (let ([partials (generic-op-partials op)])
-      (values (car partials) (cadr partials))))
-  (make-dual tag value
-             (g:+ (if (eqv? dx 0) 0 (g:* (by-first x y value) dx))
-                  (if (eqv? dy 0) 0 (g:* (by-second x y value) dy)))))
+  (define partials (generic-op-partials op))
+  (define by-first (and (carries? a tag) ((car partials) x y value)))
+  (define by-second (and (carries? b tag) ((cadr partials) x y value)))
+  (cond [(and by-first by-second)
+         (varying tag value (g:+ (g:* by-first (dual-tangent a)) (g:* by-second (dual-tangent b))))]
+        [(constant? by-first by-second x y) value]
+        [by-first (varying tag value (g:* by-first (dual-tangent a)))]
+        [else (varying tag value (g:* by-second (dual-tangent b)))]))
+
+(define (carries? x tag) (and (dual? x) (eqv? (dual-tag x) tag)))
+
+;; A quantity that varies though its first derivative vanishes, as x² at 0, still
+;; bears its ε: the square root of that has no derivative, where that of a
+;; constant 0 has the derivative 0.  Expressions are taken at a generic point,
+;; where only what is constant has no derivative.
+(define (varying tag value tangent)
+  (if (and (eqv? tangent 0) (symbolic? value)) value (dual tag value tangent)))
+
+;; Where one argument only varies and the slope by it is 0, the operation does
+;; not depend on it, as 0 x, 1ˣ or x⁰ do not; except that a power xⁿ does at 0.
+(define (constant? by-first by-second x y)
+  (if by-first
+      (and (eqv? by-first 0) (not (and (eqv? x 0) (not (eqv? y 0)))))
+      (eqv? by-second 0)))

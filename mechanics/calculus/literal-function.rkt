@@ -12,7 +12,7 @@
          "../value/signature.rkt"
          "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/datum.rkt")
 
-(provide literal-function literal-function?
+(provide literal-function literal-function? literal-function-takes?
          literal-up literal-down literal-number)
 
 (define kind:unknown
@@ -88,11 +88,14 @@
         [else (raise-misfit f (list x))]))
 
 (define (apply-unknown f args)
-  (define domain (signature-domain (unknown-signature f)))
-  (unless (and (= (length domain) (length args))
-               (andmap shape-fits? domain args))
-    (raise-misfit f args))
+  (unless (literal-function-takes? f args) (raise-misfit f args))
   (apply-head (unknown-head f) args))
+
+;; Do the arguments fit the signature?
+(define (literal-function-takes? f args)
+  (define domain (signature-domain (unknown-signature f)))
+  (and (= (length domain) (length args))
+       (andmap shape-fits? domain args)))
 
 ;; f(x + x' ε) = f(x) + Σ ∂f/∂xᵢ(x) xᵢ' ε, over the scalars xᵢ of the arguments.
 (define (apply-head head args)

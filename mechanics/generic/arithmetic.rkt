@@ -3,11 +3,12 @@
 ;;
 ;; Each is first asked of two flonums or two numbers, which costs a test; all
 ;; else goes through `dispatch-binary`.  Next to every operation stands the
-;; record of it that kinds see, with its partial derivatives: these receive the
-;; arguments and the operation's value there.
+;; record of it that kinds see, made of its entry in the table of operations; what
+;; is made of others, as a square of a product, has no entry there and no symbol
+;; in expressions.
 
 (require racket/flonum
-         "naming.rkt" "kind.rkt" "structure.rkt" "function.rkt" "dispatch.rkt"
+         "naming.rkt" "kind.rkt" "structure.rkt" "function.rkt" "dispatch.rkt" "record.rkt"
          "../algebra/operation.rkt" "../algebra/expression.rkt")
 
 (provide g:+ g:- g:* g:/ g:square g:cube g:negate g:invert
@@ -40,8 +41,7 @@
     [(a) (add a 0)]
     [(a b . more) (for/fold ([sum (add a b)]) ([x (in-list more)]) (add sum x))]))
 
-(define generic:+
-  (generic-op '+ op:+ g:+ (list (lambda (a b v) 1) (lambda (a b v) 1))))
+(define-record generic:+ + 2 g:+)
 
 (define (subtract a b)
   (cond [(and (flonum? a) (flonum? b)) (fl- a b)]
@@ -71,10 +71,10 @@
 
 (define-named g:negate negate (lambda (a) (negate a)))
 
-(define generic:negate (generic-op '- #f negate (list (lambda (a v) -1))))
+(define generic:negate
+  (generic-op '- #f negate (list (lambda (a value) -1)) '((-2.0 2.0))))
 
-(define generic:-
-  (generic-op '- op:- g:- (list (lambda (a b v) 1) (lambda (a b v) -1))))
+(define-record generic:- - 2 g:-)
 
 ;; ---------------------------------------------------------------------------
 ;; Products
@@ -104,8 +104,7 @@
     [(a) (multiply 1 a)]
     [(a b . more) (for/fold ([p (multiply a b)]) ([x (in-list more)]) (multiply p x))]))
 
-(define generic:*
-  (generic-op '* op:* g:* (list (lambda (a b v) b) (lambda (a b v) a))))
+(define-record generic:* * 2 g:*)
 
 ;; The square of a tuple is the sum of the squares of its components (SICM
 ;; p. 519): a scalar, unlike (* v v), which is the outer product.  So the square
@@ -130,9 +129,9 @@
           [else (raise-inapplicable generic:cube a)])))
 
 (define generic:square
-  (generic-op 'square #f g:square (list (lambda (a v) (multiply 2 a)))))
+  (generic-op 'square #f g:square (list (lambda (a value) (multiply 2 a))) '((-2.0 2.0))))
 (define generic:cube
-  (generic-op 'cube #f g:cube (list (lambda (a v) (multiply 3 (g:square a))))))
+  (generic-op 'cube #f g:cube (list (lambda (a value) (multiply 3 (g:square a)))) '((-2.0 2.0))))
 
 ;; ---------------------------------------------------------------------------
 ;; Quotients
@@ -155,9 +154,8 @@
 
 (define-named g:invert invert (lambda (a) (divide 1 a)))
 
-(define generic:/
-  (generic-op '/ op:/ g:/
-              (list (lambda (a b v) (divide 1 b))
-                    (lambda (a b v) (g:- (divide v b))))))
+(define-record generic:/ / 2 g:/)
 
-(define arithmetic-operations (list generic:+ generic:- generic:* generic:/))
+;; Every record above: what a test that checks each derivative goes through.
+(define arithmetic-operations
+  (list generic:+ generic:- generic:* generic:/ generic:negate generic:square generic:cube))

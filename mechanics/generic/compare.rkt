@@ -6,10 +6,12 @@
 ;; does not exist, and asking for it is an error that names the value.
 
 (require "naming.rkt" "kind.rkt" "structure.rkt" "arithmetic.rkt" "describe.rkt"
+         "singular-derivative.rkt"
          "../algebra/expression.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
-         g:max g:min g:add1 g:sub1)
+         g:max g:min g:add1 g:sub1
+         comparand)
 
 ;; What comparisons look at: a dual number is compared by its value.
 (define (comparand x)
@@ -101,19 +103,30 @@
 (define-named g:negative? negative?
   (lambda (x) (negative? (real-comparand 'negative? x))))
 
-;; The argument itself is the value, so that its derivative comes along; where
-;; two are equal it is the first.
+;; The argument itself is the value, so that its derivative comes along.  Where
+;; two are equal there is a kink, unless they are the same with their derivatives.
 (define-syntax-rule (define-extreme id name numeric beyond?)
   (begin
     (define (two a b)
       (cond [(and (real? a) (real? b)) (numeric a b)]
-            [(beyond? (real-comparand 'name b) (real-comparand 'name a)) b]
-            [else a]))
+            [else
+             (define x (real-comparand 'name a))
+             (define y (real-comparand 'name b))
+             (cond [(beyond? y x) b]
+                   [(and (= x y) (not (identical? a b)))
+                    (raise-no-derivative-at 'name (list a b) "where two arguments are equal")]
+                   [else a])]))
     (define-named id name
       (case-lambda
         [(a b) (two a b)]
         [(a) (begin (real-comparand 'name a) a)]
         [(a b . more) (apply id (two a b) more)]))))
+
+;; Equal in all their parts: of numbers being differentiated, the derivatives too.
+(define (identical? a b)
+  (cond [(same-kind a b)
+         => (lambda (k) (if (kind-same? k) ((kind-same? k) identical? a b) (equal? a b)))]
+        [else (or (eq? a b) (and (number? a) (number? b) (= a b)))]))
 
 (define-extreme g:max max max >)
 (define-extreme g:min min min <)

@@ -1,50 +1,63 @@
 #lang racket/base
-;; The elementary functions, generic: one entry each.
+;; The elementary functions, generic.
 ;;
-;; An entry names the operation and gives its derivative, as generic code over
-;; the argument and `value`, the operation's value there (so that exp and sqrt
-;; share the node they are made of).  Everything else follows from the entry:
-;; numbers are computed, expressions built, functions composed, and derivatives
-;; of any order taken.
+;; What each of them is stands in the table of operations; everything else
+;; follows from its entry there: numbers are computed, expressions built,
+;; functions composed, and derivatives of any order taken.
 
 (require (for-syntax racket/base)
-         "naming.rkt" "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt"
+         racket/flonum
+         "naming.rkt" "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt" "compare.rkt"
+         "record.rkt" "singular-derivative.rkt"
          "../algebra/operation.rkt" "../algebra/expression.rkt")
 
 (provide g:sqrt g:exp g:log g:sin g:cos g:tan g:asin g:acos g:atan
-         g:sinh g:cosh g:tanh g:abs g:expt g:sec g:csc g:cot
-         elementary-operations)
+         g:sinh g:cosh g:tanh g:asinh g:acosh g:atanh g:abs g:sgn g:expt
+         g:sec g:csc g:cot g:sech g:csch g:coth
+         elementary-operations
+         (for-syntax unary-functions))
 
-;; (define-elementary sin (x value) derivative) defines g:sin and generic:sin
-;; from op:sin.
+;; ---------------------------------------------------------------------------
+;; Functions of one argument
+
+;; g:sin and generic:sin from the entry of `sin`, and so on.
 (define-syntax (define-elementary stx)
   (define (prefixed prefix id)
-    (datum->syntax id (string->symbol (format "~a~a" prefix (syntax-e id))) id))
+    (datum->syntax id (string->symbol (format "~a~a" prefix (syntax-e id))) id id))
   (syntax-case stx ()
-    [(_ name (x value) derivative)
-     (with-syntax ([procedure (prefixed "g:" #'name)]
-                   [generic (prefixed "generic:" #'name)]
-                   [op (prefixed "op:" #'name)])
+    [(_ name ...)
+     (with-syntax ([(procedure ...) (map (lambda (n) (prefixed "g:" n)) (syntax->list #'(name ...)))]
+                   [(generic ...) (map (lambda (n) (prefixed "generic:" n)) (syntax->list #'(name ...)))]
+                   [(op ...) (map (lambda (n) (prefixed "op:" n)) (syntax->list #'(name ...)))]
+                   [(define-record ...)
+                    (for/list ([n (in-list (syntax->list #'(name ...)))])
+                      (datum->syntax n 'define-record))])
        #'(begin
-           (define-named procedure name
-             (let ([numeric (operation-numeric op)])
-               (case-lambda
-                 [(a) (if (number? a) (numeric a) (dispatch-unary generic a))]
-                 [args (raise-unary-arity 'name args)])))
-           (define generic
-             (generic-op 'name op procedure (list (lambda (x value) derivative))))))]))
+           (begin
+             (define-named procedure name
+               (let ([numeric (operation-numeric op)])
+                 (lambda (a) (if (number? a) (numeric a) (dispatch-unary generic a)))))
+             (define-record generic name 1 procedure))
+           ...))]))
 
-(define-elementary sqrt (x value) (g:/ 1 (g:* 2 value)))
-(define-elementary exp (x value) value)
-(define-elementary sin (x value) (g:cos x))
-(define-elementary cos (x value) (g:negate (g:sin x)))
-(define-elementary tan (x value) (g:+ 1 (g:square value)))
-(define-elementary asin (x value) (g:/ 1 (g:sqrt (g:- 1 (g:square x)))))
-(define-elementary acos (x value) (g:/ -1 (g:sqrt (g:- 1 (g:square x)))))
-(define-elementary sinh (x value) (g:cosh x))
-(define-elementary cosh (x value) (g:sinh x))
-(define-elementary tanh (x value) (g:- 1 (g:square value)))
-(define-elementary abs (x value) (g:/ x value))
+(define-elementary
+  sqrt exp sin cos tan asin acos sinh cosh tanh asinh acosh atanh abs sgn)
+
+(define-named g:sec sec (lambda (x) (g:/ 1 (g:cos x))))
+(define-named g:csc csc (lambda (x) (g:/ 1 (g:sin x))))
+(define-named g:cot cot (lambda (x) (g:/ (g:cos x) (g:sin x))))
+(define-named g:sech sech (lambda (x) (g:/ 1 (g:cosh x))))
+(define-named g:csch csch (lambda (x) (g:/ 1 (g:sinh x))))
+(define-named g:coth coth (lambda (x) (g:/ (g:cosh x) (g:sinh x))))
+
+;; The language says more of a wrong number of arguments than Racket does, where
+;; it sees one of these applied.
+(begin-for-syntax
+  (define unary-functions
+    (list #'g:sqrt #'g:exp #'g:sin #'g:cos #'g:tan #'g:asin #'g:acos
+          #'g:sinh #'g:cosh #'g:tanh #'g:asinh #'g:acosh #'g:atanh #'g:abs #'g:sgn
+          #'g:sec #'g:csc #'g:cot #'g:sech #'g:csch #'g:coth
+          #'g:square #'g:cube #'g:negate #'g:invert)))
 
 ;; ---------------------------------------------------------------------------
 ;; Functions of one or two arguments
@@ -57,8 +70,7 @@
     [(x) (natural-log x)]
     [(x base) (g:/ (natural-log x) (natural-log base))]))
 
-(define generic:log
-  (generic-op 'log op:log natural-log (list (lambda (x value) (g:/ 1 x)))))
+(define-record generic:log log 1 natural-log)
 
 ;; (atan y) and (atan y x), the angle of the point (x, y).
 (define (atan-1 y)
@@ -80,15 +92,8 @@
 (define-named g:atan atan
   (case-lambda [(y) (atan-1 y)] [(y x) (atan-2 y x)]))
 
-(define generic:atan
-  (generic-op 'atan op:atan atan-1
-              (list (lambda (y value) (g:/ 1 (g:+ 1 (g:square y)))))))
-
-(define generic:atan2
-  (generic-op 'atan op:atan atan-2
-              (list (lambda (y x value) (g:/ x (g:+ (g:square x) (g:square y))))
-                    (lambda (y x value)
-                      (g:negate (g:/ y (g:+ (g:square x) (g:square y))))))))
+(define-record generic:atan atan 1 atan-1)
+(define-record generic:atan2 atan 2 atan-2)
 
 ;; ---------------------------------------------------------------------------
 ;; Powers
@@ -105,25 +110,44 @@
       (for/fold ([p b]) ([_ (in-range (sub1 n))]) (g:* p b))
       (raise-inapplicable generic:expt b n)))
 
-;; The derivatives of b⁰ and of 0ⁿ are 0, where the formulas divide by 0.
-(define generic:expt
-  (generic-op 'expt op:expt g:expt
-              (list (lambda (b n value)
-                      (if (and (number? n) (zero? n)) 0 (g:* n (g:expt b (g:- n 1)))))
-                    (lambda (b n value)
-                      (if (and (number? value) (zero? value))
-                          0
-                          (g:* value (natural-log b)))))))
+(define-record generic:expt expt 2 g:expt)
 
 ;; ---------------------------------------------------------------------------
-;; Reciprocals
+;; What the table writes derivatives with
 
-(define-named g:sec sec (lambda (x) (g:/ 1 (g:cos x))))
-(define-named g:csc csc (lambda (x) (g:/ 1 (g:sin x))))
-(define-named g:cot cot (lambda (x) (g:/ (g:cos x) (g:sin x))))
+;; a/b, where b = 0 means that there is no derivative.
+(define (slope-at name arguments a b)
+  (cond [(if (flonum? b) (fl= b 0.0) (g:zero? b)) (raise-no-derivative-at name arguments)]
+        [else (g:/ a b)]))
+
+;; The value of a function that has a derivative at real x only.
+(define (real-value name value x)
+  (define c (comparand x))
+  (if (and (number? c) (not (real? c)))
+      (raise-no-derivative-at name (list x))
+      value))
+
+;; ∂(bⁿ)/∂b = n bⁿ⁻¹.  It is 0 for n = 0, where the formula may divide by 0, and
+;; for other n < 1 there is none at b = 0.
+(define (power-by-base b n)
+  (define exponent (comparand n))
+  (cond [(eqv? n 0) 0]
+        [(and (real? exponent) (< exponent 1) (g:zero? b))
+         (if (zero? exponent) 0 (raise-no-derivative-at 'expt (list b n)))]
+        [else (g:* n (g:expt b (g:- n 1)))]))
+
+;; ∂(bⁿ)/∂n = bⁿ log b, which is 0 at b = 0 as long as bⁿ is; but 0ⁿ jumps from
+;; 0 to 1 at n = 0.
+(define (power-by-exponent b n value)
+  (cond [(g:zero? value) 0]
+        [(g:zero? b) (raise-no-derivative-at 'expt (list b n))]
+        [else (g:* value (natural-log b))]))
+
+;; ---------------------------------------------------------------------------
 
 ;; Every record above: what a test that checks each derivative goes through.
 (define elementary-operations
   (list generic:sqrt generic:exp generic:log generic:sin generic:cos generic:tan
         generic:asin generic:acos generic:atan generic:atan2
-        generic:sinh generic:cosh generic:tanh generic:abs generic:expt))
+        generic:sinh generic:cosh generic:tanh generic:asinh generic:acosh generic:atanh
+        generic:abs generic:sgn generic:expt))

@@ -49,7 +49,9 @@
 (define rank:operator 6)
 
 ;; A generic operation as kinds see it: its name, the operation that heads
-;; symbolic expressions, the generic procedure itself, and its partial
-;; derivatives, one generic procedure for each argument.
-(struct generic-op (name operation procedure partials)
+;; symbolic expressions, the generic procedure itself, its partial derivatives,
+;; one generic procedure for each argument, which takes the arguments and the
+;; operation's value there; and for each argument an interval (low high) on which
+;; the operation is real and smooth.
+(struct generic-op (name operation procedure partials domain)
   #:authentic)

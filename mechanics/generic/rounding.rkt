@@ -3,12 +3,14 @@
 ;; stop a derivative on its way nor enter expressions.
 ;;
 ;; exact->inexact is the identity as far as the mathematics goes.  Roundings are
-;; constant between their jumps, where they have no derivative.
+;; constant between their jumps, where they have no derivative: their values are
+;; plain numbers, which may count and index.
 
 (require "naming.rkt" "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt" "compare.rkt"
-         "elementary.rkt" "describe.rkt" "../algebra/expression.rkt")
+         "elementary.rkt" "singular-derivative.rkt" "../algebra/expression.rkt")
 
-(provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude)
+(provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude
+         rounding-operations)
 
 ;; A symbol stands for an inexact number as well as for an exact one.
 (define-named g:exact->inexact exact->inexact
@@ -19,7 +21,7 @@
           [else (dispatch-unary generic:exact->inexact x)])))
 
 (define generic:exact->inexact
-  (generic-op 'exact->inexact #f g:exact->inexact (list (lambda (x value) 1))))
+  (generic-op 'exact->inexact #f g:exact->inexact (list (lambda (x value) 1)) '((-2.0 2.0))))
 
 (define-named g:magnitude magnitude
   (lambda (x) (if (number? x) (magnitude x) (g:abs x))))
@@ -29,13 +31,18 @@
   (begin
     (define-named id name
       (lambda (x)
+        (define c (comparand x))
         (cond [(real? x) (numeric x)]
-              [(or (number? x) (expression? x)) (raise-inapplicable generic x)]
+              [(real? c)                        ; x, of value c, is being differentiated
+               (define value (numeric c))
+               (if (g:zero? (jump c value)) (raise-at-jump 'name x) value)]
+              [(expression? x) (raise-inapplicable generic x)]
               [else (dispatch-unary generic x)])))
     (define generic
       (generic-op 'name #f id
                   (list (lambda (x value)
-                          (if (g:zero? (jump x value)) (raise-at-jump 'name x) 0)))))))
+                          (if (g:zero? (jump x value)) (raise-at-jump 'name x) 0)))
+                  '((-0.9 -0.6))))))
 
 (define-rounding g:floor generic:floor floor floor g:-)
 (define-rounding g:ceiling generic:ceiling ceiling ceiling g:-)
@@ -45,5 +52,8 @@
   (lambda (x value) (g:- (g:abs (g:- x value)) 1/2)))
 
 (define (raise-at-jump who x)
-  (raise (exn:fail:contract (format "~a: has no derivative where it jumps, at ~a" who (value->text x))
-                            (current-continuation-marks))))
+  (raise-no-derivative-at who (list x) "where it jumps"))
+
+;; Every record above: what a test that checks each derivative goes through.
+(define rounding-operations
+  (list generic:exact->inexact generic:floor generic:ceiling generic:truncate generic:round))

@@ -16,6 +16,8 @@
 
 (require (for-syntax racket/base)
          "../generic/describe.rkt"
+         (only-in "../generic/dispatch.rkt" raise-unary-arity)
+         (only-meta-in 1 "../generic/elementary.rkt")
          (only-in "../generic/structure.rkt" vector->up)
          (only-in "mismatch.rkt" short-text list-hint))
 
@@ -81,7 +83,11 @@
        (if (lambda-form? operator)
            (plain-application stx)
            (apply-to stx #`(#%plain-app callable #,operator) arguments))]
-      [(imported? operator) (plain-application stx)]
+      [(imported? operator)
+       (if (and (unary? operator) (not (one? arguments)) (not (ormap keyword-argument? arguments)))
+           #`(#%plain-app raise-unary-arity (#%plain-app object-name #,operator)
+                          (#%plain-app list #,@arguments))
+           (plain-application stx))]
       [(ormap keyword-argument? arguments)
        (apply-to stx #`(if (#%plain-app procedure? #,operator)
                            #,operator
@@ -141,6 +147,14 @@
     (syntax-case stx ()
       [(head . _) (identifier? #'head) (memq (syntax-e #'head) '(lambda λ case-lambda))]
       [_ #f]))
+
+  (define (one? xs) (and (pair? xs) (null? (cdr xs))))
+
+  ;; Is it one of our functions of one argument?
+  (define (unary? id)
+    (define own-name (cadr (identifier-binding id)))
+    (for/or ([u (in-list unary-functions)])
+      (and (eq? own-name (syntax-e u)) (free-identifier=? id u))))
 
   (define (imported? id)
     (define binding (identifier-binding id))

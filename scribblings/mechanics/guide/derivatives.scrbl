@@ -171,4 +171,49 @@ while such a function runs. The problem and this example are due to
 O. Manzyuk, B. A. Pearlmutter, A. A. Radul, D. R. Rush and J. M. Siskind,
 @hyperlink["https://arxiv.org/abs/1211.4892"]{arXiv:1211.4892}.
 
+@section[#:tag "singular-derivatives"]{Points without a derivative}
+
+A function may have a value at a point and no derivative there: a kink, a jump, an
+infinite slope. @racket[D] says so. It does not give one of two one-sided
+derivatives, nor an infinity that becomes a NaN two steps later, and it makes no
+difference whether the point is exact.
+
+@examples[#:eval session #:label #f
+(eval:error ((D abs) 0))
+(eval:error ((D sqrt) 0.0))
+(eval:error ((D (lambda (x) (max x (- x)))) 0))
+(eval:error ((D floor) 2))
+((D floor) 2.5)]
+
+The same holds for a function made of others, even where the inner one has slope 0:
+|x| by another name has no derivative at 0 either.
+
+@examples[#:eval session #:label #f
+(eval:error ((D (lambda (x) (sqrt (* x x)))) 0))
+((D (lambda (x) (sqrt (* x x)))) -3)]
+
+The exception is @racket[exn:fail:mechanics:singular], which carries the point. The
+library is careful rather than clever here: x|x| does have a derivative at 0, namely
+0, but its parts have not, so that it is refused.
+
+At a symbol a derivative is that at a generic point:
+
+@examples[#:eval session #:label #f
+((D abs) 'x)
+((D (lambda (x) (* x (abs x)))) 'x)]
+
+Your own conditionals are beyond that care. A comparison looks at values only, so a
+program takes within @racket[D] the branch that it takes without, and the result is
+the derivative of that branch. Where the branches do not join smoothly, or one
+covers a single point, it need not be that of the function:
+
+@examples[#:eval session #:label #f
+(define (sinc x) (if (= x 0) 1 (/ (sin x) x)))
+(eval:check ((D sinc) 0) 0)
+(((expt D 2) sinc) 0)
+(((expt D 2) sinc) 1e-3)]
+
+The second derivative of sin x/x at 0 is −1/3, as its value nearby suggests; what
+was differentiated is the constant 1 that the program gives at 0.
+
 @(close-session session)

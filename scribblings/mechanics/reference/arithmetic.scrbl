@@ -95,13 +95,19 @@ base is given.
 ((D log) 'x)
 (log 8 2)]}
 
-@defproc[(abs [x value]) value]{
+@deftogether[(@defproc[(abs [x value]) value]
+              @defproc[(sgn [x value]) value])]{
 
-The absolute value. The derivative is x/|x|.
+The absolute value, and the sign, which is 0 at 0. The derivative of @racket[abs]
+is x/|x| and that of @racket[sgn] is 0; at 0, and at complex numbers, neither has
+one (@secref["singular-derivatives"]).
 
 @examples[#:eval session
 (abs -3)
-((D abs) 'x)]}
+((D abs) 'x)
+((D abs) -3)
+(map sgn (list -3 0 1/2))
+(eval:error ((D abs) 0))]}
 
 @section{Trigonometry}
 
@@ -133,11 +139,27 @@ positive first axis; the second coordinate comes first.
 
 @deftogether[(@defproc[(sinh [x value]) value]
               @defproc[(cosh [x value]) value]
-              @defproc[(tanh [x value]) value])]{
+              @defproc[(tanh [x value]) value]
+              @defproc[(sech [x value]) value]
+              @defproc[(csch [x value]) value]
+              @defproc[(coth [x value]) value])]{
 
 @examples[#:eval session
 (- (square (cosh 'x)) (square (sinh 'x)))
-((D tanh) 0)]}
+((D tanh) 0)
+((D sech) 'x)]}
+
+@deftogether[(@defproc[(asinh [x value]) value]
+              @defproc[(acosh [x value]) value]
+              @defproc[(atanh [x value]) value])]{
+
+The inverse hyperbolic functions, exact at exact points where they can be and
+accurate to the last places near 0.
+
+@examples[#:eval session
+(asinh 1)
+((D asinh) 'x)
+((D atanh) 1/2)]}
 
 @deftogether[(@defthing[pi real?]
               @defthing[:pi real?]
@@ -171,7 +193,8 @@ through.
               @defproc[(truncate [x value]) value]
               @defproc[(round [x value]) value])]{
 
-Of real numbers only. The derivative is 0 between the jumps.
+Of real numbers only. The derivative is 0 between the jumps. Their values are plain
+numbers within a derivative too, so that they may count and index.
 
 @examples[#:eval session
 (floor 2.5)
@@ -230,12 +253,15 @@ form: a symbol is not zero. A tuple is zero when all its components are.
               @defproc[(max [x scalar] [y scalar] ...) scalar]
               @defproc[(min [x scalar] [y scalar] ...) scalar])]{
 
-Real numbers only, like @racket[<].
+Real numbers only, like @racket[<]. Where two arguments of @racket[max] or
+@racket[min] are equal there is no derivative, unless they have the same one.
 
 @examples[#:eval session
 (negative? -1/2)
 (max 1 3 2)
-(eval:error (max 'a 1))]}
+(eval:error (max 'a 1))
+((D (lambda (x) (max x (square x)))) 3)
+(eval:error ((D (lambda (x) (max x (square x)))) 1))]}
 
 @deftogether[(@defproc[(add1 [x value]) value]
               @defproc[(sub1 [x value]) value])]{

@@ -65,7 +65,11 @@
  [((D g))
   "(D g): g takes 2 arguments; it was given 0 arguments"]
  [((D g:sin))
-  "(D sin): needs at least one argument, to differentiate by; it was given none"]
+  "(D sin): sin takes 1 argument; it was given 0 arguments"]
+ [((D g:sin) 'x 'y)
+  "(D sin): sin takes 1 argument; it was given 2 arguments"]
+ [((D V) 'x 'y)
+  "(D V): V takes 1 argument; it was given 2 arguments"]
  [((D (lambda () 3)))
   "(D <function>): needs at least one argument, to differentiate by; it was given none"]
  [(((partial 0) g:+))

@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/generic/describe
+         mechanics/generic/describe mechanics/generic/rounding
          mechanics/value/matrix mechanics/calculus/perturbed mechanics/calculus/dual mechanics/calculus/extract
          mechanics/calculus/literal-function
          "../laws/same.rkt" "../laws/random.rkt" "../laws/element.rkt")
@@ -12,6 +12,16 @@
   (check-equal? (make-dual 1 'x 0) 'x)
   (check-pred dual? (make-dual 1 'x 0.0))
   (check-pred dual? (perturb 1 'x)))
+
+(test-case "what is constant is a number, what only has no slope bears its ε"
+  (define x (make-dual 1 0 1))
+  (for ([c (list (g:* 0 x) (g:* x 0) (g:/ 0 (g:+ 1 x)) (g:expt x 0) (g:expt 1 x) (g:expt 0 (g:+ 1 x))
+                 (g:floor (g:+ x 1/2)))])
+    (check-pred number? c))
+  (for ([v (list (g:* x x) (g:square x) (g:expt x 2) (g:cos x) (g:- x x))])
+    (check-pred dual? v)
+    (check-equal? (extract-tangent 1 v) 0))
+  (check-equal? (g:square (make-dual 1 'x 0)) (g:square 'x)))
 
 (test-case "tags are fresh, and increase"
   (define tags (for/list ([_ 5]) (fresh-tag)))
@@ -27,10 +37,11 @@
 (test-case "ε² = 0, and different ε multiply"
   (define x (make-dual 1 0 1))
   (define y (make-dual 2 0 1))
-  (check-equal? (g:* x x) 0)
+  (check-equal? (primal-part (g:* x x) 1) 0)
+  (check-equal? (extract-tangent 1 (g:* x x)) 0)
   (check-equal? (extract-tangent 1 (extract-tangent 2 (g:* x y))) 1)
   (check-equal? (extract-tangent 2 (extract-tangent 1 (g:* x y))) 1)
-  (check-equal? (extract-tangent 2 (g:* x x y)) 0))
+  (check-equal? (extract-tangent 1 (extract-tangent 2 (g:* x x y))) 0))
 
 (test-case "the coefficient of an ε that is not there is 0"
   (for ([x (list 3 'a (g:sin 'a) (make-dual 7 1 2))])

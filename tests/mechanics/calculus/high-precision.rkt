@@ -6,7 +6,7 @@
 
 (require rackunit
          (prefix-in m: mechanics)
-         "../runner/skip.rkt")
+         "../runner/bigfloats.rkt" "../runner/skip.rkt")
 
 ;; Programs over any arithmetic: (program + * / sin exp sqrt constant) -> function.
 (define programs
@@ -27,31 +27,21 @@
          (lambda (add times over sine expo root number)
            (lambda (x) (root (add (number 2) (sine (times x (times x x))))))))))
 
-(define (big-arithmetic name)
-  (dynamic-require 'math/bigfloat name))
-
 (define (derivative-by-differences program x)
-  (define bf (big-arithmetic 'bf))
-  (define (op name) (big-arithmetic name))
-  (define precision (big-arithmetic 'bf-precision))
+  (define bf (big 'bf))
+  (define precision (big 'bf-precision))
   (parameterize ([precision 200])
-    (define f (program (op 'bf+) (op 'bf*) (op 'bf/) (op 'bfsin) (op 'bfexp) (op 'bfsqrt) bf))
+    (define f (program (big 'bf+) (big 'bf*) (big 'bf/) (big 'bfsin) (big 'bfexp) (big 'bfsqrt) bf))
     (define h (bf "1e-15"))
     (define at (bf x))
-    ((op 'bigfloat->flonum)
-     ((op 'bf/) ((op 'bf-) (f ((op 'bf+) at h)) (f ((op 'bf-) at h)))
-                ((op 'bf*) (bf 2) h)))))
+    ((big 'bigfloat->flonum)
+     ((big 'bf/) ((big 'bf-) (f ((big 'bf+) at h)) (f ((big 'bf-) at h)))
+                ((big 'bf*) (bf 2) h)))))
 
 (define (derivative program x)
   ((m:D (program m:+ m:* m:/ m:sin m:exp m:sqrt values)) x))
 
-;; Without the shared library bigfloats cannot be made.
-(define mpfr?
-  (with-handlers ([exn:fail? (lambda (e) #f)])
-    ((big-arithmetic 'bigfloat?) ((big-arithmetic 'bf+) ((big-arithmetic 'bf) 1)
-                                                        ((big-arithmetic 'bf) 2)))))
-
-(skip-unless mpfr? "libmpfr is not installed: no bigfloats to compare derivatives with"
+(skip-unless bigfloats? no-bigfloats
   (for* ([entry (in-list programs)] [x (in-list '(0.3 1.25 2.0 -0.7))])
     (test-case (format "the derivative of ~a at ~a is right to the last places" (car entry) x)
       (define exact (derivative-by-differences (cdr entry) x))

@@ -5,7 +5,8 @@
          mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
          mechanics/generic/structure
          mechanics/value/matrix mechanics/calculus/derivative
-         mechanics/calculus/literal-function)
+         mechanics/calculus/literal-function
+         mechanics/lang/application)
 
 (define-check (check-message expression-thunk expected)
   (define message
@@ -106,7 +107,7 @@
   "  argument 2: the number 1"])
 
 ;; ---------------------------------------------------------------------------
-;; Slips of the parenthesis
+;; Slips of the parenthesis, as the language's own application sees them
 
 (define V (literal-function 'V))
 
@@ -119,6 +120,7 @@
 
 (test-case "a wrong number of arguments is an arity error"
   (check-exn exn:fail:contract:arity? (lambda () (g:abs g:- 10.3)))
+  (check-exn exn:fail:contract:arity? (lambda () (apply g:abs '(1 2))))
   (check-exn exn:fail:contract:arity? (lambda () (g:expt 2)))
   (check-exn #rx"^expt: " (lambda () (g:expt 2))))
 

@@ -3,17 +3,19 @@
 
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/compare
-         mechanics/generic/describe)
+         mechanics/generic/describe
+         mechanics/lang/application)
 
 (test-case "an operation goes by the name the reader types"
   (for ([f (list g:+ g:- g:* g:/ g:square g:cube g:negate g:invert
                  g:sqrt g:exp g:log g:sin g:cos g:tan g:asin g:acos g:atan
-                 g:sinh g:cosh g:tanh g:abs g:expt g:sec g:csc g:cot
+                 g:sinh g:cosh g:tanh g:asinh g:acosh g:atanh g:abs g:sgn g:expt
+                 g:sec g:csc g:cot g:sech g:csch g:coth
                  g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
                  g:max g:min g:add1 g:sub1)]
         [name '(+ - * / square cube negate invert
                 sqrt exp log sin cos tan asin acos atan
-                sinh cosh tanh abs expt sec csc cot
+                sinh cosh tanh asinh acosh atanh abs sgn expt sec csc cot sech csch coth
                 = < > <= >= zero? one? positive? negative?
                 max min add1 sub1)])
     (check-equal? (object-name f) name)))

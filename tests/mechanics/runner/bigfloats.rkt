@@ -1,0 +1,17 @@
+#lang racket/base
+;; Arbitrary precision for tests that can have it: math/bigfloat wants a shared
+;; library, libmpfr, which is not on every machine.
+
+(provide bigfloats? no-bigfloats big)
+
+(define library 'math/bigfloat)
+
+;; The export of that name.
+(define (big name) (dynamic-require library name))
+
+;; Without the shared library bigfloats load but cannot be made.
+(define bigfloats?
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    ((big 'bigfloat?) ((big 'bf+) ((big 'bf) 1) ((big 'bf) 2)))))
+
+(define no-bigfloats "libmpfr is not installed: no bigfloats to compare derivatives with")
