@@ -1,5 +1,5 @@
 #lang racket/base
-;; Circles: basic angles, and the sums of two of them that presentation asks for.
+;; Circles: basic angles, and the combinations of them that presentation asks for.
 ;;
 ;; An angle is known up to its sign: of u and -u the one with a positive leading
 ;; term has the circle.
@@ -30,24 +30,31 @@
 ;; ---------------------------------------------------------------------------
 ;; Circles by their angles, with all kernels by rank
 
-(struct circles (table services [ranked #:mutable]) #:authentic)
+(struct circles (circular hyperbolic services [ranked #:mutable]) #:authentic)
 
 (define (make-circles kernels services)
-  (define table (make-hash))
+  (define cs
+    (circles (make-hash) (make-hash) services (sort (vector->list kernels) < #:key kernel-rank)))
   (for ([k (in-vector kernels)] #:when (circle? (kernel-relation k)))
     (define o (kernel-relation k))
-    (when (eqv? 1 (circle-sign o))
-      (hash-set! table (circle-expression o) o)))
-  (circles table services (sort (vector->list kernels) < #:key kernel-rank)))
+    (hash-set! (circles-of cs (circle-sign o)) (circle-expression o) o))
+  cs)
 
-;; The circle of the sum (sign 1) or difference (-1) of two angles, and ±1.
-(define (combine-circles! cs a b sign)
-  (define u ((if (eqv? sign 1) e:+ e:-) (circle-expression a) (circle-expression b)))
-  (define table (circles-table cs))
+(define (circles-of cs sign)
+  (if (eqv? sign 1) (circles-circular cs) (circles-hyperbolic cs)))
+
+;; The circle of a linear combination ((circle . integer) ...) of angles of one
+;; sign, not empty, and ±1.
+(define (combine-circles! cs multiples)
+  (define sign (circle-sign (caar multiples)))
+  (define u
+    (for/fold ([sum 0]) ([m (in-list multiples)])
+      (e:+ sum (e:* (cdr m) (circle-expression (car m))))))
+  (define table (circles-of cs sign))
   (signed-angle (circles-services cs) u
                  (lambda (u)
                    (or (hash-ref table u #f)
-                       (let ([o (make-circle u 1 (lambda (e o) (add-kernel! cs e o)))])
+                       (let ([o (make-circle u sign (lambda (e o) (add-kernel! cs e o)))])
                          (hash-set! table u o)
                          o)))))
 

@@ -6,9 +6,9 @@
 ;;     X cos a cos b + X sin a sin b = X cos(a - b)      (with -: cos(a + b))
 ;;     X sin a cos b + X cos a sin b = X sin(a + b)      (with -: sin(a - b))
 ;;
-;; and 2X cos²a - X = X cos 2a, 2X sin a cos a = X sin 2a for those angles 2a
-;; that the expression had.  What was merged may merge again with a third
-;; angle, so passes are made until one finds nothing; each makes fewer terms.
+;; and 2X cos²a - X = X cos 2a.  For those angles 2a that the expression had also
+;; 2X sin a cos a = X sin 2a, though that makes no fewer terms.  What was merged
+;; may merge again with a third angle, so passes are made until one finds nothing.
 ;;
 ;; For this a term's monomial is packed into an integer, its key: in low bits
 ;; the exponents of sines and cosines, above them the number of all the rest.  So
@@ -32,7 +32,8 @@
 ;; -> ((coefficient . ((kernel . exponent) ...)) ...)
 (define (contract-angles F p combine double?)
   (define circles (occurring-circles F p))
-  (if (or (ormap double? circles) (and (pair? circles) (pair? (cdr circles))))
+  (if (or (ormap double? circles)
+          (and (pair? circles) (or (pair? (cdr circles)) (squared? F p (car circles)))))
       (contract F p circles combine double?)
       (for/list ([t (in-list p)])
         (cons (cdr t) (factors->powers F (monomial-factors (field-ring F) (car t)))))))
@@ -46,6 +47,11 @@
     (if (null? merges)
         (decode F s rests width)
         (loop (apply-merges s merges width)))))
+
+(define (squared? F p o)
+  (define R (field-ring F))
+  (or (> (poly-degree R p (kernel-index (circle-cosine o))) 1)
+      (> (poly-degree R p (kernel-index (circle-sine o))) 1)))
 
 ;; The circles whose sines or cosines occur in p.
 (define (occurring-circles F p)
@@ -116,14 +122,8 @@
 (struct merge (keys rest coefficient function circle) #:authentic)
 
 (define (find-merges s width combine double?)
+  (define terms (stage-terms s))
   (define turns (stage-turns s))
-  (define doubles (filter (lambda (t) (double? (turn-circle t))) turns))
-  (define pairs? (and (pair? turns) (pair? (cdr turns))))
-  (if (or pairs? (pair? doubles))
-      (search (stage-terms s) turns doubles width combine)
-      '()))
-
-(define (search terms turns doubles width combine)
   (define table (make-hasheqv terms))
   (define (take! m)
     (for ([k (in-list (merge-keys m))]) (hash-remove! table k))
@@ -132,8 +132,9 @@
     (define key (car t))
     (define m
       (and (hash-has-key? table key)
-           (or (find-pair key (cdr t) (factors key turns width) table combine)
-               (find-double key (cdr t) (factors key doubles width) table combine))))
+           (let ([factors (factors key turns width)])
+             (or (find-pair key (cdr t) factors table combine)
+                 (find-double key (cdr t) factors table combine double?)))))
     (if m (cons (take! m) found) found)))
 
 ;; The turns that occur in a key, as (turn sine-exponent . cosine-exponent).
@@ -177,8 +178,9 @@
                 (if cosine? x (* x (cdr sum)))
                 function (car sum)))))
 
-;; Terms with the square of a function and without, or with sin a cos a.
-(define (find-double key x factors table combine)
+;; Terms with the square of a function and without, or with sin a cos a if twice
+;; the angle is welcome.
+(define (find-double key x factors table combine double?)
   (for/or ([f (in-list factors)])
     (define t (car f))
     (or (and (> (cddr f) 1)
@@ -186,6 +188,7 @@
         (and (> (cadr f) 1)
              (square-of key x (turn-sine t) -1/2 t table combine))
         (and (sine? f) (cosine? f)
+             (double? (turn-circle t))
              (let ([sum (combine (turn-circle t) (turn-circle t) 1)])
                (merge (list key) (- key (turn-sine t) (turn-cosine t))
                       (* 1/2 x (cdr sum)) 'sine (car sum)))))))

@@ -18,7 +18,7 @@
 
 (provide (struct-out field) (struct-out relation)
          make-field field-fraction field-inexact?
-         field-circle-sum field-doubled?
+         field-combined-circle field-doubled?
          reduce-poly reduce-fraction lower)
 
 ;; kernels : vector by index; relations : from the top of the tower;
@@ -206,10 +206,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Angles
 
-;; The circle of the sum (sign 1) or difference of two angles, and 1 or, if it
+;; The circle of a combination ((circle . integer) ...) of angles, and 1 or, if it
 ;; is that of the opposite, -1.
-(define (field-circle-sum F a b sign)
-  (combine-circles! (field-circles F) a b sign))
+(define (field-combined-circle F multiples)
+  (combine-circles! (field-circles F) multiples))
 
 (define (field-doubled? F o)
   (and (memq o (atlas-doubled (field-atlas F))) #t))

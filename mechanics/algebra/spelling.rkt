@@ -2,148 +2,155 @@
 ;; In which angles a polynomial is written.
 ;;
 ;; Choosing between sin² and cos², and contracting products, finds most short
-;; forms, but not sin²(θ - φ), which is spread over four terms in sines and
-;; cosines of θ and φ.  So where two angles occur to the second degree, the terms
-;; that agree in all else are also written in δ = θ ± φ and φ, by
-;;
-;;     sin θ = sin δ cos φ ∓ cos δ sin φ,   cos θ = cos δ cos φ ± sin δ sin φ,
-;;
-;; and the form with fewest terms is kept.
+;; forms.  What they leave as several terms that agree in all but sines and
+;; cosines is also written as waves (waves.rkt): so 16 cos⁵t - 20 cos³t + 6 cos t
+;; is cos 5t + cos t, and sin²(θ - φ), spread over four terms in sines and
+;; cosines of θ and φ, is found again.  The shorter form is kept.
 
-(require "kernel.rkt" "field.rkt" "squares.rkt" "contract.rkt"
-         "polynomial/polynomial.rkt" "polynomial/fraction.rkt" "polynomial/ring.rkt")
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "squares.rkt"
+         "contract.rkt" "waves.rkt" "polynomial/polynomial.rkt")
 
 (provide spell)
 
-;; -> ((coefficient . ((kernel . exponent) ...)) ...), a sum equal to p modulo
-;; the relations.
+;; A summand: (coefficient . ((kernel . exponent) ...)).
+
+;; -> summands whose sum equals p modulo the relations.
 (define (spell F p)
-  (define circles (field-circular-circles F))
-  (define-values (dense rest)
-    (if (or (null? circles) (null? (cdr circles)))
-        (values '() p)
-        (dense-groups F p circles)))
-  (append (spell-as-is F rest)
-          (apply append (map (lambda (g) (spell-group F g circles)) dense))))
+  (define usual
+    (contract-angles F (shortest-squares F p)
+                     (lambda (a b sign) (field-combined-circle F (list (cons a 1) (cons b sign))))
+                     (lambda (o) (field-doubled? F o))))
+  (for/fold ([spelled usual]) ([sign (in-list '(1 -1))])
+    (define circles (circles-of-sign F sign))
+    (if (null? circles) spelled (spell-in-waves F p spelled circles))))
 
-(define (spell-as-is F p)
-  (if (null? p)
-      '()
-      (contract-angles F
-                       (shortest-squares F p)
-                       (lambda (a b sign) (field-circle-sum F a b sign))
-                       (lambda (o) (field-doubled? F o)))))
-
-(define (field-circular-circles F)
+(define (circles-of-sign F sign)
   (for*/list ([k (in-vector (field-kernels F))]
               [o (in-value (kernel-relation k))]
-              #:when (and (circle? o) (eqv? 1 (circle-sign o))))
+              #:when (and (circle? o) (eqv? sign (circle-sign o))))
     o))
 
-(define (sine-index o) (kernel-index (circle-sine o)))
-(define (cosine-index o) (kernel-index (circle-cosine o)))
+;; ---------------------------------------------------------------------------
+;; Groups of summands that agree outside the circles
+
+(define (spell-in-waves F p spelled circles)
+  (define outside (if (eqv? 1 (circle-sign (car circles))) not-circular not-hyperbolic))
+  (define groups (group-by-powers spelled outside))
+  (cond [(andmap lone? groups) spelled]
+        [else
+         (define written (make-hash))
+         (for ([g (in-list (group-by-powers (poly->summands F p) outside))])
+           (hash-set! written (car g) (cdr g)))
+         (apply append
+                (for/list ([g (in-list groups)])
+                  (if (lone? g)
+                      (cdr g)
+                      (shorter-spelling F (cdr g) (hash-ref written (car g)) circles outside))))]))
+
+(define (lone? group) (null? (cddr group)))
+
+(define (poly->summands F p)
+  (for/list ([t (in-list (poly-terms (field-ring F) p))])
+    (cons (car t)
+          (for/list ([f (in-list (cdr t))])
+            (cons (vector-ref (field-kernels F) (car f)) (cdr f))))))
+
+;; -> ((key . summands) ...), in the order in which they come.
+(define (group-by-powers summands chosen?)
+  (define table (make-hash))
+  (define keys
+    (for/fold ([keys '()]) ([s (in-list summands)])
+      (define key (powers-key (filter chosen? (cdr s))))
+      (define known? (hash-has-key? table key))
+      (hash-update! table key (lambda (group) (cons s group)) '())
+      (if known? keys (cons key keys))))
+  (for/list ([key (in-list (reverse keys))])
+    (cons key (reverse (hash-ref table key)))))
+
+;; The same for equal products.
+(define (powers-key powers)
+  (define (pair p) (cons (kernel-rank (car p)) (cdr p)))
+  (cond [(null? powers) '()]
+        [(null? (cdr powers)) (list (pair (car powers)))]
+        [else (sort (map pair powers) < #:key car)]))
+
+(define (headed-by? p a b)
+  (define e (kernel-expression (car p)))
+  (and (node? e) (or (eq? (node-head e) a) (eq? (node-head e) b))))
+
+(define (not-circular p) (not (headed-by? p op:sin op:cos)))
+(define (not-hyperbolic p) (not (headed-by? p op:sinh op:cosh)))
 
 ;; ---------------------------------------------------------------------------
-;; Dense groups
+;; One group
 
-;; -> the groups of terms that agree outside the circles and have two circles to
-;; the second degree, each with those circles; and the other terms, a polynomial.
-(define (dense-groups F p circles)
-  (define R (field-ring F))
-  (define square (ormap (lambda (t) (>= (square-count R t circles) 1)) p))
-  (if square
-      (split-dense R p circles)
-      (values '() p)))
+;; usual : summands; written : those of the polynomial, equal to them.
+(define (shorter-spelling F usual written circles outside)
+  (define active (filter (lambda (o) (varies? o written)) circles))
+  (define circular? (eqv? 1 (circle-sign (car circles))))
+  (define (size w) (wave-size w active))
+  (define rest (unvarying written active))
+  (define waves
+    (and (<= (wave-bound written active) wave-limit)
+         (power-waves (for/list ([s (in-list written)])
+                        (cons (car s) (exponents-of s active)))
+                      circular?)))
+  (cond [(and waves (<= (length waves) (* 2 (length usual))))
+         (define paired (pair-waves waves circular? size))
+         (define constant (powers-size rest))
+         (if (shorter? (length paired)
+                       (for/sum ([w (in-list paired)]) (+ 1 constant (size w)))
+                       (length usual)
+                       (for/sum ([s (in-list usual)])
+                         (+ 1 (amplitude-size (car s)) (powers-size (cdr s)))))
+             (for/list ([w (in-list paired)]) (wave->summand F w active rest))
+             usual)]
+        [else usual]))
 
-(define (square-count R t circles)
-  (for/sum ([o (in-list circles)]) (if (>= (angular-degree R t o) 2) 1 0)))
+;; Is the sum of n terms with this size to be preferred to the usual one?
+(define (shorter? n size usual-n usual-size)
+  (and (< size usual-size)
+       (or (< n usual-n)
+           (and (= n usual-n) (<= (* 6 size) (* 5 usual-size))))))
 
-(define (angular-degree R t o)
-  (+ (monomial-exponent R (car t) (sine-index o)) (monomial-exponent R (car t) (cosine-index o))))
+(define (powers-size powers)
+  (for/sum ([p (in-list powers)])
+    (+ 1 (kernel-size (car p)) (if (eqv? 1 (cdr p)) 0 2))))
 
-(define (split-dense R p circles)
-  (define groups (groups-outside R p circles))
-  (for/fold ([dense '()] [rest '()] #:result (values (reverse dense) (poly-sum R rest)))
-            ([g (in-list groups)])
-    (define squared
-      (for/list ([o (in-list circles)]
-                 #:when (for/or ([t (in-list g)]) (>= (angular-degree R t o) 2)))
-        o))
-    (if (and (pair? squared) (pair? (cdr squared)) (> (length g) 2))
-        (values (cons (cons g squared) dense) rest)
-        (values dense (cons g rest)))))
+;; Products of more exponentials than this are left alone.
+(define wave-limit 4000)
 
-(define (groups-outside R p circles)
-  (define inside (append (map sine-index circles) (map cosine-index circles)))
-  (define outside
-    (monomial-part R (for/list ([i (in-range (ring-size R))] #:unless (memv i inside)) i)))
-  (define table (make-monomial-hash R))
-  (define order
-    (for/fold ([order '()]) ([t (in-list p)])
-      (define m (outside (car t)))
-      (define group (hash-ref table m '()))
-      (hash-set! table m (cons t group))
-      (if (null? group) (cons m order) order)))
-  (for/list ([m (in-list (reverse order))]) (reverse (hash-ref table m))))
+(define (wave-bound written active)
+  (for/sum ([s (in-list written)])
+    (for/product ([e (in-list (exponents-of s active))]) (+ 1 (car e) (cdr e)))))
 
-;; ---------------------------------------------------------------------------
-;; Other angles
+;; ((cosine-exponent . sine-exponent) ...)
+(define (exponents-of s circles)
+  (for/list ([o (in-list circles)])
+    (cons (exponent-of (circle-cosine o) s) (exponent-of (circle-sine o) s))))
 
-;; group : (terms . circles)
-(define (spell-group F group circles)
-  (define p (car group))
-  (define usual (spell-as-is F p))
-  (if (<= (length usual) 2)
-      usual
-      (for*/fold ([best usual])
-                 ([a (in-list (cdr group))] [b (in-list (cdr group))]
-                  #:unless (eq? a b)
-                  [sign (in-list '(-1 1))])
-        (define other (spell-in F p a b sign))
-        (if (and other (< (length other) (length best))) other best))))
+(define (exponent-of k s)
+  (define p (assq k (cdr s)))
+  (if p (cdr p) 0))
 
-;; p written in δ = a + sign b and b, or #f if that passes the ring's degree.
-;; The variables of a stand for δ then.
-(define (spell-in F p a b sign)
-  (define sum (field-circle-sum F a b sign))
-  (define turned
-    (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
-      (substitute-angle F p a b sign (cdr sum))))
-  (and turned
-       (spell-as-is (rename-circle F a (car sum)) turned)))
+;; Do the exponents of the circle's functions differ among the summands?
+(define (varies? o summands)
+  (define (exponents s) (exponents-of s (list o)))
+  (define first (exponents (car summands)))
+  (for/or ([s (in-list (cdr summands))]) (not (equal? (exponents s) first))))
 
-;; orientation : 1 if δ is the angle of the circle the variables will stand for,
-;; -1 if it is the opposite.
-(define (substitute-angle F p a b sign orientation)
-  (define R (field-ring F))
-  (define (variable i) (poly-variable R i))
-  (define sine-δ (poly-scale R orientation (variable (sine-index a))))
-  (define cosine-δ (variable (cosine-index a)))
-  (define sine-b (variable (sine-index b)))
-  (define cosine-b (variable (cosine-index b)))
-  (define sine
-    (poly- R (poly* R sine-δ cosine-b) (poly-scale R sign (poly* R cosine-δ sine-b))))
-  (define cosine
-    (poly+ R (poly* R cosine-δ cosine-b) (poly-scale R sign (poly* R sine-δ sine-b))))
-  (define turned
-    (poly-sum R
-      (for*/list ([s (in-list (poly-coefficients R p (sine-index a)))]
-                  [c (in-list (poly-coefficients R (cdr s) (cosine-index a)))])
-        (poly* R (cdr c)
-               (poly* R (poly-expt R sine (car s)) (poly-expt R cosine (car c)))))))
-  (fraction-numerator (reduce-poly F turned)))
+;; The powers that all summands share: those of no active circle.
+(define (unvarying written active)
+  (define kernels (append (map circle-sine active) (map circle-cosine active)))
+  (filter (lambda (p) (not (memq (car p) kernels))) (cdar written)))
 
-;; The field with the variables of circle a standing for those of another.
-(define (rename-circle F a new)
-  (define kernels (vector-copy (field-kernels F)))
-  (define (rename! i k)
-    (set-kernel-index! k i)
-    (vector-set! kernels i k))
-  (rename! (sine-index a) (circle-sine new))
-  (rename! (cosine-index a) (circle-cosine new))
-  (struct-copy field F [kernels kernels]))
-
-(define (vector-copy v)
-  (define new (make-vector (vector-length v)))
-  (vector-copy! new 0 v)
-  new)
+(define (wave->summand F w circles rest)
+  (for/fold ([c (wave-amplitude w)] [powers rest] #:result (cons c powers))
+            ([f (in-list (wave-factors w))])
+    (define circle+sign
+      (field-combined-circle F (for/list ([o (in-list circles)] [k (in-list (cdr f))]
+                                          #:unless (eqv? k 0))
+                                 (cons o k))))
+    (define sine? (eq? (car f) 'sine))
+    (values (if sine? (* c (cdr circle+sign)) c)
+            (cons (cons ((if sine? circle-sine circle-cosine) (car circle+sign)) 1) powers))))
