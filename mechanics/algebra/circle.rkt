@@ -1,12 +1,13 @@
 #lang racket/base
-;; Circles: basic angles, and the combinations of them that presentation asks for.
+;; Circles: basic angles, and the combinations of them that presentation asks for;
+;; and other kernels it makes up.
 ;;
 ;; An angle is known up to its sign: of u and -u the one with a positive leading
 ;; term has the circle.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt")
 
-(provide signed-angle make-circle make-circles combine-circles!)
+(provide signed-angle make-circle make-circles combine-circles! whole-kernel!)
 
 ;; What make gives for u with 1, or for -u with -1 if u has a negative leading
 ;; term.
@@ -30,11 +31,12 @@
 ;; ---------------------------------------------------------------------------
 ;; Circles by their angles, with all kernels by rank
 
-(struct circles (circular hyperbolic services [ranked #:mutable]) #:authentic)
+(struct circles (circular hyperbolic wholes services [ranked #:mutable]) #:authentic)
 
 (define (make-circles kernels services)
   (define cs
-    (circles (make-hash) (make-hash) services (sort (vector->list kernels) < #:key kernel-rank)))
+    (circles (make-hash) (make-hash) (make-hash) services
+             (sort (vector->list kernels) < #:key kernel-rank)))
   (for ([k (in-vector kernels)] #:when (circle? (kernel-relation k)))
     (define o (kernel-relation k))
     (hash-set! (circles-of cs (circle-sign o)) (circle-expression o) o))
@@ -57,6 +59,10 @@
                        (let ([o (make-circle u sign (lambda (e o) (add-kernel! cs e o)))])
                          (hash-set! table u o)
                          o)))))
+
+;; The kernel of an expression that presentation takes as a whole.
+(define (whole-kernel! cs e relation)
+  (hash-ref! (circles-wholes cs) e (lambda () (add-kernel! cs e relation))))
 
 (define (add-kernel! cs expression relation)
   (define k (make-kernel expression relation))

@@ -13,7 +13,7 @@
          "collector.rkt" "circle.rkt" "exact.rkt")
 
 (provide visit-exponential! visit-symbolic-power! settle-exponentials!
-         combine-exponentials)
+         combine-exponentials merge-exponentials)
 
 ;; (exp u)
 (define (visit-exponential! c n)
@@ -116,15 +116,27 @@
         [else (absorb-base (exponential-product es) others)]))
 
 (define (exponential-product es)
-  (define x (kernel-relation (caar es)))
-  (cond [(and (null? (cdr es)) (eqv? 1 (cdar es))) (kernel-expression (caar es))]
-        [else
-         (define s (exponential-services x))
-         (exponential-expression
-          s
-          ((services-simplify s)
-           (for/fold ([sum 0]) ([p (in-list es)])
-             (e:+ sum (e:* (cdr p) (exponential-exponent (kernel-relation (car p))))))))]))
+  (if (and (null? (cdr es)) (eqv? 1 (cdar es)))
+      (kernel-expression (caar es))
+      (exponential-expression (exponential-services (kernel-relation (caar es)))
+                              (total-exponent es))))
+
+(define (total-exponent es)
+  ((services-simplify (exponential-services (kernel-relation (caar es))))
+   (for/fold ([sum 0]) ([p (in-list es)])
+     (e:+ sum (e:* (cdr p) (exponential-exponent (kernel-relation (car p))))))))
+
+;; The powers with the product of their exponentials as one kernel.
+;; intern : expression relation -> kernel
+(define (merge-exponentials powers intern)
+  (define-values (e others) (combine-exponentials powers))
+  (define es (filter (lambda (p) (exponential? (kernel-relation (car p)))) powers))
+  (if e
+      (cons (cons (intern e (exponential (total-exponent es)
+                                         (exponential-services (kernel-relation (caar es)))))
+                  1)
+            others)
+      powers))
 
 (define (absorb-base e others)
   (define base

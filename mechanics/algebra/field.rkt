@@ -18,7 +18,7 @@
 
 (provide (struct-out field) (struct-out relation)
          make-field field-fraction field-inexact?
-         field-combined-circle field-doubled?
+         field-combined-circle field-doubled? field-whole-kernel
          reduce-poly reduce-fraction lower)
 
 ;; kernels : vector by index; relations : from the top of the tower;
@@ -210,6 +210,10 @@
 ;; is that of the opposite, -1.
 (define (field-combined-circle F multiples)
   (combine-circles! (field-circles F) multiples))
+
+;; A kernel that is this expression.
+(define (field-whole-kernel F e [relation #f])
+  (whole-kernel! (field-circles F) e relation))
 
 (define (field-doubled? F o)
   (and (memq o (atlas-doubled (field-atlas F))) #t))

@@ -9,7 +9,8 @@
          "exponentials.rkt" "size.rkt")
 
 (provide (struct-out form) form-expression
-         term-form sum-form product-form smaller-form shorter-form)
+         term-form sum-form product-form
+         power-size smaller-form? smaller-form shorter-form)
 
 ;; sign : ±1; build : ±1 -> expression, given the sign to show
 (struct form (size sign build) #:authentic)
@@ -17,8 +18,10 @@
 (define (form-expression f) ((form-build f) (form-sign f)))
 
 ;; The second only if it saves a sixth: people recognise sums by their terms.
-(define (smaller-form usual other)
-  (if (<= (* 6 (form-size other)) (* 5 (form-size usual))) other usual))
+(define (smaller-form usual other) (if (smaller-form? usual other) other usual))
+
+(define (smaller-form? usual other)
+  (<= (* 6 (form-size other)) (* 5 (form-size usual))))
 
 ;; The second only if it is shorter at all.
 (define (shorter-form usual other)
@@ -38,7 +41,8 @@
   (define above (by-rank (positive-powers whole)))
   (define below (by-rank (negative-powers whole)))
   (define extra (if exponential (list exponential) '()))
-  (define down? (and (pair? sums) (or (pair? below) (pair? divisors)) (not inexact?)))
+  (define sum? (or (pair? sums) (ormap (lambda (p) (sum-kernel? (car p))) above)))
+  (define down? (and sum? (or (pair? below) (pair? divisors)) (not inexact?)))
   (define top (if down? (numerator (abs c)) (abs c)))
   (define bottom (if down? (denominator c) 1))
   (define quotient? (or (pair? below) (pair? divisors)))
@@ -155,11 +159,12 @@
 (define (sizes forms) (for/sum ([f (in-list forms)]) (form-size f)))
 
 (define (powers-size powers)
-  (for/sum ([p (in-list powers)])
-    (define k (car p))
-    (define r (kernel-relation k))
-    (define unit? (eqv? 1 (if (and (root? r) (> (cdr p) 1)) (/ (cdr p) (root-degree r)) (cdr p))))
-    (+ (kernel-size k) (if unit? 0 2))))
+  (for/sum ([p (in-list powers)]) (power-size (car p) (cdr p))))
+
+(define (power-size k n)
+  (define r (kernel-relation k))
+  (define unit? (eqv? 1 (if (and (root? r) (> n 1)) (/ n (root-degree r)) (abs n))))
+  (+ (kernel-size k) (if unit? 0 2)))
 
 (define (divisors-size divisors)
   (for/sum ([d (in-list divisors)])

@@ -13,9 +13,9 @@
 ;; alphabet; after them a sum shows the highest derivatives first, a product
 ;; last.  Presentation may add kernels, which are ranked between the others.
 
-(require "expression.rkt" "order.rkt" "size.rkt")
+(require "operation.rkt" "expression.rkt" "order.rkt" "size.rkt")
 
-(provide (struct-out kernel) make-kernel place-kernels! insert-kernel!
+(provide (struct-out kernel) make-kernel sum-kernel? place-kernels! insert-kernel!
          (struct-out circle) (struct-out angle) (struct-out root)
          (struct-out modulus) (struct-out exponential))
 
@@ -27,6 +27,11 @@
 
 (define (make-kernel expression relation)
   (kernel expression relation (expression-size expression) #f #f #f))
+
+;; Is it a sum taken as a whole?
+(define (sum-kernel? k)
+  (define e (kernel-expression k))
+  (and (node? e) (or (eq? (node-head e) op:+) (eq? (node-head e) op:-))))
 
 ;; The sine and the cosine of a basic angle; hyperbolic ones if sign is -1.
 (struct circle (expression sign [sine #:mutable] [cosine #:mutable])

@@ -13,7 +13,7 @@
 (require "kernel.rkt" "field.rkt" "squares.rkt" "denominator.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt" "polynomial/ring.rkt")
 
-(provide fraction->piece fraction->pieces fraction->pieces/roots (struct-out piece))
+(provide fraction->piece fraction->pieces fraction->piece-lists (struct-out piece))
 
 ;; numerator · ∏ kernel^exponent / ∏ factor^exponent.  powers : ((kernel .
 ;; integer) ...), the integers of either sign; factors : ((polynomial .
@@ -25,16 +25,21 @@
   (absorb-radicands F (occurring-roots F f) (split-denominator F f)))
 
 (define (fraction->pieces F f)
-  (define pieces (fraction->pieces/roots F f))
-  (for/fold ([pieces pieces]) ([h (in-list (distinct-factors pieces))])
-    (join F (append-map* (lambda (p) (split-by-factor F h p)) pieces))))
+  (define-values (whole by-roots by-factors) (fraction->piece-lists F f))
+  by-factors)
 
-;; The fraction taken apart by its roots alone.
-(define (fraction->pieces/roots F f)
+;; -> the fraction as one piece, taken apart by its roots alone, and by the factors
+;; of its denominator as well; the same list where that makes no difference.
+(define (fraction->piece-lists F f)
   (define roots (occurring-roots F f))
-  (for/fold ([pieces (list (absorb-radicands F roots (split-denominator F f)))])
-            ([r (in-list roots)])
-    (join F (append-map* (lambda (p) (split-by-root F r p)) pieces))))
+  (define whole (list (absorb-radicands F roots (split-denominator F f))))
+  (define by-roots
+    (for/fold ([pieces whole]) ([r (in-list roots)])
+      (join F (append-map* (lambda (p) (split-by-root F r p)) pieces))))
+  (define by-factors
+    (for/fold ([pieces by-roots]) ([h (in-list (distinct-factors by-roots))])
+      (join F (append-map* (lambda (p) (split-by-factor F h p)) pieces))))
+  (values whole by-roots by-factors))
 
 (define (append-map* f xs) (apply append (map f xs)))
 

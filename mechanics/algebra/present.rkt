@@ -4,66 +4,96 @@
 ;; The value is a reduced fraction of polynomials in kernels.  Presentation
 ;; chooses among equal forms of it, and never changes the value:
 ;;
-;; - sin² or cos², angles contracted or not: whichever makes fewer terms;
+;; - sin² or cos², angles contracted or not, multiple or not: whichever is shorter;
 ;; - a fraction is split over the terms of its numerator, or kept whole;
+;; - squares of binomials are squares;
 ;; - a sum is written expanded; or with the terms that agree in all kernels but
-;;   symbols collected; or with its content in front.
+;;   symbols collected; or grouped by common factors; or with its content in front.
 ;;
 ;; The first form named is kept unless another is smaller by a sixth.  The
 ;; choice depends on the value and the order of kernels alone.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
-         "exact.rkt"
-         "spelling.rkt" "pieces.rkt"
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "order.rkt" "term.rkt"
+         "form.rkt" "exact.rkt" "exponentials.rkt" "spelling.rkt" "pieces.rkt"
+         "squares-of-sums.rkt" "grouping.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide present linear-terms)
 
 (define (present F f)
+  (define p (fraction-numerator f))
   (cond [(fraction-zero? f) 0]
-        [(fraction-polynomial? f)
-         (define p (fraction-numerator f))
-         (if (poly-constant? p)
-             (form-expression (constant-form F (poly-constant-value p)))
-             (form-expression (present-pieces F (fraction->pieces F f))))]
+        [(and (fraction-polynomial? f) (poly-constant? p))
+         (present-number (poly-constant-value p) (field-inexact? F))]
         [else
-         (define (present-as pieces) (present-pieces F pieces))
+         (define-values (whole by-roots by-factors) (fraction->piece-lists F f))
+         (define usual (present-pieces F by-factors))
+         (define by-roots-alone
+           (if (eq? by-roots by-factors)
+               usual
+               (shorter-form usual (present-pieces F by-roots))))
          (form-expression
-          (smaller-form (shorter-form (present-as (fraction->pieces F f))
-                                      (present-as (fraction->pieces/roots F f)))
-                        (present-as (list (fraction->piece F f)))))]))
-
-(define (constant-form F c) (term-form (term c '()) (field-inexact? F)))
+          (if (or (eq? whole by-roots) (fraction-polynomial? f))
+              by-roots-alone
+              (smaller-form by-roots-alone (present-pieces F whole))))]))
 
 ;; The value as a linear combination: ((number . expression) ...), in the order
 ;; of its terms.
 (define (linear-terms F f)
   (define p (fraction->piece F f))
-  (define-values (sign divisors) (piece-divisors F p))
+  (define below (divisor-powers F p))
   (for/list ([t (in-list (term-sort (piece-terms F p)))])
-    (cons (present-number (* sign (term-coefficient t)) (field-inexact? F))
-          (form-expression (product-form 1 (term-powers t) '() divisors #f)))))
+    (cons (present-number (* (term-coefficient below) (term-coefficient t)) (field-inexact? F))
+          (form-expression
+           (term-form (term 1 (multiply-powers (term-powers t) (term-powers below))) #f)))))
 
 ;; ---------------------------------------------------------------------------
-;; Polynomials as terms
+;; Pieces as terms
 
 (define (poly->terms F p)
   (for/list ([t (in-list (spell F p))]) (make-term (car t) (cdr t))))
 
 (define (piece-terms F p)
   (define powers (term-powers (make-term 1 (piece-powers p))))
-  (multiply-terms (poly->terms F (piece-numerator p)) powers))
+  (define terms (multiply-terms (poly->terms F (piece-numerator p)) powers))
+  (if (ormap has-exponential? terms)
+      (map (lambda (t) (merged-exponentials F t)) terms)
+      terms))
 
-;; -> 1 or -1, and the divisors ((form . exponent) ...): the sign, taken from
-;; those that would be mostly negative, belongs to the numerator.
-(define (piece-divisors F p)
-  (for/fold ([sign 1] [divisors '()] #:result (values sign (reverse divisors)))
-            ([h (in-list (piece-factors p))])
+;; Which exponentials are basic depends on those that occurred; their product does not.
+(define (merged-exponentials F t)
+  (make-term (term-coefficient t)
+             (merge-exponentials (term-powers t)
+                                 (lambda (e relation) (field-whole-kernel F e relation)))))
+
+;; A piece without divisors is the terms of its numerator, any other one term.
+(define (present-pieces F pieces)
+  (sum-of F
+          (apply append
+                 (for/list ([p (in-list pieces)])
+                   (if (null? (piece-factors p))
+                       (piece-terms F p)
+                       (list (quotient-term F p)))))))
+
+(define (quotient-term F p)
+  (define-values (c powers core) (extract-content (piece-terms F p)))
+  (define above (sum->term F core))
+  (define below (divisor-powers F p))
+  (make-term (* c (term-coefficient above) (term-coefficient below))
+             (append powers (term-powers above) (term-powers below))))
+
+;; The divisors as negative powers of kernels, and 1 or -1: divisors that would
+;; be mostly negative change their sign.
+(define (divisor-powers F p)
+  (for/fold ([product (term 1 '())]) ([h (in-list (piece-factors p))])
     (define terms (poly->terms F (car h)))
     (define flip? (mostly-negative? terms))
-    (values (if (and flip? (odd? (cdr h))) (- sign) sign)
-            (cons (cons (present-terms F (if flip? (scale-terms -1 terms) terms)) (cdr h))
-                  divisors))))
+    (define below (sum->term F (if flip? (scale-terms -1 terms) terms)))
+    (term (* (term-coefficient product)
+             (expt (* (if flip? -1 1) (term-coefficient below)) (- (cdr h))))
+          (multiply-powers (term-powers product)
+                           (for/list ([q (in-list (term-powers below))])
+                             (cons (car q) (* (- (cdr h)) (cdr q))))))))
 
 (define (mostly-negative? terms)
   (define (negative t) (negative? (term-coefficient t)))
@@ -72,85 +102,110 @@
       (and (eqv? surplus 0) (negative (car (term-sort terms))))))
 
 ;; ---------------------------------------------------------------------------
-;; Sums of pieces
-
-;; Pieces without further divisors are one sum of terms.
-(define (present-pieces F pieces)
-  (define whole (filter (lambda (p) (null? (piece-factors p))) pieces))
-  (define others (filter (lambda (p) (pair? (piece-factors p))) pieces))
-  (define terms (apply append (map (lambda (p) (piece-terms F p)) whole)))
-  (define quotients (map (lambda (p) (quotient-form F p)) others))
-  (cond [(null? quotients) (present-terms F terms)]
-        [(null? terms) (sum-form quotients)]
-        [else (sum-form (append (sorted-forms F terms) quotients))]))
-
-(define (quotient-form F p)
-  (define-values (sign divisors) (piece-divisors F p))
-  (define-values (c powers core)
-    (extract-content (scale-terms sign (piece-terms F p))))
-  (product-form c powers (core-forms F core) divisors (field-inexact? F)))
-
-;; No form for a core that is 1.
-(define (core-forms F core)
-  (if (and (null? (cdr core)) (null? (term-powers (car core))))
-      '()
-      (list (collected-form F core))))
-
-;; ---------------------------------------------------------------------------
 ;; Sums of terms
 
-(define (present-terms F terms)
-  (define usual (collected-form F terms))
-  (cond [(null? (cdr terms)) usual]
-        [(ormap (lambda (t) (pair? (negative-powers (term-powers t)))) terms)
-         (prefer-factored F (prefer-factored F usual terms #t) terms #f)]
-        [else (prefer-factored F usual terms #f)]))
+(define (sum-of F terms) (terms-form F (condense F terms)))
 
-;; The terms with their content in front, if that is enough smaller.
-(define (prefer-factored F usual terms shared?)
-  (define-values (c powers core) (extract-content terms shared?))
-  (if (and (eqv? c 1) (null? powers))
-      usual
-      (smaller-form usual (product-form c powers (core-forms F core) '() (field-inexact? F)))))
+(define (sum->term F terms) (one-term F (condense F terms)))
 
-(define (expanded-form F terms) (sum-form (sorted-forms F terms)))
+;; One term equal to the sum.
+(define (one-term F terms)
+  (if (null? (cdr terms))
+      (car terms)
+      (term 1 (list (cons (sum-kernel F terms) 1)))))
 
-;; A positive constant comes first.
-(define (sorted-forms F terms)
+(define (sum-kernel F terms)
+  (field-whole-kernel F ((form-build (terms-form F terms)) 1)))
+
+;; The terms in the form they are shown in: as they are, or fewer.
+(define (condense F terms)
+  (define squares (with-squares F terms))
+  (define grouped (if (null? (cdr squares)) squares (prefer-grouped F squares)))
+  (if (null? (cdr grouped)) grouped (prefer-factored F grouped)))
+
+(define (with-squares F terms)
+  (merge-squares (if (null? (cdr terms)) terms (term-sort terms))
+                 (lambda (terms) (unsigned-kernel F terms))))
+
+;; The kernel of a sum or of its opposite, whichever begins with a plus.
+(define (unsigned-kernel F terms)
   (define sorted (term-sort terms))
-  (define constant
-    (for/first ([t (in-list sorted)]
-                #:when (and (null? (term-powers t)) (positive? (term-coefficient t))))
-      t))
-  (for/list ([t (in-list (if constant (cons constant (remq constant sorted)) sorted))])
-    (term-form t (field-inexact? F))))
+  (define negative? (< (term-coefficient (car sorted)) 0))
+  (sum-kernel F (if negative? (scale-terms -1 sorted) sorted)))
 
-;; Terms that agree in everything but symbols are one summand, a product with a
-;; sum in the symbols.
-(define (collected-form F terms)
-  (define expanded (expanded-form F terms))
-  (define groups (group-by-kernels (term-sort terms)))
-  (if (or (null? (cdr groups)) (andmap (lambda (g) (null? (cdr g))) groups))
-      expanded
-      (smaller-form expanded (sum-form (map (lambda (g) (group-form F g)) groups)))))
+;; The first of the lists unless a later one is enough smaller.
+(define (prefer F usual . others)
+  (for/fold ([best usual]) ([other (in-list others)])
+    (if (or (eq? best other)
+            (not (smaller-form? (terms-form F best) (terms-form F other))))
+        best
+        other)))
 
-(define (group-form F group)
-  (cond [(null? (cdr group)) (term-form (car group) (field-inexact? F))]
-        [else
-         (define-values (c powers core) (extract-content group))
-         (product-form c powers (list (expanded-form F core)) '() (field-inexact? F))]))
+(define (prefer-grouped F terms)
+  (define (better? usual other)
+    (smaller-form? (terms-form F usual) (terms-form F other)))
+  (define (sum->term/collected terms)
+    (one-term F (group-by-kernels terms ->term better?)))
+  (define (->term terms) (one-term F (with-squares F terms)))
+  (define collected (group-by-kernels terms ->term better?))
+  (cond [(not (residual? terms))
+         (group-by-factors collected heavy-size sum->term/collected better?)]
+        [(ormap divided? terms)
+         (group-by-factors collected divisor-weight sum->term/collected better?)]
+        [else collected]))
 
-;; A list of lists of terms, in the order of their first terms.
-(define (group-by-kernels terms)
-  (define table (make-hash))
-  (define keys
-    (for/fold ([keys '()]) ([t (in-list terms)])
-      (define key (kernel-part t))
-      (define known? (hash-has-key? table key))
-      (hash-update! table key (lambda (group) (cons t group)) '())
-      (if known? keys (cons key keys))))
-  (for/list ([key (in-list (reverse keys))]) (reverse (hash-ref table key))))
+(define (divided? t)
+  (for/or ([p (in-list (term-powers t))]) (negative? (cdr p))))
 
-(define (kernel-part t)
-  (for/list ([p (in-list (term-powers t))] #:unless (symbol? (kernel-expression (car p))))
-    (cons (kernel-rank (car p)) (cdr p))))
+;; Equations of motion stay sums of their highest derivatives.
+(define (residual? terms)
+  (for*/or ([t (in-list terms)] [p (in-list (term-powers t))])
+    (>= (derivative-order (kernel-expression (car p))) 2)))
+
+(define (divisor-weight k e) (if (negative? e) (heavy-size k e) 0))
+(define (heavy-size k e) (if (heavy-power? k e) (power-size k e) 0))
+
+;; With what the terms share in front, or all over one denominator, if that is
+;; enough smaller; exponentials that they share always.
+(define (prefer-factored F terms)
+  (define-values (c shared core) (extract-content terms #t))
+  (define sign (if (negative? c) -1 1))
+  (define exponentials (filter exponential-power? shared))
+  (define powers
+    (if (ormap divided? core) (filter (lambda (p) (heavy-power? (car p) (cdr p))) shared) shared))
+  (prefer F
+          (if (null? exponentials) terms (with-factor F terms sign exponentials))
+          (with-factor F terms c powers)
+          (if (ormap divided? terms) (in-one-fraction F terms) terms)))
+
+;; Fractions within a fraction are no improvement, except over sums and roots.
+(define (heavy-power? k e)
+  (or (positive? e) (not (symbol? (kernel-expression k)))))
+
+(define (with-factor F terms c powers)
+  (list (times-sum F c powers
+                   (multiply-terms (scale-terms (/ 1 c) terms) (invert-powers powers)))))
+
+(define (in-one-fraction F terms)
+  (define-values (c powers core) (extract-content terms))
+  (list (times-sum F c powers core)))
+
+(define (times-sum F c powers terms)
+  (make-term c (cons (cons (sum-kernel F terms) 1) powers)))
+
+;; ---------------------------------------------------------------------------
+;; Forms
+
+(define (terms-form F terms)
+  (sum-form (for/list ([t (in-list (in-order terms))])
+              (term-form t (field-inexact? F)))))
+
+;; A positive constant comes first, what is divided by sums last.
+(define (in-order terms)
+  (define sorted (term-sort terms))
+  (define (constant? t) (and (null? (term-powers t)) (positive? (term-coefficient t))))
+  (define (divided-by-sum? t)
+    (for/or ([p (in-list (term-powers t))]) (and (negative? (cdr p)) (sum-kernel? (car p)))))
+  (append (filter constant? sorted)
+          (filter (lambda (t) (not (or (constant? t) (divided-by-sum? t)))) sorted)
+          (filter divided-by-sum? sorted)))

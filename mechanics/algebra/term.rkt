@@ -10,7 +10,9 @@
 
 (provide (struct-out term) make-term term-sort
          multiply-powers invert-powers scale-terms multiply-terms
-         extract-content positive-powers negative-powers by-rank)
+         extract-content common-powers nearer-to-zero merge-powers
+         exponential-power? has-exponential?
+         positive-powers negative-powers by-rank)
 
 ;; powers : ((kernel . exponent) ...), by ascending place, exponents not 0
 (struct term (coefficient powers) #:authentic)
@@ -122,23 +124,40 @@
   (/ (apply gcd (map numerator cs)) (apply lcm (map denominator cs))))
 
 ;; For each kernel the lesser exponent, absence counting as 0; or what is shared:
-;; the one nearer to 0.  Exponentials know no denominators.
+;; the one nearer to 0.  Exponentials are shared as a whole or not at all: which
+;; of them are basic depends on those that occurred.
 (define (common-powers as bs shared?)
+  (define same? (same-exponentials? as bs))
   (define (lesser p q rest)
     (define m (if p (cdr p) 0))
     (define n (if q (cdr q) 0))
     (define e
-      (cond [(not (or shared? (exponential? (kernel-relation (car (or p q)))))) (min m n)]
-            [(and (positive? m) (positive? n)) (min m n)]
-            [(and (negative? m) (negative? n)) (max m n)]
-            [else 0]))
+      (cond [(exponential-power? (or p q)) (if same? m 0)]
+            [shared? (nearer-to-zero m n)]
+            [else (min m n)]))
     (if (eqv? e 0) rest (cons (cons (car (or p q)) e) rest)))
+  (merge-powers lesser as bs))
+
+(define (same-exponentials? as bs)
+  (define (exponentials powers)
+    (for/list ([p (in-list powers)] #:when (exponential-power? p))
+      (cons (kernel-place (car p)) (cdr p))))
+  (equal? (exponentials as) (exponentials bs)))
+
+(define (nearer-to-zero m n)
+  (cond [(and (positive? m) (positive? n)) (min m n)]
+        [(and (negative? m) (negative? n)) (max m n)]
+        [else 0]))
+
+;; entry : the powers of one kernel in as and in bs, #f where it has none, and the
+;; rest -> the rest with what the two make
+(define (merge-powers entry as bs)
   (cond [(and (null? as) (null? bs)) '()]
-        [(null? bs) (lesser (car as) #f (common-powers (cdr as) bs shared?))]
-        [(null? as) (lesser #f (car bs) (common-powers as (cdr bs) shared?))]
+        [(null? bs) (entry (car as) #f (merge-powers entry (cdr as) bs))]
+        [(null? as) (entry #f (car bs) (merge-powers entry as (cdr bs)))]
         [else
          (define i (kernel-place (caar as)))
          (define j (kernel-place (caar bs)))
-         (cond [(< i j) (lesser (car as) #f (common-powers (cdr as) bs shared?))]
-               [(> i j) (lesser #f (car bs) (common-powers as (cdr bs) shared?))]
-               [else (lesser (car as) (car bs) (common-powers (cdr as) (cdr bs) shared?))])]))
+         (cond [(< i j) (entry (car as) #f (merge-powers entry (cdr as) bs))]
+               [(> i j) (entry #f (car bs) (merge-powers entry as (cdr bs)))]
+               [else (entry (car as) (car bs) (merge-powers entry (cdr as) (cdr bs)))])]))

@@ -1,0 +1,124 @@
+#lang racket/base
+;; Grouping the terms of a sum by what they share.
+;;
+;; In ½ m v² + ½ m w² - ½ m ω² x² - ½ m ω² y² the last two share most, then the
+;; first two: so ½ m (v² + w²) - ½ m ω² (x² + y²).  The pair of terms with the
+;; heaviest common factor is looked for; all terms with that factor become one
+;; product with a sum in it, if that is enough smaller; and so on.  A group is not
+;; grouped again, ω (ω (x + y) + z), unless it is a sum that is shared.
+
+(require "kernel.rkt" "term.rkt")
+
+(provide group-by-kernels group-by-factors)
+
+;; Both take a sum and a procedure, sum->term : terms -> one term equal to their
+;; sum, and give a sum, the same list if nothing was to be grouped.
+
+;; ---------------------------------------------------------------------------
+;; Terms that agree in everything but symbols
+
+;; Those become one term, a product with a sum in the symbols, if better? says so:
+;; terms terms -> is the second sum better than the first?
+(define (group-by-kernels terms sum->term better?)
+  (define table (make-hash))
+  (define keys
+    (for/fold ([keys '()]) ([t (in-list terms)])
+      (define key (kernel-part t))
+      (define known? (hash-has-key? table key))
+      (hash-update! table key (lambda (group) (cons t group)) '())
+      (if known? keys (cons key keys))))
+  (if (= (length keys) (length terms))
+      terms
+      (apply append
+             (for/list ([key (in-list (reverse keys))])
+               (define group (reverse (hash-ref table key)))
+               (if (or (null? key) (null? (cdr group)))
+                   group
+                   (factored-if-better group sum->term better?))))))
+
+(define (kernel-part t)
+  (for/list ([p (in-list (term-powers t))] #:unless (symbol? (kernel-expression (car p))))
+    (cons (kernel-rank (car p)) (cdr p))))
+
+;; The sum, or one term with its content in front.
+(define (factored-if-better terms sum->term better?)
+  (define-values (c powers core) (extract-content terms #t))
+  (define sum (sum->term core))
+  (define product
+    (list (make-term (* c (term-coefficient sum)) (append (term-powers sum) powers))))
+  (if (better? terms product) product terms))
+
+;; ---------------------------------------------------------------------------
+;; Terms with a heavy factor in common
+
+;; A factor lighter than this is not worth a parenthesis.
+(define least-weight 2)
+
+;; Longer sums are left alone.
+(define limit 24)
+
+;; weight : kernel exponent -> number, of a power that terms share
+(define (group-by-factors terms weight sum->term better?)
+  (if (> (length terms) limit)
+      terms
+      (let loop ([terms terms] [made '()] [tried '()])
+        (define factor (heaviest-factor terms made tried weight))
+        (cond [factor
+               (define group
+                 (filter (lambda (t)
+                           (and (has-factor? t factor)
+                                (or (has-sum? factor) (not (memq t made)))))
+                         terms))
+               (define new (factored-if-better group sum->term better?))
+               (if (eq? new group)
+                   (loop terms made (cons factor tried))
+                   (loop (append new (filter (lambda (t) (not (memq t group))) terms))
+                         (append new made)
+                         tried))]
+              [else terms]))))
+
+;; The heaviest factor of two terms that was not tried, or #f if none is heavy enough.
+(define (heaviest-factor terms made tried weight)
+  (define-values (best factor)
+    (for*/fold ([best (- least-weight 1)] [factor #f])
+               ([rest (in-tails terms)] [b (in-list (cdr rest))])
+      (define a (car rest))
+      (define new (shared-factor a b))
+      (define w (factor-weight new weight))
+      (if (and (> w best)
+               (not (member-factor? new tried))
+               (or (has-sum? new) (not (or (memq a made) (memq b made)))))
+          (values w new)
+          (values best factor))))
+  factor)
+
+(define (factor-weight factor weight)
+  (for/fold ([w (if (eqv? 1 (term-coefficient factor)) 0 1)])
+            ([p (in-list (term-powers factor))])
+    (+ w (weight (car p) (cdr p)))))
+
+(define (shared-factor a b)
+  (term (shared-number a b) (common-powers (term-powers a) (term-powers b) #t)))
+
+(define (member-factor? f factors)
+  (for/or ([g (in-list factors)])
+    (and (= (term-coefficient f) (term-coefficient g))
+         (equal? (term-powers f) (term-powers g)))))
+
+(define (has-sum? t)
+  (for/or ([p (in-list (term-powers t))]) (sum-kernel? (car p))))
+
+(define (in-tails xs)
+  (if (null? xs) '() (cons xs (in-tails (cdr xs)))))
+
+;; The number of two terms that differ in sign at most, else 1.
+(define (shared-number a b)
+  (define c (abs (term-coefficient a)))
+  (if (= c (abs (term-coefficient b))) c 1))
+
+(define (has-factor? t factor)
+  (and (or (eqv? 1 (term-coefficient factor))
+           (= (abs (term-coefficient t)) (term-coefficient factor)))
+       (for/and ([p (in-list (term-powers factor))])
+         (define q (assq (car p) (term-powers t)))
+         (and q (eqv? (cdr p) (nearer-to-zero (cdr p) (cdr q)))))))
