@@ -3,7 +3,7 @@
 ;; literals, derivatives, simplification, verdicts.
 
 (require "generic/arithmetic.rkt" "generic/elementary.rkt" "generic/compare.rkt"
-         "generic/loops.rkt" "generic/rounding.rkt"
+         "generic/loops.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
          "value/constants.rkt" "value/function.rkt" "value/linear.rkt" "value/matrix.rkt"
          "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt" "value/forms.rkt"
          (except-in "value/structure.rkt" up down)
@@ -31,7 +31,10 @@
  ;; comparison
  (rename-out [g:= =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]
              [g:zero? zero?] [g:one? one?] [g:positive? positive?] [g:negative? negative?]
-             [g:max max] [g:min min] [g:add1 add1] [g:sub1 sub1])
+             [g:max max] [g:min min] [g:add1 add1] [g:sub1 sub1]
+             [g:number? number?] [g:real? real?] [g:rational? rational?]
+             [g:integer? integer?] [g:exact? exact?] [g:inexact? inexact?]
+             [g:symbol? symbol?] [g:equal? equal?] [g:eqv? eqv?])
  ;; sums and products over sequences
  (rename-out [g:for/sum for/sum] [g:for/product for/product]
              [g:for*/sum for*/sum] [g:for*/product for*/product])

@@ -4,6 +4,9 @@
 
 (require racket/match
          "base.rkt"
+         (only-in "compile/compile-function.rkt"
+                  compile-function compiled-function? compiled-function-reason
+                  compiled-function-operations)
          "calculus/minimum.rkt" (only-in "calculus/integral.rkt" definite-integral)
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/Lagrange-equations.rkt" "lagrangian/state-derivative.rkt"
@@ -30,6 +33,8 @@
  linear-interpolants Lagrange-interpolation-function
  ;; integrals and minima
  definite-integral minimize
+ ;; compiled functions
+ compile-function compiled-function? compiled-function-reason compiled-function-operations
  ;; equations of motion
  Lagrange-equations generalized-LE delta verify-solution
  Lagrangian->acceleration Lagrangian->state-derivative Lagrangian->energy

@@ -6,7 +6,7 @@
 ;; does not exist, and asking for it is an error that names the value.
 
 (require "naming.rkt" "kind.rkt" "structure.rkt" "arithmetic.rkt" "describe.rkt"
-         "singular-derivative.rkt"
+         "singular-derivative.rkt" "tracing.rkt"
          "../algebra/expression.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
@@ -27,7 +27,7 @@
 
 (define (equal-comparands? a b)
   (cond [(and (number? a) (number? b)) (= a b)]
-        [(and (expression? a) (expression? b)) (expression=? a b)]
+        [(and (expression? a) (expression? b)) (look-inside '=) (expression=? a b)]
         [(and (tuple? a) (tuple? b))
          (define s (adopt a))
          (define t (adopt b))
@@ -54,13 +54,16 @@
     (cond [(number? c) (zero? c)]
           [(tuple? c) (for/and ([e (in-vector (structure-elements (adopt c)))]) (g:zero? e))]
           [(has-kind? c) ((kind-zero? (kind-of c)) c)]
-          [(or (symbolic? c) (procedure? c)) #f]
+          [(symbolic? c) (look-inside 'zero?) #f]
+          [(procedure? c) #f]
           [else (raise-with-value 'zero? "expected a value of the arithmetic" c)])))
 
 (define-named g:one? one?
   (lambda (x)
     (define c (comparand x))
-    (and (number? c) (= c 1))))
+    (if (number? c)
+        (= c 1)
+        (and (symbolic? c) (look-inside 'one?) #f))))
 
 ;; ---------------------------------------------------------------------------
 ;; Order
@@ -87,6 +90,7 @@
   (if (real? c) c (raise-no-order who c)))
 
 (define (raise-no-order who x)
+  (when (symbolic? x) (look-inside who))
   (raise-with-value
    who
    (if (symbolic? x)

@@ -270,4 +270,24 @@ Real numbers only, like @racket[<]. Where two arguments of @racket[max] or
 (add1 'n)
 ((sub1 square) 'x)]}
 
+@section{Tests of a value}
+
+@deftogether[(@defproc[(number? [x any/c]) boolean?]
+              @defproc[(real? [x any/c]) boolean?]
+              @defproc[(rational? [x any/c]) boolean?]
+              @defproc[(integer? [x any/c]) boolean?]
+              @defproc[(exact? [x number?]) boolean?]
+              @defproc[(inexact? [x number?]) boolean?]
+              @defproc[(symbol? [x any/c]) boolean?]
+              @defproc[(equal? [x any/c] [y any/c]) boolean?]
+              @defproc[(eqv? [x any/c] [y any/c]) boolean?])]{
+
+They answer as those of @racketmodname[racket/base] do, in which a symbol is no
+number. While a function is being compiled (@racket[compile-function]) they notice
+that they are asked about a number that is not known yet.
+
+@examples[#:eval session
+(number? 'm)
+(equal? (up 1 (+ 'a 'b)) (up 1 (+ 'b 'a)))]}
+
 @(close-session session)

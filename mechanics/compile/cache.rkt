@@ -1,0 +1,32 @@
+#lang racket/base
+;; Compiled programs, kept for when the same one is asked for again.
+;;
+;; A program is its own key: it says all there is to know about the code, so
+;; that nothing stale can be served.  The last few are kept.
+
+(require "program.rkt" "code.rkt")
+
+(provide compiled-program clear-compiled-programs)
+
+(define capacity 32)
+
+;; ((program . procedure) ...), the latest first
+(define cache (box '()))
+
+(define (clear-compiled-programs) (set-box! cache '()))
+
+(define (compiled-program p)
+  (define known (assoc p (unbox cache)))
+  (cond [known (cdr known)]
+        [else
+         (define procedure (program->procedure p))
+         (remember p procedure)
+         procedure]))
+
+(define (remember p procedure)
+  (define old (unbox cache))
+  (define new (cons (cons p procedure) (first-few old (- capacity 1))))
+  (unless (box-cas! cache old new) (remember p procedure)))
+
+(define (first-few xs n)
+  (if (or (null? xs) (eqv? n 0)) '() (cons (car xs) (first-few (cdr xs) (- n 1)))))

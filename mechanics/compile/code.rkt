@@ -1,0 +1,176 @@
+#lang racket/base
+;; From programs to machine code.
+;;
+;; A program becomes the body of a *linklet*, the form below modules that Racket
+;; hands to its compiler: it knows the primitives and nothing of macros, so that
+;; compiling costs a few milliseconds per hundred instructions.  Within one
+;; procedure the compiler keeps flonums unboxed.
+;;
+;; It interprets, though, what is larger than a limit.  So the instructions are
+;; divided into *sections*, each a closed procedure of its own; a value that a
+;; later section needs passes through a scratch vector, which belongs to the
+;; call: several threads may run the code at once.
+
+(require racket/linklet
+         "../algebra/operation.rkt"
+         "program.rkt")
+
+(provide program->procedure)
+
+;; -> (input output -> void): from one flvector into another.
+(define (program->procedure p)
+  (define linklet (compile-linklet (program->form p) 'mechanics))
+  (instance-variable-value (instantiate-linklet linklet (list (functions))) 'run))
+
+;; Every operation of the algebra, under its name, for where there is no primitive:
+;; its numeric body, not a number where that is not real.
+(define (functions)
+  (apply make-instance 'functions #f 'constant
+         (apply append
+                (for/list ([op (in-list operations)])
+                  (list (operation-name op) (flonum-function (operation-numeric op)))))))
+
+(define ((flonum-function f) . xs)
+  (define value
+    (with-handlers ([exn:fail:contract? (lambda (e) +nan.0)])
+      (apply f xs)))
+  (if (real? value) (real->double-flonum value) +nan.0))
+
+;; ---------------------------------------------------------------------------
+;; The linklet
+
+(define section-length 250)
+
+(define (program->form p)
+  (define sections (divide p))
+  (define scratch (allocate-scratch p sections))
+  (define names
+    (for/list ([_ (in-list sections)] [k (in-naturals)])
+      (string->symbol (format "section-~a" k))))
+  `(linklet (,(functions-used p)) (run)
+     ,@(for/list ([name (in-list names)] [s (in-list sections)])
+         `(define-values (,name) ,(section->procedure p s scratch)))
+     (define-values (run)
+       (lambda (input output)
+         (let-values ([(scratch) (make-flvector ,(hash-count scratch))])
+           (begin ,@(for/list ([name (in-list names)]) `(,name input output scratch))
+                  (void)))))))
+
+;; Places from `start` on and before `end`.
+(struct section (start end) #:authentic)
+
+(define (divide p)
+  (define first (program-inputs p))
+  (define end (+ first (program-length p)))
+  (let loop ([start first])
+    (define next (min end (+ start section-length)))
+    (cons (section start next)
+          (if (= next end) '() (loop next)))))
+
+;; place index -> place in the scratch vector, for all values that later
+;; sections need.
+(define (allocate-scratch p sections)
+  (define slots (make-hasheqv))
+  (for* ([s (in-list sections)]
+         [k (in-range (section-start s) (section-end s))]
+         [operand (in-list (instruction-operands (instruction-at p k)))]
+         #:when (place? operand))
+    (define i (place-index operand))
+    (when (and (>= i (program-inputs p)) (< i (section-start s)))
+      (hash-ref! slots i (lambda () (hash-count slots)))))
+  slots)
+
+(define (instruction-at p k)
+  (vector-ref (program-instructions p) (- k (program-inputs p))))
+
+;; ---------------------------------------------------------------------------
+;; A section
+
+;; Values are bound in their order; those from elsewhere where they are first
+;; needed.
+(define (section->procedure p s scratch)
+  (define bound (make-hasheqv))
+  (define (name i) (hash-ref bound i #f))
+  (define (bind! i) (hash-set! bound i (string->symbol (format "v~a" i))) (name i))
+  (define (reference operand)
+    (if (place? operand) (name (place-index operand)) (real->double-flonum operand)))
+  (define (body k)
+    (if (= k (section-end s))
+        `(begin ,@(stores p s scratch name reference) (void))
+        (let ([instruction (instruction-at p k)])
+          (with-loads (instruction-operands instruction)
+            (lambda ()
+              (define code
+                (instruction->form (instruction-operation instruction)
+                                   (map reference (instruction-operands instruction))))
+              `(let-values ([(,(bind! k)) ,code]) ,(body (+ k 1))))))))
+  (define (with-loads operands inside)
+    (cond [(null? operands) (inside)]
+          [(and (place? (car operands)) (not (name (place-index (car operands)))))
+           (define i (place-index (car operands)))
+           (define v (bind! i))
+           `(let-values ([(,v) ,(load p scratch i)]) ,(with-loads (cdr operands) inside))]
+          [else (with-loads (cdr operands) inside)]))
+  `(lambda (input output scratch) ,(body (section-start s))))
+
+(define (load p scratch i)
+  (if (< i (program-inputs p))
+      `(unsafe-flvector-ref input ,i)
+      `(unsafe-flvector-ref scratch ,(hash-ref scratch i))))
+
+;; What is stored at the end of a section: its values that are wanted later, and
+;; the outputs it computes; the first one stores the outputs nobody computes.
+(define (stores p s scratch name reference)
+  (append
+   (for*/list ([k (in-range (section-start s) (section-end s))]
+               [slot (in-value (hash-ref scratch k #f))]
+               #:when slot)
+     `(unsafe-flvector-set! scratch ,slot ,(name k)))
+   (for/list ([operand (in-vector (program-outputs p))] [i (in-naturals)]
+              #:when (stored-by? p s operand))
+     (define value
+       (if (and (place? operand) (< (place-index operand) (program-inputs p)))
+           (load p scratch (place-index operand))
+           (reference operand)))
+     `(unsafe-flvector-set! output ,i ,value))))
+
+(define (stored-by? p s operand)
+  (define first (program-inputs p))
+  (define i (and (place? operand) (place-index operand)))
+  (if (and i (>= i first))
+      (< (- (section-start s) 1) i (section-end s))
+      (= first (section-start s))))
+
+(define (instruction->form operation operands)
+  (define primitive (primitive-for operation (length operands)))
+  (cond [primitive `(,primitive ,@operands)]
+        [(eq? operation 'negate) `(unsafe-fl* -1.0 ,@operands)]
+        [else `(,operation ,@operands)]))
+
+(define (primitive-for operation arguments)
+  (case operation
+    [(add) 'unsafe-fl+]
+    [(subtract) 'unsafe-fl-]
+    [(multiply) 'unsafe-fl*]
+    [(divide) 'unsafe-fl/]
+    [(sqrt) 'unsafe-flsqrt]
+    [(exp) 'unsafe-flexp]
+    [(log) 'unsafe-fllog]
+    [(sin) 'unsafe-flsin]
+    [(cos) 'unsafe-flcos]
+    [(tan) 'unsafe-fltan]
+    [(asin) 'unsafe-flasin]
+    [(acos) 'unsafe-flacos]
+    [(atan) (and (eqv? arguments 1) 'unsafe-flatan)]
+    [(abs) 'unsafe-flabs]
+    [(expt) 'unsafe-flexpt]
+    [else #f]))
+
+;; The operations a program takes from `functions`.
+(define (functions-used p)
+  (for/fold ([names '()]) ([i (in-vector (program-instructions p))])
+    (define name (instruction-operation i))
+    (if (or (eq? name 'negate) (memq name names)
+            (primitive-for name (length (instruction-operands i))))
+        names
+        (cons name names))))

@@ -1,0 +1,101 @@
+#lang racket/base
+;; Generic functions compiled to flonum code.
+;;
+;; A function of a structure becomes one from flvector to flvector: the scalars
+;; of its argument in a row, and those of its value.  What cannot be traced
+;; (trace.rkt) is evaluated by the generic arithmetic instead, at each call:
+;; slower, and the same in all else.
+
+(require racket/flonum
+         "cache.rkt" "program.rkt" "shape.rkt" "trace.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt")
+
+(provide
+ compile-function
+ compiled-function? compiled-function-reason compiled-function-operations
+ ;; for the integrators
+ compiled-function-run compiled-function-value-shape compiled-function-inputs
+ compiled-function-outputs)
+
+;; run : input output -> void, between flvectors
+;; inputs, outputs : how many scalars; value-shape : a structure of that many
+;; operations : how many flonum operations a call takes, or #f
+;; reason : why there are none, or #f
+(struct compiled-function (run inputs outputs value-shape operations reason datum)
+  #:authentic
+  #:property prop:procedure (lambda (c input) (apply-to-flvector c input))
+  #:property prop:object-name
+  (lambda (c) (let ([d (compiled-function-datum c)]) (if (symbol? d) d 'compiled-function)))
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (c port mode)
+    (write-value `(compile-function ,(compiled-function-datum c)) port)))
+
+(define (compile-function f example #:name [who 'compile-function])
+  (unless (and (procedure? f) (accepts? f 1))
+    (raise-argument-error who "a function of one structure" f))
+  (define point (structure->flvector example (lambda (x) (raise-not-a-number who "example" x))))
+  (define-values (p shape) (trace who f example))
+  (if (string? p)
+      (evaluate-generically who f example point p)
+      (check-at-example who f example point (compiled f p shape))))
+
+(define (compiled f p shape)
+  (compiled-function (compiled-program p)
+                     (program-inputs p) (shape-length shape) shape
+                     (program-length p) #f (value->datum f)))
+
+(define (apply-to-flvector c input)
+  (unless (flvector? input)
+    (raise-argument-error (object-name c) "flvector?" input))
+  (unless (= (flvector-length input) (compiled-function-inputs c))
+    (raise-arguments-error (object-name c) "the flvector is of another length than the example"
+                           "expected" (compiled-function-inputs c)
+                           "given" (flvector-length input)))
+  (define output (make-flvector (compiled-function-outputs c)))
+  ((compiled-function-run c) input output)
+  output)
+
+;; ---------------------------------------------------------------------------
+;; Where the trace stopped
+
+(define (evaluate-generically who f example point reason)
+  (define shape (f (flvector->structure example point)))
+  (define (complain x) (raise-not-a-number who "value" x))
+  (define outputs (flvector-length (structure->flvector shape complain)))
+  (define (run input output)
+    (define value (f (flvector->structure example input)))
+    (define v (structure->flvector value complain))
+    (unless (= (flvector-length v) outputs)
+      (raise-arguments-error who "the function's value has changed its shape"
+                             "at the example" shape "now" value))
+    (for ([x (in-flvector v)] [k (in-naturals)]) (flvector-set! output k x)))
+  (compiled-function run (flvector-length point) outputs shape #f reason (value->datum f)))
+
+;; Racket's own tests, `number?` in a file that is not written in mechanics, say,
+;; take a placeholder for what it is; so the code is compared with the function
+;; once.
+(define (check-at-example who f example point c)
+  (define reason "its value differs from that of its trace: it tells symbols from numbers")
+  (define generic
+    (with-handlers ([exn:fail? (lambda (x) #f)])
+      (structure->flvector (f (flvector->structure example point)) (lambda (x) +nan.0))))
+  (cond [(not generic) c]
+        [(and (= (flvector-length generic) (compiled-function-outputs c))
+              (for/and ([x (in-flvector generic)] [y (in-flvector (apply-to-flvector c point))])
+                (close? x y)))
+         c]
+        [else (evaluate-generically who f example point reason)]))
+
+;; Up to what rounding does where the order of operations differs; numbers that
+;; are not finite tell nothing.
+(define (close? x y)
+  (define d (abs (- x y)))
+  (or (<= d (* 1e-6 (+ 1e-3 (abs x) (abs y))))
+      (not (rational? d))))
+
+(define (raise-not-a-number who what x)
+  (raise
+   (exn:fail:contract
+    (format "~a: the ~a holds ~a; expected real numbers" who what (describe-with-value x))
+    (current-continuation-marks))))

@@ -1,0 +1,36 @@
+#lang racket/base
+;; Structures as flvectors: their scalars in a row, and back.
+
+(require racket/flonum
+         "../generic/structure.rkt" "../generic/describe.rkt")
+
+(provide scalars shape-length scalars->structure structure->flvector flvector->structure)
+
+;; The scalars of x, a scalar or a structure of them, from the first to the last.
+(define (scalars x)
+  (let walk ([x x] [rest '()])
+    (if (tuple? x)
+        (for/fold ([rest rest]) ([k (in-range (- (structure-length (adopt x)) 1) -1 -1)])
+          (walk (vector-ref (structure-elements (adopt x)) k) rest))
+        (cons x rest))))
+
+(define (shape-length x) (length (scalars x)))
+
+;; A structure of the shape of x whose k-th scalar is (f k).
+(define (scalars->structure x f)
+  (define k -1)
+  (let walk ([x x])
+    (cond [(tuple? x) (structure-map walk (adopt x))]
+          [else (set! k (+ k 1))
+                (f k)])))
+
+(define (flvector->structure shape v)
+  (scalars->structure shape (lambda (k) (flvector-ref v k))))
+
+;; (complain scalar) where one is not a real number.
+(define (structure->flvector x complain)
+  (define xs (scalars x))
+  (define v (make-flvector (length xs)))
+  (for ([x (in-list xs)] [k (in-naturals)])
+    (flvector-set! v k (if (real? x) (real->double-flonum x) (complain x))))
+  v)

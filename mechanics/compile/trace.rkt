@@ -1,0 +1,57 @@
+#lang racket/base
+;; From a generic function to a program: run it once on placeholders.
+;;
+;; The function is ordinary code over the generic arithmetic.  Given
+;; placeholders in place of numbers it computes an expression graph, which holds
+;; for all numbers, provided that it did not take a branch on the way: a test of
+;; a placeholder ends the trace, and so does an error, which may be due to the
+;; placeholder not being a number.
+
+(require "program.rkt" "shape.rkt"
+         "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../generic/describe.rkt" "../generic/tracing.rkt")
+
+(provide trace)
+
+;; f : a procedure of one structure of the shape of `example`
+;; -> program and the shape of f's value there; or the reason why there is none,
+;; a string, and #f.
+(define (trace who f example)
+  (define placeholders
+    (for/list ([k (in-range (shape-length example))])
+      (make-placeholder (format "x~a" k))))
+  (define holes (list->vector placeholders))
+  (define (run) (f (scalars->structure example (lambda (k) (vector-ref holes k)))))
+  (define result (value-or-reason run))
+  (if (string? result)
+      (values result #f)
+      (make-program who placeholders (unbox result))))
+
+(define (value-or-reason run)
+  (with-handlers ([exn:fail? exn-message])
+    (call-traced (lambda () (box (run)))
+                 (lambda (test) (format "it takes a decision by `~a`" test)))))
+
+(define (make-program who placeholders value)
+  (define es (scalars value))
+  (define odd (for/first ([e (in-list es)] #:unless (expression? e)) e))
+  (if odd
+      (values (format "its value holds ~a" (describe-with-value odd)) #f)
+      (let/ec return
+        (define (fail e)
+          (when (unknown? e) (raise-no-value who e))
+          (return (format "~a is not a real number" (value->text e)) #f))
+        (values (expressions->program placeholders es fail) value))))
+
+(define (unknown? e)
+  (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
+
+(define (raise-no-value who e)
+  (raise
+   (exn:fail:contract
+    (format "~a: ~a is left in the function's value, but has no numeric value\n  ~a"
+            who (describe-with-value e)
+            (if (symbol? e)
+                "give every symbol a number"
+                "a literal function stands for any function; put a definite one in its place"))
+    (current-continuation-marks))))

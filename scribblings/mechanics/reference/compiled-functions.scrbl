@@ -1,0 +1,69 @@
+#lang scribble/manual
+@(require (for-label mechanics racket/flonum) "../eval.rkt")
+
+@(define session (make-session '(require racket/flonum)))
+
+@title[#:tag "compiled-functions"]{Compiled functions}
+
+A Lagrangian, a force or a state derivative is written once, generically. Where it is
+evaluated a million times with numbers, it is compiled: run once on placeholders, it
+gives an expression graph, and the graph becomes machine code on floating-point
+numbers.
+
+@defproc[(compile-function [f (-> value value)] [example value]) compiled-function?]{
+
+The function @racket[f] of one structure as a function from flvector to flvector.
+@racket[example] is a scalar or a tuple of real numbers, nested to any depth, of the
+shape that @racket[f] takes; the scalars of the argument, and of the value, stand in
+the flvectors from the first to the last. @racket[f] must be defined at
+@racket[example] and give values of one shape.
+
+@examples[#:eval session
+(define ((L-pendulum m l g) (up t θ v))
+  (+ (* 1/2 m (square (* l v))) (* m g l (cos θ))))
+(define f
+  (compile-function (Lagrangian->state-derivative (L-pendulum 1 2 9.8))
+                    (up 0 1 0)))
+(f (flvector 0.0 1.0 0.5))]
+
+What @racket[f] refers to is taken as it is when @racket[compile-function] is called:
+after a change of a global variable, compile again, which is cheap. Equal programs
+share their code.
+
+A placeholder is not yet a number. When @racket[f] asks which one it is, by
+@racket[<], @racket[=], @racket[zero?], @racket[number?], @racket[equal?] and the
+like, or by an operation that takes only numbers, a branch would be lost; then the
+generic arithmetic evaluates @racket[f] at each call, with the same values and less
+speed. A test that does not come from @racketmodname[mechanics] goes unseen, so
+the value at @racket[example] is compared with that of @racket[f], and should they
+differ, the generic arithmetic is used as well. In a
+@racket[case] or a @racket[match] on a number, write a test instead.
+
+@examples[#:eval session
+(define g (compile-function (lambda (x) (if (< x 0) 0 (square x))) 1.0))
+(g (flvector -3.0))
+(compiled-function-reason g)]
+
+A symbol or a literal function left in the value is an error that names it. Where the
+value is not a real number, as the square root of a negative one, compiled code gives
+@racket[+nan.0].
+
+@examples[#:eval session
+(eval:error (compile-function (L-pendulum 'm 2 9.8) (up 0 1 0)))
+(eval:error (compile-function (literal-function 'V) 1.0))]}
+
+@deftogether[(@defproc[(compiled-function? [x any/c]) boolean?]
+              @defproc[(compiled-function-operations [f compiled-function?])
+                       (or/c exact-nonnegative-integer? #f)]
+              @defproc[(compiled-function-reason [f compiled-function?])
+                       (or/c string? #f)])]{
+
+Is @racket[x] made by @racket[compile-function]? How many floating-point operations
+does a call take, and if it is not that simple, for what reason does the generic
+arithmetic do it?
+
+@examples[#:eval session
+(compiled-function-operations f)
+(compiled-function-reason f)]}
+
+@(close-session session)

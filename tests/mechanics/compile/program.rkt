@@ -1,0 +1,42 @@
+#lang racket/base
+;; Programs: what is written once, what is computed beforehand, what is dropped.
+
+(require rackunit
+         mechanics/algebra/expression mechanics/algebra/operation
+         mechanics/compile/program mechanics/generic/arithmetic mechanics/generic/elementary)
+
+(define (refuse e) (raise (list 'no-value e)))
+
+(define (program-of inputs . es) (expressions->program inputs es refuse))
+
+(define (operations p)
+  (for/list ([i (in-vector (program-instructions p))]) (instruction-operation i)))
+
+(test-case "equal subexpressions are computed once, however they were built"
+  (define p (program-of '(x y) (g:+ (g:sin (g:* 'x 'y)) (g:square (g:sin (g:* 'y 'x))))))
+  (check-equal? (operations p) '(multiply sin multiply add)))
+
+(test-case "numbers are combined exactly before the code runs"
+  (check-equal? (program-of '(x) (g:* 1/3 3 'x)) (program 1 (vector) (vector (place 0))))
+  (check-equal? (operations (program-of '(x) (g:+ (g:* 2 3 'x) (g:exp 0) -1))) '(multiply)))
+
+(test-case "signs become subtractions, and cancel"
+  (check-equal? (operations (program-of '(x y) (g:+ 'x (g:* -1 'y)))) '(subtract))
+  (check-equal? (operations (program-of '(x y) (g:* (g:negate 'x) (g:negate 'y)))) '(multiply)))
+
+(test-case "whole and half powers are multiplications and a square root"
+  (check-equal? (operations (program-of '(x) (g:expt 'x 5))) '(multiply multiply multiply))
+  (check-equal? (operations (program-of '(x) (g:expt 'x -2))) '(multiply divide))
+  (check-equal? (operations (program-of '(x) (g:expt 'x 3/2))) '(sqrt multiply))
+  (check-equal? (operations (program-of '(x n) (g:expt 'x 'n))) '(expt)))
+
+(test-case "what no output needs is left out"
+  (define p (program-of '(x) (g:- (g:sin 'x) (g:sin 'x)) (g:cos 'x)))
+  (check-equal? (operations p) '(cos))
+  (check-equal? (program-outputs p) (vector 0 (place 1))))
+
+(test-case "symbols and functions without a value are refused"
+  (check-exn (lambda (x) (equal? x '(no-value m)))
+             (lambda () (program-of '(x) (g:* 'm 'x))))
+  (check-exn list? (lambda () (program-of '(x) (e:application (make-literal-head 'V) '(x)))))
+  (check-exn list? (lambda () (program-of '(x) (g:* 'x (g:sqrt -1))))))
