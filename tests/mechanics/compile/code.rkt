@@ -32,9 +32,12 @@
       (fail-check))))
 
 (test-case "every operation"
+  (define (unary? op)
+    (and (not (memq op (list op:+ op:- op:* op:/)))
+         (procedure-arity-includes? (operation-numeric op) 1)))
   (for ([op (in-list operations)])
     (define f (operation-numeric op))
-    (when (and (procedure-arity-includes? f 1) (real? (f 0.3)))
+    (when (and (unary? op) (real? (f 0.3)))
       (check-same (e:apply op 'x)))
     (when (and (procedure-arity-includes? f 2) (real? (f 0.3 -1.7)))
       (check-same (e:apply op 'x 'y))))
@@ -84,7 +87,7 @@
 (test-case "where a function is not real the value is not a number"
   (check-equal? (car (run point (g:sqrt 'y))) +nan.0)
   (check-equal? (car (run point (g:log 'y))) +nan.0)
-  (check-equal? (car (run '((u . 0.0) (v . 0.0)) (g:atan 'u 'v))) +nan.0))
+  (check-equal? (car (run point (g:asin 'z))) +nan.0))
 
 (test-case "several threads may run one program"
   (define e (for/fold ([e 'x]) ([k (in-range 700)]) (g:sin (g:+ e 'y))))
