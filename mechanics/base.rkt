@@ -4,7 +4,8 @@
 
 (require "generic/arithmetic.rkt" "generic/elementary.rkt" "generic/compare.rkt"
          "generic/loops.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
-         "value/constants.rkt" "value/function.rkt" "value/linear.rkt" "value/matrix.rkt"
+         "value/constants.rkt" "value/eigenvalues.rkt" "value/function.rkt"
+         (except-in "value/linear.rkt" square-entries) "value/matrix.rkt"
          "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt" "value/forms.rkt"
          (except-in "value/structure.rkt" up down)
          "value/vector.rkt"
@@ -50,7 +51,8 @@
  matrix? matrix-by-rows matrix-by-columns m:generate identity-matrix
  up->column-matrix down->row-matrix column-matrix->up row-matrix->down
  matrix-ref m:num-rows m:num-cols m:dimension m:nth-row m:nth-col m:submatrix m:invert
- transpose determinant trace solve-linear-left solve-linear-right s->m m->s s:inverse
+ transpose determinant trace solve-linear-left solve-linear-right
+ rank null-space characteristic-polynomial eigenvalues s->m m->s s:inverse
  ;; functions and operators
  compose identity constant-function
  make-operator operator? (rename-out [I-operator I]) commutator anticommutator
@@ -69,5 +71,7 @@
  ;; failures
  exn:fail:mechanics exn:fail:mechanics?
  exn:fail:mechanics:singular exn:fail:mechanics:singular? exn:fail:mechanics:singular-where
+ exn:fail:mechanics:singular:matrix exn:fail:mechanics:singular:matrix?
+ exn:fail:mechanics:singular:matrix-null-vectors
  exn:fail:mechanics:not-convergent exn:fail:mechanics:not-convergent?
  exn:fail:mechanics:not-convergent-value exn:fail:mechanics:not-convergent-error-estimate)

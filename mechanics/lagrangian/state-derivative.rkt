@@ -10,7 +10,7 @@
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
          "../generic/structure.rkt" "../generic/arithmetic.rkt" "../generic/describe.rkt"
-         "../calculus/derivative.rkt"
+         "../calculus/derivative.rkt" "../numeric/failure.rkt"
          "../value/function.rkt" "../value/linear.rkt")
 
 (provide Lagrangian->acceleration Lagrangian->state-derivative Lagrangian->energy)
@@ -24,11 +24,28 @@
   (function-of-state
    'Lagrangian->acceleration L
    (lambda (state)
-     (solve-linear-left
-      (mass state)
-      (g:- (((partial 1) L-scalar) state)
-           (g:+ (((partial 0) P) state)
-                (g:* (((partial 1) P) state) (velocity state))))))))
+     (define force
+       (g:- (((partial 1) L-scalar) state)
+            (g:+ (((partial 0) P) state)
+                 (g:* (((partial 1) P) state) (velocity state)))))
+     (with-handlers ([exn:fail:mechanics:singular:matrix? raise-no-inertia])
+       (solve-linear-left (mass state) force)))))
+
+;; A null vector of the mass matrix is a direction in which a change of velocity
+;; changes no momentum.
+(define (raise-no-inertia e)
+  (define directions (exn:fail:mechanics:singular:matrix-null-vectors e))
+  (raise
+   (exn:fail:mechanics:singular:matrix
+    (apply string-append
+           "Lagrangian->acceleration: the mass matrix has no inverse; accelerations do not follow from the state"
+           (append (for/list ([v (in-list (or directions '()))])
+                     (format "\n  no inertia in the direction: ~a" (value->text v)))
+                   (list (format "\n  mass matrix: ~a"
+                                 (value->text (exn:fail:mechanics:singular-where e))))))
+    (exn-continuation-marks e)
+    (exn:fail:mechanics:singular-where e)
+    directions)))
 
 ;; (Lagrangian->state-derivative L) : (t, q, v) ↦ (1, v, a)
 (define (Lagrangian->state-derivative L)

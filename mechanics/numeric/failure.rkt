@@ -7,6 +7,7 @@
  ;; the exceptions
  (struct-out exn:fail:mechanics)
  (struct-out exn:fail:mechanics:singular)
+ (struct-out exn:fail:mechanics:singular:matrix)
  (struct-out exn:fail:mechanics:not-convergent)
  ;; raising them
  raise-singular raise-not-convergent)
@@ -15,6 +16,9 @@
 
 ;; where : the point, matrix or state at which something is not defined.
 (struct exn:fail:mechanics:singular exn:fail:mechanics (where))
+
+;; null-vectors : tuples, a basis of what the matrix takes to zero; #f if not known.
+(struct exn:fail:mechanics:singular:matrix exn:fail:mechanics:singular (null-vectors))
 
 ;; value : the best approximation found; error-estimate : how far off it may be.
 (struct exn:fail:mechanics:not-convergent exn:fail:mechanics

@@ -12,20 +12,27 @@
 
 (provide transpose determinant trace
          solve-linear-left solve-linear-right
-         s->m m->s s:inverse)
+         rank null-space
+         s->m m->s s:inverse
+         ;; for what else is known of square matrices
+         square-entries)
 
 ;; ---------------------------------------------------------------------------
 ;; Square things
 
 (define (determinant m)
-  (cond [(matrix? m) (rows-determinant (square-rows 'determinant m))]
-        [(tuple? m) (rows-determinant (tuple-rows 'determinant m))]
-        [else (of-scalar-or-function generic:determinant m)]))
+  (define rows (square-entries 'determinant m))
+  (if rows (rows-determinant rows) (of-scalar-or-function generic:determinant m)))
 
 (define (trace m)
-  (cond [(matrix? m) (diagonal-sum (square-rows 'trace m))]
-        [(tuple? m) (diagonal-sum (tuple-rows 'trace m))]
-        [else (of-scalar-or-function generic:trace m)]))
+  (define rows (square-entries 'trace m))
+  (if rows (diagonal-sum rows) (of-scalar-or-function generic:trace m)))
+
+;; The rows of a square matrix or tuple of tuples; #f for anything else.
+(define (square-entries who m)
+  (cond [(matrix? m) (square-rows who m)]
+        [(tuple? m) (tuple-rows who m)]
+        [else #f]))
 
 (define (diagonal-sum rows)
   (for/fold ([sum 0]) ([row (in-vector rows)] [i (in-naturals)])
@@ -47,14 +54,19 @@
 ;; particles: the components are then of the first shape that makes it square.
 (define (tuple-rows who s)
   (check-tuple-of-tuples who s)
-  (or (let try ([like (s:ref s 0)])
-        (and (tuple? like)
-             (let ([rows (parts-of-shape s like)])
-               (if (and rows (= (length rows) (s:dimension like)))
-                   (for/vector ([row (in-list rows)]) (scalars row))
-                   (and (positive? (s:length like)) (try (s:ref like 0)))))))
+  (define rows (square-parts s))
+  (if rows
+      (for/vector ([row (in-list rows)]) (scalars row))
       (raise-arguments-error who "expected as many components in each component as there are components"
                              "structure" s)))
+
+(define (square-parts s)
+  (let try ([like (s:ref s 0)])
+    (and (tuple? like)
+         (let ([parts (parts-of-shape s like)])
+           (if (and parts (= (length parts) (s:dimension like)))
+               parts
+               (and (positive? (s:length like)) (try (s:ref like 0))))))))
 
 ;; The parts of A that are of one shape, in order, where A is a nest of these;
 ;; #f if it is not.
@@ -119,13 +131,13 @@
   (cond [(matrix? A)
          (define rows (square-rows who A))
          (cond [(and (up? b) (= (s:length b) (m:num-rows A)))
-                (structure 'up (rows-solve who rows (structure-elements (adopt b))))]
+                (structure 'up (rows-solve who A rows (structure-elements (adopt b))))]
                [(and (matrix? b) (= (m:num-rows b) (m:num-rows A)))
                 (matrix (rows-transpose
-                         (rows-solve-each who rows (rows-transpose (matrix-rows b)))))]
+                         (rows-solve-each who A rows (rows-transpose (matrix-rows b)))))]
                [else (raise-right-hand-side who "an up tuple or a matrix of ~a rows" A b)])]
         [(tuple? A) (solve-by-outer-index who (adopt A) b)]
-        [else (g:/ b A)]))
+        [else (solve-one who A b)]))
 
 ;; x such that (* x A) is b.
 (define (solve-linear-right b A)
@@ -133,13 +145,21 @@
   (cond [(matrix? A)
          (define rows (rows-transpose (square-rows who A)))
          (cond [(and (down? b) (= (s:length b) (m:num-cols A)))
-                (structure 'down (rows-solve who rows (structure-elements b)))]
+                (down (rows-solve who A rows (structure-elements b) down))]
                [(and (matrix? b) (= (m:num-cols b) (m:num-cols A)))
-                (matrix (rows-solve-each who rows (matrix-rows b)))]
+                (matrix (rows-solve-each who A rows (matrix-rows b) down))]
                [else (raise-right-hand-side who "a down tuple or a matrix of ~a columns" A b)])]
-        [(not (tuple? A)) (g:/ b A)]
+        [(not (tuple? A)) (solve-one who A b)]
         [(eq? (s:same A) (innermost-orientation A)) (solve-by-outer-index who (adopt A) b)]
         [else (solve-by-inner-index who (adopt A) b)]))
+
+(define (solve-one who A b)
+  (define (only v) (vector-ref v 0))
+  (if (and (scalar? A) (scalar? b))
+      (only (rows-solve who A (vector (vector A)) (vector b) only))
+      (g:/ b A)))
+
+(define (down components) (structure 'down components))
 
 (define (raise-right-hand-side who expected A b)
   (complain "~a: the right-hand side must be ~a, to match ~a; given ~a~a"
@@ -156,8 +176,12 @@
   (check-tuple-of-tuples who A)
   (define columns (parts-of-shape A b))
   (unless (and columns (tuple? b)) (raise-mismatch who A (s:ref A 0) b))
-  (define x (solve-columns who (map scalars columns) (scalars b) A))
-  (fill (let shape ([part A]) (if (same-shape? part b) 0 (structure-map shape (flip-outer part)))) x))
+  (solve-columns who (map scalars columns) (scalars b) A (part-places A b)))
+
+;; What multiplies A, nested as parts like this one are in it.
+(define (part-places A like)
+  (let place ([part A])
+    (if (same-shape? part like) 0 (structure-map place (flip-outer part)))))
 
 (define (flip-outer s)
   (structure (flip-orientation (s:same s)) (structure-elements (adopt s))))
@@ -170,8 +194,7 @@
   (unless (and parts (tuple? b) (for/and ([p (in-list parts)]) (same-shape? p (car parts))))
     (raise-mismatch who A A b))
   (define rows (list->vector (map scalars parts)))
-  (define x (solve-columns who (vector->list (rows-transpose rows)) (scalars b) A))
-  (fill (flip (car parts)) x))
+  (solve-columns who (vector->list (rows-transpose rows)) (scalars b) A (flip (car parts))))
 
 ;; The parts of A that lie where b has its scalars, in order; #f if A is not
 ;; nested as b is.
@@ -186,12 +209,18 @@
            (and more (append parts more)))]
         [else #f]))
 
-(define (solve-columns who columns b A)
-  (unless (= (length columns) (vector-length b))
-    (raise-arguments-error who "there are not as many unknowns as equations"
-                           "unknowns" (length columns) "equations" (vector-length b)
+;; The unknowns, shaped like `like`.
+(define (solve-columns who columns b A like)
+  (define n (length columns))
+  (unless (= n (vector-length b))
+    (raise-arguments-error who
+                           (if (> n (vector-length b))
+                               "there are more unknowns than equations: the system is underdetermined"
+                               "there are more equations than unknowns: the system is overdetermined")
+                           "unknowns" n "equations" (vector-length b)
                            "structure" A))
-  (rows-solve who (rows-transpose (list->vector columns)) b))
+  (define (shape v) (fill like v))
+  (shape (rows-solve who A (rows-transpose (list->vector columns)) b shape)))
 
 ;; A structure shaped like `like` with these scalars, in order.
 (define (fill like v)
@@ -201,6 +230,38 @@
 (define (raise-mismatch who A like b)
   (complain "~a: the right-hand side must be ~a, to match ~a; given ~a"
             who (describe (adopt like)) (value->text A) (describe-with-value b)))
+
+;; ---------------------------------------------------------------------------
+;; Rank and null space
+
+;; How many rows, or columns, are independent.
+(define (rank A)
+  (define-values (rows shape) (rows-and-shape 'rank A))
+  (rows-rank 'rank A rows))
+
+;; A basis of the x for which (* A x) is zero: a list.
+(define (null-space A)
+  (define-values (rows shape) (rows-and-shape 'null-space A))
+  (map shape (rows-null-space 'null-space A rows)))
+
+;; The matrix of x ↦ (* A x), and what makes an x of its components.
+(define (rows-and-shape who A)
+  (cond [(matrix? A) (values (matrix-rows A) (lambda (v) (structure 'up v)))]
+        [(and (tuple? A) (nested-parts who (adopt A)))
+         => (lambda (parts)
+              (define like (part-places (adopt A) (car parts)))
+              (values (rows-transpose (list->vector (map scalars parts)))
+                      (lambda (v) (fill like v))))]
+        [(scalar? A) (values (vector (vector A)) (lambda (v) (vector-ref v 0)))]
+        [else (complain "~a: expected a matrix or a tuple of tuples; given ~a"
+                        who (describe-with-value A))]))
+
+;; The columns of A: its components, or if those that make it square lie deeper, these.
+(define (nested-parts who A)
+  (check-tuple-of-tuples who A)
+  (or (square-parts A)
+      (parts-of-shape A (s:ref A 0))
+      (complain "~a: expected components of one shape; given ~a" who (describe-with-value A))))
 
 ;; ---------------------------------------------------------------------------
 ;; Structures as matrices (SICM p. 353)

@@ -243,4 +243,4 @@
   (matrix-rows m))
 
 (define (m:invert m)
-  (matrix (rows-inverse 'invert (square-rows 'invert m))))
+  (matrix (rows-inverse 'invert m (square-rows 'invert m))))

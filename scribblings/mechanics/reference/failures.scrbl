@@ -15,13 +15,25 @@ What they have in common.}
 
 @defstruct*[(exn:fail:mechanics:singular exn:fail:mechanics) ([where any/c])]{
 
-Something is not defined at @racket[where]: a matrix without an inverse, a point at
-which an integrand is not finite.
+Something is not defined at @racket[where]: a point at which an integrand is not
+finite, a matrix without an inverse.
+
+@examples[#:eval session
+(with-handlers ([exn:fail:mechanics:singular? exn:fail:mechanics:singular-where])
+  (definite-integral (lambda (t) (/ 1 t)) -1 1))]}
+
+@defstruct*[(exn:fail:mechanics:singular:matrix exn:fail:mechanics:singular)
+            ([null-vectors (or/c list? #f)])]{
+
+A matrix, @racket[where], has no inverse. @racket[null-vectors] are independent
+values that it takes to zero, as @racket[null-space] finds them; @racket[#f] if they
+are not known.
 
 @examples[#:eval session
 (eval:error (solve-linear-left (down (up 1 2) (up 2 4)) (up 1 1)))
-(with-handlers ([exn:fail:mechanics:singular? exn:fail:mechanics:singular-where])
-  (definite-integral (lambda (t) (/ 1 t)) -1 1))]}
+(with-handlers ([exn:fail:mechanics:singular:matrix?
+                 exn:fail:mechanics:singular:matrix-null-vectors])
+  (solve-linear-left (down (up 1 2) (up 2 4)) (up 1 1)))]}
 
 @defstruct*[(exn:fail:mechanics:not-convergent exn:fail:mechanics)
             ([value any/c] [error-estimate any/c])]{

@@ -113,20 +113,43 @@ Of a square matrix or a square structure of structures.
 @examples[#:eval session
 (determinant M)
 (determinant (down (down 'a 'b) (down 'b 'c)))
-(trace M)]}
+(trace M)]
+
+Zeros are used: a matrix that falls into blocks costs what its blocks cost. Exact
+numbers stay exact, and expressions are not divided by expressions that might be
+zero.
+
+@examples[#:eval session
+(determinant (m:generate 8 8 (lambda (i j) (/ 1 (+ i j 1)))))
+(factor (determinant (matrix-by-rows (list 1 'x (square 'x))
+                                     (list 1 'y (square 'y))
+                                     (list 1 'z (square 'z)))))]
+
+@sicm{2.8.1, p. 144}}
 
 @deftogether[(@defproc[(solve-linear-left [A value] [b value]) value]
               @defproc[(solve-linear-right [b value] [A value]) value])]{
 
 The x for which @racket[(* A x)], or @racket[(* x A)], is b. For a matrix A, b is
 an up tuple on the left and a down tuple on the right, or a matrix, which is
-solved for column by column, or row by row. Tuples may be nested to any depth. A
-matrix without an inverse raises @racket[exn:fail:mechanics:singular].
+solved for column by column, or row by row. Tuples may be nested to any depth.
 
 @examples[#:eval session
 (solve-linear-left (down (down 'a 0) (down 0 'b)) (down 'p 'q))
-(solve-linear-left M (up 1 0))
-(eval:error (solve-linear-left (matrix-by-rows '(1 2) '(2 4)) (up 1 0)))]
+(solve-linear-left M (up 1 0))]
+
+A matrix without an inverse raises @racket[exn:fail:mechanics:singular:matrix],
+which says which rows depend on others, what the matrix takes to zero, and whether
+the system has solutions all the same. An entry or a determinant that is zero only
+after simplification is zero. Flonums are known to a rounding error each: a matrix
+of them has no inverse if changes of that size may take it away.
+
+@examples[#:eval session
+(eval:error (solve-linear-left (matrix-by-rows '(1 2) '(2 4)) (up 1 0)))
+(eval:error (solve-linear-left (down (down (square (cos 'q)) (- 1 (square (sin 'q))))
+                                     (down 'm 'm))
+                               (down 'p 'p)))
+(eval:error (solve-linear-left (matrix-by-rows '(0.1 0.3) '(0.3 0.9)) (up 1 2)))]
 
 @sicm{1.7, p. 71}}
 
@@ -135,6 +158,52 @@ matrix without an inverse raises @racket[exn:fail:mechanics:singular].
 The inverse, also @racket[(/ 1 m)].
 
 @examples[#:eval session (m:invert M)]}
+
+@defproc[(rank [A value]) exact-nonnegative-integer?]{
+
+How many rows of a matrix, or components of a structure of structures, are
+independent. Entries are numbers or expressions; these at a generic point, where
+only what is identically zero is zero. Matrices need not be square.
+
+@examples[#:eval session
+(rank (matrix-by-rows '(a b) '(c d)))
+(rank (matrix-by-rows '(1 2 3) '(2 4 6)))]}
+
+@defproc[(null-space [A value]) (listof value)]{
+
+Independent values of x for which @racket[(* A x)] is zero, such that all others
+are combinations of them: for a mass matrix, the directions of velocity without
+inertia. For the rotation by @math{θ} about an axis it finds the axis.
+
+@examples[#:eval session
+(null-space (matrix-by-rows '(1 2 3) '(2 4 6)))
+(null-space (down (down 'm 'm) (down 'm 'm)))
+(null-space (- (matrix-by-rows (list (cos 'theta) 0 (sin 'theta))
+                               (list 0 1 0)
+                               (list (- (sin 'theta)) 0 (cos 'theta)))
+               1))]}
+
+@defproc[(characteristic-polynomial [m value] [x value]) value]{
+
+The determinant of @racket[(- x m)] as a polynomial in x, which may be a matrix
+too: every matrix satisfies its characteristic polynomial.
+
+@examples[#:eval session
+(characteristic-polynomial M 'x)
+(characteristic-polynomial M M)]}
+
+@defproc[(eigenvalues [m value]) (listof scalar)]{
+
+The zeros of the characteristic polynomial, each as often as it is one. The zeros
+of the matrix must leave blocks of at most two rows.
+
+@examples[#:eval session
+(eigenvalues (matrix-by-rows '(2 1) '(1 2)))
+(eigenvalues (matrix-by-rows '(0 1) (list (- (square 'omega)) 0)))
+(eigenvalues (matrix-by-rows '(a b c) '(0 d e) '(0 0 f)))]
+
+An area-preserving map is stable at a fixed point if the eigenvalues of its
+derivative there have magnitude 1 @sicm{4.1}.}
 
 @deftogether[(@defproc[(s->m [left tuple] [m tuple] [right tuple]) matrix?]
               @defproc[(m->s [left tuple] [m matrix?] [right tuple]) structure?])]{

@@ -48,7 +48,7 @@
 (test-case "what is not square is refused"
   (check-exn #rx"^determinant: expected as many components in each component"
              (lambda () (determinant (down (down (down 1 2) 3) (down 1 2)))))
-  (check-exn #rx"^solve-linear-left: there are not as many unknowns as equations\n  unknowns: 8\n  equations: 2"
+  (check-exn #rx"^solve-linear-left: there are more unknowns than equations: the system is underdetermined\n  unknowns: 8\n  equations: 2"
              (lambda () (solve-linear-left mass (down 1 2))))
   (check-exn #rx"^transpose: expected components of one length that hold scalars; .*[(]transpose s x[)]$"
              (lambda () (transpose mass)))

@@ -113,7 +113,12 @@
       (solve-linear-left (matrix-by-rows '(1 2) '(2 4)) (up 1 1))))
   (check-pred exn:fail:mechanics:singular? failure)
   (check-equal? (exn-message failure)
-                "solve-linear-left: the matrix has no inverse\n  matrix: ((1 2) (2 4))")
+                (string-append
+                 "solve-linear-left: the matrix has no inverse\n  matrix: ((1 2) (2 4))\n  rank: 1 of 2\n"
+                 "  null vector: (up -2 1)\n  dependent: row 1 is 2 times row 0\n"
+                 "  solutions: none, the right-hand side not depending in the same way"))
+  (check-equal? (exn:fail:mechanics:singular-where failure) (matrix-by-rows '(1 2) '(2 4)))
+  (check-equal? (exn:fail:mechanics:singular:matrix-null-vectors failure) (list (up -2 1)))
   (check-exn exn:fail:mechanics:singular? (lambda () (m:invert (matrix-by-rows '(0 0) '(0 0)))))
   (check-exn exn:fail:mechanics:singular?
              (lambda () (solve-linear-left (down (down 1 2) (down 2 4)) (down 'x 'y)))))
