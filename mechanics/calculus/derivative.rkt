@@ -6,22 +6,30 @@
 ;; argument.  Several arguments are taken together as one up tuple
 ;; (SICM p. 516).
 
-(require "perturbed.rkt" "dual.rkt" "extract.rkt" "derivative-errors.rkt"
+(require "perturbed.rkt" "dual.rkt" "jet.rkt" "extract.rkt" "derivative-errors.rkt"
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
-         "../value/operator.rkt" "../algebra/expression.rkt")
+         "../generic/arithmetic.rkt"
+         "../value/operator.rkt" "../value/series/series.rkt" "../value/series/calculus.rkt"
+         "../algebra/expression.rkt")
 
-(provide D partial derivative-at value-and-derivative-along name-functions)
+(provide D partial derivative-at derivatives-at value-and-derivative-along name-functions)
 
 ;; ---------------------------------------------------------------------------
 ;; At a point
 
 ;; The derivative of f, a function of one argument, at x.
 (define (derivative-at f x)
-  (cond [(or (expression? x) (perturbed? x))
+  (cond [(scalar? x)
          (define tag (fresh-tag))
          (extract-tangent tag (f (perturb tag x)))]
         [(tuple? x) (derivative-by-components f (adopt x))]
+        [(series? x) (derivative-at-series f x)]
         [else (raise-not-differentiable-at x)]))
+
+;; A series is moved by moving its term of order 0.
+(define (derivative-at-series f s)
+  (define tag (fresh-tag))
+  (extract-tangent tag (f (g:+ s (perturb tag 0)))))
 
 (define (derivative-by-components f s)
   (define elements (structure-elements s))
@@ -29,6 +37,37 @@
    (flip-orientation (structure-orientation s))
    (for/vector #:length (vector-length elements) ([x (in-vector elements)] [i (in-naturals)])
      (derivative-at (lambda (y) (f (replace-component s i y))) x))))
+
+;; The derivative of order n > 1.  By a number it takes one run of f, on a Taylor
+;; number; by anything else, n nested derivatives.
+(define (derivative-of-order n f x)
+  (cond [(scalar? x)
+         (define tag (fresh-tag))
+         (extract-derivative tag n (f (displaced tag n x)))]
+        [else
+         (derivative-at (if (eqv? n 2)
+                            (lambda (y) (derivative-at f y))
+                            (lambda (y) (derivative-of-order (sub1 n) f y)))
+                        x)]))
+
+(define (extract-derivative tag n y)
+  (extract (list 'expt 'D n) tag (lambda (jet) (jet-derivative jet n)) y))
+
+;; The list of f and its derivatives up to order n at x, by one run of f if x is a
+;; number.
+(define (derivatives-at f x n)
+  (cond [(eqv? n 0) (list (f x))]
+        [(not (scalar? x))
+         (list* (f x) (derivative-at f x)
+                (for/list ([k (in-range 2 (add1 n))]) (derivative-of-order k f x)))]
+        [(eqv? n 1)
+         (define-values (y slope) (value-and-derivative-along f x 1))
+         (list y slope)]
+        [else
+         (define tag (fresh-tag))
+         (define y (f (displaced tag n x)))
+         (cons (map-leaves (lambda (leaf) (jet-value leaf tag)) y)
+               (for/list ([k (in-range 1 (add1 n))]) (extract-derivative tag k y)))]))
 
 ;; f at x and its derivative there in the direction dx, a value of the shape of
 ;; x, by one run of f.
@@ -50,15 +89,16 @@
   (vector-set! new i y)
   (same-orientation s new))
 
-;; The derivative of f by the part of s that a path of indices leads to.
-(define (partial-at f s path whole-path)
-  (cond [(null? path) (derivative-at f s)]
+;; (derive f part), f as a function of the part of s that a path of indices leads to.
+(define (partial-at derive f s path whole-path)
+  (cond [(null? path) (derive f s)]
         [(tuple? s)
          (define t (adopt s))
          (define i (car path))
          (unless (< i (structure-length t))
            (raise-no-such-component whole-path t))
-         (partial-at (lambda (y) (f (replace-component t i y)))
+         (partial-at derive
+                     (lambda (y) (f (replace-component t i y)))
                      (vector-ref (structure-elements t) i)
                      (cdr path) whole-path)]
         [else (raise-no-such-component whole-path s)]))
@@ -66,24 +106,43 @@
 ;; ---------------------------------------------------------------------------
 ;; Operators
 
+;; The procedure of an operator that takes f to x ↦ (derivative-at f x); series of
+;; functions are differentiated term by term, a power series by of-power-series.
+(define (differentiator name derivative-at [of-power-series #f])
+  (define (differentiate f)
+    (cond [(and (power-series? f) of-power-series) (of-power-series f)]
+          [(and (series? f) (not (power-series? f)))
+           (map-series (lambda (x) (if (scalar? x) 0 (differentiate x))) f)]
+          [else (derivative-function name f derivative-at)]))
+  (case-lambda
+    [(f) (differentiate f)]
+    [fs (raise-takes-only-function name fs)]))
+
+(define (scalar? x) (or (expression? x) (perturbed? x)))
+
 (define D
   (make-primitive-operator
-   (case-lambda
-     [(f) (derivative-function 'D f derivative-at)]
-     [fs (raise-takes-only-function 'D fs)])
-   (lambda () 'D)))
+   (differentiator 'D derivative-at series:derivative)
+   (lambda () 'D)
+   #:iterate
+   (lambda (n)
+     (differentiator (list 'expt 'D n)
+                     (lambda (f x) (derivative-of-order n f x))
+                     (lambda (s) (for/fold ([s s]) ([_ (in-range n)]) (series:derivative s)))))))
 
 ;; (partial i j ...): the derivative by component j of component i ... of the
 ;; argument, or of the tuple of the arguments when there are several.
 (define (partial . path)
   (check-path path)
   (define name (cons 'partial path))
-  (define (at f x) (partial-at f x path path))
+  (define ((along-path derive) f x) (partial-at derive f x path path))
   (make-primitive-operator
-   (case-lambda
-     [(f) (derivative-function name f at)]
-     [fs (raise-takes-only-function name fs)])
-   (lambda () name)))
+   (differentiator name (along-path derivative-at))
+   (lambda () name)
+   #:iterate
+   (lambda (n)
+     (differentiator (list 'expt name n)
+                     (along-path (lambda (f x) (derivative-of-order n f x)))))))
 
 ;; The function whose value at x is (derivative-at f x); several arguments are
 ;; taken as one up tuple.

@@ -11,7 +11,7 @@
          "../algebra/expression.rkt")
 
 (provide dual? dual-tag dual-tangent perturb
-         make-dual primal-part tangent-part)
+         make-dual primal-part tangent-part constant?)
 
 (define kind:dual
   (make-kind #:rank rank:dual

@@ -1,12 +1,13 @@
 #lang racket/base
 ;; Integrals of functions made by the generic arithmetic.
 ;;
-;; Within a derivative the integrand, or a limit, may be a dual number.
-;; Integration is linear, so the integral of f + f' ε is that of f plus ε times
-;; that of f'; and at a limit b + b' ε it is the integral up to b plus f(b) b' ε.
+;; Within a derivative the integrand, or a limit, may be a perturbed value.
+;; Integration is linear, so the integral of f + f' ε + … is that of f plus ε times
+;; that of f', and so on; and at a limit b + b' ε it is the integral up to b plus
+;; f(b) b' ε, to higher order the Taylor series that this begins.
 
-(require "dual.rkt" "extract.rkt" "number.rkt"
-         "../generic/arithmetic.rkt"
+(require "perturbed.rkt" "dual.rkt" "jet.rkt" "derivative.rkt" "number.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          (prefix-in numeric: "../numeric/quadrature.rkt"))
 
 (provide definite-integral integrate)
@@ -20,19 +21,24 @@
 ;; The same on behalf of `who`.
 (define (integrate who f low high tolerance)
   (cond
-    [(dual? low) (g:- (integrate who f (base low) high tolerance) (edge f low))]
-    [(dual? high) (g:+ (integrate who f low (base high) tolerance) (edge f high))]
+    [(perturbed? low) (g:- (integrate who f (base low) high tolerance) (edge f low))]
+    [(perturbed? high) (g:+ (integrate who f low (base high) tolerance) (edge f high))]
     [else (integrate-between who f (number who low) (number who high) tolerance)]))
 
-(define (base limit) (primal-part limit (dual-tag limit)))
+(define (base limit) ((parts-value (parts-of limit)) limit))
 
-;; What the ε of a limit adds.
+;; What the ε of a limit b + δ adds: Σ f⁽ᵐ⁾(b) δᵐ⁺¹/(m+1)!, where δ to the power of
+;; the order is the last that does not vanish.
 (define (edge f limit)
-  (define tag (dual-tag limit))
-  (g:* (f (base limit)) (make-dual tag 0 (tangent-part limit tag))))
+  (define b (base limit))
+  (define δ (g:- limit b))
+  (define slopes (derivatives-at f b (if (jet? limit) (sub1 (jet-order limit)) 0)))
+  (for/fold ([sum 0] [term 1] #:result sum) ([slope (in-list slopes)] [m (in-naturals 1)])
+    (define next (g:/ (g:* term δ) m))
+    (values (g:+ sum (g:* slope next)) next)))
 
-;; Between numbers.  Where f turns out to be dual, its parts are integrated one
-;; after the other.
+;; Between numbers.  Where f turns out to be perturbed, its parts are integrated
+;; one after the other.
 (define (integrate-between who f low high tolerance)
   (define (integral g) (integrate-between who g low high tolerance))
   (define result
@@ -40,20 +46,26 @@
       (define (sample x)
         (define y (f x))
         (cond [(real? y) y]
-              [(dual? y) (stop y)]
+              [(perturbed? y) (stop y)]
               [else (number who y)]))
       (numeric:quadrature sample low high #:tolerance tolerance #:name who)))
-  (cond
-    [(dual? result)
-     (define tag (dual-tag result))
-     (g:+ (integral (lambda (x) (without-tag tag (f x))))
-          (g:* (integral (lambda (x) (extract-tangent tag (f x)))) (perturb tag 0)))]
-    [else result]))
+  (if (perturbed? result)
+      (integral-by-parts integral f (perturbed-tag result) (if (jet? result) (jet-order result) #f))
+      result))
 
-;; x with the ε of this tag set to 0.
-(define (without-tag tag x)
-  (cond [(not (dual? x)) x]
-        [(eqv? (dual-tag x) tag) (primal-part x tag)]
-        [else
-         (define t (dual-tag x))
-         (make-dual t (without-tag tag (primal-part x t)) (without-tag tag (tangent-part x t)))]))
+;; order : of a jet, #f for a dual number
+(define (integral-by-parts integral f tag order)
+  (define ε (if order (displaced tag order 0) (perturb tag 0)))
+  (for/fold ([sum 0]) ([k (in-range (add1 (or order 1)))])
+    (define part (integral (lambda (x) (coefficient-part (f x) tag k))))
+    (g:+ sum (if (eqv? k 0) part (g:* part (g:expt ε k))))))
+
+;; The coefficient of εᵏ in x, for the ε of this tag.
+(define (coefficient-part x tag k)
+  (define (from x)
+    (cond [(not (perturbed? x)) (if (eqv? k 0) x 0)]
+          [(not (eqv? (perturbed-tag x) tag)) ((parts-map (parts-of x)) from x)]
+          [(jet? x) (jet-coefficient x k)]
+          [(eqv? k 0) (primal-part x tag)]
+          [else (tangent-part x tag)]))
+  (from x))

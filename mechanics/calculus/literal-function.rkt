@@ -6,9 +6,9 @@
 ;; being further literal functions.  One whose range is a structure is that
 ;; structure of literal functions: `f^0 f^1` when up, `f_0 f_1` when down.
 
-(require "dual.rkt"
+(require "perturbed.rkt" "dual.rkt" "jet.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt"
+         "../generic/arithmetic.rkt" "../generic/recurrence.rkt"
          "../value/signature.rkt"
          "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/datum.rkt")
 
@@ -84,7 +84,7 @@
 ;; The common case, a function of one real variable.
 (define (apply-to-scalar f x)
   (cond [(expression? x) (e:application (unknown-head f) (list x))]
-        [(dual? x) (apply-head (unknown-head f) (list x))]
+        [(perturbed? x) (apply-head (unknown-head f) (list x))]
         [else (raise-misfit f (list x))]))
 
 (define (apply-unknown f args)
@@ -97,25 +97,58 @@
   (and (= (length domain) (length args))
        (andmap shape-fits? domain args)))
 
-;; f(x + x' ε) = f(x) + Σ ∂f/∂xᵢ(x) xᵢ' ε, over the scalars xᵢ of the arguments.
+;; The outermost ε among the arguments decides how derivatives are taken.
 (define (apply-head head args)
   (define leaves (argument-leaves args))
-  (define tag
-    (for/fold ([tag #f]) ([leaf (in-list leaves)] #:when (dual? (cdr leaf)))
-      (if tag (max tag (dual-tag (cdr leaf))) (dual-tag (cdr leaf)))))
-  (cond [(not tag) (e:application head (map value->expression args))]
-        [else
-         (define point
-           (for/list ([a (in-list args)])
-             (map-leaves (lambda (x) (primal-part x tag)) a)))
-         (make-dual
-          tag
-          (apply-head head point)
-          (for*/fold ([sum 0])
-                     ([leaf (in-list leaves)]
-                      [t (in-value (tangent-part (cdr leaf) tag))]
-                      #:unless (eqv? t 0))
-            (g:+ sum (g:* (apply-head (literal-head-derivative head (car leaf)) point) t))))]))
+  (define outer
+    (for/fold ([outer #f]) ([leaf (in-list leaves)] #:when (perturbed? (cdr leaf)))
+      (if outer (outermost outer (cdr leaf)) (cdr leaf))))
+  (cond [(not outer) (e:application head (map value->expression args))]
+        [(jet? outer) (apply-to-jets head args leaves (perturbed-tag outer) (jet-order outer))]
+        [else (apply-to-duals head args leaves (perturbed-tag outer))]))
+
+;; f(x + x' ε) = f(x) + Σ ∂f/∂xᵢ(x) xᵢ' ε, over the scalars xᵢ of the arguments.
+(define (apply-to-duals head args leaves tag)
+  (define point (map-scalars (lambda (x) (primal-part x tag)) args))
+  (make-dual
+   tag
+   (apply-head head point)
+   (for*/fold ([sum 0])
+              ([leaf (in-list leaves)]
+               [t (in-value (tangent-part (cdr leaf) tag))]
+               #:unless (eqv? t 0))
+     (g:+ sum (g:* (apply-head (literal-head-derivative head (car leaf)) point) t)))))
+
+;; r = f(x₁, x₂, …) has r' = Σ ∂f/∂xᵢ xᵢ', whose coefficients are
+;; k r_k = Σᵢ Σ_j j xᵢ_j (∂f/∂xᵢ)_{k-j}, those of ∂f/∂xᵢ being found alike, to an
+;; order less; each mixed derivative once, by whatever route it is reached.
+(define (apply-to-jets head args leaves tag order)
+  (define point (map-scalars (lambda (x) (jet-value x tag)) args))
+  (define varying
+    (for/list ([leaf (in-list leaves)] #:when (jet-with-tag? (cdr leaf) tag)) leaf))
+  (define known (make-hash))            ; index of a derivative -> its coefficients
+  (define (coefficients head order)
+    (define found (hash-ref known (literal-head-index head) #f))
+    (cond [(and found (> (vector-length found) order)) found]
+          [else
+           (define r (make-vector (add1 order) 0))
+           (vector-set! r 0 (apply-head head point))
+           (for ([k (in-range 1 (add1 order))])
+             (vector-set! r k (g:/ (for/fold ([sum 0]) ([leaf (in-list varying)])
+                                     (g:+ sum (weighted leaf head (sub1 order) k)))
+                                   k)))
+           (hash-set! known (literal-head-index head) r)
+           r]))
+  (define (weighted leaf head order k)
+    (define x (cdr leaf))
+    (define slopes (coefficients (literal-head-derivative head (car leaf)) order))
+    (weighted-convolution (lambda (j) (jet-coefficient x j)) +inf.0
+                          (lambda (j) (vector-ref slopes j))
+                          k))
+  (make-jet tag order (coefficients head order)))
+
+(define (map-scalars f args)
+  (for/list ([a (in-list args)]) (map-leaves f a)))
 
 ;; The scalars of the arguments, each with the path that `partial` takes to it.
 (define (argument-leaves args)

@@ -10,7 +10,7 @@
 (provide
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)
  (struct-out generic-op)
- rank:scalar rank:dual rank:structure rank:matrix rank:series rank:function rank:operator)
+ rank:scalar rank:dual rank:structure rank:matrix rank:function rank:operator rank:series)
 
 ;; rank      : where it stands when kinds meet
 ;; describe  : value -> string, as error messages name it ("an up tuple of 2")
@@ -44,9 +44,9 @@
 (define rank:dual 1)
 (define rank:structure 2)
 (define rank:matrix 3)
-(define rank:series 4)
-(define rank:function 5)
-(define rank:operator 6)
+(define rank:function 4)
+(define rank:operator 5)
+(define rank:series 6)
 
 ;; A generic operation as kinds see it: its name, the operation that heads
 ;; symbolic expressions, the generic procedure itself, its partial derivatives,

@@ -12,7 +12,7 @@
 
 (require "local-tuple.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/function.rkt"
          "../calculus/derivative.rkt"
          (only-in "../value/function.rkt" compose)
          (only-in "../value/signature.rkt" scalar?))
@@ -71,7 +71,7 @@
 (define (momentum-terms L local n t)
   (for/fold ([sum 0]) ([k (in-range 1 (add1 n))])
     (define along (compose ((partial (add1 k)) L) local))
-    (define term ((for/fold ([f along]) ([_ (in-range k)]) (D f)) t))
+    (define term (((g:expt D k) along) t))
     (if (odd? k) (g:+ sum term) (g:- sum term))))
 
 ;; ---------------------------------------------------------------------------

@@ -27,12 +27,8 @@
   (define q (path 'Gamma given-q))
   (unless (and (exact-integer? n) (>= n 2))
     (raise-argument-error 'Gamma "the length of the local tuples, an integer of at least 2" n))
-  (define derivatives                   ; q, Dq, ..., D^(n-2) q
-    (let loop ([f q] [k (- n 1)])
-      (if (eqv? k 0) '() (cons f (loop (D f) (sub1 k))))))
   (make-function
-   (lambda (t)
-     (structure 'up (list->vector (cons t (for/list ([f (in-list derivatives)]) (f t))))))
+   (lambda (t) (structure 'up (list->vector (cons t (derivatives-at q t (- n 2))))))
    2
    (lambda ()
      (if (= n 3) (list 'Gamma (value->datum q)) (list 'Gamma (value->datum q) n)))))

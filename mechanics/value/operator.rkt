@@ -4,11 +4,17 @@
 ;; Sums and multiples act pointwise, (A + B) f = A f + B f; the product of
 ;; operators composes, (A B) f = A (B f), and powers repeat.  A number stands
 ;; for that multiple of the identity, a function or tuple for multiplication
-;; by it (SICM p. 516).
+;; by it (SICM p. 516).  The exponential is the operator
+;;
+;;   exp(A) f = f + A f + A² f/2! + ⋯,
+;;
+;; whose values are series.
 
 (require "../generic/kind.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/structure.rkt"
-         "../generic/dispatch.rkt" "../generic/arithmetic.rkt")
+         "../generic/dispatch.rkt" "../generic/arithmetic.rkt" "../generic/elementary.rkt"
+         "../algebra/expression.rkt"
+         "series/coefficients.rkt" "series/series.rkt")
 
 (provide make-operator make-primitive-operator operator? operator-procedure
          I-operator commutator anticommutator)
@@ -17,12 +23,13 @@
   (make-kind #:rank rank:operator
              #:describe (lambda (o) "an operator")
              #:datum (lambda (o) ((operator-make-datum o)))
-             #:unary (lambda (op o) (raise-inapplicable op o))
+             #:unary (lambda (op o) (function-of-operator op o))
              #:binary (lambda (op a b) (combine-operators op a b))))
 
 ;; procedure : function -> function.  make-datum : -> what the operator prints as.
-;; power : (cons operator exponent) if it is a power of another, or #f.
-(struct operator (procedure make-datum power)
+;; iterate : n -> the procedure of the power n > 1, where there is a better way than
+;; to repeat; or #f.  power : what it is a multiple of a power of, or #f.
+(struct operator (procedure make-datum iterate power)
   #:authentic
   #:property prop:kind kind:operator
   #:property prop:procedure
@@ -40,10 +47,10 @@
   (naming-images procedure (lambda () (value->datum name))))
 
 ;; One whose procedure gives its images their names itself.
-(define (make-primitive-operator procedure make-datum)
-  (operator procedure make-datum #f))
+(define (make-primitive-operator procedure make-datum #:iterate [iterate #f])
+  (operator procedure make-datum iterate #f))
 
-(define (naming-images procedure make-datum)
+(define (naming-images procedure make-datum #:power [power #f])
   (operator
    (lambda fs
      (define image (apply procedure fs))
@@ -52,7 +59,8 @@
                         (lambda () (cons (make-datum) (map value->datum fs))))
          image))
    make-datum
-   #f))
+   #f
+   power))
 
 (define I-operator (make-primitive-operator (lambda (f) f) (lambda () 'I)))
 
@@ -67,11 +75,12 @@
 (define (combine-operators op a b)
   (case (generic-op-name op)
     [(+ -) (pointwise op a b)]
-    [(*) (if (and (operator? a) (operator? b) (eq? (base-of a) (base-of b)))
-             (power-of (base-of a) (+ (exponent-of a) (exponent-of b)))
-             (product a b))]
+    [(*) (cond [(and (operator? a) (operator? b) (same-base? a b))
+                (define p (power-in a))
+                (power-of (power-base p) (+ (power-exponent p) (power-exponent (power-in b))))]
+               [else (product a b)])]
     [(/) (if (operator? b) (raise-inapplicable op a b) (product (g:/ 1 b) a))]
-    [(expt) (power op a b)]
+    [(expt) (raise-to-power op a b)]
     [else (raise-inapplicable op a b)]))
 
 (define (pointwise op a b)
@@ -85,29 +94,85 @@
   (define f (operator-procedure (as-operator a)))
   (define g (operator-procedure (as-operator b)))
   (naming-images (lambda fs (f (apply g fs)))
-                 (lambda () (list '* (value->datum a) (value->datum b)))))
-
-(define (power op a n)
-  (unless (and (operator? a) (exact-nonnegative-integer? n))
-    (raise-inapplicable op a n))
-  (if (operator-power a)
-      (power-of (base-of a) (* n (exponent-of a)))
-      (power-of a n)))
-
-(define (power-of a n)
-  (define f (operator-procedure a))
-  (case n
-    [(0) I-operator]
-    [(1) a]
-    [else (as-power (naming-images (lambda (g) (for/fold ([g g]) ([_ (in-range n)]) (f g)))
-                                   (lambda () (list 'expt (value->datum a) n)))
-                    a n)]))
-
-;; Powers of one operator are multiplied by adding their exponents.
-(define (as-power o base exponent)
-  (operator (operator-procedure o) (operator-make-datum o) (cons base exponent)))
-(define (base-of o) (if (operator-power o) (car (operator-power o)) o))
-(define (exponent-of o) (if (operator-power o) (cdr (operator-power o)) 1))
+                 (lambda () (list '* (value->datum a) (value->datum b)))
+                 #:power (and (constant? a) (operator? b) (multiple-of a (power-in b)))))
 
 (define (commutator a b) (g:- (g:* a b) (g:* b a)))
 (define (anticommutator a b) (g:+ (g:* a b) (g:* b a)))
+
+;; ---------------------------------------------------------------------------
+;; Powers: every operator is scale · baseⁿ, if only as 1 · itself.  That is kept in
+;; sight, for the base may know its powers better than by repetition.
+
+(struct power (scale base exponent) #:authentic)
+
+(define (power-in o) (or (operator-power o) (power 1 o 1)))
+
+;; Does every linear operator commute with x?
+(define (constant? x)
+  (or (expression? x) (and (has-kind? x) (<= (kind-rank (kind-of x)) rank:dual))))
+
+(define (multiple-of c p) (power (g:* c (power-scale p)) (power-base p) (power-exponent p)))
+
+(define (same-base? a b)
+  (define p (power-in a))
+  (define q (power-in b))
+  (and (eqv? (power-scale p) 1) (eqv? (power-scale q) 1) (eq? (power-base p) (power-base q))))
+
+(define (raise-to-power op a n)
+  (unless (operator? a) (raise-inapplicable op a n))
+  (unless (exact-nonnegative-integer? n)
+    (raise-inapplicable-because op "the powers of an operator are 0, 1, 2, ..." a n))
+  (define p (power-in a))
+  (case n
+    [(0) I-operator]
+    [(1) a]
+    [else
+     (if (eqv? (power-scale p) 1)
+         (power-of (power-base p) (* n (power-exponent p)))
+         (scaled-power a p n))]))
+
+(define (power-of base n)
+  (define iterate (operator-iterate base))
+  (define procedure
+    (if iterate
+        (iterate n)
+        (lambda (f) (for/fold ([f f]) ([_ (in-range n)]) ((operator-procedure base) f)))))
+  (naming-images procedure (lambda () (list 'expt (value->datum base) n))
+                 #:power (power 1 base n)))
+
+(define (scaled-power a p n)
+  (define scale (g:expt (power-scale p) n))
+  (define whole (power-of (power-base p) (* n (power-exponent p))))
+  (naming-images (lambda (f) (g:* scale (whole f)))
+                 (lambda () (list 'expt (value->datum a) n))
+                 #:power (power scale (power-base p) (* n (power-exponent p)))))
+
+;; ---------------------------------------------------------------------------
+;; The exponential
+
+(define (function-of-operator op o)
+  (case (generic-op-name op)
+    [(exp) (make-primitive-operator (lambda (f) (exponential-of o f))
+                                    (lambda () (list 'exp (value->datum o))))]
+    [else (raise-inapplicable op o)]))
+
+;; exp(A) is linear: of a series it is the series of the exponentials of its terms.
+(define (exponential-of o f)
+  (cond [(series? f)
+         (collapse (map-series (lambda (x) (if (eqv? x 0) 0 (exponential-of o x))) f))]
+        [else
+         (define image (images o f))
+         (series-of
+          (make-coefficients (lambda (k) (if (eqv? k 0) f (g:/ (image k) (factorial k))))))]))
+
+;; k -> Aᵏ f for k > 0
+(define (images o f)
+  (cond [(operator-iterate (power-base (power-in o)))
+         (lambda (k) ((g:expt o k) f))]
+        [else
+         (define known
+           (make-coefficients (lambda (k) (if (eqv? k 0) f (o (coefficient known (sub1 k)))))))
+         (reader known)]))
+
+(define (factorial k) (for/product ([j (in-range 1 (add1 k))]) j))

@@ -98,8 +98,8 @@
  [(g:sqrt (up 1 2))
   "sqrt: cannot be taken of an up tuple of 2\n"
   "  argument 1: (up 1 2), an up tuple of 2"]
- [(g:exp D)
-  "exp: cannot be taken of an operator\n"
+ [(g:log D)
+  "log: cannot be taken of an operator\n"
   "  argument 1: D, an operator"]
  [(g:+ (void) 1)
   "+: cannot add no value (void) and a number\n"

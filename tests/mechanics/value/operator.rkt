@@ -88,6 +88,21 @@
   (check-equal? (format "~a" ((g:* (g:+ D 1) (partial 0)) F)) "((* (+ D 1) (partial 0)) F)")
   (check-equal? (format "~a" (D (g:* 2 V))) "(D (* 2 V))"))
 
-(test-case "an elementary function of an operator is refused by name"
-  (for ([f (list g:sin g:exp g:sqrt g:abs g:log)])
-    (check-exn #rx"cannot be taken of an operator" (lambda () (f D)))))
+(test-case "an elementary function of an operator is refused by name, but for exp"
+  (for ([f (list g:sin g:sqrt g:abs g:log)])
+    (check-exn #rx"cannot be taken of an operator" (lambda () (f D))))
+  (check-pred operator? (g:exp D)))
+
+(test-case "an operator has no powers but 0, 1, 2, ..."
+  (for ([n (list -1 1/2 'n 0.5)])
+    (check-exn #rx"^expt: cannot raise an operator to the power of .*\n  the powers of an operator are 0, 1, 2, ...$"
+               (lambda () (g:expt D n))))
+  (check-eq? (g:expt D 0) I-operator)
+  (check-eq? (g:expt D 1) D))
+
+(test-case "multiples of an operator know its powers"
+  (define hD (g:* 'h D))
+  (check-equal? (format "~a" (g:expt hD 3)) "(expt (* h D) 3)")
+  (check-true (same? (g:expt hD 3) (g:* (g:expt 'h 3) (g:expt D 3))))
+  (check-true (same? (g:expt (g:* 2 (g:expt hD 2)) 2) (g:* 4 (g:expt 'h 4) (g:expt D 4))))
+  (check-true (same? (g:expt (g:* x D) 2) (g:+ (g:* x D) (g:* (g:square x) (g:expt D 2))))))

@@ -1,0 +1,122 @@
+#lang racket/base
+;; Any operation on sequences of Taylor coefficients: by its recurrence if it has
+;; one, by the rule for its derivative otherwise (generic/recurrence.rkt derives
+;; both).
+;;
+;; The rule is generic code and wants values of the arithmetic; `wrap` makes one of
+;; a sequence, which the operations take apart again by way of `unwrap`.  The rule
+;; may use the value of the operation itself: the sequence is handed to it before
+;; it is known, and it looks only at what is.
+
+(require "coefficients.rkt"
+         "../../generic/kind.rkt" "../../generic/recurrence.rkt" "../../generic/arithmetic.rkt")
+
+(provide operate-1 operate-2 reduced)
+
+;; One argument
+
+;; op : record; a : coefficients; wrap : coefficients -> value;
+;; unwrap : value -> coefficients
+(define (operate-1 op a wrap unwrap)
+  (define rules (recurrence-of op))
+  (define step
+    (and rules ((recurrence-choose rules) (coefficient a 0) (coefficients-length a))))
+  (cond [(<= (coefficients-length a) 1)
+         (coefficients-from (list ((generic-op-procedure op) (coefficient a 0))))]
+        [(not step) (by-rule op (list a) wrap unwrap)]
+        [(recurrence-partner rules) => (lambda (p) (with-partner op p a step))]
+        [else (by-step op a step)]))
+
+;; The first two coefficients are the value and the slope there, by the rule for
+;; the derivative: so what that has to say where there is none is said.
+(define (by-step op a step)
+  (define a0 (coefficient a 0))
+  (define start ((generic-op-procedure op) a0))
+  (define la (coefficients-length a))
+  (define read-a (reader a))
+  (define r
+    (make-coefficients
+     (lambda (k)
+       (case k
+         [(0) start]
+         [(1) (g:* ((car (generic-op-partials op)) a0 start) (coefficient a 1))]
+         [else (step k read-a la read-r)]))))
+  (define (read-r k) (coefficient r k))
+  r)
+
+;; op and its partner each take their steps by the other's coefficients.
+(define (with-partner op other a step)
+  (define a0 (coefficient a 0))
+  (define la (coefficients-length a))
+  (define read-a (reader a))
+  (define (sequence procedure step read-other)
+    (define start (procedure a0))
+    (make-coefficients
+     (lambda (k) (if (eqv? k 0) start (step k read-a la read-other)))))
+  (define r (sequence (generic-op-procedure op) step (lambda (k) (coefficient p k))))
+  (define p (sequence (partner-procedure other) (partner-step other) (lambda (k) (coefficient r k))))
+  r)
+
+;; ---------------------------------------------------------------------------
+;; Two arguments, a constant being a sequence of one
+
+;; The value of op by other operations on the values a and b, or #f.
+(define (reduced op a b)
+  (define rules (recurrence-of op))
+  (define reduce (and rules (recurrence-reduce rules)))
+  (and reduce (reduce a b)))
+
+(define (operate-2 op a b wrap unwrap)
+  (define rules (recurrence-of op))
+  (define la (coefficients-length a))
+  (define lb (coefficients-length b))
+  (define step
+    (and rules ((recurrence-choose rules) (coefficient a 0) la (coefficient b 0) lb)))
+  (if step
+      (by-steps op a la b lb step ((recurrence-length rules) la lb))
+      (by-rule op (list a b) wrap unwrap)))
+
+(define (by-steps op a la b lb step length)
+  (define start ((generic-op-procedure op) (coefficient a 0) (coefficient b 0)))
+  (define read-a (reader a))
+  (define read-b (reader b))
+  (define r (make-coefficients
+             (lambda (k) (if (eqv? k 0) start (step k read-a la read-b lb read-r)))
+             (max length 0)))
+  (define read-r (reader r))
+  r)
+
+;; ---------------------------------------------------------------------------
+;; By the rule for the derivative: k r_k = Σᵢ Σ_j j aᵢ_j gᵢ_{k-j}, where gᵢ is the
+;; partial derivative by argument i, at the arguments and the value.
+
+(define (by-rule op as wrap unwrap)
+  (define start
+    (apply (generic-op-procedure op) (for/list ([a (in-list as)]) (coefficient a 0))))
+  (define r
+    (make-coefficients
+     (lambda (k)
+       (if (eqv? k 0)
+           start
+           (g:/ (for/fold ([sum 0]) ([a (in-list as)] [g (in-list gs)])
+                  (if (<= (coefficients-length a) 1)
+                      sum
+                      (g:+ sum (integrand a (reader (g)) k))))
+                k)))))
+  (define values (append (map wrap as) (list (wrap r))))
+  (define gs
+    (for/list ([partial (in-list (generic-op-partials op))])
+      (on-demand (lambda () (unwrap (apply partial values))))))
+  r)
+
+(define (integrand a g k)
+  (weighted-convolution (reader a) (coefficients-length a) g k))
+
+;; The value of a thunk, run when first needed.
+(define (on-demand thunk)
+  (define value #f)
+  (lambda ()
+    (or value
+        (let ([new (thunk)])
+          (set! value new)
+          new))))

@@ -1,0 +1,224 @@
+#lang racket/base
+;; Series: endless sums whose terms are any values of the arithmetic.
+;;
+;; A *series* a₀ + a₁ + a₂ + ⋯ keeps its terms apart by their order: the product
+;; collects the products of terms by the sum of their orders.  Terms that are
+;; functions are applied, each of them, when the series is.  A *power series* is
+;; given by coefficients, a₀ + a₁x + a₂x² + ⋯, and is a function of x: applied to
+;; one, it gives the series of its terms.
+;;
+;; Terms are computed when asked for, and remembered.
+
+(require "coefficients.rkt" "operate.rkt"
+         "../../generic/kind.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/structure.rkt" "../../generic/arithmetic.rkt"
+         "../../generic/elementary.rkt" "../../generic/compare.rkt"
+         "../../algebra/expression.rkt")
+
+(provide series? power-series? series-of power-series-of like-series
+         series-coefficients series-term series-length finite-series? map-series
+         coefficients-of collapse shown-terms compared-terms)
+
+;; ---------------------------------------------------------------------------
+;; Data
+
+(define kind:series
+  (make-kind #:rank rank:series
+             #:describe (lambda (s) (if (power-series? s) "a power series" "a series"))
+             #:datum (lambda (s) (series-datum s))
+             #:map (lambda (f s) (map-series (lambda (x) (map-leaves f x)) s))
+             #:unary (lambda (op s) (series-unary op s))
+             #:binary (lambda (op a b) (series-binary op a b))
+             #:zero? (lambda (s)
+                       (and (finite-series? s)
+                            (for/and ([x (in-list (first-terms s (series-length s)))]) (g:zero? x))))
+             #:same? (lambda (same? a b) (same-series? same? a b))
+             #:arity (lambda (s) (if (power-series? s) 2 -1))))
+
+(struct series (coefficients power?)
+  #:authentic
+  #:property prop:kind kind:series
+  #:property prop:procedure (lambda (s . args) (apply-series s args))
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write (lambda (s port mode) (write-value s port))
+  #:property prop:equal+hash
+  (list (lambda (a b recur)
+          (or (eq? a b)
+              (and (eq? (series-power? a) (series-power? b))
+                   (finite-series? a) (finite-series? b)
+                   (recur (first-terms a (series-length a)) (first-terms b (series-length b))))))
+        (lambda (s recur) (if (finite-series? s) (recur (first-terms s (series-length s))) 1))
+        (lambda (s recur) (if (finite-series? s) (recur (first-terms s (series-length s))) 2))))
+
+(define (series-of coefficients) (series coefficients #f))
+(define (power-series-of coefficients) (series coefficients #t))
+(define (power-series? x) (and (series? x) (series-power? x)))
+
+;; A series of the same sort with other terms.
+(define (like-series s coefficients) (series coefficients (series-power? s)))
+
+(define (series-term s k) (coefficient (series-coefficients s) k))
+(define (series-length s) (coefficients-length (series-coefficients s)))
+(define (finite-series? s) (coefficients-finite? (series-coefficients s)))
+
+(define (first-terms s n) (for/list ([k (in-range n)]) (series-term s k)))
+
+;; f applied to each term, when it is asked for; f takes 0 to 0.
+(define (map-series f s)
+  (like-series s (make-coefficients (lambda (k) (f (series-term s k))) (series-length s))))
+
+;; ---------------------------------------------------------------------------
+;; Printing and comparing: of an endless series only the first terms
+
+(define shown-terms 4)
+(define compared-terms 16)
+
+(define (series-datum s)
+  (define n (if (finite-series? s) (series-length s) shown-terms))
+  `(,(if (power-series? s) 'power-series 'series)
+    ,@(map value->datum (first-terms s n))
+    ,@(if (finite-series? s) '() '(...))))
+
+(define (same-series? same? a b)
+  (define n (max (series-length a) (series-length b)))
+  (cond [(eq? a b) #t]
+        [(not (eq? (power-series? a) (power-series? b))) #f]
+        [(not (for/and ([k (in-range (min n compared-terms))])
+                (same? (series-term a k) (series-term b k))))
+         #f]
+        [(<= n compared-terms) #t]
+        [(eqv? n +inf.0) (raise-undecidable a b)]
+        [else (for/and ([k (in-range compared-terms n)])
+                (same? (series-term a k) (series-term b k)))]))
+
+(define (raise-undecidable a b)
+  (complain "=: two endless series agree in their first ~a terms, which does not decide whether they are equal\n  first: ~a\n  second: ~a\n  compare as many terms as matter: (series:head s n)"
+            compared-terms (value->text a) (value->text b)))
+
+(define (complain format-string . args)
+  (raise (exn:fail:contract (apply format format-string args) (current-continuation-marks))))
+
+;; ---------------------------------------------------------------------------
+;; Arithmetic
+
+(define (series-unary op s)
+  (define commuting
+    (make-coefficients (lambda (k) (check-commutes op (series-term s k))) (series-length s)))
+  (like-series s (operate-1 op commuting (lambda (c) (like-series s c)) coefficients-of)))
+
+;; Elementary functions take it that terms commute: exp (A + B) is not exp A exp B
+;; where A and B do not.
+(define (check-commutes op x)
+  (when (and (has-kind? x) (memv (kind-rank (kind-of x)) (list rank:matrix rank:operator)))
+    (complain "~a: the terms of the series must commute with each other; one is ~a"
+              (generic-op-name op) (describe-with-value x)))
+  x)
+
+(define (series-binary op a b)
+  (define like (if (series? a) a b))
+  (when (and (series? a) (series? b) (not (eq? (series-power? a) (series-power? b))))
+    (raise-mixed op a b))
+  (or (reduced op a b)
+      (like-series like
+                   (operate-2 op (coefficients-of a) (coefficients-of b)
+                              (lambda (c) (like-series like c)) coefficients-of))))
+
+(define (coefficients-of x)
+  (if (series? x) (series-coefficients x) (coefficients-from (list x))))
+
+(define (raise-mixed op a b)
+  (complain "~a: one is a series, the other a power series; apply the power series to its variable first\n  argument 1: ~a\n  argument 2: ~a"
+            (generic-op-name op) (describe-with-value a) (describe-with-value b)))
+
+;; ---------------------------------------------------------------------------
+;; Application
+
+(define (apply-series s args)
+  (cond [(power-series? s)
+         (unless (= (length args) 1) (raise-one-variable s args))
+         (if (series? (car args)) (compose-series s (car args)) (terms-at s (car args)))]
+        [else (values-at s args)]))
+
+(define (raise-one-variable s args)
+  (raise (exn:fail:contract:arity
+          (format "~a: a power series takes one argument, its variable; given ~a"
+                  (value->text s) (length args))
+          (current-continuation-marks))))
+
+;; Terms that are functions are applied; others stand for themselves.  Where the
+;; value of the term of order n is a series, its terms count from order n on.
+(define (values-at s args)
+  (when (and (finite-series? s) (not (ormap applicable? (first-terms s (series-length s)))))
+    (raise-no-function s))
+  (collapse (map-series (lambda (x) (value-at x args)) s)))
+
+(define (applicable? x) (or (procedure? x) (tuple? x) (map-leaf-kind? x)))
+(define (map-leaf-kind? x) (and (has-kind? x) (kind-map (kind-of x)) #t))
+
+(define (value-at x args)
+  (cond [(or (tuple? x) (and (map-leaf-kind? x) (not (series? x))))
+         (map-leaves (lambda (leaf) (if (procedure? leaf) (apply leaf args) leaf)) x)]
+        [(procedure? x) (apply x args)]
+        [else x]))
+
+(define (raise-no-function s)
+  (complain "application: a series applies those of its terms that are functions, but ~a has none\n  (power-series a ...) makes a function of coefficients"
+            (value->text s)))
+
+;; The series of series s as one: term m of the series at order n has order n + m.
+(define (collapse s)
+  (define (term n) (series-term s n))
+  (define finite? (finite-series? s))
+  (define length
+    (if finite?
+        (for/fold ([length 0]) ([n (in-range (series-length s))])
+          (max length (+ n (if (series? (term n)) (series-length (term n)) 1))))
+        +inf.0))
+  (define last (if finite? (sub1 (series-length s)) +inf.0))
+  (like-series
+   s
+   (make-coefficients
+    (lambda (k)
+      (for/fold ([sum 0]) ([n (in-range (add1 (min k last)))])
+        (define x (term n))
+        (cond [(series? x) (g:+ sum (series-term x (- k n)))]
+              [(eqv? n k) (g:+ sum x)]
+              [else sum])))
+    length)))
+
+;; aₙ xⁿ.  The derivative of order n by a tuple is contracted with it n times, from
+;; the outermost index on.
+(define (terms-at s x)
+  (series-of
+   (make-coefficients
+    (lambda (n)
+      (define a (series-term s n))
+      (cond [(eqv? n 0) a]
+            [(tuple? x) (for/fold ([product a]) ([_ (in-range n)]) (g:* product x))]
+            [else (g:* a (g:expt x n))]))
+    (series-length s))))
+
+;; ---------------------------------------------------------------------------
+;; Composition
+
+;; Σ aₙ tⁿ, which is well defined order by order when t has no term of order 0; any
+;; t will do where the sum is finite (Horner's rule).
+(define (compose-series s t)
+  (cond [(finite-series? s)
+         (for/fold ([sum 0]) ([n (in-range (sub1 (series-length s)) -1 -1)])
+           (g:+ (series-term s n) (g:* sum t)))]
+        [(eqv? (series-term t 0) 0) (like-series t (composition s t))]
+        [else
+         (complain "application: an endless power series can be applied to a series only if that begins with 0; given ~a"
+                   (value->text t))]))
+
+;; Coefficient k is Σ_{n≤k} aₙ (tⁿ)_k, the powers of t being remembered.
+(define (composition s t)
+  (define powers
+    (make-coefficients (lambda (n) (if (eqv? n 1) t (g:* (coefficient powers (sub1 n)) t)))))
+  (make-coefficients
+   (lambda (k)
+     (if (eqv? k 0)
+         (series-term s 0)
+         (for/fold ([sum 0]) ([n (in-range 1 (add1 k))])
+           (g:+ sum (g:* (series-term s n) (series-term (coefficient powers n) k))))))))
