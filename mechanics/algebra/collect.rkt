@@ -119,12 +119,24 @@
 
 (define (visit-root! c n base k)
   (define degree (denominator k))
-  (define-values (outer inner)
+  (define-values (outer roots)
     ((services-split-root (collector-services c)) base degree))
-  (define r (and (not (eqv? inner 1)) (intern-root! c inner degree)))
+  (cond [(or (null? roots) (and (null? (cdr roots)) (eqv? (cdar roots) (/ 1 degree))))
+         (visit-surd! c n base k outer (and (pair? roots) (caar roots)))]
+        [else (resolve-alias! c n (root-product outer roots (numerator k)))]))
+
+;; outer^k times inner^(k/degree); no inner if that is #f
+(define (visit-surd! c n base k outer inner)
+  (define degree (denominator k))
+  (define r (and inner (intern-root! c inner degree)))
   (when (and r (eqv? degree 2)) (consider-radicand! c r outer inner base))
   (visit! c outer)
   (resolve! c n (surd outer r degree (numerator k))))
+
+(define (root-product outer roots power)
+  (for/fold ([product (if (eqv? outer 1) 1 (make-node op:expt (list outer power)))])
+            ([r (in-list roots)])
+    (e:* product (make-node op:expt (list (car r) (* power (cdr r)))))))
 
 ;; Roots of one radicand are powers of one root.
 (define (intern-root! c radicand degree)

@@ -106,9 +106,13 @@
   (cond [(or (null? angles) (null? (cdr angles))) angles]
         [else
          (define compare (make-order))
+         (define (either-sign form)     ; the later of the angle and its opposite
+           (define u (form->expression c form))
+           (define v (form->expression c (vector-scale -1 form)))
+           (if (< (compare u v) 0) v u))
          (define entries
            (for/list ([a (in-list angles)])
-             (vector (length (angle-form a)) (form->expression c (angle-form a)) a)))
+             (vector (length (angle-form a)) (either-sign (angle-form a)) a)))
          (define (simpler? a b)
            (define k (- (vector-ref a 0) (vector-ref b 0)))
            (or (< k 0)

@@ -2,7 +2,7 @@
 ;; Numbers as the algebra takes them: exact rationals, and exponents.
 
 (provide exact-constant? rational-part imaginary-part exact-exponent
-         present-number square-part)
+         present-number number-factors)
 
 ;; Is x, or each part of a complex x, a rational number?  (NaN and the
 ;; infinities are not.)
@@ -23,21 +23,46 @@
 ;; A rational as it is shown when a flonum entered: what is no integer is a
 ;; flonum again.
 (define (present-number x inexact?)
-  (if (and inexact? (not (integer? x))) (real->double-flonum x) x))
+  (if (and inexact? (not (integer? x)))
+      (whole-as-exact (real->double-flonum x))
+      x))
 
-;; The greatest known r with r^q dividing the positive integer n: small primes
-;; are tried, then n itself.
-(define (square-part n [q 2])
-  (let loop ([n n] [p 2] [part 1])
-    (cond [(> (expt p q) n) part]
-          [(> p 1000) (* part (whole-root n q))]
-          [(zero? (remainder n (expt p q))) (loop (quotient n (expt p q)) p (* part p))]
-          [else (loop n (+ p 1) part)])))
+;; 1/-0.1 is not quite -10, as a rational; the flonum nearest to it is.
+(define (whole-as-exact y) (if (and (integer? y) (< (abs y) 1e15)) (inexact->exact y) y))
 
-;; The q-th root of n if it is an integer, else 1.
+;; A positive rational as ((prime . exponent) ...), primes ascending.  Small
+;; primes are tried; what is then left is taken for a prime, or a power of one.
+(define (number-factors c)
+  (define below
+    (for/list ([f (in-list (integer-factors (denominator c)))]) (cons (car f) (- (cdr f)))))
+  (sort (append (integer-factors (numerator c)) below) < #:key car))
+
+(define (integer-factors n)
+  (let loop ([n n] [p 2] [found '()])
+    (cond [(eqv? n 1) found]
+          [(> (* p p) n) (cons (cons n 1) found)]
+          [(> p 1000) (cons (whole-power n) found)]
+          [(zero? (remainder n p))
+           (define-values (rest e) (divide-out n p))
+           (loop rest (+ p 1) (cons (cons p e) found))]
+          [else (loop n (+ p 1) found)])))
+
+(define (divide-out n p)
+  (let loop ([n n] [e 0])
+    (if (zero? (remainder n p)) (loop (quotient n p) (+ e 1)) (values n e))))
+
+;; n as (root . exponent), the exponent as great as possible among small ones.
+(define (whole-power n)
+  (or (for/or ([q (in-list '(6 5 4 3 2))])
+        (define r (whole-root n q))
+        (and r (cons r q)))
+      (cons n 1)))
+
+;; The q-th root of n if it is an integer, else #f.
 (define (whole-root n q)
   (define r
     (if (eqv? q 2)
         (integer-sqrt n)
-        (inexact->exact (round (expt (real->double-flonum n) (/ 1.0 q))))))
-  (if (= (expt r q) n) r 1))
+        (let ([x (expt (real->double-flonum n) (/ 1.0 q))])
+          (if (rational? x) (inexact->exact (round x)) 0))))
+  (and (= (expt r q) n) r))

@@ -12,7 +12,7 @@
 ;; from the top once suffices.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collect.rkt"
-         "circle.rkt" "walk.rkt" "bounds.rkt" "square-class.rkt"
+         "circle.rkt" "walk.rkt" "bounds.rkt" "root-class.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt" "polynomial/ring.rkt"
          "polynomial/monomial.rkt")
 
@@ -65,30 +65,32 @@
 (define (root-relation F r)
   (define i (kernel-index (root-kernel r)))
   (define u (field-fraction F (root-radicand r)))
-  (define squares (if (eqv? 2 (root-degree r)) (square-roots F) '()))
-  (define-values (members w basis)
-    (if (or (null? squares) (fraction-zero? u))
-        (values #f #f #f)
-        (square-dependence (field-ring F) u (map relation-radicand squares))))
-  (if members
-      (dependent-root F i (for/list ([m (in-list members)]) (list-ref squares m)) w basis)
-      (relation i (root-degree r) u)))
+  (define others (independent-roots F))
+  (if (or (null? others) (fraction-zero? u))
+      (relation i (root-degree r) u)
+      (related-root F i u (root-degree r) others)))
 
-;; The relations of square roots known so far.
-(define (square-roots F)
+;; The relations of the roots known so far, but for those that depend on others.
+(define (independent-roots F)
   (for/list ([r (in-list (field-relations F))]
-             #:when (eqv? 2 (relation-degree r))
-             #:when (root? (kernel-relation (vector-ref (field-kernels F) (relation-index r)))))
+             #:when (independent-root? F r))
     r))
 
-;; The root that is w times other roots.
-(define (dependent-root F i others w basis)
+(define (independent-root? F r)
+  (define k (kernel-relation (vector-ref (field-kernels F) (relation-index r))))
+  (and (root? k) (eqv? (root-degree k) (relation-degree r))))
+
+;; The q-th root of u, whose lower power may be w times powers of other roots.
+(define (related-root F i u q others)
   (define R (field-ring F))
+  (define-values (power members w basis)
+    (root-dependence R u q (map relation-radicand others) (map relation-degree others)))
   (for ([p (in-list basis)]) (set-box! (field-assumed F) (cons p (unbox (field-assumed F)))))
-  (relation i 1
-            (for/fold ([product w]) ([r (in-list others)])
+  (relation i power
+            (for/fold ([product w]) ([m (in-list members)])
+              (define other (relation-index (list-ref others (car m))))
               (fraction* R product
-                         (fraction-from-poly R (poly-variable R (relation-index r)))))))
+                         (fraction-from-poly R (poly-variable R other (cdr m)))))))
 
 (define (modulus-relation F k)
   (define u (field-fraction F (modulus-argument (kernel-relation k))))

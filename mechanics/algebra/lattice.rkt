@@ -14,7 +14,7 @@
 ;;
 ;; A vector is a list of (key . rational), keys ascending, rationals nonzero.
 
-(provide integer-basis modest-basis vector-scale vector-add)
+(provide integer-basis modest-basis integer-combination vector-scale vector-add)
 
 ;; vectors -> (values basis coordinates), coordinates a list with, for each
 ;; vector, a list of (basis position . integer).
@@ -189,3 +189,21 @@
            (define c (/ (coordinate v (caaar rows)) (cdaar rows)))
            (define rest (loop (clear v (car rows)) (cdr rows) (+ k 1)))
            (if (eqv? c 0) rest (cons (cons k c) rest))])))
+
+;; ---------------------------------------------------------------------------
+;; Modulo an integer
+
+;; -> integers mᵢ, one a vector, with target ≡ Σ mᵢ vᵢ modulo q in all `size`
+;; coordinates, whose keys are 0, 1 ...; or #f.  Vectors are of integers.
+;; Each row of the echelon form is followed by how it is made of the vectors.
+(define (integer-combination target vectors size q)
+  (define made
+    (for/list ([v (in-list vectors)] [i (in-naturals)]) (append v (list (cons (+ size i) 1)))))
+  (define moduli (for/list ([k (in-range size)]) (list (cons k q))))
+  (define rows
+    (filter (lambda (row) (< (caar row) size)) (hermite (append made moduli))))
+  (define rest
+    (for/fold ([v target]) ([row (in-list rows)])
+      (vector-add v (vector-scale (- (floor (/ (coordinate v (caar row)) (cdar row)))) row))))
+  (and (or (null? rest) (>= (caar rest) size))
+       (for/list ([i (in-range (length vectors))]) (- (coordinate rest (+ size i))))))

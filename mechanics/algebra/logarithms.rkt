@@ -1,11 +1,12 @@
 #lang racket/base
 ;; Logarithms and absolute values, by the factors of their arguments.
 ;;
-;; log eᵘ = u.  A single logarithm stays as it is; where several occur their
-;; arguments are split, log(x²y) = 2 log x + log y, and that the factors are
-;; not negative is assumed.  |c x²y| = |c| x² |y|, and |y|² = y².
+;; log eᵘ = u, log √u = 1/2 log u, log 1/u = -log u.  Else a single logarithm
+;; stays as it is; where several occur their arguments are split, log(4x²y) =
+;; 2 log 2 + 2 log x + log y, and that the factors are not negative is assumed.
+;; |c x²y| = |c| x² |y|, and |y|² = y².
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collector.rkt")
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collector.rkt" "exact.rkt")
 
 (provide visit-logarithm! settle-logarithms! visit-modulus!)
 
@@ -28,36 +29,88 @@
 (define (symbolic-power? e)
   (and (headed? e op:expt) (not (number? (cadr (node-args e))))))
 
-;; When all logarithms have been met.
+;; When all logarithms have been met.  What stands for one may hold others.
 (define (settle-logarithms! c)
   (define table (collector-logarithms c))
-  (define several? (> (hash-count table) 1))
-  (for* ([(u nodes) (in-hash table)])
-    (define parts (if several? (logarithm-parts c u) (list (cons 1 u))))
-    (cond [(whole? parts u)
-           (define k (intern-kernel! c (make-node op:log (list u))))
-           (for ([n (in-list nodes)]) (resolve! c n k))]
-          [else
-           (define sum (sum-of-logarithms c parts))
-           (for ([n (in-list nodes)]) (resolve-alias! c n sum))])))
+  (let loop ([several? (> (hash-count table) 1)])
+    (define met (hash->list table))
+    (hash-clear! table)
+    (for ([entry (in-list met)])
+      (settle-logarithm! c (car entry) (cdr entry) several?))
+    (unless (null? met) (loop #t))))
 
-(define (whole? parts u)
-  (and (null? (cdr parts)) (eqv? (caar parts) 1)))
+(define (settle-logarithm! c u nodes several?)
+  (define parts (logarithm-parts c u))
+  (cond [(or (equal? parts (list (cons 1 u))) (not (or several? (lone? parts))))
+         (define k (intern-kernel! c (make-node op:log (list u))))
+         (for ([n (in-list nodes)]) (resolve! c n k))]
+        [else
+         (unless (lone? parts) (assume-parts! c parts))
+         (define sum (sum-of-logarithms c parts))
+         (for ([n (in-list nodes)]) (resolve-alias! c n sum))]))
 
-;; log u as ((integer . expression) ...), a multiple of each logarithm.
+;; A single part that is not negative if the argument is not.
+(define (lone? parts)
+  (and (pair? parts) (null? (cdr parts)) (not (even? (numerator (caar parts))))))
+
+(define (assume-parts! c parts)
+  (for ([p (in-list parts)] #:when (symbolic? (cdr p)) #:unless (never-negative? (cdr p)))
+    ((services-assume! (collector-services c)) (cdr p))))
+
+;; log u as ((rational . expression) ...), a multiple of the logarithm of each.
 (define (logarithm-parts c u)
-  (define s (collector-services c))
-  (define-values (number factors) ((services-factors s) u))
-  (define all (if (eqv? number 1) factors (cons (cons number 1) factors)))
-  (unless (and (pair? all) (null? (cdr all)) (eqv? 1 (cdar all)))
-    (for ([f (in-list factors)]) ((services-assume! s) (car f))))
-  (for/list ([f (in-list all)]) (cons (cdr f) (car f))))
+  (define-values (number factors) ((services-factors (collector-services c)) u))
+  (define-values (positive signed) (absorb-sign c number factors))
+  (append (number-parts positive (collector-inexact? c))
+          (append* (for/list ([f (in-list signed)]) (factor-parts c (car f) (cdr f))))))
+
+(define (append* lists) (apply append lists))
+
+;; log f^e, where f may be a root
+(define (factor-parts c f e)
+  (define-values (base exponent) (root-parts f))
+  (if exponent
+      (for/list ([p (in-list (logarithm-parts c base))])
+        (cons (* e exponent (car p)) (cdr p)))
+      (list (cons e f))))
+
+(define (root-parts f)
+  (cond [(headed? f op:sqrt) (values (car (node-args f)) 1/2)]
+        [(and (headed? f op:expt) (rational? (cadr (node-args f))))
+         (values (car (node-args f)) (cadr (node-args f)))]
+        [else (values f #f)]))
+
+;; A negative number makes the first factor to an odd power its opposite.
+(define (absorb-sign c number factors)
+  (define odd (for/first ([f (in-list factors)] #:when (odd? (cdr f))) f))
+  (if (and (negative? number) odd)
+      (values (- number)
+              (for/list ([f (in-list factors)])
+                (if (eq? f odd) (cons (opposite c (car f)) (cdr f)) f)))
+      (values number factors)))
+
+(define (opposite c e) ((services-simplify (collector-services c)) (e:negate e)))
+
+;; By primes, unless these are so large that the number was a flonum.
+(define (number-parts x inexact?)
+  (define factors (if (positive? x) (number-factors x) '()))
+  (cond [(eqv? x 1) '()]
+        [(and (pair? factors) (andmap (lambda (f) (< (car f) 1000000)) factors))
+         (for/list ([f (in-list factors)]) (cons (cdr f) (car f)))]
+        [else (list (cons 1 (present-number x inexact?)))]))
 
 (define (sum-of-logarithms c parts)
   (for/fold ([sum 0]) ([p (in-list parts)])
-    (define n (make-node op:log (list (cdr p))))
-    (resolve! c n (intern-kernel! c n))
-    (e:+ sum (e:* (car p) n))))
+    (e:+ sum (e:* (car p) (part-logarithm c (cdr p))))))
+
+;; Of what was factored already, so it is not visited again; but for exponentials.
+(define (part-logarithm c f)
+  (cond [(headed? f op:exp) (car (node-args f))]
+        [(symbolic-power? f) (e:* (cadr (node-args f)) (make-node op:log (list (car (node-args f)))))]
+        [else
+         (define n (make-node op:log (list f)))
+         (resolve! c n (intern-kernel! c n))
+         n]))
 
 ;; ---------------------------------------------------------------------------
 ;; Absolute values

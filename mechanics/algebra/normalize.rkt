@@ -8,7 +8,7 @@
 ;; taken for granted is written down.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "field.rkt"
-         "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt" "order.rkt" "radicand.rkt"
+         "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt" "order.rkt" "radicand.rkt" "rationalize.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide make-workspace workspace-assumptions
@@ -142,11 +142,21 @@
   (let retry ([degree 7])
     (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
           (define F (make-field atlas kernels degree))
-          (define f (field-fraction F e))
+          (define f (rationalize F (field-fraction F e)))
           (spend-on-terms! (services-fuel services) (poly-term-count (fraction-numerator f)))
           (tell-assumptions F services)
-          (cons F f))
+          (and (room-to-present? F f) (cons F f)))
         (retry (+ 1 (* 2 degree))))))
+
+;; Presentation may multiply out all of numerator and denominator, and their
+;; conjugates.
+(define (room-to-present? F f)
+  (define R (field-ring F))
+  (or (fraction-polynomial? f)
+      (<= (* 2 (for/fold ([degree (poly-total-degree R (fraction-numerator f))])
+                    ([h (in-list (fraction-denominator-factors f))])
+            (+ degree (* (cdr h) (poly-total-degree R (car h))))))
+          (ring-max-degree R))))
 
 (define (tell-assumptions F services)
   (for ([p (in-list (unbox (field-assumed F)))])

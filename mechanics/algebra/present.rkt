@@ -5,7 +5,8 @@
 ;; chooses among equal forms of it, and never changes the value:
 ;;
 ;; - sin² or cos², angles contracted or not, multiple or not: whichever is shorter;
-;; - a fraction is split over the terms of its numerator, or kept whole;
+;; - a fraction is split over the terms of its numerator, or kept whole; roots and
+;;   sines in sums stand above, or below;
 ;; - squares of binomials are squares;
 ;; - a sum is written expanded; or with the terms that agree in all kernels but
 ;;   symbols collected; or grouped by common factors; or with its content in front.
@@ -15,7 +16,7 @@
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "order.rkt" "term.rkt"
          "form.rkt" "exact.rkt" "exponentials.rkt" "spelling.rkt" "pieces.rkt"
-         "squares-of-sums.rkt" "grouping.rkt"
+         "rationalize.rkt" "squares-of-sums.rkt" "grouping.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide present linear-terms)
@@ -26,16 +27,23 @@
         [(and (fraction-polynomial? f) (poly-constant? p))
          (present-number (poly-constant-value p) (field-inexact? F))]
         [else
-         (define-values (whole by-roots by-factors) (fraction->piece-lists F f))
-         (define usual (present-pieces F by-factors))
-         (define by-roots-alone
-           (if (eq? by-roots by-factors)
-               usual
-               (shorter-form usual (present-pieces F by-roots))))
+         (define usual (fraction-form F f))
+         (define other (rationalize-above F f))
          (form-expression
-          (if (or (eq? whole by-roots) (fraction-polynomial? f))
-              by-roots-alone
-              (smaller-form by-roots-alone (present-pieces F whole))))]))
+          (if (eq? other f)
+              usual
+              (smaller-form usual (fraction-form F other))))]))
+
+(define (fraction-form F f)
+  (define-values (whole by-roots by-factors) (fraction->piece-lists F f))
+  (define usual (present-pieces F by-factors))
+  (define by-roots-alone
+    (if (eq? by-roots by-factors)
+        usual
+        (shorter-form usual (present-pieces F by-roots))))
+  (if (or (eq? whole by-roots) (fraction-polynomial? f))
+      by-roots-alone
+      (smaller-form by-roots-alone (present-pieces F whole))))
 
 ;; The value as a linear combination: ((number . expression) ...), in the order
 ;; of its terms.

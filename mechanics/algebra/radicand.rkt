@@ -1,28 +1,109 @@
 #lang racket/base
-;; Taking powers out of roots: (c^q w)^(1/q) = c w^(1/q).
+;; Roots by the factors of their radicands: (c^q w)^(1/q) = c w^(1/q).
 ;;
-;; The radicand is factored into a number and square-free polynomials.  What is
-;; taken out is assumed not to be negative, and that is told to `assume!`; an
-;; even power need not be.
+;; The radicand is factored into primes, square-free polynomials and, where it
+;; holds roots or exponentials as factors, what stands in these.  Each factor g^e contributes a whole
+;; power of g and g^(a/d) in lowest terms; factors with one d are one root, so
+;; (4x²y)^(1/4) = √(2x) y^(1/4).  What is taken out, or to a lower root, is
+;; assumed not to be negative, and that is told to `assume!`; an even power need
+;; not be.
 
-(require "field.rkt" "squares.rkt" "present.rkt" "exact.rkt"
+(require "expression.rkt" "operation.rkt" "kernel.rkt" "field.rkt" "squares.rkt"
+         "present.rkt" "exact.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide split-root fraction-factors)
 
-;; -> outer inner, expressions with f^(1/q) = outer · inner^(1/q).
+;; -> outer and ((inner . exponent) ...), expressions and rationals, with
+;; f^(1/q) = outer ∏ inner^exponent.
 (define (split-root F f q assume!)
-  (define R (field-ring F))
   (cond
-    [(fraction-zero? f) (values 0 1)]
+    [(fraction-zero? f) (values 0 '())]
     [else
      (define-values (number factors) (value-parts F f))
-     (define-values (c rest) (split-number number q (field-inexact? F)))
-     (define-values (out in) (split-factors factors q))
-     (for ([g (in-list out)] #:when (odd? (cdr g)))
-       (assume! (present F (fraction-from-poly R (car g)))))
-     (values (present F (fraction-scale R c (power-product R out)))
-             (present F (fraction-scale R rest (power-product R in))))]))
+     (define-values (roots others) (partition-roots F factors))
+     (define parts (append (number-parts number q (field-inexact? F))
+                           (for/list ([g (in-list others)]) (cons (car g) (/ (cdr g) q)))))
+     (assume-signs! F others q assume!)
+     (values (present F (power-product F (map whole-part parts)))
+             (append (for/list ([r (in-list roots)]) (lower-root (car r) (/ (cdr r) q)))
+                     (grouped-roots F (filter pair? (map fractional-part parts)))))]))
+
+;; Factors that are roots or exponentials, as ((root . integer) ...), and the others.
+(define (partition-roots F factors)
+  (for/fold ([roots '()] [others '()] #:result (values (reverse roots) (reverse others)))
+            ([g (in-list factors)])
+    (define r (lone-root F (car g)))
+    (if r
+        (values (cons (cons r (cdr g)) roots) others)
+        (values roots (cons g others)))))
+
+;; (radicand . exponent) for the root raised to the exponent e.
+(define (lower-root r e)
+  (if (root? r)
+      (cons (root-radicand r) (/ e (root-degree r)))
+      (cons (make-node op:exp (list (e:* e (exponential-exponent r)))) 1)))
+
+;; The root or exponential that the polynomial is, or #f.
+(define (lone-root F p)
+  (define variables (poly-variables (field-ring F) p))
+  (define r
+    (and (null? (cdr p)) (pair? variables) (null? (cdr variables))
+         (kernel-relation (vector-ref (field-kernels F) (car variables)))))
+  (and (or (exponential? r)
+           (and (root? r) (not (eqv? (root-radicand r) -1))))
+       r))
+
+;; ((base . exponent) ...), bases being numbers and polynomials.  A number that
+;; came from a flonum is split only if nothing is left.
+(define (number-parts x q inexact?)
+  (define factors
+    (for/list ([f (in-list (number-factors (abs x)))]) (cons (car f) (/ (cdr f) q))))
+  (define sign (if (negative? x) (list (cons -1 (/ 1 q))) '()))
+  (cond [(eqv? x 1) '()]
+        [(and inexact? (not (andmap (lambda (f) (integer? (cdr f))) factors)))
+         (list (cons x (/ 1 q)))]
+        [else (append factors sign)]))
+
+;; Numbers keep a positive exponent below the root, polynomials their sign.
+(define (whole-part part)
+  (define e (cdr part))
+  (cons (car part) (if (number? (car part)) (floor e) (truncate e))))
+(define (fractional-part part)
+  (define e (- (cdr part) (cdr (whole-part part))))
+  (if (eqv? e 0) '() (cons (car part) e)))
+
+;; Parts with fractions for exponents, those of one denominator in one root: its
+;; radicand is no power itself, unless it is negative.
+(define (grouped-roots F parts)
+  (define degrees (distinct (for/list ([p (in-list parts)]) (denominator (cdr p)))))
+  (for/list ([d (in-list degrees)])
+    (define group (filter (lambda (p) (eqv? d (denominator (cdr p)))) parts))
+    (define signed? (assv -1 group))
+    (define common (apply gcd (for/list ([p (in-list group)]) (numerator (cdr p)))))
+    (define sign (if (andmap (lambda (p) (negative? (cdr p))) group) -1 1))
+    (define power (if signed? 1 (* sign common)))
+    (cons (present F (power-product F (for/list ([p (in-list group)])
+                                        (cons (car p) (/ (numerator (cdr p)) power)))))
+          (/ power d))))
+
+;; What leaves the root, wholly or for a lower one.
+(define (assume-signs! F factors q assume!)
+  (for ([g (in-list factors)])
+    (define e (/ (cdr g) q))
+    (unless (and (even? (truncate e)) (memv (denominator e) (list 1 q)))
+      (assume! (present F (fraction-from-poly (field-ring F) (car g)))))))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (memv x kept) kept (cons x kept))))
+
+(define (power-product F powers)
+  (define R (field-ring F))
+  (for/fold ([f (fraction-from-poly R (poly-constant R 1))]) ([g (in-list powers)])
+    (if (number? (car g))
+        (fraction-scale R (expt (car g) (cdr g)) f)
+        (fraction* R f (fraction-expt R (fraction-from-poly R (car g)) (cdr g))))))
 
 ;; -> number and ((polynomial . integer) ...), whose product f is: the parts of
 ;; numerator and denominator.  In the form with fewest terms 1 - cos² is a square.
@@ -38,34 +119,6 @@
 (define (leading factors)
   (for/fold ([c 1]) ([h (in-list factors)])
     (* c (expt (poly-leading-coefficient (car h)) (cdr h)))))
-
-(define (power-product R factors)
-  (for/fold ([f (fraction-from-poly R (poly-constant R 1))]) ([g (in-list factors)])
-    (fraction* R f (fraction-expt R (fraction-from-poly R (car g)) (cdr g)))))
-
-;; x = c^q · rest.  A number that came from a flonum is split only if nothing
-;; is left.
-(define (split-number x q inexact?)
-  (define n (square-part (abs (numerator x)) q))
-  (define d (square-part (denominator x) q))
-  (define c (/ n d))
-  (define rest (/ x (expt c q)))
-  (if (and inexact? (not (eqv? rest 1)))
-      (values 1 x)
-      (integral-rest c rest q)))
-
-;; The rest as an integer: a/b = (a b^(q-1)) / b^q.
-(define (integral-rest c rest q)
-  (define b (denominator rest))
-  (values (/ c b) (* rest (expt b q))))
-
-(define (split-factors factors q)
-  (for/fold ([out '()] [in '()] #:result (values (reverse out) (reverse in)))
-            ([g (in-list factors)])
-    (define k (quotient (cdr g) q))
-    (define rest (- (cdr g) (* k q)))
-    (values (if (eqv? k 0) out (cons (cons (car g) k) out))
-            (if (eqv? rest 0) in (cons (cons (car g) rest) in)))))
 
 ;; The fraction as a number and ((expression . integer) ...), factors with a
 ;; positive leading coefficient.

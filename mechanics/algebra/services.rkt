@@ -9,7 +9,8 @@
 ;;              flonums if they came from flonums
 ;; factors    : expression -> number ((expression . integer) ...), whose product it
 ;;              is; the expressions have a positive leading coefficient
-;; split-root : expression degree -> outer inner, the root being outer · inner^(1/degree)
+;; split-root : expression degree -> outer ((inner . rational) ...), the root being
+;;              outer ∏ inner^rational
 ;; assume!    : expression -> void; it is taken not to be negative
 ;; fuel       : what the work may cost altogether (bounds.rkt)
 (struct services (simplify terms factors split-root assume! fuel)
