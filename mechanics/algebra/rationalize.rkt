@@ -27,7 +27,8 @@
 (define (rationalize-above F f)
   (define R (field-ring F))
   (define (algebraic? i) (for/or ([r (in-list (field-relations F))]) (eqv? i (relation-index r))))
-  (if (and (pair? (cdr (fraction-numerator f)))
+  (if (and (not (fraction-polynomial? f))
+           (pair? (cdr (fraction-numerator f)))
            (ormap algebraic? (poly-variables R (fraction-numerator f))))
       (with-handlers ([exn:algebra:degree-overflow? (lambda (x) f)])
         (fraction-invert R (rationalize F (fraction-invert R f))))
@@ -65,14 +66,17 @@
   (poly-sum R (for/list ([k (in-range n)])
                 (poly* R (poly-expt R a (- n k 1)) (poly-expt R y k)))))
 
-;; f with numerator and denominator multiplied by c^e, h^e being in it.
+;; f with numerator and denominator multiplied by c^e, h^e being in it.  The norm
+;; may be 0: (|x| - x)(|x| + x) is.
 (define (multiplied F r f h c)
   (define R (field-ring F))
   (define (from p) (fraction-from-poly R p))
   (define e (cdr h))
-  (define norm (lower R r (poly* R (car h) c)))
-  (define above (reduce-fraction F (fraction* R f (fraction-expt R (from (car h)) e))))
-  (reduce-fraction F
-    (fraction/ R
-               (fraction* R above (reduce-fraction F (fraction-expt R (from c) e)))
-               (fraction-expt R (reduce-fraction F norm) e))))
+  (define norm (reduce-fraction F (lower R r (poly* R (car h) c))))
+  (define (above) (reduce-fraction F (fraction* R f (fraction-expt R (from (car h)) e))))
+  (if (fraction-zero? norm)
+      f
+      (reduce-fraction F
+        (fraction/ R
+                   (fraction* R (above) (reduce-fraction F (fraction-expt R (from c) e)))
+                   (fraction-expt R norm e)))))

@@ -20,14 +20,20 @@
     (contract-angles F (shortest-squares F p)
                      (lambda (a b sign) (field-combined-circle F (list (cons a 1) (cons b sign))))
                      (lambda (o) (field-doubled? F o))))
-  (for/fold ([spelled usual]) ([sign (in-list '(1 -1))])
-    (define circles (circles-of-sign F sign))
-    (if (null? circles) spelled (spell-in-waves F p spelled circles))))
+  (define circular (occurring-circles F p 1))
+  (define hyperbolic (occurring-circles F p -1))
+  (cond [(null? hyperbolic)
+         (if (null? circular) usual (spell-in-waves F p usual circular))]
+        [(null? circular) (spell-in-waves F p usual hyperbolic)]
+        [else usual]))  ; groups that agree outside one kind may not be equal
 
-(define (circles-of-sign F sign)
+(define (occurring-circles F p sign)
+  (define variables (poly-variables (field-ring F) p))
+  (define (occurs? k) (memv (kernel-index k) variables))
   (for*/list ([k (in-vector (field-kernels F))]
               [o (in-value (kernel-relation k))]
-              #:when (and (circle? o) (eqv? sign (circle-sign o))))
+              #:when (and (circle? o) (eqv? sign (circle-sign o))
+                          (or (occurs? k) (occurs? (circle-cosine o)))))
     o))
 
 ;; ---------------------------------------------------------------------------
