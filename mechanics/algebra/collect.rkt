@@ -157,7 +157,7 @@
 (define (consider-radicand! c r outer inner base)
   (when (and (node? base) (memq (node-head base) (list op:+ op:-)) (reciprocal? outer))
     (define tidy (tidy-sum c base))
-    (when (< (* 5 (expression-size tidy)) (* 4 (expression-size inner)))
+    (when (< (expression-size tidy) (expression-size inner))
       (visit! c tidy)
       (visit! c outer)
       (set-root-candidates! r (cons (cons tidy outer) (root-candidates r))))))

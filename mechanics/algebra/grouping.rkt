@@ -11,14 +11,14 @@
 
 (provide group-by-kernels group-by-factors)
 
-;; Both take a sum and a procedure, sum->term : terms -> one term equal to their
-;; sum, and give a sum, the same list if nothing was to be grouped.
+;; Both take a sum and give a sum, with the help of
+;; sum->term : terms -> one term equal to their sum,
+;; better? : terms, the product they can be, the sum in it -> is that to be preferred?
 
 ;; ---------------------------------------------------------------------------
 ;; Terms that agree in everything but symbols
 
-;; Those become one term, a product with a sum in the symbols, if better? says so:
-;; terms terms -> is the second sum better than the first?
+;; Those become one term, a product with a sum in the symbols.
 (define (group-by-kernels terms sum->term better?)
   (define table (make-hash))
   (define keys
@@ -45,8 +45,8 @@
   (define-values (c powers core) (extract-content terms #t))
   (define sum (sum->term core))
   (define product
-    (list (make-term (* c (term-coefficient sum)) (append (term-powers sum) powers))))
-  (if (better? terms product) product terms))
+    (make-term (* c (term-coefficient sum)) (append (term-powers sum) powers)))
+  (if (better? terms product core) (list product) terms))
 
 ;; ---------------------------------------------------------------------------
 ;; Terms with a heavy factor in common
@@ -79,23 +79,31 @@
 
 ;; The heaviest factor of two terms that was not tried, or #f if none is heavy enough.
 (define (heaviest-factor terms made tried weight)
-  (define-values (best factor)
-    (for*/fold ([best (- least-weight 1)] [factor #f])
-               ([rest (in-tails terms)] [b (in-list (cdr rest))])
-      (define a (car rest))
-      (define new (shared-factor a b))
-      (define w (factor-weight new weight))
-      (if (and (> w best)
-               (not (member-factor? new tried))
-               (or (has-sum? new) (not (or (memq a made) (memq b made)))))
-          (values w new)
-          (values best factor))))
-  factor)
+  (for*/fold ([best (- least-weight 1)] [factor #f] #:result factor)
+             ([rest (in-tails terms)] [b (in-list (cdr rest))])
+    (define a (car rest))
+    (define w (shared-weight a b weight))
+    (define new (and (> w best) (shared-factor a b)))
+    (if (and new
+             (not (member-factor? new tried))
+             (or (has-sum? new) (not (or (memq a made) (memq b made)))))
+        (values w new)
+        (values best factor))))
 
-(define (factor-weight factor weight)
-  (for/fold ([w (if (eqv? 1 (term-coefficient factor)) 0 1)])
-            ([p (in-list (term-powers factor))])
-    (+ w (weight (car p) (cdr p)))))
+;; The weight of what two terms have alike.  Of x² and x y nothing counts: the
+;; square is worth more than the factor x.
+(define (shared-weight a b weight)
+  (let loop ([as (term-powers a)] [bs (term-powers b)]
+             [sum (if (eqv? 1 (shared-number a b)) 0 1)])
+    (cond [(or (null? as) (null? bs)) sum]
+          [else
+           (define i (kernel-place (caar as)))
+           (define j (kernel-place (caar bs)))
+           (cond [(< i j) (loop (cdr as) bs sum)]
+                 [(> i j) (loop as (cdr bs) sum)]
+                 [(eqv? (cdar as) (cdar bs))
+                  (loop (cdr as) (cdr bs) (+ sum (weight (caar as) (cdar as))))]
+                 [else (loop (cdr as) (cdr bs) sum)])])))
 
 (define (shared-factor a b)
   (term (shared-number a b) (common-powers (term-powers a) (term-powers b) #t)))

@@ -15,7 +15,8 @@
 
 (require "operation.rkt" "expression.rkt" "order.rkt" "size.rkt")
 
-(provide (struct-out kernel) make-kernel sum-kernel? place-kernels! insert-kernel!
+(provide (struct-out kernel) make-kernel sum-kernel? circular-kernel? hyperbolic-kernel?
+         place-kernels! insert-kernel!
          (struct-out circle) (struct-out angle) (struct-out root)
          (struct-out modulus) (struct-out exponential))
 
@@ -29,9 +30,14 @@
   (kernel expression relation (expression-size expression) #f #f #f))
 
 ;; Is it a sum taken as a whole?
-(define (sum-kernel? k)
-  (define e (kernel-expression k))
-  (and (node? e) (or (eq? (node-head e) op:+) (eq? (node-head e) op:-))))
+(define (sum-kernel? k) (headed? (kernel-expression k) op:+ op:-))
+
+;; Is it a sine or a cosine?
+(define (circular-kernel? k) (headed? (kernel-expression k) op:sin op:cos))
+(define (hyperbolic-kernel? k) (headed? (kernel-expression k) op:sinh op:cosh))
+
+(define (headed? e a b)
+  (and (node? e) (or (eq? (node-head e) a) (eq? (node-head e) b))))
 
 ;; The sine and the cosine of a basic angle; hyperbolic ones if sign is -1.
 (struct circle (expression sign [sine #:mutable] [cosine #:mutable])

@@ -150,28 +150,56 @@
         other)))
 
 (define (prefer-grouped F terms)
-  (define (better? usual other)
-    (smaller-form? (terms-form F usual) (terms-form F other)))
-  (define (sum->term/collected terms)
-    (one-term F (group-by-kernels terms ->term better?)))
   (define (->term terms) (one-term F (with-squares F terms)))
-  (define collected (group-by-kernels terms ->term better?))
-  (cond [(not (residual? terms))
-         (group-by-factors collected heavy-size sum->term/collected better?)]
-        [(ormap divided? terms)
-         (group-by-factors collected divisor-weight sum->term/collected better?)]
-        [else collected]))
+  (define (collected terms)
+    (group-by-kernels terms ->term (lambda (usual product core) (smaller? F usual product))))
+  (define (->term/collected terms) (one-term F (collected terms)))
+  (define (welcome? usual product core)
+    (if (symbols-times-sum? product)
+        (< (terms-size F (list product)) (terms-size F usual))
+        (smaller? F usual product)))
+  (define (welcome-in-residual? usual product core)
+    (and (smaller? F usual product)
+         (or (ormap divided? usual)
+             (ormap derivative-power? (term-powers product))
+             (andmap without-circles? core))))
+  (if (residual? terms)
+      (group-by-factors (collected terms) residual-weight ->term/collected welcome-in-residual?)
+      (group-by-factors (collected terms) heavy-size ->term/collected welcome?)))
+
+(define (terms-size F terms) (form-size (terms-form F terms)))
+
+(define (smaller? F usual product)
+  (smaller-form? (terms-form F usual) (terms-form F (list product))))
+
+;; ½ m (ẋ² + ẏ²) is how it is known, however little shorter.
+(define (symbols-times-sum? t)
+  (define others
+    (filter (lambda (p) (not (symbol? (kernel-expression (car p))))) (term-powers t)))
+  (and (not (divided? t))
+       (pair? others) (null? (cdr others)) (sum-kernel? (caar others))))
 
 (define (divided? t)
   (for/or ([p (in-list (term-powers t))]) (negative? (cdr p))))
 
-;; Equations of motion stay sums of their highest derivatives.
+;; Fractions within a fraction are no improvement, except over sums and roots.
+(define (heavy-size k e) (if (heavy-power? k e) (power-size k e) 0))
+(define (heavy-power? k e) (or (positive? e) (not (symbol? (kernel-expression k)))))
+
+;; Equations of motion stay sums over the highest derivatives, their coefficients
+;; collected.  What they may share besides are divisors, or sines times a sum
+;; without any: m l (g + ÿ) sin θ.
 (define (residual? terms)
   (for*/or ([t (in-list terms)] [p (in-list (term-powers t))])
     (>= (derivative-order (kernel-expression (car p))) 2)))
 
-(define (divisor-weight k e) (if (negative? e) (heavy-size k e) 0))
-(define (heavy-size k e) (if (heavy-power? k e) (power-size k e) 0))
+(define (residual-weight k e)
+  (if (or (circular-kernel? k) (negative? e)) (heavy-size k e) 0))
+
+(define (derivative-power? p) (>= (derivative-order (kernel-expression (car p))) 1))
+
+(define (without-circles? t)
+  (not (for/or ([p (in-list (term-powers t))]) (circular-kernel? (car p)))))
 
 ;; With what the terms share in front, or all over one denominator, if that is
 ;; enough smaller; exponentials that they share always.
@@ -185,10 +213,6 @@
           (if (null? exponentials) terms (with-factor F terms sign exponentials))
           (with-factor F terms c powers)
           (if (ormap divided? terms) (in-one-fraction F terms) terms)))
-
-;; Fractions within a fraction are no improvement, except over sums and roots.
-(define (heavy-power? k e)
-  (or (positive? e) (not (symbol? (kernel-expression k)))))
 
 (define (with-factor F terms c powers)
   (list (times-sum F c powers

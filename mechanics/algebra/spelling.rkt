@@ -7,8 +7,8 @@
 ;; is cos 5t + cos t, and sin²(θ - φ), spread over four terms in sines and
 ;; cosines of θ and φ, is found again.  The shorter form is kept.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "squares.rkt"
-         "contract.rkt" "waves.rkt" "polynomial/polynomial.rkt")
+(require "kernel.rkt" "field.rkt" "squares.rkt" "contract.rkt" "waves.rkt"
+         "polynomial/polynomial.rkt")
 
 (provide spell)
 
@@ -80,12 +80,8 @@
         [(null? (cdr powers)) (list (pair (car powers)))]
         [else (sort (map pair powers) < #:key car)]))
 
-(define (headed-by? p a b)
-  (define e (kernel-expression (car p)))
-  (and (node? e) (or (eq? (node-head e) a) (eq? (node-head e) b))))
-
-(define (not-circular p) (not (headed-by? p op:sin op:cos)))
-(define (not-hyperbolic p) (not (headed-by? p op:sinh op:cosh)))
+(define (not-circular p) (not (circular-kernel? (car p))))
+(define (not-hyperbolic p) (not (hyperbolic-kernel? (car p))))
 
 ;; ---------------------------------------------------------------------------
 ;; One group

@@ -9,6 +9,10 @@
 ;; so ½ k l² - k l x + ½ k x² is ½ k (l - x)².  To these a further square is added
 ;; as long as its products with all are there.  A term serves once, the first of
 ;; a sum first.
+;;
+;; In rotating axes the kinetic energy ½ m (ẋ - ω y)² + ½ m (ẏ + ω x)² is better
+;; known by the powers of ω.  So where several squares have one content, they stay
+;; squares only if their members are alike, x and y, not ẋ and ω y.
 
 (require "kernel.rkt" "term.rkt")
 
@@ -21,20 +25,45 @@
 (define (merge-squares terms sum->kernel)
   (if (or (null? terms) (null? (cdr terms)) (null? (cddr terms)) (> (length terms) limit))
       terms
-      (let loop ([terms terms])
-        (define found (find-square terms))
-        (if found
-            (loop (replace found terms sum->kernel))
-            terms))))
+      (let-values ([(squares rest) (find-squares terms)])
+        (define kept (filter (lambda (s) (welcome? s squares)) squares))
+        (append (map (lambda (s) (square-term s sum->kernel)) kept)
+                (apply append
+                       rest
+                       (for/list ([s (in-list squares)] #:unless (memq s kept))
+                         (square-terms s)))))))
 
 ;; The terms it is made of, and content · (Σ members)².
 (struct square (terms content members) #:authentic)
 
-(define (replace s terms sum->kernel)
+(define (square-term s sum->kernel)
   (define power (cons (sum->kernel (reverse (square-members s))) 2))
   (define content (square-content s))
-  (cons (make-term (term-coefficient content) (cons power (term-powers content)))
-        (filter (lambda (t) (not (memq t (square-terms s)))) terms)))
+  (make-term (term-coefficient content) (cons power (term-powers content))))
+
+(define (welcome? s squares)
+  (or (alike? (square-members s))
+      (for/and ([other (in-list squares)])
+        (or (eq? other s)
+            (not (same-powers? (term-powers (square-content s))
+                               (term-powers (square-content other))))))))
+
+;; Have all members the same number of symbols?
+(define (alike? members)
+  (define (degree m)
+    (for/sum ([p (in-list (term-powers m))])
+      (if (symbol? (kernel-expression (car p))) (cdr p) 0)))
+  (define first (degree (car members)))
+  (andmap (lambda (m) (= (degree m) first)) (cdr members)))
+
+;; -> squares and the terms that are left
+(define (find-squares terms)
+  (define found (find-square terms))
+  (if found
+      (let-values ([(squares rest)
+                    (find-squares (filter (lambda (t) (not (memq t (square-terms found)))) terms))])
+        (values (cons found squares) rest))
+      (values '() terms)))
 
 ;; Terms whose product is a square have exponents of the same parity; exponentials
 ;; are to be the same.
