@@ -8,7 +8,7 @@
 ;; function runs.  To rename within a function is to rename in its values, after
 ;; shielding its arguments in the same way.
 
-(require "perturbed.rkt" "dual.rkt"
+(require "containers.rkt" "perturbed.rkt" "dual.rkt"
          "../generic/kind.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../value/operator.rkt" "../algebra/expression.rkt")
 
@@ -56,23 +56,42 @@
           [else (map-leaves rename-leaf x)]))
   (define (rename-leaf x)
     (cond [(perturbed? x) (rename-perturbed x)]
-          [(and (procedure? x) (not (closed? x)))
-           (shielding old x rename (lambda () (value->datum x)))]
-          [else x]))
+          [(plain-function? x)
+           (if (closed? x) x (shielding old x rename (lambda () (value->datum x))))]
+          [else (map-contents rename restore x)]))
+  (define (restore x) (rename-tag new old x))
   (define (rename-perturbed x)
     (define t (perturbed-tag x))
     ((parts-retag (parts-of x)) (if (eqv? t old) new t) rename x))
   (rename x))
+
+;; A parameter, and a structure that shows its fields, are treated as containers.
+(define (plain-function? x)
+  (and (procedure? x)
+       (or (has-kind? x) (not (or (parameter? x) (struct? x))))))
 
 (define (closed? f) (and (has-kind? f) (kind-closed? (kind-of f))))
 
 ;; `change` after f, on arguments in which another ε stands for this one
 ;; meanwhile; an operator if f is one.
 (define (shielding tag f change make-datum)
-  (define (procedure . args)
+  (define (call keywords values args)
     (define shield (fresh-tag))
-    (define shielded (for/list ([a (in-list args)]) (rename-tag tag shield a)))
-    (rename-tag shield tag (change (apply f shielded))))
+    (define (shielded xs) (for/list ([x (in-list xs)]) (rename-tag tag shield x)))
+    (define value
+      (if (null? keywords)
+          (apply f (shielded args))
+          (keyword-apply f keywords (shielded values) (shielded args))))
+    (rename-tag shield tag (change value)))
+  (define procedure
+    (if (takes-keywords? f)
+        (make-keyword-procedure
+         (lambda (keywords values . args) (call keywords values args)))
+        (lambda args (call '() '() args))))
   (if (operator? f)
       (make-primitive-operator procedure make-datum)
       (make-function procedure (arity-mask f) make-datum)))
+
+(define (takes-keywords? f)
+  (define-values (required allowed) (procedure-keywords f))
+  (not (null? allowed)))
