@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Which files are tests: every module under tests/mechanics except the runner,
-;; the benchmarks and package information; and every example with a `test`
-;; submodule.
+;; the generator of random programs, the benchmarks and package information; and
+;; every example with a `test` submodule.
 
 (require racket/file
          racket/list
@@ -14,7 +14,7 @@
 (define-runtime-path tests-folder "..")
 (define-runtime-path examples-folder "../../../examples/mechanics")
 
-(define not-tests '("runner" "bench" "compiled"))
+(define not-tests '("runner" "bench" "programs" "compiled"))
 
 (define (test-files)
   (append
