@@ -6,7 +6,7 @@
 ;; `print-limit` atoms and says how many it left out, counting them on the
 ;; shared pairs.  Symbols are written without quotes or bars they do not need.
 
-(provide print-limit write-datum datum->text make-sizer omission)
+(provide print-limit write-datum datum->text datum->brief-text make-sizer omission)
 
 ;; The greatest number of atoms written for one value; #f for no bound.
 (define print-limit
@@ -21,6 +21,10 @@
   (define port (open-output-string))
   (write-datum d port)
   (get-output-string port))
+
+;; The beginning of the text, to recognise an expression by.
+(define (datum->brief-text d)
+  (parameterize ([print-limit 24]) (datum->text d)))
 
 (define (write-datum d port)
   (define size (make-sizer))

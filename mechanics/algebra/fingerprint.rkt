@@ -32,7 +32,8 @@
          "operation.rkt" "expression.rkt" "tape.rkt" "polynomial/modular.rkt"
          "residues.rkt")
 
-(provide fingerprint tape-fingerprint fingerprint-points)
+(provide fingerprint tape-fingerprint fingerprint-points
+         tape-classes vanishes-with-cuts?)
 
 ;; Level 0 is where the value is sought.  Arguments of exponentials at level k
 ;; are evaluated at level 2k + 1, angles at level 2k + 2; at the last levels
@@ -63,14 +64,40 @@
           [else (if sure? 'nonzero 'nonzero?)])))
 
 ;; ---------------------------------------------------------------------------
+;; Parts that are equal
+
+;; A vector by place: #f, or the first place on the tape at which the item has the
+;; same residues modulo two primes.
+(define (tape-classes t)
+  (define-values (plan sure?) (make-plan t))
+  (define n (vector-length (tape-items t)))
+  (define classes (make-vector n #f))
+  (define sites (and plan (for/list ([chain 2]) (site-at-some-point plan chain))))
+  (when (and sites (andmap values sites))
+    (define first-places (make-hash))
+    (define-values (a b) (apply values (map site-values sites)))
+    (for ([k (in-range n)] #:when (fxbit-set? (fxvector-ref (plan-levels plan) k) 0))
+      (define key (+ (* (fxvector-ref a k) 1073741824) (fxvector-ref b k)))
+      (vector-set! classes k (hash-ref! first-places key k))))
+  classes)
+
+;; Does the whole still vanish, at one point, if items are replaced by others or by
+;; symbols of their own?
+(define (vanishes-with-cuts? t cuts)
+  (define-values (plan sure?) (make-plan t cuts))
+  (eqv? 0 (value-at-some-point plan 0)))
+
+;; ---------------------------------------------------------------------------
 ;; Plans: at which levels which items are needed
 
 ;; levels : fxvector of sets of levels, as bits; heads : numbers of literal heads
-(struct plan (tape levels heads) #:authentic)
+;; cuts : #f, or vector by place: #f, or the place of a node or leaf whose value
+;; is taken; if that is a node, as if it were a symbol
+(struct plan (tape levels heads cuts) #:authentic)
 
 ;; -> a plan, or #f if there are numbers that have no residue; is a residue
 ;; other than 0 a proof?
-(define (make-plan t)
+(define (make-plan t [cuts #f])
   (define items (tape-items t))
   (define n (vector-length items))
   (define levels (make-fxvector n 0))
@@ -78,11 +105,16 @@
   (define sure?
     (for/fold ([sure? #t]) ([k (in-range (- n 1) -1 -1)])
       (define e (vector-ref items k))
-      (cond [(node? e)
+      (define cut (and cuts (vector-ref cuts k)))
+      (cond [cut
+             (fxvector-set! levels cut
+                            (fxior (fxvector-ref levels cut) (fxvector-ref levels k)))
+             sure?]
+            [(node? e)
              (and (spread-levels! levels k e (vector-ref (tape-operands t) k)) sure?)]
             [else sure?])))
   (values (and (for/and ([e (in-vector items)]) (or (not (number? e)) (rational? e)))
-               (plan t levels (number-heads items)))
+               (plan t levels (number-heads items) cuts))
           sure?))
 
 ;; Marks the operands of e at the levels it needs; -> is e sure?
@@ -130,16 +162,21 @@
 
 ;; The residue of the whole, or #f.
 (define (value-at-some-point plan chain)
-  (for/or ([seed (in-range attempts)])
-    (value-at plan (vector-ref chains chain) (+ seed (* chain attempts)))))
+  (define s (site-at-some-point plan chain))
+  (and s (fxvector-ref (site-values s) (- (fxvector-length (site-values s)) 1))))
 
-(define (value-at plan primes seed)
+;; Level 0 at a point where all has a value, or #f.
+(define (site-at-some-point plan chain)
+  (for/or ([seed (in-range attempts)])
+    (site-at plan (vector-ref chains chain) (+ seed (* chain attempts)))))
+
+(define (site-at plan primes seed)
   (define levels (plan-levels plan))
   (define used (for/fold ([bits 0]) ([b (in-fxvector levels)]) (fxior bits b)))
   (define n (fxvector-length levels))
   (define sites (make-vector level-count #f))
   (let loop ([level (- level-count 1)])
-    (cond [(< level 0) (fxvector-ref (site-values (vector-ref sites 0)) (- n 1))]
+    (cond [(< level 0) (vector-ref sites 0)]
           [(not (fxbit-set? used level)) (loop (- level 1))]
           [else
            (vector-set! sites level (make-level-site primes level seed sites n))
@@ -174,7 +211,10 @@
                        (loop (fx+ k 1))))])))
 
 (define (item-residue plan s k e operands)
-  (cond [(symbol? e) (site-symbol s k)]
+  (define cuts (plan-cuts plan))
+  (define cut (and cuts (vector-ref cuts k)))
+  (cond [cut (if (fx= cut k) (site-symbol s k) (fxvector-ref (site-values s) cut))]
+        [(symbol? e) (site-symbol s k)]
         [(number? e) (site-number s e)]
         [(literal-head? (node-head e))
          (site-application s (hash-ref (plan-heads plan) (node-head e)) operands)]

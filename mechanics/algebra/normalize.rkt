@@ -11,13 +11,15 @@
          "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt" "order.rkt" "radicand.rkt" "rationalize.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
-(provide make-workspace workspace-assumptions
+(provide make-workspace workspace-assumptions workspace-left
          workspace-simplify workspace-normal workspace-atlas)
 
 ;; ---------------------------------------------------------------------------
-;; The assumptions made so far, each once
+;; The assumptions made so far, each once; what was left unexpanded
 
-(struct workspace (services normal-of simplify-anew table [list #:mutable]) #:authentic)
+(struct workspace (services normal-of simplify-anew table
+                            [list #:mutable] [left-unexpanded #:mutable])
+  #:authentic)
 
 (define (assume! w expression)
   (unless (hash-ref (workspace-table w) expression #f)
@@ -28,6 +30,37 @@
 (define (workspace-assumptions w)
   (for/list ([e (in-list (reverse (workspace-list w)))])
     (list '>= (expression->datum e) 0)))
+
+(define (leave! w e)
+  (set-workspace-left-unexpanded! w (cons e (workspace-left-unexpanded w))))
+
+;; What would have grown too large, as datums (left-unexpanded e): the innermost
+;; such operations, of which a few are told.
+(define (workspace-left w)
+  (define all (reverse (workspace-left-unexpanded w)))
+  (define others (make-hasheq))
+  (for ([e (in-list all)]) (hash-set! others e #t))
+  (define innermost
+    (filter (lambda (e) (not (contains-any? e others))) (distinct all)))
+  (for/list ([e (in-list innermost)] [_ (in-range told-limit)])
+    (list 'left-unexpanded (expression->datum e))))
+
+(define told-limit 3)
+
+;; Is one of these nodes below e?
+(define (contains-any? e nodes)
+  (define seen (make-hasheq))
+  (define (below? e)
+    (for/or ([a (in-list (node-args e))])
+      (and (node? a)
+           (not (hash-ref seen a #f))
+           (begin (hash-set! seen a #t)
+                  (or (hash-ref nodes a #f) (below? a))))))
+  (below? e))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (member x kept) kept (cons x kept))))
 
 (define (workspace-simplify w e)
   (if (or (not (node? e)) (simple-application? e))
@@ -45,9 +78,11 @@
 
 ;; The tables know expressions by structure: kernels are met again and again in
 ;; nodes of their own.  What something simplifies to has its normal form.
-(define (make-workspace)
+(define (make-workspace [fuel (make-fuel)])
   (define normals (make-hash))
   (define simples (make-hash))
+  (define term-lists (make-hash))
+  (define stuck-at (make-hasheq))           ; normal form -> nodes
   (define (normal e)
     (define n (if (node? e) e (make-node op:+ (list e))))
     (or (hash-ref normals n #f)
@@ -60,9 +95,13 @@
   (define (simplify e)
     (cond [(or (not (node? e)) (simple-application? e)) e]
           [(hash-ref simples e #f)]
+          [(and (fuel-empty? fuel) (not (small? e))) e]
           [else (call-nested fuel (lambda () (simplify-anew e)))]))
   (define (simplify-anew e)
-    (define simple (settle (normal e) services*))
+    (define form (readable-form e (normal e) services*))
+    (define simple (settle form services*))
+    (when (node? simple)
+      (for ([n (in-list (hash-ref stuck-at form '()))]) (leave! w n)))
     (hash-set! simples e simple)
     (when (node? simple)
       (hash-set! simples simple simple)
@@ -70,13 +109,13 @@
     simple)
   (define (terms e)
     (cond [(or (symbol? e) (simple-application? e)) (list (cons 1 e))]
-          [else (call linear-terms e)]))
+          [else (hash-ref! term-lists e (lambda () (call linear-terms e)))]))
   (define (factors e) (call fraction-factors e))
   (define (split-root* e degree) (call split-root e degree assume))
   (define (assume e) (assume! w e))
-  (define fuel (make-fuel))
-  (define services* (services simplify terms factors split-root* assume fuel))
-  (define w (workspace services* normal simplify-anew (make-hash) '()))
+  (define (stuck! form nodes) (hash-set! stuck-at form nodes))
+  (define services* (services simplify terms factors split-root* assume stuck! fuel))
+  (define w (workspace services* normal simplify-anew (make-hash) '() '()))
   w)
 
 ;; A literal function of symbols and exact numbers: nothing to do.
@@ -106,40 +145,64 @@
 
 (define settle-limit 4)
 
+;; Simplified even when there is no fuel left.
+(define (small? e) (< (expression-size e) 60))
+
 (define (least es)
   (for/fold ([best (car es)]) ([e (in-list (cdr es))])
     (define k (- (expression-size e) (expression-size best)))
     (if (or (< k 0) (and (eqv? k 0) (expression<? e best))) e best)))
 
 ;; -> (field . fraction), the field of e's kernels and its value there.  Sums at which
-;; the walk gets stuck are left unexpanded; after too many of them, e is.
+;; the walk gets stuck are left unexpanded; after too many of them, or if there is
+;; no fuel left, e is.
 (define stuck-limit 8)
 
-(define (normalize e services)
-  (let retry ([blocked '()])
+(define (normalize e services [blocked '()] [nodes '()])
+  (define fuel (services-fuel services))
+  (let retry ([blocked blocked] [nodes nodes])
     (define result
-      (with-handlers ([stuck? values])
-        (normalize-around e services
-                          (if (< (length blocked) stuck-limit) blocked (list e)))))
-    (if (stuck? result)
-        (retry (append (sums-to-block (stuck-node result) blocked) blocked))
-        result)))
+      (with-handlers ([stuck? values]) (normalize-around e services blocked)))
+    (end-steps! fuel)
+    (cond [(not (stuck? result))
+           ((services-stuck! services) result (reverse nodes))
+           result]
+          [(or (fuel-empty? fuel) (>= (length nodes) stuck-limit))
+           (retry (list e) (list e))]
+          [else
+           (define n (stuck-node result))
+           (retry (append (sums-to-block n blocked) blocked) (cons n nodes))])))
+
+;; The form itself or, if it has too many terms to be read, that of e with the
+;; sums it multiplies left unexpanded.
+(define (readable-form e form services)
+  (if (readable? (cdr form))
+      form
+      (normalize e services (sums-to-block e '()) (list e))))
 
 ;; The sums among the factors of the operands of n; n itself if there are none.
 (define (sums-to-block n blocked)
+  (define seen (make-hasheq))
   (define (sums e)
-    (cond [(or (not (node? e)) (memq e blocked)) '()]
-          [(memq (node-head e) (list op:+ op:-)) (list e)]
-          [(memq (node-head e) (list op:* op:/ op:expt)) (operand-sums e)]
-          [else '()]))
+    (cond [(or (not (node? e)) (memq e blocked) (hash-ref seen e #f)) '()]
+          [else
+           (hash-set! seen e #t)
+           (cond [(memq (node-head e) (list op:+ op:-)) (list e)]
+                 [(memq (node-head e) (list op:* op:/ op:expt)) (operand-sums e)]
+                 [else '()])]))
   (define (operand-sums e) (apply append (map sums (node-args e))))
   (define found (operand-sums n))
   (if (null? found) (list n) found))
 
+;; A ring for polynomials of a higher degree than this is not made.
+(define degree-limit 1000000)
+
 (define (normalize-around e services blocked)
   (define atlas (collect-kernels e services blocked))
+  (spend-on-nodes! (services-fuel services) (hash-count (atlas-resolutions atlas)))
   (define kernels (place-kernels! (atlas-kernels atlas)))
   (let retry ([degree 7])
+    (when (> degree degree-limit) (raise (stuck e)))
     (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
           (define F (make-field atlas kernels degree))
           (define f (rationalize F (field-fraction F e)))

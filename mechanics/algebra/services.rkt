@@ -12,6 +12,7 @@
 ;; split-root : expression degree -> outer ((inner . rational) ...), the root being
 ;;              outer ∏ inner^rational
 ;; assume!    : expression -> void; it is taken not to be negative
+;; stuck!     : normal-form nodes -> void; at these it was left unexpanded
 ;; fuel       : what the work may cost altogether (bounds.rkt)
-(struct services (simplify terms factors split-root assume! fuel)
+(struct services (simplify terms factors split-root assume! stuck! fuel)
   #:authentic)

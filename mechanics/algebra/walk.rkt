@@ -6,7 +6,8 @@
 ;; combine.  Sines and cosines of angles that are combinations of basic ones
 ;; come from powers of cos θ + i sin θ (cosh u + j sinh u with j² = 1).
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "exact.rkt")
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "collect.rkt" "exact.rkt"
+         "polynomial/polynomial.rkt")
 
 (provide (struct-out arithmetic) evaluate-in
          raise-obstacle (struct-out stuck))
@@ -18,7 +19,8 @@
   #:authentic)
 
 ;; An arithmetic that cannot go on, dividing by zero or growing past its bounds,
-;; raises an obstacle; the walk raises the node at which it happened, `stuck`.
+;; raises an obstacle, or spends more than it may; the walk raises the node at
+;; which it happened, `stuck`.
 (struct obstacle ())
 (struct stuck (node))
 
@@ -105,7 +107,8 @@
                (power ((arithmetic-kernel A) (root-kernel root))
                       (* (surd-power r) (/ (root-degree root) (surd-degree r))))))
         outer-power))
-  (with-handlers ([obstacle? (lambda (o) (raise (stuck current)))])
+  (with-handlers ([(lambda (x) (or (obstacle? x) (overspent? x)))
+                   (lambda (x) (raise (stuck current)))])
     (walk e)))
 
 ;; ---------------------------------------------------------------------------

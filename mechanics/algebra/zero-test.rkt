@@ -10,16 +10,17 @@
 ;;
 ;; A large graph is first judged modulo primes (fingerprint.rkt): if it is not
 ;; zero, a point is found for it as it stands, and it is expanded only when its
-;; residual is asked for.  If it is zero there, a proof is tried; should it grow
-;; past the bounds, the test is undecided, with a bound of 0 at those points.
+;; residual is asked for.  If it is zero there, proofs are tried (proof.rkt); should
+;; none be found, the test is undecided, with a bound of 0 at those points.
 
-(require "expression.rkt" "simplify.rkt" "condition.rkt" "present.rkt"
-         "tape.rkt" "witness.rkt" "fingerprint.rkt" "polynomial/fraction.rkt")
+(require "expression.rkt" "simplify.rkt" "condition.rkt"
+         "tape.rkt" "witness.rkt" "fingerprint.rkt" "proof.rkt" "bounds.rkt"
+         "polynomial/fraction.rkt")
 
 (provide zero-test
          zero-test? zero-test-status zero-test-residual zero-test-witness zero-test-value
          zero-test-bound zero-test-points zero-test-factor zero-test-core
-         zero-test-condition zero-test-assumptions)
+         zero-test-condition zero-test-assumptions zero-test-left-unexpanded)
 
 ;; status : 'proved, 'refuted or 'undecided
 ;; witness : #f or ((expression . number) ...)  value : the residual's there
@@ -33,14 +34,18 @@
 
 ;; residual : expression, simplified             factor, core : residual = factor · core
 ;; condition : #f or an equation, as a datum, for which core = 0
-;; assumptions : datums such as (>= R 0) that the residual takes for granted
-(struct form (residual factor core condition assumptions) #:authentic)
+;; notes : datums, such as (>= R 0) for what the residual takes for granted and
+;; (left-unexpanded e) for what would have grown too large
+(struct form (residual factor core condition notes) #:authentic)
 
 (define (zero-test-residual z) (form-residual (settled-form z)))
 (define (zero-test-factor z) (form-factor (settled-form z)))
 (define (zero-test-core z) (form-core (settled-form z)))
 (define (zero-test-condition z) (form-condition (settled-form z)))
-(define (zero-test-assumptions z) (form-assumptions (settled-form z)))
+(define (zero-test-assumptions z) (filter assumption? (form-notes (settled-form z))))
+(define (zero-test-left-unexpanded z)
+  (for/list ([note (in-list (form-notes (settled-form z)))] #:unless (assumption? note))
+    (cadr note)))
 
 (define (settled-form z)
   (define content (unbox (zero-test-form z)))
@@ -56,19 +61,21 @@
       (make-form-of-finite e)))
 
 (define (make-form-of-finite e)
-  (define-values (F f assumptions) (normal-form e))
-  (cond [(fraction-zero? f) (form 0 1 0 #f assumptions)]
-        [else
+  (define-values (F f simple notes) (normal-form+simplified e))
+  (cond [(fraction-zero? f) (form 0 1 0 #f notes)]
+        [(and (readable? f) (andmap assumption? notes))
          (define-values (factor core condition) (factor-and-core F f))
-         (form (present F f) factor core condition assumptions)]))
+         (form simple factor core condition notes)]
+        [else (form simple 1 simple #f notes)]))
+
+(define (assumption? note) (eq? (car note) '>=))
 
 ;; ---------------------------------------------------------------------------
 ;; The test
 
 (define (zero-test e)
-  (cond [(and (number? e) (inexact? e) (test-flonum e))]
-        [(large? e) (test-large e (expression->tape e))]
-        [else (test-canonically e (expression->tape e) search-canonically)]))
+  (or (and (number? e) (inexact? e) (test-flonum e))
+      (test-expression e (expression->tape e))))
 
 ;; A flonum that stands alone does not tell what it is the difference of; one
 ;; this small may be what rounding left of numbers about 1.  Infinity is not
@@ -81,27 +88,14 @@
         [(rational? size) #f]
         [else (make-zero-test 'undecided #f x 0 0 (box x))]))
 
-;; search : tape form -> witness value bound points, should the form not be 0
-(define (test-canonically e t search)
-  (define f (make-form e))
-  (define zero? (eqv? (form-residual f) 0))
-  (define-values (witness value bound points)
-    (if zero? (values #f 0 0 0) (search t f)))
-  (make-zero-test (cond [(and zero? (not (contains-flonum? t))) 'proved]
-                        [witness 'refuted]
-                        [else 'undecided])
-                  witness value bound points (box f)))
+;; More items than these are judged by the fingerprint first.
+(define large 2000)
 
-(define (search-canonically t f)
-  (find-witness t (expression->tape (form-residual f)) (pair? (form-assumptions f))))
-
-(define (test-large e t)
-  (define print (tape-fingerprint t))
+(define (test-expression e t)
+  (define print (if (> (tape-length t) large) (tape-fingerprint t) 'unknown))
   (or (and (eq? print 'nonzero) (refute-at-once e t))
-      (test-canonically e t
-                        (if (eq? print 'zero)
-                            (lambda (t f) (values #f 0 0 fingerprint-points))
-                            search-canonically))))
+      (and (eq? print 'zero) (prove-indirectly e t))
+      (test-canonically e t print)))
 
 ;; -> a refutation, or #f
 (define (refute-at-once e t)
@@ -109,21 +103,34 @@
   (and witness
        (make-zero-test 'refuted witness value bound points (box e))))
 
+;; -> a proof, or #f
+(define (prove-indirectly e t)
+  (define assumptions (prove-vanishing e))
+  (and assumptions
+       (vanishing-test t (form 0 1 0 #f assumptions))))
+
+;; Nothing is proved of flonums.
+(define (vanishing-test t f)
+  (make-zero-test (if (contains-flonum? t) 'undecided 'proved) #f 0 0 0 (box f)))
+
+;; print : what the fingerprint said, if it was asked
+(define (test-canonically e t print)
+  (define f (make-form e))
+  (cond [(eqv? (form-residual f) 0) (vanishing-test t f)]
+        [(eq? print 'zero) (make-zero-test 'undecided #f 0 0 fingerprint-points (box f))]
+        [else (test-by-points e t f)]))
+
+(define (test-by-points e t f)
+  (define assumptions? (ormap assumption? (form-notes f)))
+  (define-values (witness value bound points)
+    (find-witness t (expression->tape (form-residual f)) assumptions?))
+  (cond [witness (make-zero-test 'refuted witness value bound points (box f))]
+        [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly e t))]
+        [else (make-zero-test 'undecided #f value bound points (box f))]))
+
 ;; ---------------------------------------------------------------------------
 
 ;; Numbers under functions count: they are no better known than others.
 (define (contains-flonum? t)
   (for/or ([e (in-vector (tape-items t))])
     (and (number? e) (not (exact? e)))))
-
-;; Has the graph more nodes than this?
-(define large 2000)
-
-(define (large? e)
-  (define seen (make-hasheq))
-  (let walk ([e e])
-    (cond [(or (not (node? e)) (hash-ref seen e #f)) #f]
-          [(= (hash-count seen) large) #t]
-          [else
-           (hash-set! seen e #t)
-           (ormap walk (node-args e))])))

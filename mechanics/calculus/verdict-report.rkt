@@ -47,6 +47,8 @@
   (define (line label . content) (list (list depth label content)))
   (append
    (line "residual:" (value->datum (zero-test-residual z)))
+   (for/list ([d (in-list (zero-test-left-unexpanded z))])
+     (list depth "left unexpanded:" (list (datum->brief-text d))))
    (factors z line)
    (if (and with-condition? (zero-test-condition z))
        (list (list depth "zero if:" (equation (zero-test-condition z))))
@@ -77,12 +79,16 @@
        (apply line "at:" (substitutions point)))
    (line "value:" (readable (zero-test-value z)))))
 
-;; A flonum to six digits: it is there to be seen not to be zero.
+;; A flonum, or an exact number too long to be read, to six digits: it is there to
+;; be seen not to be zero.
 (define (readable x)
-  (cond [(or (exact? x) (not (rational? x)) (zero? x)) x]
+  (cond [(and (exact? x) (real? x) (> (bits x) 64)) (readable (exact->inexact x))]
+        [(or (exact? x) (not (rational? x)) (zero? x)) x]
         [else
          (define unit (expt 10.0 (- 5 (inexact->exact (floor (/ (log (abs x)) (log 10)))))))
          (/ (round (* x unit)) unit)]))
+
+(define (bits x) (+ (integer-length (numerator x)) (integer-length (denominator x))))
 
 (define (substitutions point)
   (append*

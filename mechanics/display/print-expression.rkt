@@ -26,8 +26,8 @@
   (write-string (layout (value->datum x) line-width 2))
   (newline))
 
-;; What simplification took for granted, a line for each assumption.
-(define (print-assumptions assumptions)
-  (for ([a (in-list assumptions)])
-    (write-string (assumption->text a))
+;; What simplification took for granted and what it left unexpanded, a line each.
+(define (print-assumptions notes)
+  (for ([n (in-list notes)])
+    (write-string (note->text n))
     (newline)))

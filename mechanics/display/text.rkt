@@ -3,22 +3,25 @@
 ;; reports.
 
 (require "layout.rkt"
-         "../generic/describe.rkt" "../calculus/verdict.rkt")
+         "../algebra/datum.rkt" "../generic/describe.rkt" "../calculus/verdict.rkt")
 
-(provide value->lines assumption->text)
+(provide value->lines note->text)
 
 ;; The text of a value; beneath it, as comments, what its simplification took
-;; for granted.
-;; value->lines : value width [list-of-assumptions] -> string
-(define (value->lines x width [assumptions '()])
+;; for granted and what it left unexpanded.
+;; value->lines : value width [list-of-notes] -> string
+(define (value->lines x width [notes '()])
   (apply string-append
          (if (verdict? x)
              (layout-report (verdict-lines x) width)
              (layout (value->datum x) width))
-         (for/list ([a (in-list assumptions)])
-           (string-append "\n" (assumption->text a)))))
+         (for/list ([n (in-list notes)])
+           (string-append "\n" (note->text n)))))
 
-(define (assumption->text a) (format "; assuming ~a" (value->text a)))
+(define (note->text n)
+  (if (eq? (car n) 'left-unexpanded)
+      (format "; left unexpanded: ~a" (datum->brief-text (cadr n)))
+      (format "; assuming ~a" (value->text n))))
 
 ;; The lines of a report, each a label and its content.
 (define (layout-report report width)

@@ -103,6 +103,7 @@
          (check-monomial R (monomial+ (caar p) (caar q)))
          (define m (length p))
          (define n (length q))
+         (charge! R (fx* m n))
          (if (<= m n) (multiply p m q) (multiply q n p))]))
 
 ;; p of n terms, times q.

@@ -54,6 +54,7 @@
   (define guards (ring-guards R))
   (define lead (caar q))
   (define lead-coefficient (cdar q))
+  (define length-of-q (length q))
   (define buckets (make-vector bucket-count '()))
   (vector-set! buckets 0 p)
   (let loop ([quotient '()] [used 1])
@@ -66,6 +67,7 @@
                  [(and (monomial-divides? guards lead m)
                        (or (not integral?) (integer? d)))
                   (define n (monomial- m lead))
+                  (charge! R length-of-q)
                   (define place (put! R buckets 1 (shift-terms n (- d) (cdr q))))
                   (loop (cons (cons n d) quotient) (fxmax used (fx+ place 1)))]
                  [else #f])])))

@@ -116,7 +116,7 @@
 ;; Scaling by leading coefficients can double the degrees.
 (define (sparse-divisor-within R p q variables bounds seed)
   (define degree (* 2 (max (poly-total-degree R p) (poly-total-degree R q))))
-  (define W (if (<= degree (ring-max-degree R)) R (make-ring (ring-size R) degree)))
+  (define W (if (<= degree (ring-max-degree R)) R (wider-ring R degree)))
   (define g
     (sparse-divisor W (rering R W p) (rering R W q) variables bounds
                     (lambda (ps) (poly-gcd* W ps))

@@ -12,7 +12,7 @@
 ;; until it is seen to divide p and q.  The integers have some
 ;; log ξ · ∏ (1 + degree) digits: right for few variables, hopeless for many.
 
-(require "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt")
+(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt")
 
 (provide heuristic-divisor heuristic-size)
 
@@ -50,6 +50,7 @@
 
 ;; p with the integer n for variable x.
 (define (put R p x n)
+  (charge! R (* 2 (length p)))
   (poly-sum R
             (for/list ([c (in-list (poly-coefficients R p x))])
               (poly-scale R (expt n (car c)) (cdr c)))))

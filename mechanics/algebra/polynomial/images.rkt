@@ -23,6 +23,7 @@
 ;; may have others.
 ;; p, q : nonzero, with integer coefficients
 (define (gcd-degree-bounds R p q variables seed P)
+  (charge! R (* 2 (+ (length p) (length q))))
   (define point (sample-point R seed P))
   (define inverse (make-fxvector (ring-size R) 0))
   (for ([i (in-list variables)])

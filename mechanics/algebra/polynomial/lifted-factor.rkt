@@ -21,7 +21,7 @@
 ;; and in each of its variables; they are primitive.  (list p) where it would be
 ;; too much work to find them.
 (define (lifted-factors R p)
-  (define V (make-ring (ring-size R) (* 2 (poly-total-degree R p))))
+  (define V (wider-ring R (* 2 (poly-total-degree R p))))
   (define-values (x reversed?) (best-view V (rering R V p)))
   (define factors (view-factors V (if reversed? (reversed V (rering R V p) x) (rering R V p)) x))
   (if (or (not factors) (null? (cdr factors)))
@@ -31,7 +31,7 @@
 
 ;; The same, of p in the variable x; #f where it would be too much work.
 (define (view-factors V p x)
-  (define W (make-ring (ring-size V) (room V p x)))
+  (define W (wider-ring V (room V p x)))
   (define l (rering V W (leading-along V p x)))
   (define q (make-monic W (rering V W p) x l))
   (define factors (and (<= (length q) terms-limit) (monic-factors W q x)))

@@ -5,12 +5,14 @@
 ;; result whose total degree would pass the ring's bound raises
 ;; exn:algebra:degree-overflow.
 
-(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "evaluate.rkt"
+(require "meter.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "evaluate.rkt"
          "division.rkt" "content.rkt" "gcd.rkt" "square-free.rkt" "parts.rkt")
 
 (provide
  ;; rings
  make-ring ring? ring-size ring-max-degree (struct-out exn:algebra:degree-overflow)
+ ;; what arithmetic costs
+ make-meter meter-left meter-charge! meter-allow! meter-allow-all! overspent?
  ;; making
  poly-constant poly-variable poly-monomial
  ;; asking

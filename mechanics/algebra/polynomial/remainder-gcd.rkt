@@ -45,9 +45,9 @@
         [else
          ;; every step of the division multiplies by a coefficient of q
          (define W
-           (make-ring (ring-size R)
-                      (+ (poly-total-degree R p)
-                         (* (+ m (- n) 1) (poly-total-degree R q)))))
+           (wider-ring R
+                       (+ (poly-total-degree R p)
+                          (* (+ m (- n) 1) (poly-total-degree R q)))))
          (define next (rering R W q))
          (define r (pseudo-remainder W x (rering R W p) next))
          (if (null? r)

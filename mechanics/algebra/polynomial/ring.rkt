@@ -15,11 +15,11 @@
 ;; degree does: one look at the product of the leading monomials guards a whole
 ;; multiplication.
 
-(require racket/fixnum "monomial.rkt")
+(require racket/fixnum "monomial.rkt" "meter.rkt")
 
 (provide
  ;; rings
- make-ring ring? ring-size ring-max-degree ring-one ring-guards
+ make-ring wider-ring ring? ring-size ring-max-degree ring-one ring-guards charge!
  (struct-out exn:algebra:degree-overflow)
  check-degree check-monomial check-power
  ;; monomials from exponents
@@ -37,13 +37,14 @@
 ;; words, shifts : fxvectors by variable: its word, and its place there
 ;; lasts : vector by word: the variable in its lowest field
 ;; units : vector of the variables as monomials; one, guards : monomials
-(struct ring (size max-degree bits field degree-shift words shifts lasts units one guards)
+;; meter : of what is done in the ring, or #f
+(struct ring (size max-degree bits field degree-shift words shifts lasts units one guards meter)
   #:authentic)
 
 (define word-bits 60)
 
 ;; Polynomials in n variables of total degree at most max-degree.
-(define (make-ring n max-degree)
+(define (make-ring n max-degree [meter #f])
   (define bits (+ 1 (integer-length (max 1 max-degree))))
   (unless (< (* 2 bits) word-bits)
     (raise-argument-error 'make-ring "a degree below 2^28" max-degree))
@@ -62,7 +63,17 @@
         (chain word-count (hasheqv))
         (for/fold ([guards (one-bit 0 (+ degree-shift bits -1))])
                   ([p (in-list places)])
-          (monomial+ guards (one-bit (car p) (+ (cdr p) bits -1))))))
+          (monomial+ guards (one-bit (car p) (+ (cdr p) bits -1))))
+        meter))
+
+;; The same variables, and the same meter.
+(define (wider-ring R max-degree) (make-ring (ring-size R) max-degree (ring-meter R)))
+
+;; n terms are multiplied or looked at; those of many words are dearer.
+(define (charge! R n)
+  (define meter (ring-meter R))
+  (when meter
+    (meter-charge! meter (fxquotient (fx* n (fx+ 3 (vector-length (ring-lasts R)))) 4))))
 
 ;; Variables fill the words in order; the first word keeps one field free.
 (define (layout n bits)

@@ -18,7 +18,7 @@
 (require racket/fixnum "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt"
          "modular.rkt" "modular-terms.rkt" "interpolation.rkt")
 
-(provide make-skeleton skeleton-terms skeleton-coefficients
+(provide make-skeleton skeleton-terms skeleton-count skeleton-coefficients
          make-bundle)
 
 ;; ---------------------------------------------------------------------------

@@ -178,10 +178,12 @@
   (define x (problem-x k))
   (define point (make-point k P))
   (define s (make-skeleton R x known point P))
+  (define cost (+ (length p) (length q) (length lead)))
   (define (bundle p) (make-bundle R x y p point P))
   (define-values (p* q* lead*) (values (bundle p) (bundle q) (bundle lead)))
   (values s
           (lambda (value)
+            (charge! R (* cost (skeleton-count s)))
             (skeleton-coefficients s p* q* lead* value (problem-degree k) P))))
 
 ;; The bases of the power points.

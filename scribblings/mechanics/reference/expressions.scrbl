@@ -14,9 +14,14 @@ they are. The result is equal to @racket[x] wherever both are defined; where a
 root or a logarithm was resolved under an assumption, @racket[prove-zero] on a
 difference tells which.
 
+What would grow past a bound, counted in terms, is left unexpanded. At the prompt the
+innermost such operations are told beneath the result, which may then be zero without
+being @racket[0]; @racket[prove-zero] goes further.
+
 @examples[#:eval session
 (simplify (+ (square (sin 'x)) (square (cos 'x))))
-(simplify (up (/ (- (square 'a) (square 'b)) (- 'a 'b)) (* 1/2 'x 2)))]}
+(simplify (up (/ (- (square 'a) (square 'b)) (- 'a 'b)) (* 1/2 'x 2)))
+(* 'x (expt (+ 'a 'b 'c 'd 'e) 60))]}
 
 @defproc[(substitute [x value] [name scalar] [replacement scalar] ... ...) value]{
 

@@ -26,6 +26,34 @@
   (for ([step (list squared mixed fraction)])
     (check-true (node? (simplify-expression (iterate 60 step (e:+ 'a 'b)))))))
 
+(define (left-unexpanded e)
+  (define-values (simple notes) (simplify-expression/assumptions e))
+  (for/list ([n (in-list notes)] #:when (eq? (car n) 'left-unexpanded)) (cadr n)))
+
+(define (sum-of . symbols) (for/fold ([sum 0]) ([s (in-list symbols)]) (e:+ sum s)))
+
+(test-case "what is left unexpanded is told, and only then is there something to tell"
+  (define s (sum-of 'a 'b 'c 'd 'e 'f))
+  (check-equal? (left-unexpanded (e:expt s 60)) '((expt (+ a b c d e f) 60)))
+  (check-equal? (left-unexpanded (e:* (e:+ 'x 1) (e:expt s 60))) '((expt (+ a b c d e f) 60)))
+  (check-equal? (left-unexpanded (e:- (e:expt s 60) (e:expt s 60))) '())
+  (check-equal? (left-unexpanded (e:expt s 5)) '()))
+
+(test-case "the innermost of what is left unexpanded is told"
+  (define (power n . symbols) (e:expt (apply sum-of symbols) n))
+  (check-equal? (left-unexpanded (e:+ 'x (e:* (power 60 'a 'b 'c 'd 'e) (power 60 'f 'g 'h 'i 'j))))
+                '((expt (+ a b c d e) 60) (expt (+ f g h i j) 60))))
+
+(test-case "a power of many terms that nobody would read keeps its form"
+  (define e (e:* 'x (e:expt (sum-of 'a 'b 'c 'd 'e 'f) 12)))
+  (check-equal? (simplify-expression e) e)
+  (check-equal? (left-unexpanded e) '((* x (expt (+ a b c d e f) 12)))))
+
+(test-case "a power of a high degree and its square are compared without being made"
+  (define e (iterate 40 squared (e:+ 'a 'b)))
+  (check-true (node? (simplify-expression e)))
+  (check-eq? (zero-test-status (zero-test (e:- (squared e) (e:expt e 2)))) 'proved))
+
 (test-case "unexpanded factors are still recognized"
   (define (big a b) (e:expt (e:+ (e:+ a b) (e:+ 'c 'd)) 20))
   (define p (e:* (big 'a 'b) (e:expt (e:+ (e:+ 'x 'y) (e:+ 'z 'w)) 20)))

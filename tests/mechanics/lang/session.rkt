@@ -113,6 +113,20 @@
                 (lines "(up r 1)" "; assuming (>= r 0)"
                        "proved: the residual is zero" "  assuming: (>= r 0)")))
 
+(test-case "what a simplification left unexpanded is told beneath its result"
+  (check-equal? (run-module "#lang mechanics"
+                            "(define s (+ 'a 'b 'c 'd 'e 'f))"
+                            "(* (expt s 60) (sqrt (square 'r)))"
+                            "(verify-equal (expt s 60) (expt s 61))")
+                (lines "(* r (expt (+ a b c d e f) 60))"
+                       "; assuming (>= r 0)"
+                       "; left unexpanded: (expt (+ a b c d e f) 60)"
+                       "refuted: the residual is not zero"
+                       "  residual: (- (expt (+ a b c d e f) 60) (expt (+ a b c d e f) 61))"
+                       "  left unexpanded: (expt (+ a b c d e f) 60)"
+                       "  at: a = 1, b = 2, c = 2, d = 1, e = 2, f = 2"
+                       "  value: -9e+60")))
+
 (test-case "functions and operators print by name"
   (check-equal? (run-module "#lang mechanics"
                             "(define (kinetic-energy v) v)"

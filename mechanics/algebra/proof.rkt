@@ -1,0 +1,56 @@
+#lang racket/base
+;; Proofs that an expression is zero.
+;;
+;; Each rests on a normal form that is 0: that of the expression as it stands, tried
+;; briefly; that of an expression it is a special case of, long parts being symbols
+;; (abstraction.rkt); that with sines and cosines as exponentials
+;; (in-exponentials.rkt).  Whoever finds no proof here may still look at the normal
+;; form for as long as is bearable.
+
+(require "expression.rkt" "simplify.rkt" "bounds.rkt" "tape.rkt"
+         "abstraction.rkt" "in-exponentials.rkt"
+         "polynomial/fraction.rkt")
+
+(provide prove-vanishing)
+
+;; What the first attempt may cost.
+(define brief-look 500000)
+
+;; -> the assumptions made, as datums, or #f if there is no proof.
+(define (prove-vanishing e)
+  (or (prove-directly e (make-fuel brief-look))
+      (prove-abstractly e)
+      (prove-in-exponentials e (make-fuel))))
+
+(define (prove-directly e fuel)
+  (cond [(eqv? e 0) '()]
+        [else
+         (define-values (F f assumptions) (normal-form e fuel))
+         (and (fraction-zero? f) assumptions)]))
+
+(define (prove-in-exponentials e fuel)
+  (define other (in-exponentials e))
+  (and (not (eq? other e))
+       (prove-directly other fuel)))
+
+;; ---------------------------------------------------------------------------
+
+;; The general case, and that parts taken for equal are.  What the general case
+;; takes for granted of parts would have to be checked, so it may not take any.
+(define (prove-abstractly e)
+  (define-values (general differences) (abstract (expression->tape e)))
+  (define fuel (make-fuel))
+  (define (prove e)
+    (and (not (fuel-empty? fuel))
+         (or (prove-directly e fuel) (prove-in-exponentials e fuel))))
+  (and general
+       (let ([assumptions (prove general)])
+         (and assumptions
+              (not (ormap mentions-part? assumptions))
+              (for/fold ([all assumptions]) ([d (in-list differences)])
+                (define more (and all (prove d)))
+                (and more (append more all)))))))
+
+(define (mentions-part? datum)
+  (cond [(pair? datum) (or (mentions-part? (car datum)) (mentions-part? (cdr datum)))]
+        [else (and (symbol? datum) (not (symbol-interned? datum)))]))
