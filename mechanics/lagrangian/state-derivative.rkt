@@ -38,7 +38,8 @@
   (raise
    (exn:fail:mechanics:singular:matrix
     (apply string-append
-           "Lagrangian->acceleration: the mass matrix has no inverse; accelerations do not follow from the state"
+           "Lagrangian->acceleration: the mass matrix has no inverse; "
+           "accelerations do not follow from the state"
            (append (for/list ([v (in-list (or directions '()))])
                      (format "\n  no inertia in the direction: ~a" (value->text v)))
                    (list (format "\n  mass matrix: ~a"

@@ -11,6 +11,8 @@
 ;; That does not depend on the units of unknowns and equations, as a condition
 ;; number does.  It costs an inverse, and is asked only if a pivot became small.
 
+(require "rows.rkt")
+
 (provide floating-determinant floating-solutions
          floating-kernel)
 
@@ -19,31 +21,26 @@
 ;; ---------------------------------------------------------------------------
 ;; Matrices: vectors of rows, of which the copies made here are changed
 
-(define (entry rows i j) (vector-ref (vector-ref rows i) j))
-
 (define (inexact-rows rows)
   (for/vector #:length (vector-length rows) ([row (in-vector rows)])
     (for/vector #:length (vector-length row) ([x (in-vector row)]) (exact->inexact x))))
-
-(define (beside a b)
-  (for/vector #:length (vector-length a) ([r (in-vector a)] [s (in-vector b)])
-    (list->vector (append (vector->list r) (vector->list s)))))
 
 (define (exchange! v i j)
   (define x (vector-ref v i))
   (vector-set! v i (vector-ref v j))
   (vector-set! v j x))
 
-;; Subtracts multiples of row k from those below, to clear column j there.
-(define (clear-below! rows k j)
+;; Subtracts multiples of row k, which is 0 before column `start`, from those below,
+;; to clear column j there.
+(define (clear-below! rows k j start)
   (define top (vector-ref rows k))
   (define pivot (vector-ref top j))
   (for ([i (in-range (add1 k) (vector-length rows))])
     (define row (vector-ref rows i))
     (define factor (/ (vector-ref row j) pivot))
     (unless (zero? factor)
-      (for ([t (in-vector top)] [l (in-naturals)])
-        (vector-set! row l (- (vector-ref row l) (* factor t)))))
+      (for ([l (in-range start (vector-length row))])
+        (vector-set! row l (- (vector-ref row l) (* factor (vector-ref top l))))))
     (vector-set! row j 0.0)))
 
 ;; ---------------------------------------------------------------------------
@@ -59,7 +56,7 @@
           [(zero? (entry rows p k)) 0]
           [else
            (exchange! rows k p)
-           (clear-below! rows k k)
+           (clear-below! rows k k (add1 k))
            (loop (add1 k) (if (= p k) sign (- sign)))])))
 
 (define (greatest-below rows k)
@@ -100,7 +97,8 @@
 ;; Is a pivot small beside its column of the matrix?
 (define (suspicious? matrix triangle)
   (for/or ([k (in-range (vector-length matrix))])
-    (define size (for/fold ([m 0.0]) ([row (in-vector matrix)]) (max m (magnitude (vector-ref row k)))))
+    (define size
+      (for/fold ([m 0.0]) ([row (in-vector matrix)]) (max m (magnitude (vector-ref row k)))))
     (<= (magnitude (entry triangle k k)) (* 1e-6 size))))
 
 (define (singular-within-rounding? matrix)
@@ -110,9 +108,6 @@
       (>= (* epsilon (greatest-eigenvalue (product (magnitudes (substitute-back! rows))
                                                    (magnitudes matrix))))
           1.0)))
-
-(define (unit-rows n)
-  (build-vector n (lambda (i) (build-vector n (lambda (j) (if (= i j) 1.0 0.0))))))
 
 (define (magnitudes rows)
   (for/vector ([row (in-vector rows)])
@@ -164,7 +159,7 @@
           [else
            (exchange! rows k i)
            (exchange! columns k l)
-           (clear-below! rows k (vector-ref columns k))
+           (clear-below! rows k (vector-ref columns k) 0)
            (loop (add1 k))])))
 
 (define (greatest-left rows columns k)

@@ -54,6 +54,10 @@
 (define (raise-degree m n)
   (raise
    (exn:fail:contract
-    (format "eigenvalues: the zeros of the matrix leave a block of ~a rows; formulas are for 1 and 2\n  the eigenvalues are the zeros of (characteristic-polynomial m 'x)\n  matrix: ~a"
+    (format (string-append
+             "eigenvalues: the zeros of the matrix leave a block of ~a rows; "
+             "formulas are for 1 and 2\n"
+             "  the eigenvalues are the zeros of (characteristic-polynomial m 'x)\n"
+             "  matrix: ~a")
             n (value->text m))
     (current-continuation-marks))))

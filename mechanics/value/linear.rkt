@@ -214,9 +214,11 @@
   (define n (length columns))
   (unless (= n (vector-length b))
     (raise-arguments-error who
-                           (if (> n (vector-length b))
-                               "there are more unknowns than equations: the system is underdetermined"
-                               "there are more equations than unknowns: the system is overdetermined")
+                           (string-append
+                            (if (> n (vector-length b))
+                                "there are more unknowns than equations: the system is under"
+                                "there are more equations than unknowns: the system is over")
+                            "determined")
                            "unknowns" n "equations" (vector-length b)
                            "structure" A))
   (define (shape v) (fill like v))

@@ -5,7 +5,7 @@
 (require "../generic/describe.rkt"
          "../algebra/expression.rkt" "../algebra/linear/coefficients.rkt"
          "../algebra/linear/elimination.rkt" "../algebra/simplify.rkt" "../algebra/vanishing.rkt"
-         "../numeric/failure.rkt" "../numeric/linear-systems.rkt")
+         "../numeric/failure.rkt" "../numeric/linear-systems.rkt" "../numeric/rows.rkt")
 
 (provide raise-singular-matrix matrix-kernel raise-no-scalars raise-too-large)
 
@@ -16,35 +16,26 @@
         (kernel-basis rank vectors '()))
       (eliminated-kernel rows)))
 
-(define (all-entries? good? rows)
-  (for*/and ([row (in-vector rows)] [x (in-vector row)]) (good? x)))
-
 ;; right : rows of right-hand sides, or #f if the inverse was wanted
 ;; shape : vector of components -> unknown, as it is called for
 (define (raise-singular-matrix who given rows right shape)
   (define (kernel-of rows) (and (all-entries? expression? rows) (matrix-kernel rows)))
   (define kernel (kernel-of rows))
-  (define dependences
-    (let ([k (kernel-of (transposed rows))]) (if k (kernel-basis-vectors k) '())))
+  (define dependences (kernel-of (rows-transpose rows)))
   (define null-vectors (and kernel (map shape (kernel-basis-vectors kernel))))
   (raise
    (exn:fail:mechanics:singular:matrix
     (apply string-append (symbol->string who) ": the matrix has no inverse"
-           (append (list (field "matrix" (matrix-text rows)))
-                   (if kernel (kernel-fields kernel null-vectors (vector-length rows)) '())
-                   (for/list ([y (in-list dependences)]) (field "dependent" (dependence-text y)))
-                   (if (and right (pair? dependences))
-                       (list (field "solutions" (solutions-text dependences right)))
+           (field "matrix" (matrix-text rows))
+           (append (if kernel (kernel-fields kernel null-vectors (vector-length rows)) '())
+                   (if dependences
+                       (dependence-fields (kernel-basis-vectors dependences) right)
                        '())))
     (current-continuation-marks)
     given
     null-vectors)))
 
 (define (field label text) (format "\n  ~a: ~a" label text))
-
-(define (transposed rows)
-  (for/vector ([j (in-range (vector-length rows))])
-    (for/vector ([row (in-vector rows)]) (vector-ref row j))))
 
 (define (matrix-text rows)
   (if (> (vector-length rows) 6)
@@ -59,6 +50,10 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Dependent rows
+
+(define (dependence-fields dependences right)
+  (append (for/list ([y (in-list dependences)]) (field "dependent" (dependence-text y)))
+          (if right (list (field "solutions" (solutions-text dependences right))) '())))
 
 ;; Σ yᵢ (row i) = 0, as the last of them in terms of the others.
 (define (dependence-text y)
@@ -80,7 +75,7 @@
 ;; Do the right-hand sides depend in the same way?
 (define (solutions-text dependences right)
   (if (and (all-entries? expression? right)
-           (for*/and ([y (in-list dependences)] [l (in-range (vector-length (vector-ref right 0)))])
+           (for*/and ([y (in-list dependences)] [l (in-range (row-length right))])
              (vanishes? (combination y right l))))
       "infinitely many, the right-hand side depending in the same way"
       "none, the right-hand side not depending in the same way"))
@@ -102,6 +97,6 @@
 (define (raise-too-large who given)
   (raise
    (exn:fail:mechanics
-    (format "~a: the matrix would have to be eliminated, and its entries grow too large for that\n  matrix: ~a"
+    (format "~a: elimination would make the entries too large, or one divides by zero\n  matrix: ~a"
             who (value->text given))
     (current-continuation-marks))))

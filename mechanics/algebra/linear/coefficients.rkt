@@ -12,7 +12,8 @@
 (require "bareiss.rkt"
          "../expression.rkt" "../operation.rkt" "../collect.rkt" "../field.rkt" "../kernel.rkt"
          "../normalize.rkt" "../present.rkt" "../walk.rkt"
-         "../polynomial/polynomial.rkt" "../polynomial/fraction.rkt")
+         "../polynomial/polynomial.rkt" "../polynomial/fraction.rkt"
+         "../../numeric/rows.rkt")
 
 (provide (struct-out coefficients) call-with-coefficients exact-numbers?)
 
@@ -24,7 +25,9 @@
 ;; primitive : list of pairs of entries -> list of numbers or expressions, in the
 ;;             same ratio as their quotients, without a common divisor
 ;; assumptions : thunk -> datums such as (>= r 0), taken for granted so far
-(struct coefficients (domain rows unscale most-terms negate divide primitive assumptions) #:authentic)
+(struct coefficients
+  (domain rows unscale most-terms negate divide primitive assumptions)
+  #:authentic)
 
 ;; matrix : vector of rows; use : coefficients -> any, which may be called again
 ;; -> what `use` gives, or #f if that took too much, or an entry divides by 0
@@ -32,9 +35,6 @@
   (cond [(not (exact-numbers? matrix)) (call-with-polynomials matrix use)]
         [(all-entries? real? matrix) (use (integer-coefficients matrix))]
         [else (use (complex-coefficients matrix))]))
-
-(define (all-entries? good? matrix)
-  (for*/and ([row (in-vector matrix)] [x (in-vector row)]) (good? x)))
 
 (define (exact-numbers? matrix)
   (all-entries? (lambda (x) (and (number? x) (exact? x))) matrix))
@@ -70,8 +70,8 @@
 
 (define (call-with-polynomials matrix use)
   (define w (make-workspace))
-  (define atlas
-    (workspace-atlas w (make-node op:+ (for*/list ([row (in-vector matrix)] [e (in-vector row)]) e))))
+  (define entries (for*/list ([row (in-vector matrix)] [e (in-vector row)]) e))
+  (define atlas (workspace-atlas w (make-node op:+ entries)))
   (define kernels (place-kernels! (atlas-kernels atlas)))
   (let retry ([degree 15])
     (define result
@@ -145,7 +145,8 @@
       (poly* R d (fraction-denominator R rest))))
   (define numbers
     (for/fold ([n 1]) ([f (in-vector fs)])
-      (lcm n (denominator (poly-content (fraction-numerator (fraction* R f (fraction-from-poly R d))))))))
+      (define p (fraction-numerator (fraction* R f (fraction-from-poly R d))))
+      (lcm n (denominator (poly-content p)))))
   (poly-scale R numbers d))
 
 ;; The fractions are in lowest terms, so what they become over their common

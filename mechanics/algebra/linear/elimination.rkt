@@ -5,7 +5,8 @@
 ;;
 ;; Every answer is #f where the attempt was given up as too large.
 
-(require "bareiss.rkt" "coefficients.rkt" "pattern.rkt")
+(require "bareiss.rkt" "coefficients.rkt" "pattern.rkt"
+         "../../numeric/rows.rkt")
 
 (provide eliminated-determinant eliminated-solutions
          (struct-out kernel-basis) eliminated-kernel)
@@ -42,10 +43,6 @@
       (and (<= (coefficients-most-terms c) limit)
            (let ([E (reduced c n)])
              (if (= (echelon-rank E) n) (read-solutions c E n) 'singular))))))
-
-(define (beside a b)
-  (for/vector #:length (vector-length a) ([r (in-vector a)] [s (in-vector b)])
-    (list->vector (append (vector->list r) (vector->list s)))))
 
 (define (read-solutions c E n)
   (define x (make-vector n))

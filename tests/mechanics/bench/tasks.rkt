@@ -5,6 +5,7 @@
 (require (prefix-in m: mechanics)
          (only-in mechanics/algebra/fingerprint fingerprint)
          (only-in mechanics/algebra/zero-test zero-test zero-test-status)
+         "matrices.rkt"
          "rotations.rkt"
          "systems.rkt"
          "task.rkt")
@@ -68,6 +69,46 @@
   (cons rate (m:simplify rate)))
 
 ;; ---------------------------------------------------------------------------
+;; Linear algebra
+
+;; What is done to a matrix, and then simplified if it is symbolic.
+(define (matrix-task name description make use)
+  (make-prepared-task name description
+                      make
+                      (lambda (A)
+                        (define raw (use A))
+                        (cons raw (m:simplify raw)))
+                      #:size residual-size))
+
+;; The same left as it is.
+(define (numeric-task name description make use)
+  (make-prepared-task name description make use))
+
+(define matrix-tasks
+  (list
+   (matrix-task 'D5 "determinant of 5 by 5 symbols, simplified"
+                (lambda () (symbolic-matrix 5)) m:determinant)
+   (matrix-task 'D6 "determinant of 6 by 6 symbols, simplified"
+                (lambda () (symbolic-matrix 6)) m:determinant)
+   (matrix-task 'D12 "determinant of a tridiagonal matrix of 12 rows, simplified"
+                (lambda () (tridiagonal-matrix 12)) m:determinant)
+   (matrix-task 'D16 "determinant of K - w M for 16 coupled oscillators, simplified"
+                (lambda () (frequency-matrix 16)) m:determinant)
+   (matrix-task 'I4 "inverse of 4 by 4 symbols, simplified"
+                (lambda () (symbolic-matrix 4)) m:m:invert)
+   (matrix-task 'I8 "inverse of 8 by 8 symbols with many zeros, simplified"
+                (lambda () (sparse-matrix 8)) m:m:invert)
+   (numeric-task 'N50 "solving 50 equations in flonums"
+                 (lambda () (flonum-matrix 50))
+                 (lambda (A) (m:solve-linear-left A (ones 50))))
+   (numeric-task 'M50 "inverse of 50 by 50 flonums"
+                 (lambda () (flonum-matrix 50)) m:m:invert)
+   (numeric-task 'X50 "determinant of 50 by 50 integers"
+                 (lambda () (integer-matrix 50)) m:determinant)
+   (numeric-task 'Y20 "inverse of 20 by 20 integers"
+                 (lambda () (integer-matrix 20)) m:m:invert)))
+
+;; ---------------------------------------------------------------------------
 ;; Zero-testing
 
 ;; judge : residual -> what it is found to be
@@ -80,7 +121,7 @@
                                        (tree-size (car r)) (cdr r)))))
 
 (define tasks
-  (list
+  (list*
    (chain-task 'L2 2)
    (chain-task 'L3 3)
    (chain-task 'L4 4)
@@ -103,7 +144,8 @@
    (zero-task 'Z1 "zero test of a large residual that does not vanish, with a witness"
               #f (lambda (e) (zero-test-status (zero-test e))))
    (zero-task 'Z2 "fingerprint of a large residual that vanishes"
-              #t fingerprint)))
+              #t fingerprint)
+   matrix-tasks))
 
 ;; ---------------------------------------------------------------------------
 ;; Operations

@@ -19,7 +19,8 @@
   (define-values (message directions) (no-inertia L (up 't (up 'x 'y) (up 'vx 'vy))))
   (check-equal? message
                 (string-append
-                 "Lagrangian->acceleration: the mass matrix has no inverse; accelerations do not follow from the state\n"
+                 "Lagrangian->acceleration: the mass matrix has no inverse; "
+                 "accelerations do not follow from the state\n"
                  "  no inertia in the direction: (up -1 1)\n"
                  "  mass matrix: (down (down m m) (down m m))"))
   (check-equal? directions (list (up -1 1))))

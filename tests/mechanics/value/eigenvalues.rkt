@@ -30,7 +30,8 @@
   (check-equal? (eigenvalues 'a) '(a)))
 
 (test-case "frequencies of the oscillator, multipliers of the standard map"
-  (check-equal? (map expression (map simplify (eigenvalues (matrix-by-rows '(0 1) (list (- (square 'omega)) 0)))))
+  (define oscillator (matrix-by-rows '(0 1) (list (- (square 'omega)) 0)))
+  (check-equal? (map expression (map simplify (eigenvalues oscillator)))
                 '((* 0+1i omega) (* 0-1i omega)))
   ;; the derivative of the map at (0, 0): I' = I + K θ, θ' = θ + I'
   (define (multipliers K) (eigenvalues (matrix-by-rows (list (+ 1 K) 1) (list K 1))))

@@ -135,7 +135,9 @@
         (cons 1 (matrix '((/ 1 x) (/ 1 y)) '(y x)))
         (cons 1 (matrix '(0.5 x) '(1.0 (* 2 x))))
         (cons 2 (matrix '((sin (+ a b)) (sin a) (sin b)) '((cos (+ a b)) (cos a) (cos b))))
-        (cons 2 (matrix '(1 (cos t) (sin t)) '(1 (sin t) (cos t)) '(2 (+ (sin t) (cos t)) (+ (sin t) (cos t)))))))
+        (cons 2 (matrix '(1 (cos t) (sin t))
+                        '(1 (sin t) (cos t))
+                        '(2 (+ (sin t) (cos t)) (+ (sin t) (cos t)))))))
 
 (test-case "what is zero is decided by the canonical form; null vectors are proved"
   (for ([named (in-list named-matrices)])
@@ -143,7 +145,8 @@
     (define k (eliminated-kernel A))
     (with-check-info (['matrix A])
       (check-equal? (kernel-basis-rank k) (car named))
-      (check-equal? (length (kernel-basis-vectors k)) (- (vector-length (vector-ref A 0)) (car named)))
+      (check-equal? (length (kernel-basis-vectors k))
+                    (- (vector-length (vector-ref A 0)) (car named)))
       (for* ([v (kernel-basis-vectors k)] [x (product A v)])
         (check-true (simply-zero? x))))))
 
