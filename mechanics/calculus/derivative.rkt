@@ -3,13 +3,13 @@
 ;;
 ;; The derivative of a function by a tuple is the tuple, of opposite
 ;; orientation, of its derivatives by the components: a down tuple for an up
-;; argument.  Several arguments are taken together as one up tuple
-;; (SICM p. 516).
+;; argument; a matrix is taken for the tuples it stands for.  Several arguments
+;; are taken together as one up tuple (SICM p. 516).
 
 (require "perturbed.rkt" "dual.rkt" "jet.rkt" "extract.rkt" "derivative-errors.rkt"
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt"
-         "../value/operator.rkt" "../value/series/series.rkt" "../value/series/calculus.rkt"
+         "../value/matrix.rkt" "../value/operator.rkt" "../value/series/series.rkt" "../value/series/calculus.rkt"
          "../algebra/expression.rkt")
 
 (provide D partial derivative-at derivatives-at value-and-derivative-along name-functions)
@@ -23,6 +23,7 @@
          (define tag (fresh-tag))
          (extract-tangent tag (f (perturb tag x)))]
         [(tuple? x) (derivative-by-components f (adopt x))]
+        [(matrix? x) (derivative-by-entries f x)]
         [(series? x) (derivative-at-series f x)]
         [else (raise-not-differentiable-at x)]))
 
@@ -37,6 +38,22 @@
    (flip-orientation (structure-orientation s))
    (for/vector #:length (vector-length elements) ([x (in-vector elements)] [i (in-naturals)])
      (derivative-at (lambda (y) (f (replace-component s i y))) x))))
+
+;; A matrix is the down tuple of its columns, which are up tuples; so the
+;; derivative by one is an up tuple of down tuples, the product of which with an
+;; increment, written as such tuples, is the increment of the value.
+(define (derivative-by-entries f m)
+  (define (by-entry i j)
+    (derivative-at (lambda (y) (f (replace-entry m i j y))) (matrix-ref m i j)))
+  (structure 'up
+             (for/vector #:length (m:num-cols m) ([j (in-range (m:num-cols m))])
+               (structure 'down
+                          (for/vector #:length (m:num-rows m) ([i (in-range (m:num-rows m))])
+                            (by-entry i j))))))
+
+(define (replace-entry m i j y)
+  (m:generate (m:num-rows m) (m:num-cols m)
+              (lambda (k l) (if (and (= k i) (= l j)) y (matrix-ref m k l)))))
 
 ;; The derivative of order n > 1.  By a number it takes one run of f, on a Taylor
 ;; number; by anything else, n nested derivatives.

@@ -6,7 +6,8 @@
 ;; arithmetic means; the scalar `+` and `*` it needs are passed in, so that it
 ;; stands below the generic arithmetic that uses it.
 
-(require "kind.rkt" "describe.rkt"
+(require racket/flonum
+         "kind.rkt" "describe.rkt"
          (only-in "../algebra/expression.rkt" expression?))
 
 (provide
@@ -167,7 +168,8 @@
         [else
          (define s (adopt a))
          (define t (adopt b))
-         (cond [(contractible? s t) (contract (adding add (lambda () (complain-sum s t))) multiply s t)]
+         (cond [(contract-flonums s t)]
+               [(contractible? s t) (contract (adding add (lambda () (complain-sum s t))) multiply s t)]
                [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (complain s t)]
                [else (structure-map (lambda (y) (multiply s y)) t)])]))
 
@@ -209,6 +211,22 @@
 (define (scalar? x)
   (cond [(has-kind? x) (< (kind-rank (kind-of x)) rank:structure)]
         [else (and (not (eqv? x 0)) (expression? x))]))
+
+;; The commonest contraction, that of two tuples of flonums, without a test of each
+;; number for each thing it might be; #f for any other.
+(define (contract-flonums s t)
+  (define v (structure-elements s))
+  (define w (structure-elements t))
+  (define n (vector-length v))
+  (and (eqv? n (vector-length w))
+       (not (eq? (structure-orientation s) (structure-orientation t)))
+       (let loop ([i 0] [sum 0.0])
+         (cond [(eqv? i n) (and (not (eqv? n 0)) sum)]
+               [else
+                (define x (vector-ref v i))
+                (define y (vector-ref w i))
+                (and (flonum? x) (flonum? y)
+                     (loop (add1 i) (if (eqv? i 0) (fl* x y) (fl+ sum (fl* x y)))))]))))
 
 (define (contract add multiply s t)
   (define v (structure-elements s))

@@ -7,7 +7,7 @@
 (require racket/cmdline
          racket/file
          racket/runtime-path
-         "measure.rkt" "peers.rkt" "table.rkt" "task.rkt" "tasks.rkt")
+         "derivatives.rkt" "measure.rkt" "peers.rkt" "table.rkt" "task.rkt" "tasks.rkt")
 
 (define-runtime-path build "../../../build")
 
@@ -105,14 +105,17 @@
   (table micro-heading
          (for/list ([m (in-list micros)] #:when (wanted? (micro-name m)))
            (micro-row m runs)))
+  (when (wanted? 'growth)
+    (table growth-heading (growth-rows))
+    (table peers-heading (peers-rows)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
 (define (check-names names)
   (for ([name (in-list names)])
-    (unless (or (find-task name) (find-micro name) (eq? name 'load))
+    (unless (or (find-task name) (find-micro name) (memq name '(growth load)))
       (raise-user-error 'bench "no task ~a; there are ~a" name
-                        (append (map task-name tasks) (map micro-name micros) '(load))))))
+                        (append (map task-name tasks) (map micro-name micros) '(growth load))))))
 
 (module+ main
   (define runs 7)

@@ -5,6 +5,7 @@
 (require (prefix-in m: mechanics)
          (only-in mechanics/algebra/fingerprint fingerprint)
          (only-in mechanics/algebra/zero-test zero-test zero-test-status)
+         "derivatives.rkt"
          "matrices.rkt"
          "rotations.rkt"
          "systems.rkt"
@@ -162,30 +163,25 @@
           (+ (vector-ref a 1) (vector-ref b 1))
           (+ (vector-ref a 2) (vector-ref b 2))))
 
-(define (f t) (m:* t (m:sin t)))
-(define (df t) (+ (sin t) (* t (cos t))))
-
 (define micros
-  (list
-   (make-micro 'add "+ on two flonums"
-               (lambda (n) (repeat n (m:+ x y)))
-               #:against (lambda (n) (repeat n (+ x y)))
-               #:reach "2×")
-   (make-micro 'multiply "* on two flonums"
-               (lambda (n) (repeat n (m:* x y)))
-               #:against (lambda (n) (repeat n (* x y)))
-               #:reach "2×")
-   (make-micro 'sine "sin of a flonum"
-               (lambda (n) (repeat n (m:sin x)))
-               #:against (lambda (n) (repeat n (sin x))))
-   (make-micro 'add3 "+ on two up tuples of 3"
-               (lambda (n) (repeat n (m:+ u v)))
-               #:against (lambda (n) (repeat n (add-vectors u* v*)))
-               #:reach "100 ns")
-   (make-micro 'derivative "((D f) x) for x sin x"
-               (lambda (n) (repeat n ((m:D f) x)))
-               #:against (lambda (n) (repeat n (df x)))
-               #:reach "500 ns")))
+  (append
+   (list
+    (make-micro 'add "+ on two flonums"
+                (lambda (n) (repeat n (m:+ x y)))
+                #:against (lambda (n) (repeat n (+ x y)))
+                #:reach "2×")
+    (make-micro 'multiply "* on two flonums"
+                (lambda (n) (repeat n (m:* x y)))
+                #:against (lambda (n) (repeat n (* x y)))
+                #:reach "2×")
+    (make-micro 'sine "sin of a flonum"
+                (lambda (n) (repeat n (m:sin x)))
+                #:against (lambda (n) (repeat n (sin x))))
+    (make-micro 'add3 "+ on two up tuples of 3"
+                (lambda (n) (repeat n (m:+ u v)))
+                #:against (lambda (n) (repeat n (add-vectors u* v*)))
+                #:reach "100 ns"))
+   derivative-micros))
 
 ;; ---------------------------------------------------------------------------
 

@@ -4,7 +4,7 @@
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
          mechanics/generic/loops mechanics/generic/structure
-         mechanics/value/function mechanics/value/matrix mechanics/value/operator
+         mechanics/value/function mechanics/value/linear mechanics/value/matrix mechanics/value/operator
          mechanics/value/structure mechanics/value/signature
          mechanics/calculus/derivative mechanics/calculus/literal-function
          "../laws/same.rkt")
@@ -86,6 +86,18 @@
 (test-case "matrix-valued functions have matrices of derivatives"
   (check-equal? ((D (lambda (x) (matrix-by-rows (list 1 x) (list (g:square x) 0)))) 'x)
                 (matrix-by-rows '(0 1) (list (g:+ 'x 'x) 0))))
+
+(test-case "the derivative by a matrix is that by the tuples it stands for"
+  (define M (matrix-by-rows '(a b) '(c d)))
+  (define dM (down (up 'da 'dc) (up 'db 'dd)))          ; by columns
+  (check-same (g:* ((D determinant) M) dM)
+              (g:+ (g:* 'a 'dd) (g:* 'd 'da) (g:* -1 'b 'dc) (g:* -1 'c 'db)))
+  (check-same ((D (lambda (m) (ref (g:* m (up 'x 'y)) 0))) M)
+              (up (down 'x 0) (down 'y 0)))
+  (check-same (((D (lambda (m) (lambda (v) (g:* m v)))) (matrix-by-rows '(1 2))) (up 'x 'y))
+              (up (down (up 'x)) (down (up 'y))))
+  (check-equal? ((D (lambda (m) (g:square (matrix-ref m 0 2)))) (matrix-by-rows '(1 2 3)))
+                (up (down 0) (down 0) (down 6))))
 
 (test-case "an empty tuple has an empty derivative"
   (check-equal? ((D (lambda (s) 3)) (up)) (down)))

@@ -89,3 +89,27 @@
                   (up (g:* (down 1 2) (up 1 2)) 5 5)))
   (check-exn #rx"^unequal-contraction: contract violation\n  expected: 'outer-product or 'error"
              (lambda () (unequal-contraction 'sometimes))))
+
+;; ---------------------------------------------------------------------------
+;; Contraction
+
+(test-case "tuples of flonums contract as tuples of other numbers do"
+  (for ([n (in-range 1 6)])
+    (define xs (for/list ([k n]) (/ (+ 1.0 k) 8)))
+    (define ys (for/list ([k n]) (- 2.0 (/ k 4))))
+    (define exact (for/sum ([x xs] [y ys]) (* (inexact->exact x) (inexact->exact y))))
+    (for ([a (list up down)] [b (list down up)])
+      (check-equal? (g:* (apply a xs) (apply b ys)) (exact->inexact exact))
+      (check-equal? (g:* (apply a (map inexact->exact xs)) (apply b (map inexact->exact ys))) exact)
+      (check-equal? (g:* (apply a xs) (apply b (map inexact->exact ys))) (exact->inexact exact)))))
+
+(test-case "one component that is no flonum, wherever it stands"
+  (for ([k 3])
+    (define mixed (for/list ([i 3]) (if (= i k) 'x 2.0)))
+    (check-equal? (format "~a" (g:* (apply up mixed) (down 0 0 0))) "0")
+    (check-equal? (g:* (apply down mixed) (apply up (for/list ([i 3]) (if (= i k) 3.0 0)))) (g:* 'x 3.0)))
+  (check-equal? (g:* (up 1.0 2.0) (down (up 1.0 2.0) (up 3.0 4.0))) (up 7.0 10.0)))
+
+(test-case "no zero is made negative or positive"
+  (check-equal? (g:* (up -0.0) (down 1.0)) -0.0)
+  (check-equal? (g:* (up) (down)) 0))

@@ -13,7 +13,8 @@
    (hasheq '+ m:+ '- m:- '* m:* '/ m:/ 'square m:square 'cube m:cube
            'sqrt m:sqrt 'exp m:exp 'log m:log 'sin m:sin 'cos m:cos 'tan m:tan
            'atan m:atan 'tanh m:tanh
-           'up m:up 'down m:down 'ref m:ref 'compose m:compose 'D m:D 'partial m:partial)
+           'up m:up 'down m:down 'ref m:ref 'compose m:compose 'D m:D 'partial m:partial
+           'power-of-D (lambda (n) (m:expt m:D n)))
    values
    m:<))
 
@@ -138,7 +139,7 @@
   (in-parallel (in-list xs) (in-naturals)))
 
 (define (expression? e)
-  (or (number? e) (and (symbol? e) (not (memq e '(lambda let if for/fold delay ref)))) (pair? e)))
+  (or (number? e) (and (symbol? e) (not (memq e '(lambda let if for/fold delay ref expt partial)))) (pair? e)))
 
 (define (size e)
   (cond [(pair? e) (+ 1 (for/sum ([p (in-list e)]) (size p)))]

@@ -66,12 +66,15 @@
           (derivative-at f (car args))
           (derivative-at (lambda (s) (apply f (tuple-elements s))) (tuple 'up args)))))
 
+  (define ((power-of-D n) f)
+    (if (= n 0) f ((power-of-D (- n 1)) (derivative f))))
+
   (define ((partial i) f)
     (lambda args
       (derivative-at (lambda (y) (apply f (list-set args i y))) (list-ref args i))))
 
   (define structural
-    (hasheq 'D derivative 'partial partial
+    (hasheq 'D derivative 'partial partial 'power-of-D power-of-D
             'up (lambda xs (tuple 'up xs)) 'down (lambda xs (tuple 'down xs))
             'ref (lambda (s i) (list-ref (tuple-elements s) i))
             'compose (lambda (f g) (lambda (x) (f (g x))))

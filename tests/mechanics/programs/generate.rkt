@@ -169,7 +169,8 @@
   ;; ((D f) a) of this type, f a function of a number
   (define (derivative-of-function)
     (if (differentiable? type)
-        (list (list 'D (sub (fun '(num) type))) (sub 'num env 3))
+        (list (list (choose 'D 'D (list 'expt 'D (+ 1 (random 3)))) (sub (fun '(num) type)))
+              (sub 'num env 3))
         (application)))
 
   ;; A tuple as the derivative by a tuple, or by several arguments
@@ -210,7 +211,7 @@
                       binding branch component contained)
                 (if (and (equal? domain '(num)) (differentiable? range))
                     (list (lambda () (list 'D (sub type env 1)))
-                          (lambda () (list 'D (sub type env 1))))
+                          (lambda () (list (list 'expt 'D (random 4)) (sub type env 1))))
                     '())
                 (if (and (equal? domain '(num num)))
                     (list (lambda () (list (list 'partial (random 2)) (sub type env 1))))

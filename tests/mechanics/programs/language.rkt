@@ -5,7 +5,8 @@
 ;;     e = number | variable
 ;;       | (lambda (x ...) e) | (e e ...) | (let ([x e]) e) | (if (< e e) e e)
 ;;       | (for/fold ([x e]) ([_ (in-range n)]) e)
-;;       | (ref e n) | (partial n) | (delay e) | an operation: + D up box unbox ...
+;;       | (ref e n) | (partial n) | (expt D n) | (delay e)
+;;       | an operation: + D up box unbox ...
 ;;
 ;; The interpreter builds Racket closures, so that what D differentiates is what
 ;; it would be in the user's program.
@@ -50,6 +51,7 @@
          [(delay) (delay (evaluate (cadr e) env))]
          [(ref) ((hash-ref operations 'ref) (evaluate (cadr e) env) (index (caddr e)))]
          [(partial) ((hash-ref operations 'partial) (index (cadr e)))]
+         [(expt) ((hash-ref operations 'power-of-D) (index (caddr e)))]
          [else (define f (evaluate (car e) env))
                (define args (for/list ([a (in-list (cdr e))]) (evaluate a env)))
                (unless (procedure? f) (discard "no procedure"))
