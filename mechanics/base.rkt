@@ -9,7 +9,9 @@
          "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt" "value/forms.rkt"
          (except-in "value/structure.rkt" up down)
          "value/vector.rkt"
-         "calculus/derivative.rkt" "calculus/literal-function.rkt" "calculus/verdict.rkt"
+         "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
+         (only-in "value/series/series.rkt" series? power-series?)
+         "calculus/derivative.rkt" "calculus/Taylor.rkt" "calculus/literal-function.rkt" "calculus/verdict.rkt"
          "algebra/datum.rkt" "numeric/failure.rkt"
          "lang/pattern.rkt")
 
@@ -59,8 +61,13 @@
  ;; literals
  literal-function literal-function? literal-up literal-down literal-number with-literals
  -> Real Any X X* UP UP* DOWN DOWN* Lagrangian Hamiltonian
+ ;; series
+ series power-series series:generate series:->function series? power-series? series:finite?
+ series:ref series:head series:sum series:for-each partial-sums
+ series:derivative series:integral series:reversion
+ exp-series sin-series cos-series sinh-series cosh-series atan-series binomial-series
  ;; derivatives
- D partial
+ D partial Taylor-series Taylor-series-coefficients
  ;; expressions
  expression simplify substitute print-limit
  expand factor collect coefficient together apart numerator denominator

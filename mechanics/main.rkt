@@ -45,7 +45,7 @@
  p->r r->p polar->rectangular rectangular->polar
  s->r r->s spherical->rectangular rectangular->spherical
  ;; showing
- print-expression pe show-expression se)
+ print-expression pe show-expression se series:print)
 
 ;; Run by `racket -I mechanics` and by programs written in `#lang mechanics`.
 (module configure-runtime racket/base

@@ -4,11 +4,13 @@
 ;; A verdict says `proved`, `refuted` or `undecided` and carries its evidence:
 ;; the simplified residual, a point where it is not zero, the assumptions made.
 ;; The algebra judges scalars one by one; a structure is proved zero when every
-;; scalar of it is, and refuted when one is.
+;; scalar of it is, and refuted when one is.  A series that does not end cannot be
+;; proved zero by its terms, but refuted by one.
 
 (require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/arithmetic.rkt"
          "../value/matrix.rkt" "../value/operator.rkt"
+         "../value/series/series.rkt" "../value/series/access.rkt"
          "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt" "../algebra/zero-test.rkt"
          "verdict-report.rkt")
 
@@ -20,14 +22,20 @@
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
-(struct verdict (status residual tests)
+;; endless?    : is it, or has it, a series of which only the first terms were tested?
+(struct verdict (status residual tests endless?)
   #:authentic
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write
   (lambda (v port mode) (write-string (report->text (report v)) port)))
 
 (define (report v)
-  (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))))
+  (append
+   (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v)))
+   (if (verdict-endless? v)
+       (list (list 1 "examined:" (list (format "terms up to order ~a of a series that does not end"
+                                               (sub1 compared-terms)))))
+       '())))
 
 (define (proved? v) (eq? (verdict-status v) 'proved))
 (define (refuted? v) (eq? (verdict-status v) 'refuted))
@@ -72,13 +80,26 @@
 ;; x : a value, or a function, which is judged at symbolic arguments.
 (define (prove-zero x)
   (define tests '())
+  (define endless? #f)
   (define residual
     (map-leaves (lambda (leaf)
                   (define z (judge leaf))
                   (set! tests (cons z tests))
                   (zero-test-residual z))
-                (at-symbolic-arguments x)))
-  (verdict (overall (map zero-test-status tests)) residual (reverse tests)))
+                (at-symbolic-arguments x '() (lambda () (set! endless? #t)))))
+  (define status (overall (map zero-test-status tests)))
+  (verdict (if (and endless? (eq? status 'proved)) 'undecided status)
+           residual (reverse tests) endless?))
+
+;; x with the up tuple of its terms in place of a series; of one that does not end
+;; as many as are compared, and (note!) is called.
+(define (with-terms x note!)
+  (cond [(series? x)
+         (define endless? (not (finite-series? x)))
+         (when endless? (note!))
+         (structure 'up (list->vector (series:head x (if endless? compared-terms (series-length x)))))]
+        [(tuple? x) (structure-map (lambda (e) (with-terms e note!)) (adopt x))]
+        [else x]))
 
 (define (verify-equal a b) (prove-zero (difference a b)))
 
@@ -119,16 +140,16 @@
 ;; occur nowhere else; its value may be a function again.  In the result they
 ;; are renamed to t, or t0 t1 ... if there are several, or to what comes next if
 ;; the user has a t already.
-(define (at-symbolic-arguments x [arguments '()])
+(define (at-symbolic-arguments x arguments note!)
   (map-leaves
    (lambda (leaf)
      (cond [(operator? leaf) (raise-operator leaf)]
            [(procedure? leaf)
             (define fresh (fresh-arguments leaf))
-            (at-symbolic-arguments (apply leaf fresh) (append arguments fresh))]
+            (at-symbolic-arguments (apply leaf fresh) (append arguments fresh) note!)]
            [(symbolic? leaf) (rename-arguments leaf arguments)]
            [else leaf]))
-   x))
+   (with-terms x note!)))
 
 (define (fresh-arguments f)
   (define n (for/first ([n (in-sequences (in-range 1 21) '(0))] #:when (accepts? f n)) n))

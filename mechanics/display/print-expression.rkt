@@ -2,9 +2,9 @@
 ;; Printing values on demand, simplified: what the prompt does to results.
 
 (require "layout.rkt" "result.rkt" "text.rkt"
-         "../generic/describe.rkt")
+         "../generic/describe.rkt" "../value/series/access.rkt")
 
-(provide print-expression pe show-expression se print-labelled print-assumptions)
+(provide print-expression pe show-expression se series:print print-labelled print-assumptions)
 
 (define line-width 79)
 
@@ -18,6 +18,9 @@
 ;; Shows a value the best way the place it is called from allows: as text.
 (define (show-expression x) (print-expression x))
 (define se show-expression)
+
+;; The first n terms of a series, all where it ends, each as print-expression has it.
+(define (series:print s [n #f]) (series:for-each print-expression s n))
 
 ;; A label, and below it, indented, a value as it stands.
 (define (print-labelled label x)

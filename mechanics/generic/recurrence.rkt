@@ -123,10 +123,11 @@
             (define slope (g:log b0))
             (lambda (k b lb n ln r) (g:* slope (integral n ln r k)))]
            [else #f]))
-   #:reduce (lambda (b n) (and (exact-positive-integer? n) (whole-power b n)))))
+   #:reduce (lambda (b n) (and (exact-nonnegative-integer? n) (whole-power b n)))))
 
 (define (whole-power b n)
-  (cond [(eqv? n 1) b]
+  (cond [(eqv? n 0) 1]
+        [(eqv? n 1) b]
         [(even? n) (whole-power (g:* b b) (quotient n 2))]
         [else (g:* b (whole-power b (sub1 n)))]))
 

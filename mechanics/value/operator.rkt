@@ -159,12 +159,17 @@
 
 ;; exp(A) is linear: of a series it is the series of the exponentials of its terms.
 (define (exponential-of o f)
-  (cond [(series? f)
+  (cond [(and (series? f) (not (power-series? f)))
          (collapse (map-series (lambda (x) (if (eqv? x 0) 0 (exponential-of o x))) f))]
         [else
          (define image (images o f))
          (series-of
-          (make-coefficients (lambda (k) (if (eqv? k 0) f (g:/ (image k) (factorial k))))))]))
+          (make-coefficients
+           (lambda (k)
+             (case k
+               [(0) f]
+               [(1) (image 1)]
+               [else (g:/ (image k) (factorial k))]))))]))
 
 ;; k -> Aᵏ f for k > 0
 (define (images o f)

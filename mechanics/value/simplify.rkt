@@ -37,6 +37,7 @@
               e]
              [else leaf]))
      x))
+  (value->datum value)                  ; a series gets the terms that are shown
   (values value (distinct assumptions)))
 
 (define (distinct xs)

@@ -3,7 +3,8 @@
 
 (require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/compare.rkt")
+         "../generic/function.rkt" "../generic/compare.rkt"
+         "series/series.rkt" "series/access.rkt")
 
 (provide
  ;; data, from the floor below
@@ -22,8 +23,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Access
 
-;; (ref s i j ...): component j of component i ... of a tuple; of a function,
-;; the function whose value is that component of its value.
+;; (ref s i j ...): component j of component i ... of a tuple; the term of that
+;; order of a series; of a function, the function whose value is that component of
+;; its value.
 (define ref
   (case-lambda
     [(s i) (ref-1 s i s)]
@@ -32,6 +34,7 @@
 ;; Component i of s, which was reached within `whole`.
 (define (ref-1 s i whole)
   (cond [(tuple? s) (tuple-ref (adopt s) i)]
+        [(series? s) (series:ref s i)]
         [(procedure? s) (ref-of-function s i)]
         [(eq? s whole) (raise-not-a-tuple 'ref s)]
         [else

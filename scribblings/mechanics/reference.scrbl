@@ -17,7 +17,8 @@ The entries use these words for arguments:
 @item{@italic{scalar}: a number, a symbol, or an expression made of them.}
 @item{@italic{tuple}: a structure made by @racket[up] or @racket[down], or a Racket
 vector, which counts as an @racket[up].}
-@item{@italic{value}: a scalar, a tuple, a matrix, a function or an operator.}
+@item{@italic{value}: a scalar, a tuple, a matrix, a function, an operator or a
+series.}
 @item{@italic{function}: anything that can be applied. A tuple of functions is a
 function.}
 @item{@italic{local tuple}: @racket[(up t q v)], perhaps with accelerations and
@@ -45,6 +46,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/functions.scrbl"]
 @include-section["reference/literals.scrbl"]
 @include-section["reference/derivatives.scrbl"]
+@include-section["reference/series.scrbl"]
 @include-section["reference/expressions.scrbl"]
 @include-section["reference/verdicts.scrbl"]
 @include-section["reference/failures.scrbl"]

@@ -15,7 +15,7 @@
          "../../generic/elementary.rkt" "../../generic/compare.rkt"
          "../../algebra/expression.rkt")
 
-(provide series? power-series? series-of power-series-of like-series
+(provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series
          coefficients-of collapse shown-terms compared-terms)
 
@@ -35,7 +35,9 @@
              #:same? (lambda (same? a b) (same-series? same? a b))
              #:arity (lambda (s) (if (power-series? s) 2 -1))))
 
-(struct series (coefficients power?)
+;; terms-at : of a power series, x -> the coefficients of the series of its terms at
+;; x; else #f
+(struct series (coefficients terms-at)
   #:authentic
   #:property prop:kind kind:series
   #:property prop:procedure (lambda (s . args) (apply-series s args))
@@ -44,18 +46,23 @@
   #:property prop:equal+hash
   (list (lambda (a b recur)
           (or (eq? a b)
-              (and (eq? (series-power? a) (series-power? b))
+              (and (eq? (power-series? a) (power-series? b))
                    (finite-series? a) (finite-series? b)
                    (recur (first-terms a (series-length a)) (first-terms b (series-length b))))))
         (lambda (s recur) (if (finite-series? s) (recur (first-terms s (series-length s))) 1))
         (lambda (s recur) (if (finite-series? s) (recur (first-terms s (series-length s))) 2))))
 
 (define (series-of coefficients) (series coefficients #f))
-(define (power-series-of coefficients) (series coefficients #t))
-(define (power-series? x) (and (series? x) (series-power? x)))
+(define (power-series-of coefficients)
+  (series coefficients (lambda (x) (terms-at coefficients x))))
+(define (power-series? x) (and (series? x) (series-terms-at x) #t))
+
+;; One that knows a better way to its terms than to multiply by powers.
+(define (power-series-with-terms coefficients terms-at) (series coefficients terms-at))
 
 ;; A series of the same sort with other terms.
-(define (like-series s coefficients) (series coefficients (series-power? s)))
+(define (like-series s coefficients)
+  (if (power-series? s) (power-series-of coefficients) (series-of coefficients)))
 
 (define (series-term s k) (coefficient (series-coefficients s) k))
 (define (series-length s) (coefficients-length (series-coefficients s)))
@@ -71,7 +78,7 @@
 ;; Printing and comparing: of an endless series only the first terms
 
 (define shown-terms 4)
-(define compared-terms 16)
+(define compared-terms 8)
 
 (define (series-datum s)
   (define n (if (finite-series? s) (series-length s) shown-terms))
@@ -116,7 +123,7 @@
 
 (define (series-binary op a b)
   (define like (if (series? a) a b))
-  (when (and (series? a) (series? b) (not (eq? (series-power? a) (series-power? b))))
+  (when (and (series? a) (series? b) (not (eq? (power-series? a) (power-series? b))))
     (raise-mixed op a b))
   (or (reduced op a b)
       (like-series like
@@ -136,7 +143,7 @@
 (define (apply-series s args)
   (cond [(power-series? s)
          (unless (= (length args) 1) (raise-one-variable s args))
-         (if (series? (car args)) (compose-series s (car args)) (terms-at s (car args)))]
+         (if (series? (car args)) (compose-series s (car args)) (series-of ((series-terms-at s) (car args))))]
         [else (values-at s args)]))
 
 (define (raise-one-variable s args)
@@ -145,12 +152,24 @@
                   (value->text s) (length args))
           (current-continuation-marks))))
 
-;; Terms that are functions are applied; others stand for themselves.  Where the
-;; value of the term of order n is a series, its terms count from order n on.
+;; Terms that are functions are applied; scalars among them are constants, among
+;; operators multiples of the identity.  Where the value of the term of order n is a
+;; series, its terms count from order n on.
 (define (values-at s args)
   (when (and (finite-series? s) (not (ormap applicable? (first-terms s (series-length s)))))
     (raise-no-function s))
-  (collapse (map-series (lambda (x) (value-at x args)) s)))
+  (define (value x)
+    (if (and (scalar? x) (pair? args) (procedure? (car args)) (of-operators? s))
+        (g:* x (car args))
+        (value-at x args)))
+  (collapse (map-series value s)))
+
+(define (scalar? x)
+  (or (expression? x) (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:dual))))
+
+(define (of-operators? s)
+  (for/or ([x (in-list (first-terms s shown-terms))])
+    (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:operator))))
 
 (define (applicable? x) (or (procedure? x) (tuple? x) (map-leaf-kind? x)))
 (define (map-leaf-kind? x) (and (has-kind? x) (kind-map (kind-of x)) #t))
@@ -188,15 +207,14 @@
 
 ;; aₙ xⁿ.  The derivative of order n by a tuple is contracted with it n times, from
 ;; the outermost index on.
-(define (terms-at s x)
-  (series-of
-   (make-coefficients
-    (lambda (n)
-      (define a (series-term s n))
-      (cond [(eqv? n 0) a]
-            [(tuple? x) (for/fold ([product a]) ([_ (in-range n)]) (g:* product x))]
-            [else (g:* a (g:expt x n))]))
-    (series-length s))))
+(define (terms-at coefficients x)
+  (make-coefficients
+   (lambda (n)
+     (define a (coefficient coefficients n))
+     (cond [(eqv? n 0) a]
+           [(tuple? x) (for/fold ([product a]) ([_ (in-range n)]) (g:* product x))]
+           [else (g:* a (g:expt x n))]))
+   (coefficients-length coefficients)))
 
 ;; ---------------------------------------------------------------------------
 ;; Composition

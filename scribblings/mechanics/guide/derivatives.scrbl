@@ -85,6 +85,53 @@ Powers of @racket[D] repeat it; sums and products of operators are operators
 (((square (partial 2)) T) local)
 (((* D D) (literal-function 'x)) 't)]
 
+A function beside an operator stands for multiplication by it. So the product rule
+says that D and multiplication by x do not commute: their commutator is 1.
+
+@examples[#:eval session #:label #f
+(define x identity)
+(((commutator D x) (literal-function 'f)) 't)]
+
+@section[#:tag "power-series"]{Series}
+
+The operator @racket[(exp (* 'h D))] is 1 + hD + h²D²/2! + ⋯. What it makes of a
+function is a series, whose terms are those of Taylor's:
+
+@examples[#:eval session #:label #f
+(define shift-by-h (exp (* 'h D)))
+((shift-by-h (literal-function 'f)) 't)
+(series:sum ((shift-by-h cube) 't) 3)]
+
+A series is a value like others. It is added, multiplied and applied, its terms are
+computed as they are asked for, and what you get at the prompt are the first of
+them. Three dots say that there are more.
+
+@examples[#:eval session #:label #f
+(define s ((shift-by-h sin) 't))
+(series:head s 6)
+(series:sum (((exp (* 0.5 D)) sin) 0.0) 15)
+(sin 0.5)]
+
+This is how the book writes perturbation theory (@secref["reference-series"]): the
+operator is the Poisson bracket with a generator, the function a Hamiltonian that
+is a series in a small parameter.
+
+The other sort of series is given by its coefficients and is a function of its
+variable, a power series. All elementary functions know what to do with one:
+
+@examples[#:eval session #:label #f
+(define u (power-series 0 1))
+(tan u)
+(/ u (- 1 u (square u)))
+((sqrt (+ 1 u)) 'epsilon)]
+
+@racket[Taylor-series] finds the power series of any function about any point.
+
+@examples[#:eval session #:label #f
+(define pendulum-energy (lambda (theta) (- 1 (cos theta))))
+((Taylor-series pendulum-energy) 0)
+(series:sum (((Taylor-series pendulum-energy) 0) 'theta) 6)]
+
 @section[#:tag "dual-numbers"]{How it works}
 
 Take a quantity ε of which the square is zero, though ε is not. Then
@@ -106,6 +153,33 @@ in your function do no harm:
 ((D (lambda (x) (power x 10))) 1.1)]
 
 You never see a dual number. It exists while @racket[D] is at work.
+
+@section[#:tag "higher-derivatives"]{Higher derivatives}
+
+To take a second derivative, differentiate the derivative: the coefficients of the
+outer ε are then dual numbers themselves, and each product of two of them takes
+about four products of numbers. At order n it is 2ⁿ. For a function of a number
+there is a better way. Let ε be a quantity of which only the power n + 1 is zero,
+and keep all coefficients up to εⁿ. Taylor's theorem, exact again, says that those
+of f(x + ε) are the derivatives of f at x divided by factorials. A product takes
+n²/2 products of coefficients,
+
+@centered{c@subscript{k} = a@subscript{0}b@subscript{k} + a@subscript{1}b@subscript{k−1} + ⋯ + a@subscript{k}b@subscript{0},}
+
+and the other operations no more. Take e = exp(a), of which one knows that e′ = e a′.
+To compare coefficients in that equation gives
+
+@centered{k e@subscript{k} = a@subscript{1}e@subscript{k−1} + 2a@subscript{2}e@subscript{k−2} + ⋯ + k a@subscript{k}e@subscript{0},}
+
+each coefficient of e from those before it. An equation of this kind holds for
+every operation that has a rule for its derivative, so that no operation needs to
+be taught anything further. @racket[(expt D n)] works in this way, and so do power
+series, which keep the coefficients for as long as you like.
+
+@examples[#:eval session #:label #f
+(define (h x) (/ (exp (sin x)) (+ 1 (square x))))
+(((expt D 20) h) 1.25)
+(series:ref ((Taylor-series h) 0) 20)]
 
 @section[#:tag "perturbation-confusion"]{Nested derivatives, and how to get them wrong}
 

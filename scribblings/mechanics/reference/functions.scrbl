@@ -52,7 +52,16 @@ multiple of the identity, and a function the multiplication by it.
 (((- shift 1) square) 'x)
 (- shift 1)]
 
-@sicm{9, p. 516}}
+The powers of an operator are 0, 1, 2 and so on. @racket[(exp A)] is the operator
+that takes f to the series f + A f + A² f/2! + ⋯ (@secref["reference-series"]).
+
+@examples[#:eval session
+(exp (* 'h D))
+(((exp (* 'h D)) (literal-function 'f)) 'x)
+(eval:error (expt D -1))
+(eval:error (sin D))]
+
+@sicm{9, p. 516, and 6.4, p. 448}}
 
 @defproc[(operator? [x any]) boolean?]{
 

@@ -79,8 +79,8 @@ The orientation, and its opposite.
 @defproc[(ref [s value] [i exact-integer?] ...) value]{
 
 Component i, and within it component j, and so on. Indices start at 0; negative
-ones count from the end. Of a function, @racket[ref] is the function that gives
-that component of its value. An index outside raises an error that names the
+ones count from the end. Of a series, @racket[ref] is the term of order i; of a
+function, the function that gives that component of its value. An index outside raises an error that names the
 range.
 
 @examples[#:eval session

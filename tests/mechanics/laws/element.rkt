@@ -3,14 +3,14 @@
 
 (require mechanics/generic/arithmetic mechanics/generic/elementary
          mechanics/generic/structure
-         mechanics/value/matrix mechanics/value/operator
+         mechanics/value/matrix mechanics/value/operator mechanics/value/series/access
          mechanics/calculus/dual mechanics/calculus/derivative
          mechanics/calculus/literal-function
          "random.rkt" "derivation.rkt" "ring.rkt")
 
 (provide generic-ring
          random-expression random-dual random-matrix random-operator random-real-function
-         random-up random-nested)
+         random-up random-nested random-series)
 
 (define generic-ring (ring 0 1 g:+ g:- g:negate g:* g:/ g:square g:expt))
 
@@ -53,3 +53,12 @@
 (define ((random-up scalar)) (up (scalar) (scalar) (scalar)))
 (define ((random-nested scalar))
   (up (scalar) (down (scalar) (up (scalar) (scalar))) (scalar)))
+
+;; Power series that end and that do not, which do not begin with 0.
+(define (random-series [scalar random-rational])
+  (define p (power-series (scalar) (scalar) (scalar)))
+  (case (random 4)
+    [(0) p]
+    [(1) (g:/ (scalar) p)]
+    [(2) (g:* (scalar) (g:exp (g:- p (series:ref p 0))))]
+    [(3) (g:+ p (g:/ (power-series 0 (scalar)) (power-series (scalar) (scalar))))]))

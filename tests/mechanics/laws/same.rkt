@@ -2,19 +2,21 @@
 ;; Are two values the same, as far as a test can tell?
 ;;
 ;; Numbers to a relative tolerance, expressions at seeded points, containers
-;; component by component, functions by their value at a symbol, operators by
-;; what they make of an unknown function.  A scalar is the same as the constant
-;; function, the multiple of the identity matrix or operator that it stands for.
+;; component by component, series by their first terms, functions by their value at
+;; a symbol, operators by what they make of an unknown function.  A scalar is the
+;; same as the constant function, the multiple of the identity matrix or operator,
+;; or the series of one term that it stands for.
 
 (require mechanics/algebra/expression
          (only-in mechanics/generic/arithmetic g:*) mechanics/generic/structure mechanics/generic/function
-         mechanics/value/matrix mechanics/value/operator
+         mechanics/value/matrix mechanics/value/operator mechanics/value/series/series
          mechanics/calculus/perturbed mechanics/calculus/dual mechanics/calculus/literal-function
          "numeric-value.rkt")
 
 (provide same? close? close-to)
 
 (define points '(1 2 3))
+(define terms 5)
 
 ;; |a - b| <= tolerance max(1, |a|, |b|)
 (define (close? a b [tolerance 1e-9])
@@ -29,6 +31,8 @@
     (and (= (length as) (length bs))
          (for/and ([x (in-list as)] [y (in-list bs)]) (same? x y tolerance))))
   (cond [(and (number? a) (number? b)) (close? a b tolerance)]
+        [(or (series? a) (series? b))
+         (for/and ([k (in-range terms)]) (same? (term a k) (term b k) tolerance))]
         [(and (expression? a) (expression? b))
          (for/and ([p (in-list points)])
            (close? (numeric-value a p) (numeric-value b p) tolerance))]
@@ -53,6 +57,11 @@
 (define (value x) (if (pointwise? x) (x 'argument) x))
 (define (multiple a m) (g:* a (identity-matrix (m:num-rows m))))
 
+(define (term x k)
+  (cond [(series? x) (series-term x k)]
+        [(eqv? k 0) x]
+        [else 0]))
+
 (define (parts s) (vector->list (structure-elements (adopt s))))
 (define (scalar? x) (or (dual? x) (expression? x)))
 
@@ -60,7 +69,8 @@
   (require rackunit
            mechanics/generic/arithmetic mechanics/generic/elementary
            (only-in mechanics/value/function constant-function)
-           mechanics/calculus/derivative)
+           mechanics/calculus/derivative
+           mechanics/value/series/access)
 
   (test-case "what is the same is seen to be"
     (check-true (same? 1/3 (/ 1.0 3)))
@@ -70,7 +80,9 @@
     (check-true (same? (perturb 9 'a) (g:+ 0 (perturb 9 'a))))
     (check-true (same? 2 (constant-function 2)))
     (check-true (same? (matrix-by-rows '(2 0) '(0 2)) 2))
-    (check-true (same? 2 (g:+ 2 (g:- D D)))))
+    (check-true (same? 2 (g:+ 2 (g:- D D))))
+    (check-true (same? (power-series 2 0) 2))
+    (check-true (same? (power-series 1 1) (g:/ (power-series 1 2 1) (power-series 1 1)))))
 
   (test-case "what is not, is not"
     (check-false (same? 1 1.00001))
@@ -81,6 +93,7 @@
     (check-false (same? g:sin g:cos))
     (check-false (same? D (g:expt D 2)))
     (check-false (same? D 1))
+    (check-false (same? (power-series 1 2 3) (power-series 1 2 4)))
     (check-false (same? 2 g:sin))
     (check-false (same? (matrix-by-rows '(2 0) '(1 2)) 2))
     (check-false (same? (perturb 9 'a) 'a))

@@ -1,0 +1,88 @@
+#lang racket/base
+;; What one does with series: make them, and look at as many terms as one wants.
+
+(require "coefficients.rkt" "series.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt")
+
+(provide
+ series power-series series:generate series:->function
+ series:finite? series:ref series:head series:sum series:for-each partial-sums)
+
+;; ---------------------------------------------------------------------------
+;; Making
+
+;; a₀ + a₁ + ⋯, and no more terms.
+(define (series . terms) (series-of (coefficients-from terms)))
+(define (power-series . terms) (power-series-of (coefficients-from terms)))
+
+;; The series whose term of order k is (f k).
+(define (series:generate f)
+  (unless (and (procedure? f) (procedure-arity-includes? f 1))
+    (raise-argument-error 'series:generate "a function of the order of a term" f))
+  (series-of (make-coefficients f)))
+
+;; The power series with these terms as coefficients.
+(define (series:->function s)
+  (check-series 'series:->function s)
+  (power-series-of (series-coefficients s)))
+
+;; ---------------------------------------------------------------------------
+;; Looking
+
+(define (series:finite? s)
+  (check-series 'series:finite? s)
+  (finite-series? s))
+
+;; The term of order k; of a power series, the coefficient.
+(define (series:ref s k)
+  (check-series 'series:ref s)
+  (check-count 'series:ref "the order of a term" k)
+  (series-term s k))
+
+;; The list of the first n terms.
+(define (series:head s n)
+  (check-series 'series:head s)
+  (check-count 'series:head "a number of terms" n)
+  (for/list ([k (in-range n)]) (series-term s k)))
+
+;; The sum of the terms up to order n, n + 1 of them (SICM p. 463).
+(define (series:sum s n)
+  (check-series 'series:sum s)
+  (check-count 'series:sum "the order of the last term" n)
+  (for/fold ([sum 0]) ([k (in-range (min (add1 n) (series-length s)))])
+    (g:+ sum (series-term s k))))
+
+;; (f term) for the first n terms; for all of them, where they end.
+(define (series:for-each f s [n #f])
+  (unless (procedure? f) (raise-argument-error 'series:for-each "a function of a term" f))
+  (check-series 'series:for-each s)
+  (when n (check-count 'series:for-each "a number of terms" n))
+  (unless (or n (finite-series? s))
+    (raise-arguments-error 'series:for-each
+                           "the series does not end; say of how many terms: (series:for-each f s n)"
+                           "series" s))
+  (for ([k (in-range (if n (min n (series-length s)) (series-length s)))])
+    (f (series-term s k))))
+
+;; a₀, a₀ + a₁, a₀ + a₁ + a₂, … as the terms of a series.
+(define (partial-sums s)
+  (check-series 'partial-sums s)
+  (define sums
+    (make-coefficients
+     (lambda (k)
+       (if (eqv? k 0) (series-term s 0) (g:+ (coefficient sums (sub1 k)) (series-term s k))))))
+  (series-of sums))
+
+;; ---------------------------------------------------------------------------
+;; Errors
+
+(define (check-series who s)
+  (unless (series? s)
+    (raise
+     (exn:fail:contract
+      (format "~a: expected a series; given ~a~a" who (describe-with-value s)
+              (if (procedure? s) "\n  a function whose values are series must be applied first" ""))
+      (current-continuation-marks)))))
+
+(define (check-count who what n)
+  (unless (exact-nonnegative-integer? n) (raise-argument-error who what n)))
