@@ -71,7 +71,7 @@ With these terms or coefficients, and then no more.
 
 The series whose term of order k is @racket[(f k)].
 
-@examples[#:eval session (series:generate (lambda (k) (/ (square k))))
+@examples[#:eval session (series:generate (lambda (k) (/ 1 (add1 k))))
                          (series:generate (lambda (k) (expt 'x k)))]}
 
 @defproc[(series:->function [s series?]) power-series?]{
@@ -133,7 +133,7 @@ The sum of the terms up to order n, which are n + 1.
 
 @sicm{7.2, p. 463}}
 
-@defproc[(series:for-each [f procedure?] [s series?] [n exact-nonnegative-integer?]) void?]{
+@defproc[(series:for-each [f procedure?] [s series?] [n (or/c exact-nonnegative-integer? #f) #f]) void?]{
 
 Calls f on the first n terms one after the other. Without n it does so for all
 terms, if the series ends; otherwise it raises an error.
@@ -146,7 +146,7 @@ terms, if the series ends; otherwise it raises an error.
 
 @sicm{6.4, p. 444}}
 
-@defproc[(series:print [s series?] [n exact-nonnegative-integer?]) void?]{
+@defproc[(series:print [s series?] [n (or/c exact-nonnegative-integer? #f) #f]) void?]{
 
 The same with @racket[print-expression] for f.
 
