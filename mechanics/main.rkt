@@ -13,6 +13,7 @@
          (except-in "lagrangian/local-tuple.rkt" path)
          "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
          "lagrangian/variation.rkt" "lagrangian/verify.rkt"
+         "motion/on-demand.rkt"
          "display/print-expression.rkt"
          "teach/derivation.rkt"
          "lang/application.rkt" "lang/session.rkt")
@@ -40,6 +41,8 @@
  Lagrangian->acceleration Lagrangian->state-derivative Lagrangian->energy
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
  derivation-steps show-derivation
+ ;; motion
+ (all-from-out "motion/on-demand.rkt")
  ;; coordinates
  F->C Gamma-bar osculating-path
  p->r r->p polar->rectangular rectangular->polar

@@ -18,7 +18,7 @@
  op:+ op:* op:- op:/ op:expt op:sqrt op:exp op:log
  op:sin op:cos op:tan op:asin op:acos op:atan
  op:sinh op:cosh op:tanh op:asinh op:acosh op:atanh op:abs op:sgn
- op:up op:down
+ op:up op:down op:solution op:component
  operations          ; those of the table, in its order
  ;; literal heads
  (struct-out literal-head)
@@ -55,6 +55,12 @@
 
 (define op:up (operation 'up #f))
 (define op:down (operation 'down #f))
+
+;; The solution of a linear system, whose rows [A b] are the operands one after
+;; the other, and component k of it: `(component k (solution ...))`.  They occur
+;; only in graphs that are about to be compiled.
+(define op:solution (operation 'solution #f))
+(define op:component (operation 'component #f))
 
 ;; ---------------------------------------------------------------------------
 ;; Literal heads

@@ -13,6 +13,7 @@
 
 (require racket/linklet
          "../algebra/operation.rkt"
+         "../numeric/dense-system.rkt"
          "program.rkt")
 
 (provide program->procedure)
@@ -26,6 +27,7 @@
 ;; its numeric body, not a number where that is not real.
 (define (functions)
   (apply make-instance 'functions #f 'constant
+         'solve-dense! solve-dense!
          (apply append
                 (for/list ([op (in-list operations)])
                   (list (operation-name op) (flonum-function (operation-numeric op)))))))
@@ -47,7 +49,7 @@
   (define names
     (for/list ([_ (in-list sections)] [k (in-naturals)])
       (string->symbol (format "section-~a" k))))
-  `(linklet (,(functions-used p)) (run)
+  `(linklet (,(cons 'solve-dense! (functions-used p))) (run)
      ,@(for/list ([name (in-list names)] [s (in-list sections)])
          `(define-values (,name) ,(section->procedure p s scratch)))
      (define-values (run)
@@ -63,9 +65,15 @@
   (define first (program-inputs p))
   (define end (+ first (program-length p)))
   (let loop ([start first])
-    (define next (min end (+ start section-length)))
+    (define next (after-components p (min end (+ start section-length)) end))
     (cons (section start next)
           (if (= next end) '() (loop next)))))
+
+;; The components of a solution stay with the system.
+(define (after-components p k end)
+  (if (and (< k end) (eq? (instruction-operation (instruction-at p k)) 'component))
+      (after-components p (+ k 1) end)
+      k))
 
 ;; place index -> place in the scratch vector, for all values that later
 ;; sections need.
@@ -100,9 +108,7 @@
         (let ([instruction (instruction-at p k)])
           (with-loads (instruction-operands instruction)
             (lambda ()
-              (define code
-                (instruction->form (instruction-operation instruction)
-                                   (map reference (instruction-operands instruction))))
+              (define code (instruction->form p instruction reference))
               `(let-values ([(,(bind! k)) ,code]) ,(body (+ k 1))))))))
   (define (with-loads operands inside)
     (cond [(null? operands) (inside)]
@@ -141,11 +147,31 @@
       (< (- (section-start s) 1) i (section-end s))
       (= first (section-start s))))
 
-(define (instruction->form operation operands)
-  (define primitive (primitive-for operation (length operands)))
-  (cond [primitive `(,primitive ,@operands)]
-        [(eq? operation 'negate) `(unsafe-fl* -1.0 ,@operands)]
-        [else `(,operation ,@operands)]))
+;; reference : operand -> form
+(define (instruction->form p instruction reference)
+  (define operation (instruction-operation instruction))
+  (define operands (instruction-operands instruction))
+  (define forms (map reference operands))
+  (define primitive (primitive-for operation (length forms)))
+  (cond [primitive `(,primitive ,@forms)]
+        [(eq? operation 'negate) `(unsafe-fl* -1.0 ,@forms)]
+        [(eq? operation 'solve) (solving forms)]
+        [(eq? operation 'component)
+         (define n (unknowns (instruction-at p (place-index (car operands)))))
+         (define k (cadr operands))
+         `(unsafe-flvector-ref ,(car forms) ,(+ (* k (+ n 1)) n))]
+        [else `(,operation ,@forms)]))
+
+;; The value of a system is the flvector in which it was solved.
+(define (solving entries)
+  `(let-values ([(system) (make-flvector ,(length entries))])
+     (begin
+       ,@(for/list ([x (in-list entries)] [i (in-naturals)])
+           `(unsafe-flvector-set! system ,i ,x))
+       (solve-dense! system ,(integer-sqrt (length entries)))
+       system)))
+
+(define (unknowns solve) (integer-sqrt (length (instruction-operands solve))))
 
 (define (primitive-for operation arguments)
   (case operation
@@ -170,7 +196,7 @@
 (define (functions-used p)
   (for/fold ([names '()]) ([i (in-vector (program-instructions p))])
     (define name (instruction-operation i))
-    (if (or (eq? name 'negate) (memq name names)
+    (if (or (memq name '(negate solve component)) (memq name names)
             (primitive-for name (length (instruction-operands i))))
         names
         (cons name names))))

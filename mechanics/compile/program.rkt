@@ -29,7 +29,8 @@
 (struct place (index) #:transparent)
 
 ;; (operation operand ...).  The operations are add, subtract, multiply, divide,
-;; negate, and functions under their own names.
+;; negate, functions under their own names, and solve, of a system [A b] given row
+;; by row, followed at once by its components: (component system k).
 (define (instruction-operation i) (car i))
 (define (instruction-operands i) (cdr i))
 
@@ -86,7 +87,9 @@
 
 (define (apply-head! b e operands fail)
   (define head (node-head e))
-  (cond [(or (literal-head? head) (not (operation-numeric head))) (fail e)]
+  (cond [(eq? head op:solution) (solve! b operands)]
+        [(eq? head op:component) (list-ref (cadr operands) (car operands))]
+        [(or (literal-head? head) (not (operation-numeric head))) (fail e)]
         [(andmap number? operands) (combine-numbers head operands e fail)]
         [(eq? head op:+) (fold-operands add! b operands)]
         [(eq? head op:*) (fold-operands multiply! b operands)]
@@ -104,6 +107,16 @@
 (define (fold-operands combine! b operands)
   (for/fold ([result (car operands)]) ([x (in-list (cdr operands))])
     (combine! b result x)))
+
+;; A system of n equations is one instruction; n more read its solution, which
+;; has no other place.  -> their places
+(define (solve! b operands)
+  (define n (count-unknowns (length operands)))
+  (define system (apply do! b 'solve operands))
+  (for/list ([k (in-range n)]) (do! b 'component system k)))
+
+;; n (n + 1) -> n
+(define (count-unknowns entries) (integer-sqrt entries))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic.  Signs move outwards, to become subtractions or to meet others.

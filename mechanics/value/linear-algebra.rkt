@@ -10,7 +10,7 @@
 ;;
 ;; Results are graphs that share what they are made of, not simplified.
 
-(require "division-free.rkt" "singular.rkt"
+(require "division-free.rkt" "open-system.rkt" "singular.rkt"
          "../generic/arithmetic.rkt" "../generic/structure.rkt"
          "../algebra/expression.rkt"
          "../algebra/linear/characteristic.rkt" "../algebra/linear/coefficients.rkt"
@@ -93,6 +93,7 @@
 (define (block-solutions A right)
   (define n (vector-length A))
   (cond [(= n 1) (solve-one (entry A 0 0) (vector-ref right 0))]
+        [(open-system? A right) (open-solutions A right)]
         [(not (all-entries? number? A)) (ring-solutions A right)]
         [(all-entries? number? right) (numeric-solutions A right)]
         [else

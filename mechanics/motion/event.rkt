@@ -1,0 +1,100 @@
+#lang racket/base
+;; Events: when something happens along a trajectory.
+;;
+;; An event is a function of the state that passes through zero when it happens:
+;; the height above the table, the force of a constraint.  After each step of the
+;; integration its sign is looked at in a few places within the step; between two
+;; of them where it differs the zero is found by the Illinois method (Dowell and
+;; Jarratt 1971), false position in which the weight of an end that stays too long
+;; is halved.
+
+(require racket/flonum
+         "../compile/compile-function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt")
+
+(provide event event? event-name event-terminal?
+         (struct-out occurrence)
+         watch-for)
+
+;; f : state -> real; direction : 'rising, 'falling or 'both
+(struct event (f name direction terminal?)
+  #:authentic
+  #:constructor-name make-event
+  #:omit-define-syntaxes
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (e port mode) (write-value (list 'event (event-name e)) port)))
+
+(define (event f #:name [name (procedure-datum f)]
+               #:direction [direction 'both] #:terminal? [terminal? #f])
+  (unless (and (procedure? f) (accepts? f 1))
+    (raise-argument-error 'event "a function of one state" f))
+  (unless (memq direction '(rising falling both))
+    (raise-argument-error 'event "'rising, 'falling or 'both" direction))
+  (make-event f name direction terminal?))
+
+;; An event, when it happened and the state then.
+(struct occurrence (event time state)
+  #:authentic
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (o port mode)
+    (write-value (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o)) port)))
+
+;; ---------------------------------------------------------------------------
+;; Watching
+
+;; -> (at -> ((theta . event) ...)): the events within a step, in their order, from
+;; its interpolant
+(define (watch-for who events state n)
+  (define codes (for/list ([e (in-list events)]) (event-code who e state)))
+  (define value (make-flvector 1))
+  (define point (make-flvector n))
+  (define ((along at code) theta)
+    (at theta point)
+    (code point value)
+    (flvector-ref value 0))
+  (lambda (at)
+    (sort (for*/list ([(e code) (in-parallel events codes)]
+                      [theta (in-list (crossings (along at code) (event-direction e)))])
+            (cons theta e))
+          < #:key car)))
+
+(define (event-code who e state)
+  (define c (compile-function (event-f e) state #:name who))
+  (unless (= (compiled-function-outputs c) 1)
+    (raise-arguments-error who "the value of an event's function is a real number"
+                           "event" e
+                           "value" (compiled-function-value-shape c)))
+  (compiled-function-run c))
+
+;; Where a step is looked at.
+(define places '(0.0 0.125 0.25 0.375 0.5 0.625 0.75 0.875 1.0))
+
+;; The zeros of g in (0, 1]; one at 0 belongs to the step before.
+(define (crossings g direction)
+  (let loop ([a 0.0] [ga (g 0.0)] [places (cdr places)])
+    (cond [(null? places) '()]
+          [else
+           (define b (car places))
+           (define gb (g b))
+           (define rest (lambda () (loop b gb (cdr places))))
+           (if (crosses? ga gb direction)
+               (cons (zero-between g a ga b gb) (rest))
+               (rest))])))
+
+;; From a sign to the other or to zero; from zero to a sign is no crossing.
+(define (crosses? ga gb direction)
+  (or (and (fl< ga 0.0) (fl>= gb 0.0) (not (eq? direction 'falling)))
+      (and (fl> ga 0.0) (fl<= gb 0.0) (not (eq? direction 'rising)))))
+
+(define (zero-between g a ga b gb)
+  (let loop ([a a] [ga ga] [b b] [gb gb] [count 0])
+    (define c (fl- b (fl/ (fl* gb (fl- b a)) (fl- gb ga))))
+    (cond [(or (fl= gb 0.0) (fl= c b) (= count 100)) b]
+          [(fl<= (flabs (fl- b a)) 1e-15) b]
+          [else
+           (define gc (g c))
+           (if (fl< (fl* gc gb) 0.0)
+               (loop b gb c gc (+ count 1))
+               (loop a (fl* 0.5 ga) c gc (+ count 1)))])))

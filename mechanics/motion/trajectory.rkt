@@ -1,0 +1,120 @@
+#lang racket/base
+;; Trajectories: a motion as a function of time.
+;;
+;; Each step of the integration leaves an interpolant; together they give the
+;; state at any time from the first to the last, about as well as the steps
+;; themselves do.
+
+(require racket/flonum
+         "check.rkt" "event.rkt" "evolution.rkt" "method.rkt" "system.rkt"
+         "../generic/describe.rkt" "../numeric/ode/vectors.rkt")
+
+(provide evolve-trajectory
+         trajectory? trajectory-start trajectory-end trajectory-final-state
+         trajectory-states trajectory-events)
+
+;; steps : vector of steps, in their order; events : occurrences, in theirs
+;; system : what makes states of flvectors
+(struct trajectory (steps system events)
+  #:authentic
+  #:property prop:procedure (lambda (tr t) (state-at tr t))
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (tr port mode)
+    (write-value `(trajectory from ,(trajectory-start tr) to ,(trajectory-end tr)) port)))
+
+;; From one time to another.  The step was taken to `full`, beyond `to` if an event
+;; ended the trajectory; (at theta out) is its interpolant.
+(struct step (from to full at) #:authentic)
+
+(define (trajectory-start tr) (step-from (vector-ref (trajectory-steps tr) 0)))
+(define (trajectory-end tr)
+  (define steps (trajectory-steps tr))
+  (step-to (vector-ref steps (- (vector-length steps) 1))))
+
+(define (trajectory-final-state tr) (state-at tr (trajectory-end tr)))
+
+;; The states at the given times, or at the ends of the steps.
+(define (trajectory-states tr [times (step-times tr)])
+  (for/list ([t times]) (state-at tr t)))
+
+(define (step-times tr)
+  (cons (trajectory-start tr)
+        (for/list ([s (in-vector (trajectory-steps tr))]) (step-to s))))
+
+;; ---------------------------------------------------------------------------
+;; Making one
+
+(define (evolve-trajectory derivative state end
+                           #:tolerance [tolerance default-tolerance]
+                           #:events [events '()]
+                           #:method [method (ode-integration-method)])
+  (check-real 'evolve-trajectory "final time" end)
+  (check-tolerance 'evolve-trajectory tolerance)
+  (define all-events (check-events events))
+  (define s (make-system 'evolve-trajectory derivative state))
+  (define y (state-vector 'evolve-trajectory state))
+  (define events-in (watch-for 'evolve-trajectory all-events state (flvector-length y)))
+  (define steps '())
+  (define occurrences '())
+  (define (record! from to full at) (set! steps (cons (step from to full at) steps)))
+  ;; -> is the integration to go on?
+  (define (visit from to interpolant)
+    (define at (interpolant))
+    (let loop ([found (events-in at)])
+      (cond [(null? found) (record! from to to at) #t]
+            [else
+             (define e (cdar found))
+             (define t (fl+ from (fl* (caar found) (fl- to from))))
+             (set! occurrences
+                   (cons (occurrence e t (state-within s (step from to to at) t)) occurrences))
+             (cond [(event-terminal? e) (record! from t to at) #f]
+                   [else (loop (cdr found))])])))
+  (define start (start-time s y))
+  (define (stay theta out) (flvector-copy! out y))
+  (define (so-far)
+    (when (null? steps) (record! start start start stay))
+    (trajectory (list->vector (reverse steps)) s (reverse occurrences)))
+  (run-system 'evolve-trajectory s y start (real->double-flonum end) tolerance method visit
+              (lambda (state) (so-far)))
+  (so-far))
+
+(define (check-events events)
+  (define all (if (list? events) events (list events)))
+  (for ([e (in-list all)])
+    (unless (event? e)
+      (raise-arguments-error 'evolve-trajectory
+                             "expected events; (event f) makes one of a function of the state"
+                             "given" e)))
+  all)
+
+;; ---------------------------------------------------------------------------
+;; Reading one
+
+(define (state-at tr t)
+  (check-real 'trajectory "time" t)
+  (define x (real->double-flonum t))
+  (unless (between? (trajectory-start tr) x (trajectory-end tr))
+    (raise-arguments-error 'trajectory "the time is outside the trajectory"
+                           "time" t
+                           "from" (trajectory-start tr)
+                           "to" (trajectory-end tr)))
+  (state-within (trajectory-system tr) (find-step (trajectory-steps tr) x) x))
+
+(define (between? a x b) (or (<= a x b) (>= a x b)))
+
+;; Bisection: the step that holds x.
+(define (find-step steps x)
+  (let search ([low 0] [high (- (vector-length steps) 1)])
+    (define middle (quotient (+ low high) 2))
+    (define s (vector-ref steps middle))
+    (cond [(or (= low high) (between? (step-from s) x (step-to s))) s]
+          [(between? (step-from s) (step-to s) x) (search (+ middle 1) high)]
+          [else (search low (- middle 1))])))
+
+(define (state-within s st x)
+  (define y (make-flvector (system-size s)))
+  (define length (fl- (step-full st) (step-from st)))
+  ((step-at st) (if (fl= length 0.0) 0.0 (fl/ (fl- x (step-from st)) length)) y)
+  (when (system-clock? s) (flvector-set! y 0 x))
+  (system-state s y))

@@ -1,0 +1,155 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@(define session (make-session))
+
+@title[#:tag "motion"]{Motion}
+
+From a state derivative to the states themselves, by integration with numbers. State
+derivatives are compiled (@secref["compiled-functions"]), once for an advancer and each
+shape of state that it meets; exact numbers in states become floating-point numbers.
+
+A state is a scalar or a tuple of real numbers, of any shape, and its derivative a
+value of the same shape. Where the derivative of the state's first component is
+exactly 1, as in a local tuple, that component is the time.
+
+The tolerance bounds the error of each step, relative to 1 plus the size of each
+component; the steps are as long as it lets them be. It is a positive number not below
+@racket[1e-15], and @racket[1e-10] unless given. Units are any consistent ones.
+
+@section{Advancing}
+
+@defproc[(state-advancer [system-derivative (-> real? ... (-> value value))]
+                         [parameter any/c] ...)
+         (->* (value real?) (real? #:method integration-method?) value)]{
+
+@racket[system-derivative] makes a state derivative from parameters. The result is a
+procedure of a state, a duration and perhaps a tolerance, whose value is the state
+after that duration, which may be negative.
+
+Parameters that are real numbers become inputs of the compiled code, so that the same
+system with other numbers is not compiled again. A state derivative itself may stand
+for a procedure of no parameters that makes it.
+
+@examples[#:eval session
+(define ((L-harmonic m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(define (harmonic-state-derivative m k)
+  (Lagrangian->state-derivative (L-harmonic m k)))
+((state-advancer harmonic-state-derivative 2 1)
+ (up 1 (up 1 2) (up 3 4)) 10 1e-12)]
+
+A state whose derivative has another shape is an error that shows both. Where the
+motion cannot be followed any further, @racket[exn:fail:mechanics:singular] is raised,
+with the time and the last good state, which the exception carries.
+
+@examples[#:eval session
+(define ((falling-in) (up t x v)) (up 1 v (/ -1 (square x))))
+(eval:error ((state-advancer falling-in) (up 0 1 0) 2))]
+
+@sicm{1.7, p. 74}}
+
+@defproc[(evolve [system-derivative (-> real? ... (-> value value))]
+                 [parameter any/c] ...)
+         (->* (value (-> value any) real? real?) (real? #:method integration-method?) value)]{
+
+The result is a procedure of a state with a time, a monitor, a time step, a final
+time, and perhaps a tolerance. It calls the monitor with the state at the start, after
+each time step and at the final time, and returns the last of these states. The time
+step is that of the monitor; the integration chooses its own, and what lies between is
+interpolated, as well as the tolerance demands. The final time is met exactly.
+
+@examples[#:eval session
+(define (show-angle s) (printf "~a ~a\n" (time s) (coordinate s)))
+(define ((L-pendulum m l g) (up t θ v))
+  (+ (* 1/2 m (square (* l v))) (* m g l (cos θ))))
+((evolve (lambda (m l g) (Lagrangian->state-derivative (L-pendulum m l g))) 1 1 9.8)
+ (up 0 1 0) show-angle 0.5 2 1e-12)]
+
+@sicm{1.7, p. 75}}
+
+@section{Trajectories}
+
+@defproc[(evolve-trajectory [derivative (-> value value)] [state value] [end real?]
+                            [#:tolerance tolerance real? 1e-10]
+                            [#:events events (or/c event? (listof event?)) '()]
+                            [#:method method integration-method? (ode-integration-method)])
+         trajectory?]{
+
+The motion from @racket[state] to the time @racket[end] as a function of time. A state
+without a time begins at 0. If the motion cannot be followed to the end, the
+exception @racket[exn:fail:mechanics:singular] carries the trajectory so far.
+
+@examples[#:eval session
+(define pendulum (Lagrangian->state-derivative (L-pendulum 1 1 9.8)))
+(define swing (evolve-trajectory pendulum (up 0 1 0) 10 #:tolerance 1e-12))
+swing
+(swing 1)
+(coordinate (swing 2.5))
+(eval:error (swing 11))]}
+
+@deftogether[(@defproc[(trajectory? [x any/c]) boolean?]
+              @defproc[(trajectory-start [tr trajectory?]) real?]
+              @defproc[(trajectory-end [tr trajectory?]) real?]
+              @defproc[(trajectory-final-state [tr trajectory?]) value]
+              @defproc[(trajectory-states [tr trajectory?] [times (listof real?) _own])
+                       (listof value)]
+              @defproc[(trajectory-events [tr trajectory?]) (listof occurrence?)])]{
+
+Its first and last time, its last state, its states at @racket[times] or at the ends
+of the steps of integration, and the events found, in the order of time.
+
+@examples[#:eval session
+(trajectory-states swing '(0 1 2))]}
+
+@deftogether[(@defproc[(event [f (-> value real?)]
+                              [#:name name any/c _that-of-f]
+                              [#:direction direction (or/c 'rising 'falling 'both) 'both]
+                              [#:terminal? terminal? boolean? #f])
+                       event?]
+              @defproc[(event? [x any/c]) boolean?]
+              @defproc[(occurrence? [x any/c]) boolean?]
+              @defproc[(occurrence-event [o occurrence?]) event?]
+              @defproc[(occurrence-time [o occurrence?]) real?]
+              @defproc[(occurrence-state [o occurrence?]) value])]{
+
+An event happens when @racket[f], a function of the state, passes through zero: while
+it grows, falls, or either. Its time is found to the accuracy of the trajectory. A
+terminal event ends the trajectory. A zero at the start is no event; two zeros much
+closer than an eighth of a step of integration can be missed.
+
+@examples[#:eval session
+(define bottom (event coordinate #:name 'bottom #:direction 'falling))
+(map occurrence-time
+     (trajectory-events
+      (evolve-trajectory pendulum (up 0 1 0) 6 #:tolerance 1e-12 #:events bottom)))]
+
+A particle that slides down a sphere leaves it when the force of the constraint
+vanishes, where the cosine of the angle is 2/3:
+
+@examples[#:eval session
+(define ((on-a-sphere g R) (up t θ v)) (up 1 v (* (/ g R) (sin θ))))
+(define leaving
+  (event (lambda (s) (- (* 9.8 (cos (coordinate s))) (square (velocity s))))
+         #:name 'leaving #:terminal? #t))
+(define slide
+  (evolve-trajectory (on-a-sphere 9.8 1) (up 0 0.01 0) 10
+                     #:events leaving #:tolerance 1e-12))
+(trajectory-end slide)
+(cos (coordinate (trajectory-final-state slide)))]}
+
+@section{Methods}
+
+@deftogether[(@defparam[ode-integration-method method integration-method?]
+              @defproc[(set-ode-integration-method! [method (or/c integration-method? symbol?)])
+                       void?]
+              @defproc[(integration-method? [x any/c]) boolean?])]{
+
+The method by which all of these integrate unless told otherwise, and the book's way
+to set it. The method at the start is @racket['Dormand-Prince-853]: of order 8, with
+error estimates of orders 5 and 3, and interpolation of order 7 (Hairer, Nørsett and
+Wanner 1993).
+
+@sicm{2.8.1, p. 145}}
+
+@(close-session session)

@@ -1,0 +1,108 @@
+#lang racket/base
+;; Trajectories and events.
+
+(require (except-in rackunit fail)
+         mechanics)
+
+(define ((L-pendulum m l g) (up t θ v))
+  (+ (* 1/2 m (square (* l v))) (* m g l (cos θ))))
+(define pendulum (Lagrangian->state-derivative (L-pendulum 1 1 9.8)))
+(define period 2.140228719018093)                    ; from 1 rad
+
+(define ((L-harmonic m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(define oscillator (Lagrangian->state-derivative (L-harmonic 1 1)))
+
+(test-case "a trajectory is a function of time"
+  (define tr (evolve-trajectory oscillator (up 0 1 0) 10 #:tolerance 1e-12))
+  (for ([k (in-range 101)])
+    (define s (tr (/ k 10)))
+    (check-equal? (time s) (exact->inexact (/ k 10)))
+    (check-= (coordinate s) (cos (time s)) 1e-11))
+  (check-equal? (trajectory-start tr) 0.0)
+  (check-equal? (trajectory-end tr) 10.0)
+  (check-equal? (trajectory-final-state tr) (tr 10))
+  (check-equal? (map time (trajectory-states tr '(1 2 3))) '(1.0 2.0 3.0))
+  (define own (map time (trajectory-states tr)))
+  (check-equal? (car own) 0.0)
+  (check-true (apply < own))
+  (check-equal? (format "~a" tr) "(trajectory from 0.0 to 10.0)"))
+
+(test-case "backwards"
+  (define tr (evolve-trajectory oscillator (up 0 1 0) -10 #:tolerance 1e-12))
+  (check-= (coordinate (tr -7)) (cos 7) 1e-11)
+  (check-exn #rx"outside the trajectory" (lambda () (tr 1))))
+
+(test-case "events are found at their time, by direction"
+  (define (bottom direction) (event coordinate #:direction direction #:name 'bottom))
+  (define (times direction)
+    (map occurrence-time
+         (trajectory-events
+          (evolve-trajectory pendulum (up 0 1 0) 6 #:tolerance 1e-13 #:events (bottom direction)))))
+  (define expected (for/list ([k 6] #:when (< (* (+ k 1/2) 1/2 period) 6)) (* (+ k 1/2) 1/2 period)))
+  (define (close? as bs) (and (= (length as) (length bs))
+                              (for/and ([a as] [b bs]) (< (magnitude (- a b)) 1e-11))))
+  (check-true (close? (times 'both) expected))
+  (check-true (close? (times 'falling) (for/list ([t expected] [k (in-naturals)] #:when (even? k)) t)))
+  (check-true (close? (times 'rising) (for/list ([t expected] [k (in-naturals)] #:when (odd? k)) t))))
+
+(test-case "a terminal event ends the trajectory there"
+  (define apex (event velocity #:name 'apex #:direction 'rising #:terminal? #t))
+  (define tr (evolve-trajectory pendulum (up 0 1 -1e-9) 100 #:tolerance 1e-13 #:events (list apex)))
+  (check-= (trajectory-end tr) (/ period 2) 1e-8)
+  (check-= (coordinate (trajectory-final-state tr)) -1 1e-9)
+  (check-equal? (map (lambda (o) (event? (occurrence-event o))) (trajectory-events tr)) '(#t))
+  (check-exn #rx"outside the trajectory" (lambda () (tr 2))))
+
+(test-case "several events come in the order of time"
+  (define tr
+    (evolve-trajectory oscillator (up 0 1 0) 10 #:tolerance 1e-12
+                       #:events (list (event coordinate #:name 'zero) (event velocity #:name 'turn))))
+  (check-true (apply < (map occurrence-time (trajectory-events tr))))
+  (for ([o (trajectory-events tr)] [k (in-naturals 1)])
+    (check-= (occurrence-time o) (* k :pi/2) 1e-11)))
+
+(test-case "an event that is true at the start is not one"
+  (define tr (evolve-trajectory oscillator (up 0 0 1) 3 #:events (event coordinate)))
+  (check-equal? (trajectory-events tr) '()))
+
+(test-case "two zeros within one step are both found"
+  (define free (lambda (s) (up 1 (velocity s) 0)))
+  (define tr (evolve-trajectory free (up 0 0 1) 10
+                                #:events (event (lambda (s) (* (- (coordinate s) 4.1) (- (coordinate s) 5.9))))))
+  (check-equal? (map (lambda (o) (/ (round (* 1e6 (occurrence-time o))) 1e6)) (trajectory-events tr))
+                '(4.1 5.9)))
+
+(test-case "a ball leaves a sphere where cos θ = 2/3"
+  (define ((on-sphere g R) (up t θ v)) (up 1 v (* (/ g R) (sin θ))))
+  (define force (event (lambda (s) (- (* 9.8 (cos (coordinate s))) (square (velocity s))))
+                       #:direction 'falling #:terminal? #t))
+  (define tr (evolve-trajectory (on-sphere 9.8 1) (up 0 1e-9 0) 100 #:tolerance 1e-12 #:events force))
+  (check-= (cos (coordinate (trajectory-final-state tr))) 2/3 1e-9))
+
+(test-case "where the motion ends, the failure carries the trajectory so far"
+  (define (falling-in s) (up 1 (velocity s) (/ -1 (square (coordinate s)))))
+  (define tr
+    (with-handlers ([exn:fail:mechanics:singular? exn:fail:mechanics:singular-where])
+      (evolve-trajectory falling-in (up 0 1 0) 2)))
+  (check-true (trajectory? tr))
+  (check-= (trajectory-end tr) (/ :pi (* 2 (sqrt 2))) 1e-6)
+  (define s (tr 1/2))
+  (check-= (- (* 1/2 (square (velocity s))) (/ 1 (coordinate s))) -1 1e-9))
+
+(test-case "mistakes"
+  (check-exn #rx"expected events; \\(event f\\) makes one"
+             (lambda () (evolve-trajectory oscillator (up 0 1 0) 1 #:events coordinate)))
+  (check-exn #rx"the value of an event's function is a real number"
+             (lambda () (evolve-trajectory oscillator (up 0 1 0) 1 #:events (event (lambda (s) s)))))
+  (check-exn #rx"'rising, 'falling or 'both" (lambda () (event coordinate #:direction 'up)))
+  (check-exn #rx"outside the trajectory.*time: 11.*from: 0.0.*to: 10.0"
+             (lambda () ((evolve-trajectory oscillator (up 0 1 0) 10) 11))))
+
+(test-case "the method is a parameter; the book's way to set it knows names"
+  (define before (ode-integration-method))
+  (check-true (integration-method? before))
+  (set-ode-integration-method! 'Dormand-Prince-853)
+  (check-eq? (ode-integration-method) before)
+  (check-exn #rx"expected a method of integration or its name.*Dormand-Prince-853"
+             (lambda () (set-ode-integration-method! 'unheard-of))))

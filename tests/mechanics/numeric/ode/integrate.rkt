@@ -1,0 +1,118 @@
+#lang racket/base
+;; Integration of systems whose solutions are known.
+
+(require racket/flonum
+         rackunit
+         mechanics/numeric/failure
+         mechanics/numeric/ode/dormand-prince-853 mechanics/numeric/ode/integrate
+         mechanics/numeric/ode/stepper)
+
+(define methods (list dormand-prince-853))
+
+;; y'' = -y
+(define (oscillator! y dy)
+  (flvector-set! dy 0 (flvector-ref y 1))
+  (flvector-set! dy 1 (- (flvector-ref y 0))))
+
+;; Kepler's problem, x y vx vy, on an ellipse.
+(define (kepler! y dy)
+  (define r (sqrt (+ (expt (flvector-ref y 0) 2) (expt (flvector-ref y 1) 2))))
+  (define f (/ -1.0 (* r r r)))
+  (flvector-set! dy 0 (flvector-ref y 2))
+  (flvector-set! dy 1 (flvector-ref y 3))
+  (flvector-set! dy 2 (* f (flvector-ref y 0)))
+  (flvector-set! dy 3 (* f (flvector-ref y 1))))
+
+(define (final m f! y0 start end tolerance)
+  (define-values (t y) (integrate m f! y0 start end #:tolerance tolerance))
+  (check-equal? t end)
+  y)
+
+(define (error-of y expected)
+  (for/fold ([worst 0.0]) ([a (in-flvector y)] [b (in-list expected)]) (max worst (abs (- a b)))))
+
+(define 2pi (* 8.0 (atan 1.0)))
+(define eccentric (flvector 0.5 0.0 0.0 (sqrt 3.0)))       ; e = 1/2, a = 1: period 2π
+
+(for ([m (in-list methods)])
+  (test-case (format "~a: errors follow the tolerance, forwards and backwards" (method-name m))
+    (for ([tolerance (in-list '(1e-6 1e-9 1e-12))])
+      (check-true (< (error-of (final m oscillator! (flvector 1.0 0.0) 0.0 10.0 tolerance)
+                               (list (cos 10.0) (- (sin 10.0))))
+                     (* 10 tolerance)))
+      (check-true (< (error-of (final m oscillator! (flvector 1.0 0.0) 2.0 -3.0 tolerance)
+                               (list (cos 5.0) (sin 5.0)))
+                     (* 10 tolerance)))
+      (check-true (< (error-of (final m kepler! eccentric 0.0 (* 3 2pi) tolerance)
+                               (for/list ([x (in-flvector eccentric)]) x))
+                     (* 1000 tolerance)))))
+
+  (test-case (format "~a: halving the step divides the error by 2 to the order" (method-name m))
+    ;; one step of length h from a known point, against the solution
+    (define (error-after h)
+      (define s ((method-start m) oscillator! (flvector 1.0 0.0)))
+      ((stepper-try! s) h)
+      ((stepper-accept! s))
+      (error-of (stepper-state s) (list (cos h) (- (sin h)))))
+    (define ratio (/ (error-after 0.8) (error-after 0.4)))
+    (check-true (> ratio (expt 2.0 (method-order m))) (format "ratio ~a" ratio)))
+
+  (test-case (format "~a: between the ends of steps the interpolant is as good" (method-name m))
+    (define out (make-flvector 2))
+    (define worst 0.0)
+    (define kept '())
+    (define (measure at from to)
+      (for ([theta (in-list '(0.0 0.1 0.37 0.5 0.8 1.0))])
+        (define t (+ from (* theta (- to from))))
+        (at theta out)
+        (set! worst (max worst (error-of out (list (cos t) (- (sin t))))))))
+    (integrate m oscillator! (flvector 1.0 0.0) 0.0 20.0 #:tolerance 1e-10
+               #:visit (lambda (from to interpolant)
+                         (set! kept (cons (list (interpolant) from to) kept))
+                         #t))
+    (for ([k (in-list kept)]) (apply measure k))
+    (check-true (< 0.0 worst 1e-9) (format "~a" worst))))
+
+(test-case "the clock is exact and the end is met exactly"
+  (define (f! y dy) (flvector-set! dy 0 1.0) (flvector-set! dy 1 (cos (flvector-ref y 0))))
+  (define-values (t y)
+    (integrate dormand-prince-853 f! (flvector 0.1 (sin 0.1)) 0.1 100.7 #:clock 0
+               #:tolerance 1e-12))
+  (check-equal? t 100.7)
+  (check-equal? (flvector-ref y 0) 100.7)
+  (check-= (flvector-ref y 1) (sin 100.7) 1e-11))
+
+(test-case "no step is longer than allowed, and no more than allowed are taken"
+  (define steps 0)
+  (integrate dormand-prince-853 oscillator! (flvector 1.0 0.0) 0.0 10.0 #:longest 0.1
+             #:visit (lambda (from to interpolant)
+                       (set! steps (+ steps 1))
+                       (check-true (<= (- to from) 0.1000001))
+                       #t))
+  (check-true (>= steps 100))
+  (check-exn exn:fail:mechanics:not-convergent?
+             (lambda ()
+               (integrate dormand-prince-853 oscillator! (flvector 1.0 0.0) 0.0 10.0 #:limit 3))))
+
+(test-case "a visitor can end the integration"
+  (define-values (t y)
+    (integrate dormand-prince-853 oscillator! (flvector 1.0 0.0) 0.0 10.0
+               #:visit (lambda (from to interpolant) (< to 2.0))))
+  (check-true (< 2.0 t 10.0)))
+
+(test-case "where the solution ends, the failure tells the time and the last good state"
+  (define (blow-up! y dy) (flvector-set! dy 0 (* (flvector-ref y 0) (flvector-ref y 0))))
+  (define failure
+    (with-handlers ([exn:fail:mechanics:singular? values])
+      (integrate dormand-prince-853 blow-up! (flvector 1.0) 0.0 2.0)))
+  (check-regexp-match #rx"time: 1\\.0000" (exn-message failure))
+  (check-true (> (flvector-ref (exn:fail:mechanics:singular-where failure) 0) 1e6)))
+
+(test-case "a slope that is not a number stops it, too"
+  (define (f! y dy) (flvector-set! dy 0 (if (< (flvector-ref y 0) 2.0) 1.0 +nan.0)))
+  (check-exn #rx"cannot be followed any further"
+             (lambda () (integrate dormand-prince-853 f! (flvector 0.0) 0.0 5.0))))
+
+(test-case "no time passes"
+  (define-values (t y) (integrate dormand-prince-853 oscillator! (flvector 1.0 0.0) 1.0 1.0))
+  (check-equal? y (flvector 1.0 0.0)))
