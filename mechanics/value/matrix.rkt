@@ -171,13 +171,19 @@
     [(expt) (power op a b)]
     [else (raise-inapplicable op a b)]))
 
-;; What multiplies a tuple is the inverse, but what a message shows is the matrix.
+;; a / b is the x with x b = a: a system for each row of a, or for a down tuple.
 (define (divide op a b)
   (cond [(not (matrix? b))
          (if (tuple? b) (raise-inapplicable op a b) (matrix-map (lambda (x) (g:/ x b)) a))]
-        [(not (tuple? a)) (multiply op a (m:invert b))]
-        [(and (down? a) (= (s:length a) (m:num-rows b))) (tuple-times-matrix op a (m:invert b))]
-        [else (raise-inapplicable op a b)]))
+        [(and (matrix? a) (= (m:num-cols a) (m:num-cols b)))
+         (matrix (rows-solve-each '/ b (divisor-rows b) (matrix-rows a) row))]
+        [(and (down? a) (= (s:length a) (m:num-cols b)))
+         (row (rows-solve '/ b (divisor-rows b) (structure-elements a) row))]
+        [(or (matrix? a) (tuple? a)) (raise-inapplicable op a b)]
+        [else (multiply op a (matrix (rows-inverse '/ b (square-rows '/ b))))]))
+
+(define (row components) (structure 'down components))
+(define (divisor-rows b) (rows-transpose (square-rows '/ b)))
 
 ;; A number added to a square matrix is that multiple of the identity.
 (define (add-matrices op a b)

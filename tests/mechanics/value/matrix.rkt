@@ -93,3 +93,19 @@
   ;; Ω = Ṙ Rᵀ of a turning frame is antisymmetric
   (define Omega (g:* ((D R) 't) (transpose (R 't))))
   (check-true (same? Omega (matrix-by-rows '(0 -1) '(1 0)))))
+
+(test-case "a quotient solves a system; one by a singular matrix says whether it could"
+  (define A (matrix-by-rows '(1 2) '(3 4)))
+  (define B (matrix-by-rows '(a b) '(c d) '(e f)))
+  (check-equal? (g:/ (g:* A A) A) A)
+  (check-true (same? (g:* (g:/ B A) A) B))
+  (check-true (same? (g:* (g:/ (down 'p 'q) A) A) (down 'p 'q)))
+  (check-true (same? (g:* (g:/ 'x A) A) (g:* 'x (identity-matrix 2))))
+  (define singular (matrix-by-rows '(1 2) '(2 4)))
+  (check-exn #rx"^/: the matrix has no inverse.*solutions: none"
+             (lambda () (g:/ (down 1 1) singular)))
+  (check-exn #rx"^/: the matrix has no inverse.*solutions: infinitely many"
+             (lambda () (g:/ (down 1 2) singular)))
+  (check-exn #rx"^/: the matrix has no inverse" (lambda () (g:/ 1 singular)))
+  (check-exn #rx"^/: cannot divide" (lambda () (g:/ (up 1 2) A)))
+  (check-exn #rx"^/: expected a square matrix" (lambda () (g:/ A B))))
