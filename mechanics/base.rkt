@@ -11,7 +11,8 @@
          "value/vector.rkt"
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
-         "calculus/derivative.rkt" "calculus/Taylor.rkt" "calculus/literal-function.rkt" "calculus/verdict.rkt"
+         "calculus/derivative.rkt" "calculus/gradient.rkt" "calculus/Taylor.rkt"
+         "calculus/literal-function.rkt" "calculus/verdict.rkt"
          "algebra/datum.rkt" "numeric/failure.rkt"
          "lang/pattern.rkt")
 
@@ -68,6 +69,7 @@
  exp-series sin-series cos-series sinh-series cosh-series atan-series binomial-series
  ;; derivatives
  D partial Taylor-series Taylor-series-coefficients
+ gradient jacobian Hessian-vector-product jacobian-vector-product vector-jacobian-product
  ;; expressions
  expression simplify substitute print-limit
  expand factor collect coefficient together apart numerator denominator

@@ -93,9 +93,9 @@
 (define (index-range n)
   (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n))))
 
-(define (raise-not-differentiable-at x)
-  (complain "D: cannot differentiate by ~a; expected a number or a tuple~a"
-            (describe-with-value x)
+(define (raise-not-differentiable-at x who)
+  (complain "~a: cannot differentiate by ~a; expected a number or a tuple~a"
+            who (describe-with-value x)
             (if (pair? x) list-hint "")))
 
 ;; partial takes indices only: ((partial 0 F) x) is the slip to explain.

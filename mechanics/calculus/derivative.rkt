@@ -12,7 +12,8 @@
          "../value/matrix.rkt" "../value/operator.rkt" "../value/series/series.rkt" "../value/series/calculus.rkt"
          "../algebra/expression.rkt")
 
-(provide D partial derivative-at derivatives-at value-and-derivative-along name-functions)
+(provide D partial derivative-at derivatives-at derivative-function value-and-derivative-along
+         name-functions)
 
 ;; ---------------------------------------------------------------------------
 ;; At a point
@@ -25,7 +26,7 @@
         [(tuple? x) (derivative-by-components f (adopt x))]
         [(matrix? x) (derivative-by-entries f x)]
         [(series? x) (derivative-at-series f x)]
-        [else (raise-not-differentiable-at x)]))
+        [else (raise-not-differentiable-at x 'D)]))
 
 ;; A series is moved by moving its term of order 0.
 (define (derivative-at-series f s)
@@ -162,20 +163,22 @@
                      (along-path (lambda (f x) (derivative-of-order n f x)))))))
 
 ;; The function whose value at x is (derivative-at f x); several arguments are
-;; taken as one up tuple.
-(define (derivative-function name given-f derivative-at)
+;; taken as one up tuple.  Values known to be numbers are not searched for
+;; functions to be named.
+(define (derivative-function name given-f derivative-at #:values-are-numbers? [numbers? #f])
   (define f (if (vector? given-f) (vector->up given-f) given-f))
   (unless (procedure? f) (raise-needs-function name f))
   (define mask (bitwise-and (arity-mask f) -2))         ; without arguments there is nothing to vary
   (define (make-datum) (list name (value->datum f)))
+  (define (named y xs) (if numbers? y (name-functions y make-datum xs)))
   (make-function
    (case-lambda
      [(x)
       (unless (bitwise-bit-set? mask 1) (raise-arity-of-differentiated f (list x) name))
-      (name-functions (derivative-at f x) make-datum (list x))]
+      (named (derivative-at f x) (list x))]
      [xs
       (unless (bitwise-bit-set? mask (length xs)) (raise-arity-of-differentiated f xs name))
-      (name-functions (derivative-at (spread f) (apply up xs)) make-datum xs)])
+      (named (derivative-at (spread f) (apply up xs)) xs)])
    mask
    make-datum))
 

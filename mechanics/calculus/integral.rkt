@@ -4,9 +4,11 @@
 ;; Within a derivative the integrand, or a limit, may be a perturbed value.
 ;; Integration is linear, so the integral of f + f' ε + … is that of f plus ε times
 ;; that of f', and so on; and at a limit b + b' ε it is the integral up to b plus
-;; f(b) b' ε, to higher order the Taylor series that this begins.
+;; f(b) b' ε, to higher order the Taylor series that this begins.  Where a gradient
+;; is taken, the derivative by each variable is the integral of that of f.
 
-(require "perturbed.rkt" "dual.rkt" "jet.rkt" "derivative.rkt" "number.rkt"
+(require "perturbed.rkt" "dual.rkt" "jet.rkt" "recorded.rkt" "tape.rkt" "derivative.rkt"
+         "number.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          (prefix-in numeric: "../numeric/quadrature.rkt"))
 
@@ -49,9 +51,23 @@
               [(perturbed? y) (stop y)]
               [else (number who y)]))
       (numeric:quadrature sample low high #:tolerance tolerance #:name who)))
-  (if (perturbed? result)
-      (integral-by-parts integral f (perturbed-tag result) (if (jet? result) (jet-order result) #f))
-      result))
+  (cond [(recorded? result) (integral-recorded integral f (recorded-tape result))]
+        [(perturbed? result)
+         (integral-by-parts integral f (perturbed-tag result) (if (jet? result) (jet-order result) #f))]
+        [else result]))
+
+;; The derivatives by all variables of the tape come from the same runs of f.
+(define (integral-recorded integral f tape)
+  (define runs (make-hasheqv))          ; x -> value there, and its derivatives
+  (define (run x)
+    (or (hash-ref runs x #f)
+        (let ([r (call-with-values (lambda () (value-and-derivatives tape (f x))) cons)])
+          (hash-set! runs x r)
+          r)))
+  (define value (integral (lambda (x) (car (run x)))))
+  (for/fold ([sum value]) ([i (in-range (tape-inputs tape))])
+    (define slope (integral (lambda (x) ((cdr (run x)) i))))
+    (g:+ sum (g:* slope (record-input tape i 0)))))
 
 ;; order : of a jet, #f for a dual number
 (define (integral-by-parts integral f tag order)

@@ -6,7 +6,7 @@
 ;; being further literal functions.  One whose range is a structure is that
 ;; structure of literal functions: `f^0 f^1` when up, `f_0 f_1` when down.
 
-(require "perturbed.rkt" "dual.rkt" "jet.rkt"
+(require "perturbed.rkt" "dual.rkt" "jet.rkt" "recorded.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt" "../generic/recurrence.rkt"
          "../value/signature.rkt"
@@ -105,6 +105,7 @@
       (if outer (outermost outer (cdr leaf)) (cdr leaf))))
   (cond [(not outer) (e:application head (map value->expression args))]
         [(jet? outer) (apply-to-jets head args leaves (perturbed-tag outer) (jet-order outer))]
+        [(recorded? outer) (apply-to-recorded head args leaves (recorded-tape outer))]
         [else (apply-to-duals head args leaves (perturbed-tag outer))]))
 
 ;; f(x + x' ε) = f(x) + Σ ∂f/∂xᵢ(x) xᵢ' ε, over the scalars xᵢ of the arguments.
@@ -146,6 +147,15 @@
                           (lambda (j) (vector-ref slopes j))
                           k))
   (make-jet tag order (coefficients head order)))
+
+;; df = Σ ∂f/∂xᵢ dxᵢ
+(define (apply-to-recorded head args leaves tape)
+  (define point (map-scalars (lambda (x) (if (on-tape? x tape) (recorded-value x) x)) args))
+  (define varying (for/list ([leaf (in-list leaves)] #:when (on-tape? (cdr leaf) tape)) leaf))
+  (record-sum (apply-head head point)
+              (for/list ([leaf (in-list varying)])
+                (apply-head (literal-head-derivative head (car leaf)) point))
+              (map cdr varying)))
 
 (define (map-scalars f args)
   (for/list ([a (in-list args)]) (map-leaves f a)))

@@ -19,10 +19,11 @@
 
 (define (add a b)
   (cond [(and (flonum? a) (flonum? b)) (fl+ a b)]
-        [(and (number? a) (number? b)) (+ a b)]
+        [else (dispatch-carriers generic:+ a b (add-other a b))]))
+
+(define (add-other a b)
+  (cond [(and (number? a) (number? b)) (+ a b)]
         [(and (structure? a) (structure? b)) (add-structures a b)]
-        [(or (carrier? a) (carrier? b))
-         (dispatch-binary generic:+ e:+ add-structures a b)]
         [(and (eqv? a 0) (procedure? b)) b]
         [(and (eqv? b 0) (procedure? a)) a]
         [else (dispatch-binary generic:+ e:+ add-structures a b)]))
@@ -45,7 +46,10 @@
 
 (define (subtract a b)
   (cond [(and (flonum? a) (flonum? b)) (fl- a b)]
-        [(and (number? a) (number? b)) (- a b)]
+        [else (dispatch-carriers generic:- a b (subtract-other a b))]))
+
+(define (subtract-other a b)
+  (cond [(and (number? a) (number? b)) (- a b)]
         [(and (structure? a) (structure? b)) (subtract-structures a b)]
         [else (dispatch-binary generic:- e:- subtract-structures a b)]))
 
@@ -81,10 +85,11 @@
 
 (define (multiply a b)
   (cond [(and (flonum? a) (flonum? b)) (fl* a b)]
-        [(and (number? a) (number? b)) (* a b)]
+        [else (dispatch-carriers generic:* a b (multiply-other a b))]))
+
+(define (multiply-other a b)
+  (cond [(and (number? a) (number? b)) (* a b)]
         [(and (structure? a) (structure? b)) (multiply-structures a b)]
-        [(or (carrier? a) (carrier? b))
-         (dispatch-binary generic:* e:* multiply-structures a b)]
         [(and (eqv? a 1) (procedure? b)) b]
         [(and (eqv? b 1) (procedure? a)) a]
         [else (dispatch-binary generic:* e:* multiply-structures a b)]))
@@ -113,7 +118,7 @@
   (lambda (a)
     (cond [(flonum? a) (fl* a a)]
           [(number? a) (* a a)]
-          [(carrier? a) (multiply a a)]
+          [(carrier? a) ((kind-unary (carrier-kind a)) generic:square a)]
           [(tuple? a) (sum-of-squares (structure-elements (adopt a)))]
           [(pointwise? a) (compose-unary generic:square a)]
           [(arithmetic-value? a) (multiply a a)]
@@ -138,7 +143,10 @@
 
 (define (divide a b)
   (cond [(and (flonum? a) (flonum? b)) (fl/ a b)]
-        [(and (number? a) (number? b)) (/ a b)]
+        [else (dispatch-carriers generic:/ a b (divide-other a b))]))
+
+(define (divide-other a b)
+  (cond [(and (number? a) (number? b)) (/ a b)]
         [else (dispatch-binary generic:/ e:/ divide-structures a b)]))
 
 (define (divide-structures a b)

@@ -6,10 +6,11 @@
 ;; pointwise, structures follow the rule each operation hands in, and every
 ;; other kind brings its own methods.
 
-(require "kind.rkt" "structure.rkt" "function.rkt" "describe.rkt"
+(require racket/flonum
+         "kind.rkt" "structure.rkt" "function.rkt" "describe.rkt"
          "../algebra/expression.rkt")
 
-(provide dispatch-unary dispatch-binary raise-inapplicable raise-inapplicable-because raise-unary-arity
+(provide dispatch-unary dispatch-binary dispatch-carriers raise-inapplicable raise-inapplicable-because raise-unary-arity
          arithmetic-value?)
 
 (define (rank x)
@@ -42,6 +43,12 @@
          ((kind-binary (carrier-kind a)) op a b)]
         [(and (carrier? b) (expression? a)) ((kind-binary (carrier-kind b)) op a b)]
         [else (dispatch-binary-by-rank op symbolic structural a b)]))
+
+;; The same for two carriers, or one and a flonum, without a call; else `other`.
+(define-syntax-rule (dispatch-carriers op a b other)
+  (cond [(and (carrier? a) (or (flonum? b) (carrier? b))) ((kind-binary (carrier-kind a)) op a b)]
+        [(and (carrier? b) (flonum? a)) ((kind-binary (carrier-kind b)) op a b)]
+        [else other]))
 
 (define (dispatch-binary-by-rank op symbolic structural a b)
   (define ra (rank a))

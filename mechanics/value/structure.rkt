@@ -33,7 +33,7 @@
 
 ;; Component i of s, which was reached within `whole`.
 (define (ref-1 s i whole)
-  (cond [(tuple? s) (tuple-ref (adopt s) i)]
+  (cond [(tuple? s) (tuple-ref s i)]
         [(series? s) (series:ref s i)]
         [(procedure? s) (ref-of-function s i)]
         [(eq? s whole) (raise-not-a-tuple 'ref s)]
@@ -45,7 +45,8 @@
            (current-continuation-marks)))]))
 
 (define (tuple-ref s i)
-  (define n (structure-length s))
+  (define elements (elements-of s))
+  (define n (vector-length elements))
   (unless (exact-integer? i)
     (raise-arguments-error 'ref "an index is an integer" "index" i))
   (define k (if (negative? i) (+ n i) i))
@@ -56,7 +57,10 @@
               (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n)))
               (value->text s))
       (current-continuation-marks))))
-  (vector-ref (structure-elements s) k))
+  (vector-ref elements k))
+
+;; To look at, where `adopt` would copy a Racket vector.
+(define (elements-of s) (if (structure? s) (structure-elements s) s))
 
 (define (ref-of-function f i)
   (make-function (lambda args (ref (apply f args) i))
@@ -70,12 +74,12 @@
 
 (define (s:ref s i) (ref s i))
 
-(define (s:length x) (if (tuple? x) (structure-length (adopt x)) 1))
+(define (s:length x) (if (tuple? x) (vector-length (elements-of x)) 1))
 
 ;; The number of scalars in x.
 (define (s:dimension x)
   (if (tuple? x)
-      (for/sum ([e (in-vector (structure-elements (adopt x)))]) (s:dimension e))
+      (for/sum ([e (in-vector (elements-of x))]) (s:dimension e))
       1))
 (define (dimension x) (s:dimension x))
 

@@ -290,4 +290,58 @@ covers a single point, it need not be that of the function:
 The second derivative of sin x/x at 0 is −1/3, as its value nearby suggests; what
 was differentiated is the constant 1 that the program gives at 0.
 
+@section[#:tag "reverse-mode"]{Many variables: gradients}
+
+The energy of a thousand particles is one number that depends on three thousand. A
+dual number follows one of them, so @racket[D] runs the energy three thousand times.
+There is another way to apply the chain rule. Take
+
+@examples[#:eval session #:label #f
+(define (h (up x y)) (* (sin (* x y)) y))]
+
+Its run computes u = x y, v = sin u and w = v y. Instead of asking how each of these
+changes with x, ask how w changes with each of these, from the last to the first:
+by v it is y; by u it is therefore y cos u; and by x it is y cos u times y. At the
+same time y collects what reaches it along both ways, x y cos u by way of u and v
+directly:
+
+@examples[#:eval session #:label #f
+((gradient h) (up 'x 'y))]
+
+One run forward, which records the slopes of all steps on a @emph{tape}, and one
+sweep backward over the tape give the derivatives by all variables. This is
+@emph{reverse mode}. However many variables there are, it costs a fixed small
+multiple of the function:
+
+@examples[#:eval session #:label #f
+(define (stretch s)
+  (for/sum ([i (in-range 9999)])
+    (square (- (ref s (+ i 1)) (ref s i)))))
+(define chain (s:generate 10000 'up (lambda (i) (sqrt (* 1.0 i)))))
+(define force ((gradient stretch) chain))
+(ref force 1)
+(- (* 4 (ref chain 1)) (* 2 (ref chain 0)) (* 2 (ref chain 2)))]
+
+The price is memory: the tape has an entry of some twenty bytes for each operation
+that joins two quantities. Which to use?
+
+@itemlist[
+@item{@racket[D] for functions of a few variables, for paths, for values that are
+functions, and wherever derivatives are a step in an argument you want to read.}
+@item{@racket[gradient] for one number that depends on many: energies, actions,
+sums of squares to be minimised.}
+@item{@racket[jacobian] when both argument and value have many components: it takes
+the cheaper mode.}
+@item{@racket[Hessian-vector-product] where the second derivative is wanted in one
+direction only. The second derivative itself has n² components; a Newton step by
+conjugate gradients needs none of them.}]
+
+All of them give the value of @racket[D] and its powers, and they nest with it. A
+tape carries a tag as an ε does, so there is no confusion:
+
+@examples[#:eval session #:label #f
+(eval:check ((D (lambda (x) (* x ((gradient (lambda (y) (+ x y))) 1)))) 'x) 1)
+((Hessian-vector-product h) (up 'x 'y) (up 'a 0))
+(simplify (ref (* (((expt D 2) h) (up 'x 'y)) (up 'a 0)) 0))]
+
 @(close-session session)

@@ -46,6 +46,75 @@ by the i-th. Further indices lead to components of that component.
 
 @sicm{1.5, p. 33}}
 
+@section[#:tag "reference-reverse-mode"]{Reverse mode}
+
+@racket[D] runs a function once for each scalar of its argument. The following
+record one run and go back over it, which gives all derivatives of one scalar of
+the value at the price of a few runs (@secref["reverse-mode"]). What they compute is
+what @racket[D] computes, of the same functions; they nest with @racket[D], with
+@racket[partial] and with each other.
+
+@defthing[gradient operator?]{
+
+The derivative of a function whose value is a scalar. @racket[(gradient f)] takes the
+arguments of f, and its value has the shape of that of @racket[(D f)]: a
+@racket[down] for an @racket[up].
+
+The units are those of f over those of the argument. Where all scalars of the
+argument are flonums, so are the derivatives, except that those by what the value
+does not depend on are exactly 0. Points without a derivative raise
+@racket[exn:fail:mechanics:singular], as with @racket[D].
+
+@examples[#:eval session
+(define (U (up x y)) (* x (square y)))
+((gradient U) (up 'x 'y))
+((gradient U) (up 2.0 3.0))
+((gradient (lambda (x y) (* x (sin y)))) 'a 'b)
+(define (sum-of-squares s) (for/sum ([x s]) (square x)))
+(define point (s:generate 100000 'up (lambda (i) (/ i 1e5))))
+(ref ((gradient sum-of-squares) point) 75000)
+(eval:error ((gradient (lambda ((up x y)) (up y x))) (up 1 2)))]}
+
+@defthing[jacobian operator?]{
+
+The derivative of a function of any shape: what @racket[D] gives. In reverse mode it
+goes back once for each scalar of the value, in forward mode it runs the function
+once for each scalar of the argument; whichever are fewer. Functions whose values
+are functions are left to forward mode. To find out, f may be run once more than
+needed.
+
+@examples[#:eval session
+(define (polar->xy (up r phi)) (up (* r (cos phi)) (* r (sin phi))))
+((jacobian polar->xy) (up 'r 'phi))]}
+
+@deftogether[(
+@defproc[(Hessian-vector-product [f procedure?]) procedure?]
+@defproc[(jacobian-vector-product [f procedure?]) procedure?]
+@defproc[(vector-jacobian-product [f procedure?]) procedure?])]{
+
+Products with derivatives that are never formed. f takes one argument, the point x.
+
+@racket[((Hessian-vector-product f) x v)] is the derivative of the gradient of f, a
+function with scalar values, in the direction v, which has the shape of x. Its value
+is that of @racket[(* (((expt D 2) f) x) v)], at the price of a few gradients.
+
+@racket[((jacobian-vector-product f) x v)] is the derivative of f in the direction v,
+@racket[(* ((D f) x) v)], by one run in forward mode.
+
+@racket[((vector-jacobian-product f) x w)] is @racket[(* w ((D f) x))], by one run in
+reverse mode. w contracts with @racket[(f x)] to a scalar: a @racket[down] goes with
+an @racket[up].
+
+A vector or covector of another shape raises an error.
+
+@examples[#:eval session
+((Hessian-vector-product U) (up 'x 'y) (up 'v 'w))
+((jacobian-vector-product polar->xy) (up 'r 'phi) (up 'dr 'dphi))
+((vector-jacobian-product polar->xy) (up 'r 'phi) (down 'p_x 'p_y))
+(eval:error ((Hessian-vector-product U) (up 'x 'y) (down 'v 'w)))]}
+
+@section[#:tag "reference-variation"]{Variation}
+
 @defproc[(delta [eta path]) operator?]{
 
 The variation. For a function f of paths, such as

@@ -85,7 +85,7 @@
 
 (test-case "matrix-valued functions have matrices of derivatives"
   (check-equal? ((D (lambda (x) (matrix-by-rows (list 1 x) (list (g:square x) 0)))) 'x)
-                (matrix-by-rows '(0 1) (list (g:+ 'x 'x) 0))))
+                (matrix-by-rows '(0 1) (list (g:* 2 'x) 0))))
 
 (test-case "the derivative by a matrix is that by the tuples it stands for"
   (define M (matrix-by-rows '(a b) '(c d)))

@@ -79,7 +79,7 @@
 (test-case "selectors take part in the arithmetic of functions"
   (check-true (same? ((g:* 1/2 'm (g:square velocity)) local)
                      (g:* 1/2 'm (g:+ (g:square 'vx) (g:square 'vy)))))
-  (check-equal? (((partial 2) (g:square velocity)) (up 't 'q 'v)) (g:+ 'v 'v))
+  (check-equal? (((partial 2) (g:square velocity)) (up 't 'q 'v)) (g:* 2 'v))
   (check-equal? (format "~a" (g:square velocity)) "(square velocity)"))
 
 (test-case "a vector counts as a local tuple"

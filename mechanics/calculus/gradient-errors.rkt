@@ -1,0 +1,46 @@
+#lang racket/base
+;; What gradient and its kin say when they are misused.
+
+(require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../value/structure.rkt" (only-in "../value/signature.rkt" scalar?))
+
+(provide raise-not-scalar raise-takes-no-point check-increment check-covector)
+
+(define (complain format-string . args)
+  (raise (exn:fail:contract (apply format format-string args)
+                            (current-continuation-marks))))
+
+;; f returned y where a scalar was wanted.
+(define (raise-not-scalar who f y)
+  (complain "~a: needs a function whose value is a scalar; ~a returned ~a~a"
+            who (function-name f) (describe y)
+            (cond [(tuple? y)
+                   "\n  for the derivatives of all its scalars use jacobian"]
+                  [(pair? y) "\n  a list is not a tuple; use (up x y ...)"]
+                  [(procedure? y) "\n  for the derivative of a function that returns functions use D"]
+                  [else ""])))
+
+(define (function-name f)
+  (define text (value->text f))
+  (if (equal? text "<function>") "the function" text))
+
+;; f does not take one argument, the point.
+(define (raise-takes-no-point who f)
+  (complain "~a: needs a function of one argument, the point; ~a takes ~a\n  with several arguments, make it a function of the tuple of them"
+            who (function-name f) (arity->text f)))
+
+;; v must be shaped as the point x is.
+(define (check-increment who x v)
+  (unless (same-shape? x v)
+    (complain "~a: the vector must be of the shape of the point\n  point: ~a\n  vector: ~a"
+              who (describe-with-value x) (describe-with-value v))))
+
+;; w must contract with the value y to a scalar.
+(define (check-covector who y w)
+  (unless (and (same-shape? (flip y) w) (or (tuple? y) (scalar? y)))
+    (complain "~a: the covector must contract with the value to a scalar~a\n  value: ~a\n  covector: ~a"
+              who
+              (if (tuple? y)
+                  (format ": ~a goes with ~a" (describe (flip y)) (describe y))
+                  "")
+              (describe-with-value y) (describe-with-value w))))

@@ -1,0 +1,173 @@
+#lang racket/base
+;; gradient, jacobian and their kin: derivatives in reverse mode.
+;;
+;; D runs a function once for each scalar of its argument.  Recording one run on a
+;; tape and sweeping back over it gives the derivatives of one scalar of the value
+;; by all of them; so a gradient costs a few runs, be it in a million variables.
+;; The values are those of D.
+
+(require "perturbed.rkt" "tape.rkt" "recorded.rkt" "derivative.rkt" "derivative-errors.rkt"
+         "gradient-errors.rkt"
+         "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt"
+         "../value/operator.rkt" "../value/matrix.rkt" "../value/structure.rkt"
+         (only-in "../value/signature.rkt" scalar?))
+
+(provide gradient jacobian
+         Hessian-vector-product jacobian-vector-product vector-jacobian-product)
+
+;; ---------------------------------------------------------------------------
+;; One run
+
+;; The value of f at x, recorded, and the tape.
+(define (record-run who f x)
+  (define t (make-tape (fresh-tag) (count-scalars who x) (all-flonums? x)))
+  (values (f (map-scalars (lambda (leaf i) (record-input t i leaf)) x)) t))
+
+(define (count-scalars who x)
+  (cond [(tuple? x)
+         (for/fold ([n 0]) ([e (in-vector (elements-of x))])
+           (if (flonum? e) (add1 n) (+ n (count-scalars who e))))]
+        [(matrix? x)
+         (for/fold ([n 0]) ([row (in-vector (matrix-rows x))]) (+ n (count-scalars who row)))]
+        [(scalar? x) 1]
+        [else (raise-not-differentiable-at x who)]))
+
+(define (all-flonums? x)
+  (cond [(flonum? x) #t]
+        [(tuple? x) (for/and ([e (in-vector (elements-of x))]) (or (flonum? e) (all-flonums? e)))]
+        [else #f]))
+
+(define (elements-of x) (if (structure? x) (structure-elements x) x))
+
+;; (f scalar i) for each scalar of x and its number.
+(define (map-scalars f x)
+  (define i -1)
+  (define (next! leaf)
+    (set! i (add1 i))
+    (f leaf i))
+  (let walk ([x x])
+    (cond [(tuple? x)
+           (structure (if (structure? x) (structure-orientation x) 'up)
+                      (for/vector #:length (vector-length (elements-of x)) ([e (in-vector (elements-of x))])
+                        (if (flonum? e) (next! e) (walk e))))]
+          [else (map-leaves next! x)])))
+
+;; The value of `entry` at the number of each scalar of x, shaped as a derivative
+;; by x: a tuple of the other orientation; by a matrix, the up tuple of its columns
+;; as down tuples.
+(define (shape-as-derivative x entry)
+  (define start 0)
+  (define (next! count)
+    (begin0 start (set! start (+ start count))))
+  (let walk ([x x])
+    (cond [(tuple? x)
+           (structure (flip-orientation (if (structure? x) (structure-orientation x) 'up))
+                      (for/vector #:length (vector-length (elements-of x)) ([e (in-vector (elements-of x))])
+                        (if (flonum? e) (entry (next! 1)) (walk e))))]
+          [(matrix? x)
+           (define columns (m:num-cols x))
+           (define first (next! (* columns (m:num-rows x))))
+           (s:generate columns 'up
+                       (lambda (j)
+                         (s:generate (m:num-rows x) 'down
+                                     (lambda (i) (entry (+ first j (* i columns)))))))]
+          [else (entry (next! 1))])))
+
+;; ---------------------------------------------------------------------------
+;; gradient
+
+(define (gradient-at f x)
+  (define-values (y t) (record-run 'gradient f x))
+  (unless (scalar? y) (raise-not-scalar 'gradient f y))
+  (shape-as-derivative x (derivatives t y)))
+
+(define gradient
+  (make-primitive-operator
+   (case-lambda
+     [(f) (derivative-function 'gradient f gradient-at #:values-are-numbers? #t)]
+     [fs (raise-takes-only-function 'gradient fs)])
+   (lambda () 'gradient)))
+
+;; ---------------------------------------------------------------------------
+;; jacobian
+
+;; In reverse mode there is one sweep for each scalar of the value, in forward
+;; mode one run for each of the argument.
+(define (jacobian-at f x)
+  (cond [(scalar? x) (derivative-at f x)]
+        [else
+         (define-values (y t) (record-run 'jacobian f x))
+         (define outputs (scalars-of y))
+         (if (and outputs (<= (length outputs) (tape-inputs t)))
+             (assemble x y (for/list ([s (in-list outputs)]) (derivatives t s)))
+             (derivative-at f x))]))
+
+;; The scalars of y in order, or #f if it contains functions or the like.
+(define (scalars-of y)
+  (define found '())
+  (map-leaves (lambda (leaf) (set! found (cons leaf found))) y)
+  (and (andmap scalar? found) (reverse found)))
+
+;; For each scalar of x, a value shaped like y.
+(define (assemble x y columns)
+  (shape-as-derivative
+   x
+   (lambda (i)
+     (define left columns)
+     (map-leaves (lambda (leaf)
+                   (define column (car left))
+                   (set! left (cdr left))
+                   (column i))
+                 y))))
+
+(define jacobian
+  (make-primitive-operator
+   (case-lambda
+     [(f) (derivative-function 'jacobian f jacobian-at)]
+     [fs (raise-takes-only-function 'jacobian fs)])
+   (lambda () 'jacobian)))
+
+;; ---------------------------------------------------------------------------
+;; Products
+
+;; The function of a point x and a second argument v that `product` computes from
+;; f, x and v.
+(define (product-function name f product)
+  (unless (procedure? f) (raise-needs-function name f))
+  (unless (accepts? f 1) (raise-takes-no-point name f))
+  (make-function
+   (lambda (x v) (product f x v))
+   (arithmetic-shift 1 2)
+   (lambda () (list name (value->datum f)))))
+
+;; The derivative of the gradient along v: forward over reverse mode.
+(define (Hessian-vector-product f)
+  (product-function
+   'Hessian-vector-product f
+   (lambda (f x v)
+     (check-increment 'Hessian-vector-product x v)
+     (define (gradient-of-f s) (gradient-at f s))
+     (define-values (slope product) (value-and-derivative-along gradient-of-f x v))
+     product)))
+
+;; The derivative of f along v, (* ((D f) x) v): one run in forward mode.
+(define (jacobian-vector-product f)
+  (product-function
+   'jacobian-vector-product f
+   (lambda (f x v)
+     (check-increment 'jacobian-vector-product x v)
+     (define-values (value product) (value-and-derivative-along f x v))
+     product)))
+
+;; (* w ((D f) x)), with a w that contracts with the value: the gradient of
+;; (* w (f x)), w being constant.
+(define (vector-jacobian-product f)
+  (product-function
+   'vector-jacobian-product f
+   (lambda (f x w)
+     (define (contraction s)
+       (define y (f s))
+       (check-covector 'vector-jacobian-product y w)
+       (g:* w y))
+     (gradient-at contraction x))))

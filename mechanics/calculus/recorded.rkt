@@ -1,0 +1,179 @@
+#lang racket/base
+;; Recorded numbers: what a gradient runs a function on.
+;;
+;; A recorded number is a value and its differential, a factor times one of those
+;; on a tape (tape.rkt).  Each operation's own derivative rule gives the factors.
+;; A tape has a tag as an ε has: where derivatives nest, it decides which is
+;; outermost.  The value and the factors contain only lesser tags.
+
+(require racket/flonum
+         "perturbed.rkt" "dual.rkt" "tape.rkt"
+         "../generic/kind.rkt" "../generic/describe.rkt" "../generic/arithmetic.rkt"
+         (only-in "../algebra/expression.rkt" symbolic?))
+
+;; Fields are read after the test for the type: no need to test again, which
+;; takes half of the time.
+(#%declare #:unsafe)
+
+(provide recorded? on-tape? recorded-tape recorded-value
+         record-input record-sum recorded-increment
+         derivatives value-and-derivatives)
+
+(define kind:recorded
+  (make-kind #:rank rank:dual
+             #:describe (lambda (r) (string-append (describe (innermost r)) " being differentiated"))
+             #:datum (lambda (r) (value->datum (recorded-value r)))
+             #:unary (lambda (op r) (record-unary op r))
+             #:binary (lambda (op a b) (record-binary op a b))
+             #:comparand (lambda (r) (recorded-value r))
+             #:same? (lambda (same? a b) (same-recorded? same? a b))))
+
+;; value, with the differential factor · dz, z being number `index` of the tape.
+(struct recorded perturbed (tape index factor value)
+  #:authentic
+  #:sealed
+  #:constructor-name construct-recorded
+  #:omit-define-syntaxes
+  #:property prop:kind kind:recorded
+  #:property prop:parts
+  (parts (lambda (r) (recorded-value r))
+         (lambda (f r) (map-parts f r))
+         (lambda (tag f r) (map-parts f r))))
+
+;; As with dual numbers, a quantity whose first derivative vanishes still varies;
+;; but expressions are taken at a generic point.
+(define (record tape index factor value)
+  (if (and (eq? factor 0) (symbolic? value))
+      value
+      (construct-recorded kind:recorded (tape-tag tape) tape index factor value)))
+
+;; Variable i of the tape.
+(define (record-input tape i value) (record tape i 1 value))
+
+;; ---------------------------------------------------------------------------
+;; Arithmetic: the chain rule
+
+;; An operation that has rules has one for each argument.
+(define-syntax-rule (first-partial op) (car (rules op)))
+(define-syntax-rule (second-partial op) (cadr (rules op)))
+(define-syntax-rule (rules op)
+  (let ([partials (generic-op-partials op)])
+    (if (pair? partials) partials (raise-no-rule op))))
+
+(define (raise-no-rule op)
+  (raise (exn:fail:contract (format "~a: has no derivative rule" (generic-op-name op))
+                            (current-continuation-marks))))
+
+;; slope · factor, where most are flonums and many are 1.
+(define (times slope factor)
+  (cond [(eq? factor 1) slope]
+        [(eq? slope 1) factor]
+        [(and (flonum? slope) (flonum? factor)) (fl* slope factor)]
+        [else (g:* slope factor)]))
+
+(define (record-unary op r)
+  (define x (recorded-value r))
+  (define value ((generic-op-procedure op) x))
+  (scaled r ((first-partial op) x value) value))
+
+;; The value whose differential is slope times that of r.
+(define (scaled r slope value)
+  (record (recorded-tape r) (recorded-index r) (times slope (recorded-factor r)) value))
+
+;; Of two different tapes, and of a tape and the ε of another derivative, the
+;; outermost decides; for it the other number is constant.
+(define (record-binary op a b)
+  (cond [(not (perturbed? b)) (by-first op a b)]
+        [(not (perturbed? a)) (by-second op a b)]
+        [(and (recorded? a) (recorded? b) (eq? (recorded-tape a) (recorded-tape b))) (by-both op a b)]
+        [else
+         (define owner (outermost a b))
+         (cond [(not (recorded? owner)) ((kind-binary (carrier-kind owner)) op a b)]
+               [(eq? owner a) (by-first op a b)]
+               [else (by-second op a b)])]))
+
+(define (by-first op a y)
+  (define x (recorded-value a))
+  (define value ((generic-op-procedure op) x y))
+  (define slope ((first-partial op) x y value))
+  (if (and (eq? slope 0) (constant? slope #f x y)) value (scaled a slope value)))
+
+(define (by-second op x b)
+  (define y (recorded-value b))
+  (define value ((generic-op-procedure op) x y))
+  (define slope ((second-partial op) x y value))
+  (if (and (eq? slope 0) (constant? #f slope x y)) value (scaled b slope value)))
+
+(define (by-both op a b)
+  (define x (recorded-value a))
+  (define y (recorded-value b))
+  (define value ((generic-op-procedure op) x y))
+  (join (recorded-tape a)
+        (recorded-index a) (times ((first-partial op) x y value) (recorded-factor a))
+        (recorded-index b) (times ((second-partial op) x y value) (recorded-factor b))
+        value))
+
+;; The value with the differential a dzᵢ + b dzⱼ.
+(define (join tape i a j b value)
+  (cond [(eq? i j) (record tape i (g:+ a b) value)]
+        [(eq? a 0) (record tape j b value)]
+        [(eq? b 0) (record tape i a value)]
+        [else (record tape (join! tape i a j b) 1 value)]))
+
+;; The value whose differential is the sum of those of the recorded numbers of
+;; one tape, each times its slope.
+(define (record-sum value slopes rs)
+  (for/fold ([sum value]) ([slope (in-list slopes)] [r (in-list rs)])
+    (define part (times slope (recorded-factor r)))
+    (define tape (recorded-tape r))
+    (if (and (recorded? sum) (eq? (recorded-tape sum) tape))
+        (join tape (recorded-index sum) (recorded-factor sum) (recorded-index r) part value)
+        (record tape (recorded-index r) part value))))
+
+;; The differential alone.
+(define (recorded-increment r)
+  (record (recorded-tape r) (recorded-index r) (recorded-factor r) 0))
+
+;; ---------------------------------------------------------------------------
+;; Derivatives
+
+;; The derivatives of the scalar y by the variables of the tape, as a function of
+;; their number.
+(define (derivatives tape y)
+  (cond [(on-tape? y tape)
+         (define as (adjoints-of y))
+         (lambda (i) (adjoint as i))]
+        [(and (perturbed? y) (> (perturbed-tag y) (tape-tag tape)))
+         (lambda (i) ((parts-map (parts-of y)) (lambda (part) ((derivatives tape part) i)) y))]
+        [else (lambda (i) 0)]))
+
+(define (value-and-derivatives tape y)
+  (values (if (on-tape? y tape) (recorded-value y) y) (derivatives tape y)))
+
+(define (on-tape? x tape) (and (recorded? x) (eq? (recorded-tape x) tape)))
+
+(define (adjoints-of r) (adjoints (recorded-tape r) (recorded-index r) (recorded-factor r)))
+
+;; The same with its parts changed by a linear map, its derivatives by the
+;; variables among them: what is said of a number holds for each of them.
+(define (map-parts f r)
+  (define tape (recorded-tape r))
+  (define index (recorded-index r))
+  (define (part i slope) (g:* (f slope) (record-input tape i 0)))
+  (define value (f (recorded-value r)))
+  (cond [(< index (tape-inputs tape)) (g:+ value (part index (recorded-factor r)))]
+        [else
+         (define as (adjoints-of r))
+         (for/fold ([sum value]) ([i (in-range (tape-inputs tape))]
+                                  #:unless (eqv? 0 (adjoint as i)))
+           (g:+ sum (part i (adjoint as i))))]))
+
+;; Of one tape, with equal values and equal derivatives by all variables?
+(define (same-recorded? same? a b)
+  (define tape (recorded-tape a))
+  (and (eq? tape (recorded-tape b))
+       (same? (recorded-value a) (recorded-value b))
+       (or (and (eqv? (recorded-index a) (recorded-index b))
+                (same? (recorded-factor a) (recorded-factor b)))
+           (let ([as (adjoints-of a)] [bs (adjoints-of b)])
+             (for/and ([i (in-range (tape-inputs tape))]) (same? (adjoint as i) (adjoint bs i)))))))

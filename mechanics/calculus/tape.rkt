@@ -1,0 +1,164 @@
+#lang racket/base
+;; Tapes: what a gradient remembers of a run of a function.
+;;
+;; Every intermediate value u of the run has a differential that is a multiple of
+;; one other, du = s dz.  An operation on u alone only changes the factor s.
+;; Where an operation joins values whose differentials are multiples of different
+;; dzᵢ and dzⱼ, a new one is made of them,
+;;
+;;     dz = a dzᵢ + b dzⱼ,
+;;
+;; and this line is written on the tape: two indices and two slopes.  Indices
+;; below `inputs` stand for the variables, the others number the lines.
+;;
+;; The derivative of the result by every z, its *adjoint*, then follows in one
+;; sweep over the lines, from the last to the first: a z with adjoint z̄ adds a z̄
+;; to the adjoint of zᵢ and b z̄ to that of zⱼ.  So all partial derivatives cost no
+;; more than the lines there are, however many variables (B. Speelpenning 1980).
+;;
+;; Lines lie in blocks, each twice as long as the one before, so that none is ever
+;; moved.  Their slopes are flonums, in an flvector, until one comes that is none:
+;; an expression, or a number that is itself being differentiated.
+
+(require racket/fixnum racket/flonum
+         "../generic/arithmetic.rkt")
+
+;; Every index on a tape is one that `join!` gave out, or a variable's.
+(#%declare #:unsafe)
+
+(provide make-tape tape-tag tape-inputs tape-count
+         join! adjoints adjoint)
+
+;; Who calls `make-tape` owns the tape.
+;; count : the number of variables and lines.  block : the one being written, with
+;; `free` entries of it used.  older : the blocks before it, the last one first.
+(struct tape (tag inputs [count #:mutable] [used #:mutable] [block #:mutable] [older #:mutable])
+  #:authentic)
+
+;; size : for how many lines; used : how many there are, once a later block has been
+;; begun.  indices : i and j of a line, packed.  slopes : a and b, one after the
+;; other, in an flvector or a vector.
+(struct block (size [used #:mutable] indices slopes)
+  #:authentic)
+
+(define (make-block size flonums?)
+  (block size 0 (make-fxvector size)
+         (if flonums? (make-flvector (* 2 size)) (make-vector (* 2 size) 0))))
+
+;; Half of a fixnum for each; a tape of 2³⁰ lines would not fit into memory.
+(define-syntax-rule (pack i j) (fxior (fxlshift i 30) j))
+(define-syntax-rule (first-index p) (fxrshift p 30))
+(define-syntax-rule (second-index p) (fxand p #x3FFFFFFF))
+
+;; A line for each variable but one is the least that a function of all needs.
+(define (make-tape tag inputs flonums?)
+  (tape tag inputs inputs 0 (make-block (+ inputs 8) flonums?) '()))
+
+;; ---------------------------------------------------------------------------
+;; Writing
+
+;; The index of dz = a dzᵢ + b dzⱼ.
+(define (join! t i a j b)
+  (define current (tape-block t))
+  (define k (tape-used t))
+  (define at (fxlshift k 1))
+  (define slopes (block-slopes current))
+  (cond [(fx= k (block-size current))
+         (begin-block! t (* 2 k) (flvector? slopes))
+         (join! t i a j b)]
+        [(flvector? slopes)
+         (let ([a (->flonum a)] [b (->flonum b)])
+           (cond [(and (flonum? a) (flonum? b))
+                  (flvector-set! slopes at a)
+                  (flvector-set! slopes (fx+ at 1) b)
+                  (note-line! t current k i j)]
+                 [else
+                  (begin-block! t 16 #f)
+                  (join! t i a j b)]))]
+        [else
+         (vector-set! slopes at a)
+         (vector-set! slopes (fx+ at 1) b)
+         (note-line! t current k i j)]))
+
+;; a as a flonum if it is real.
+(define-syntax-rule (->flonum a)
+  (cond [(flonum? a) a]
+        [(eq? a 1) 1.0]
+        [(real? a) (real->double-flonum a)]
+        [else a]))
+
+(define-syntax-rule (note-line! t current k i j)
+  (let ([index (tape-count t)])
+    (fxvector-set! (block-indices current) k (pack i j))
+    (set-tape-used! t (fx+ k 1))
+    (set-tape-count! t (fx+ index 1))
+    index))
+
+(define (begin-block! t lines flonums?)
+  (define current (tape-block t))
+  (set-block-used! current (tape-used t))
+  (set-tape-older! t (cons current (tape-older t)))
+  (set-tape-block! t (make-block lines flonums?))
+  (set-tape-used! t 0))
+
+;; ---------------------------------------------------------------------------
+;; Sweeping
+
+;; The adjoints of all z up to this index, whose own is `seed`.
+(define (adjoints t index seed)
+  (define size (fxmax (tape-inputs t) (fx+ index 1)))
+  (set-block-used! (tape-block t) (tape-used t))
+  (define blocks (cons (tape-block t) (tape-older t)))
+  (if (and (real? seed) (andmap (lambda (b) (flvector? (block-slopes b))) blocks))
+      (flonum-adjoints t blocks index (real->double-flonum seed) size)
+      (general-adjoints t blocks index seed size)))
+
+;; The derivative by variable i: exactly 0 if the result does not depend on it.
+(define (adjoint as i)
+  (cond [(flvector? as)
+         (define a (flvector-ref as i))
+         (if (untouched? a) 0 a)]
+        [else (vector-ref as i)]))
+
+;; -0.0 stands where nothing was added: it is neutral, and no sum below is -0.0.
+;; What the result does not depend on is passed over, be its slopes infinite.
+(define-syntax-rule (untouched? a) (and (fl= a 0.0) (eqv? a -0.0)))
+
+(define (flonum-adjoints t blocks index seed size)
+  (define as (make-flvector size -0.0))
+  (flvector-set! as index seed)
+  (for/fold ([z (sub1 (tape-count t))] #:result as) ([b (in-list blocks)])
+    (define indices (block-indices b))
+    (define slopes (block-slopes b))
+    (define-syntax-rule (add! i a at)
+      (let ([z i])
+        (flvector-set! as z (fl+ (fl+ (flvector-ref as z) (fl* a (flvector-ref slopes at))) 0.0))))
+    (let loop ([k (fx- (block-used b) 1)] [z z])
+      (cond [(fx< k 0) z]
+            [else
+             (when (fx<= z index)
+               (define a (flvector-ref as z))
+               (unless (untouched? a)
+                 (define line (fxvector-ref indices k))
+                 (define at (fxlshift k 1))
+                 (add! (first-index line) a at)
+                 (add! (second-index line) a (fx+ at 1))))
+             (loop (fx- k 1) (fx- z 1))]))))
+
+(define (general-adjoints t blocks index seed size)
+  (define as (make-vector size 0))
+  (vector-set! as index seed)
+  (define (add! z a slope)
+    (vector-set! as z (g:+ (vector-ref as z) (g:* a slope))))
+  (for*/fold ([z (sub1 (tape-count t))] #:result as)
+             ([b (in-list blocks)] [k (in-range (sub1 (block-used b)) -1 -1)])
+    (define a (and (<= z index) (vector-ref as z)))
+    (unless (memv a '(0 #f))
+      (define line (fxvector-ref (block-indices b) k))
+      (add! (first-index line) a (slope b (* 2 k)))
+      (add! (second-index line) a (slope b (add1 (* 2 k)))))
+    (sub1 z)))
+
+(define (slope b at)
+  (define slopes (block-slopes b))
+  (if (flvector? slopes) (flvector-ref slopes at) (vector-ref slopes at)))
