@@ -107,7 +107,7 @@
   (define n (jet-order x))
   (define step (and rules ((recurrence-choose rules) (vector-ref a 0) (vector-length a))))
   (varying (perturbed-tag x) n
-           (cond [(not step) (by-rule (operate-1 op (sequence a) power-series-of coefficients-of) n)]
+           (cond [(not step) (unary-by-rule op a n)]
                  [(recurrence-partner rules) => (lambda (p) (steps-with-partner op p step a n))]
                  [else (steps op step a n)])))
 
@@ -158,7 +158,7 @@
   (define r
     (if step
         (steps-2 op step a la b lb (at-most (add1 n) ((recurrence-length rules) la lb)))
-        (by-rule (operate-2 op (sequence a) (sequence b) power-series-of coefficients-of) n)))
+        (binary-by-rule op a b n)))
   (if (and (eqv? (used-length r) 1)
            (independent? op (> la 1) (> lb 1) (vector-ref a 0) (vector-ref b 0) (vector-ref r 0)))
       (vector-ref r 0)
@@ -193,6 +193,21 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Operations that have but a derivative rule are done as on power series
+
+(define (unary-by-rule op a n)
+  (check-slope op car (list (vector-ref a 0)))
+  (by-rule (operate-1 op (sequence a) power-series-of coefficients-of) n))
+
+(define (binary-by-rule op a b n)
+  (define point (list (vector-ref a 0) (vector-ref b 0)))
+  (when (> (vector-length a) 1) (check-slope op car point))
+  (when (> (vector-length b) 1) (check-slope op cadr point))
+  (by-rule (operate-2 op (sequence a) (sequence b) power-series-of coefficients-of) n))
+
+;; A rule tells that there is no derivative at a point, not of a series.
+(define (check-slope op argument point)
+  (define value (apply (generic-op-procedure op) point))
+  (apply (argument (generic-op-partials op)) (append point (list value))))
 
 (define (sequence v) (coefficients-from (vector->list v)))
 

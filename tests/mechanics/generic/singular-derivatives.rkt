@@ -110,6 +110,27 @@
   (check-exn #rx"^abs: has no derivative at 0$"
              (lambda () ((D (lambda (x) ((D (lambda (y) (g:abs (g:* x y)))) 0))) 3))))
 
+;; Powers of D take another way, in one run: they say the same.
+(test-case "derivatives of higher order do not exist where those of lower order do not"
+  (define (second f) ((g:expt D 2) f))
+  (check-singular "abs: has no derivative at 0" 0 ((second g:abs) 0))
+  (check-singular "abs: has no derivative at 0.0" 0.0 ((second g:abs) 0.0))
+  (check-singular "sgn: has no derivative at 0" 0 ((second g:sgn) 0))
+  (check-singular "sqrt: has no derivative at 0" 0 ((second (lambda (x) (g:sqrt (g:* x x)))) 0))
+  (check-singular "asin: has no derivative at 1" 1 (((g:expt D 3) g:asin) 1))
+  (check-singular "atan: has no derivative at 0.0, 0.0" (list 0.0 0.0)
+                  ((second (lambda (x) (g:atan x x))) 0.0))
+  (check-singular "floor: has no derivative where it jumps, at 2" 2 ((second g:floor) 2))
+  (check-singular "max: has no derivative where two arguments are equal, at 1, 1" (list 1 1)
+                  ((second (lambda (x) (g:max x (g:square x)))) 1)))
+
+(test-case "and where only the higher ones do not, the lower ones are found"
+  (check-equal? (((g:expt D 1) (power 3/2)) 0) 0)
+  (check-singular "expt: has no derivative at 0, 1/2" (list 0 1/2) (((g:expt D 2) (power 3/2)) 0))
+  (check-equal? (((g:expt D 3) (lambda (n) (g:expt 0 n))) 2) 0)
+  (check-equal? (((g:expt D 2) (power 2)) 0) 2)
+  (check-equal? (((g:expt D 2) g:abs) -3) 0))
+
 ;; Comparisons see values only: the program takes the branch that it takes
 ;; without D, and the derivative is that of the branch.
 (test-case "at equality the branch taken is differentiated"
