@@ -171,13 +171,30 @@
 (define (tidy-sum c e)
   (define compare (make-order))
   (define (before? a b)
-    (define d (- (expression-size b) (expression-size a)))
-    (or (< d 0) (and (eqv? d 0) (< (compare a b) 0))))
-  (define operands
-    (for/list ([a (in-list (node-args e))]) (tidy-power c a)))
-  (if (eq? (node-head e) op:+)
-      (make-node op:+ (sort operands before?))
-      (make-node op:- operands)))
+    (define d (- (expression-size (cdr b)) (expression-size (cdr a))))
+    (or (< d 0) (and (eqv? d 0) (< (compare (cdr a) (cdr b)) 0))))
+  (signed-sum
+   (sort (for/list ([a (in-list (signed-operands e 1))])
+           (cons (car a) (tidy-power c (cdr a))))
+         before?)))
+
+;; ((±1 . operand) ...) of nested sums and differences
+(define (signed-operands e sign)
+  (define (headed? op) (and (node? e) (eq? (node-head e) op)))
+  (cond [(headed? op:+)
+         (apply append (for/list ([a (in-list (node-args e))]) (signed-operands a sign)))]
+        [(headed? op:-)
+         (append (signed-operands (car (node-args e)) sign)
+                 (signed-operands (cadr (node-args e)) (- sign)))]
+        [else (list (cons sign e))]))
+
+(define (signed-sum operands)
+  (define (of sign) (filter (lambda (a) (eqv? sign (car a))) operands))
+  (define plus (of 1))
+  (define minus (of -1))
+  (if (and (= 1 (length plus)) (= 1 (length minus)))
+      (make-node op:- (list (cdar plus) (cdar minus)))
+      (make-node op:+ (append (map cdr plus) (map (lambda (a) (e:negate (cdr a))) minus)))))
 
 (define (tidy-power c e)
   (define simplify (services-simplify (collector-services c)))

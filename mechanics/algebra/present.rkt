@@ -5,18 +5,14 @@
 ;; chooses among equal forms of it, and never changes the value:
 ;;
 ;; - sin² or cos², angles contracted or not, multiple or not: whichever is shorter;
-;; - a fraction is split over the terms of its numerator, or kept whole; roots and
-;;   sines in sums stand above, or below;
-;; - squares of binomials are squares;
-;; - a sum is written expanded; or with the terms that agree in all kernels but
-;;   symbols collected; or grouped by common factors; or with its content in front.
+;; - a fraction is split over the terms of its numerator, or kept whole;
+;; - a sum is grouped by what its terms share (condense.rkt).
 ;;
 ;; The first form named is kept unless another is smaller by a sixth.  The
 ;; choice depends on the value and the order of kernels alone.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "order.rkt" "term.rkt"
-         "form.rkt" "exact.rkt" "exponentials.rkt" "spelling.rkt" "pieces.rkt"
-         "rationalize.rkt" "squares-of-sums.rkt" "grouping.rkt"
+(require "field.rkt" "term.rkt" "form.rkt" "exact.rkt" "exponentials.rkt" "spelling.rkt"
+         "pieces.rkt" "rationalize.rkt" "condense.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide present linear-terms)
@@ -41,9 +37,14 @@
     (if (eq? by-roots by-factors)
         usual
         (shorter-form usual (present-pieces F by-roots))))
-  (if (or (eq? whole by-roots) (fraction-polynomial? f))
+  (if (or (eq? whole by-roots)
+          (fraction-polynomial? f)
+          (> (term-count whole) (* 2 (term-count by-roots))))
       by-roots-alone
       (smaller-form by-roots-alone (present-pieces F whole))))
+
+(define (term-count pieces)
+  (for/sum ([p (in-list pieces)]) (poly-term-count (piece-numerator p))))
 
 ;; The value as a linear combination: ((number . expression) ...), in the order
 ;; of its terms.
@@ -108,136 +109,3 @@
   (define surplus (for/sum ([t (in-list terms)]) (if (negative t) 1 -1)))
   (or (positive? surplus)
       (and (eqv? surplus 0) (negative (car (term-sort terms))))))
-
-;; ---------------------------------------------------------------------------
-;; Sums of terms
-
-(define (sum-of F terms) (terms-form F (condense F terms)))
-
-(define (sum->term F terms) (one-term F (condense F terms)))
-
-;; One term equal to the sum.
-(define (one-term F terms)
-  (if (null? (cdr terms))
-      (car terms)
-      (term 1 (list (cons (sum-kernel F terms) 1)))))
-
-(define (sum-kernel F terms)
-  (field-whole-kernel F ((form-build (terms-form F terms)) 1)))
-
-;; The terms in the form they are shown in: as they are, or fewer.
-(define (condense F terms)
-  (define squares (with-squares F terms))
-  (define grouped (if (null? (cdr squares)) squares (prefer-grouped F squares)))
-  (if (null? (cdr grouped)) grouped (prefer-factored F grouped)))
-
-(define (with-squares F terms)
-  (merge-squares (if (null? (cdr terms)) terms (term-sort terms))
-                 (lambda (terms) (unsigned-kernel F terms))))
-
-;; The kernel of a sum or of its opposite, whichever begins with a plus.
-(define (unsigned-kernel F terms)
-  (define sorted (term-sort terms))
-  (define negative? (< (term-coefficient (car sorted)) 0))
-  (sum-kernel F (if negative? (scale-terms -1 sorted) sorted)))
-
-;; The first of the lists unless a later one is enough smaller.
-(define (prefer F usual . others)
-  (for/fold ([best usual]) ([other (in-list others)])
-    (if (or (eq? best other)
-            (not (smaller-form? (terms-form F best) (terms-form F other))))
-        best
-        other)))
-
-(define (prefer-grouped F terms)
-  (define (->term terms) (one-term F (with-squares F terms)))
-  (define (collected terms)
-    (group-by-kernels terms ->term (lambda (usual product core) (smaller? F usual product))))
-  (define (->term/collected terms) (one-term F (collected terms)))
-  (define (welcome? usual product core)
-    (if (symbols-times-sum? product)
-        (< (terms-size F (list product)) (terms-size F usual))
-        (smaller? F usual product)))
-  (define (welcome-in-residual? usual product core)
-    (and (smaller? F usual product)
-         (or (ormap divided? usual)
-             (ormap derivative-power? (term-powers product))
-             (andmap without-circles? core))))
-  (if (residual? terms)
-      (group-by-factors (collected terms) residual-weight ->term/collected welcome-in-residual?)
-      (group-by-factors (collected terms) heavy-size ->term/collected welcome?)))
-
-(define (terms-size F terms) (form-size (terms-form F terms)))
-
-(define (smaller? F usual product)
-  (smaller-form? (terms-form F usual) (terms-form F (list product))))
-
-;; ½ m (ẋ² + ẏ²) is how it is known, however little shorter.
-(define (symbols-times-sum? t)
-  (define others
-    (filter (lambda (p) (not (symbol? (kernel-expression (car p))))) (term-powers t)))
-  (and (not (divided? t))
-       (pair? others) (null? (cdr others)) (sum-kernel? (caar others))))
-
-(define (divided? t)
-  (for/or ([p (in-list (term-powers t))]) (negative? (cdr p))))
-
-;; Fractions within a fraction are no improvement, except over sums and roots.
-(define (heavy-size k e) (if (heavy-power? k e) (power-size k e) 0))
-(define (heavy-power? k e) (or (positive? e) (not (symbol? (kernel-expression k)))))
-
-;; Equations of motion stay sums over the highest derivatives, their coefficients
-;; collected.  What they may share besides are divisors, or sines times a sum
-;; without any: m l (g + ÿ) sin θ.
-(define (residual? terms)
-  (for*/or ([t (in-list terms)] [p (in-list (term-powers t))])
-    (>= (derivative-order (kernel-expression (car p))) 2)))
-
-(define (residual-weight k e)
-  (if (or (circular-kernel? k) (negative? e)) (heavy-size k e) 0))
-
-(define (derivative-power? p) (>= (derivative-order (kernel-expression (car p))) 1))
-
-(define (without-circles? t)
-  (not (for/or ([p (in-list (term-powers t))]) (circular-kernel? (car p)))))
-
-;; With what the terms share in front, or all over one denominator, if that is
-;; enough smaller; exponentials that they share always.
-(define (prefer-factored F terms)
-  (define-values (c shared core) (extract-content terms #t))
-  (define sign (if (negative? c) -1 1))
-  (define exponentials (filter exponential-power? shared))
-  (define powers
-    (if (ormap divided? core) (filter (lambda (p) (heavy-power? (car p) (cdr p))) shared) shared))
-  (prefer F
-          (if (null? exponentials) terms (with-factor F terms sign exponentials))
-          (with-factor F terms c powers)
-          (if (ormap divided? terms) (in-one-fraction F terms) terms)))
-
-(define (with-factor F terms c powers)
-  (list (times-sum F c powers
-                   (multiply-terms (scale-terms (/ 1 c) terms) (invert-powers powers)))))
-
-(define (in-one-fraction F terms)
-  (define-values (c powers core) (extract-content terms))
-  (list (times-sum F c powers core)))
-
-(define (times-sum F c powers terms)
-  (make-term c (cons (cons (sum-kernel F terms) 1) powers)))
-
-;; ---------------------------------------------------------------------------
-;; Forms
-
-(define (terms-form F terms)
-  (sum-form (for/list ([t (in-list (in-order terms))])
-              (term-form t (field-inexact? F)))))
-
-;; A positive constant comes first, what is divided by sums last.
-(define (in-order terms)
-  (define sorted (term-sort terms))
-  (define (constant? t) (and (null? (term-powers t)) (positive? (term-coefficient t))))
-  (define (divided-by-sum? t)
-    (for/or ([p (in-list (term-powers t))]) (and (negative? (cdr p)) (sum-kernel? (car p)))))
-  (append (filter constant? sorted)
-          (filter (lambda (t) (not (or (constant? t) (divided-by-sum? t)))) sorted)
-          (filter divided-by-sum? sorted)))

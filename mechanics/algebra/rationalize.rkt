@@ -11,24 +11,25 @@
 ;;
 ;; Longer denominators stay as they are, as do those with more powers of x.
 
-(require "field.rkt" "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
+(require "field.rkt" "kernel.rkt" "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide rationalize rationalize-above)
 
-;; A numerator times its conjugates may grow to this many products of terms.
-(define growth-limit 400)
+;; A numerator times its conjugates, a power of the root in it replaced by the
+;; radicand, may grow to this many products of terms.
+(define growth-limit 200)
 
 (define (rationalize F f)
   (for/fold ([f f]) ([r (in-list (field-relations F))])
     (if (fraction-polynomial? f) f (rationalize-by F r f))))
 
-;; The numerator without them instead: (√a - 1)/(a - 1) is 1/(1 + √a).  f itself if
-;; nothing changes, or the ring has no room.
+;; A short numerator without them instead: (√a - 1)/(a - 1) is 1/(1 + √a).  f itself
+;; if nothing changes, or the ring has no room.
 (define (rationalize-above F f)
   (define R (field-ring F))
   (define (algebraic? i) (for/or ([r (in-list (field-relations F))]) (eqv? i (relation-index r))))
   (if (and (not (fraction-polynomial? f))
-           (pair? (cdr (fraction-numerator f)))
+           (<= 2 (poly-term-count (fraction-numerator f)) 6)
            (ormap algebraic? (poly-variables R (fraction-numerator f))))
       (with-handlers ([exn:algebra:degree-overflow? (lambda (x) f)])
         (fraction-invert R (rationalize F (fraction-invert R f))))
@@ -37,14 +38,28 @@
 (define (rationalize-by F r f)
   (define R (field-ring F))
   (for/fold ([f f]) ([h (in-list (fraction-denominator-factors f))]
-                     #:when (positive? (poly-degree R (car h) (relation-index r))))
+                     #:when (positive? (poly-degree R (car h) (relation-index r)))
+                     #:unless (long-in-sines? F r (car h)))
     (define c (conjugate F r (car h)))
-    (if (and c (modest? f c (cdr h)))
+    (if (and c (modest? r f c (cdr h)))
         (multiplied F r f h c)
         f)))
 
-(define (modest? f c e)
-  (<= (* (poly-term-count (fraction-numerator f)) (expt (poly-term-count c) (min e 20)))
+;; The norm of m + M sin²(θ - φ), written out in θ and φ, is no denominator to read.
+(define (long-in-sines? F r h)
+  (and (sine? F r)
+       (> (poly-term-count h) 4)
+       (> (for/sum ([s (in-list (field-relations F))])
+            (if (and (sine? F s) (positive? (poly-degree (field-ring F) h (relation-index s)))) 1 0))
+          1)))
+
+(define (sine? F r)
+  (circle? (kernel-relation (vector-ref (field-kernels F) (relation-index r)))))
+
+(define (modest? r f c e)
+  (<= (* (poly-term-count (fraction-numerator f))
+         (poly-term-count (fraction-numerator (relation-radicand r)))
+         (expt (poly-term-count c) (min e 20)))
       growth-limit))
 
 ;; What h is to be multiplied by, or #f.

@@ -37,9 +37,23 @@
 (struct square (terms content members) #:authentic)
 
 (define (square-term s sum->kernel)
-  (define power (cons (sum->kernel (reverse (square-members s))) 2))
   (define content (square-content s))
-  (make-term (term-coefficient content) (cons power (term-powers content))))
+  (define below (denominators (square-members s)))
+  (define members (multiply-terms (reverse (square-members s)) below))
+  (make-term (term-coefficient content)
+             (cons (cons (sum->kernel members) 2)
+                   (for/fold ([powers (term-powers content)]) ([p (in-list below)])
+                     (multiply-powers powers (list (cons (car p) (* -2 (cdr p)))))))))
+
+;; What clears the members of denominators by kernels that are no symbols.
+(define (denominators members)
+  (for/fold ([powers '()]) ([m (in-list members)])
+    (merge-powers (lambda (p q rest)
+                    (define e (max (if p (cdr p) 0) (if q (- (cdr q)) 0)))
+                    (if (and (positive? e) (not (symbol? (kernel-expression (car (or p q))))))
+                        (cons (cons (car (or p q)) e) rest)
+                        rest))
+                  powers (term-powers m))))
 
 (define (welcome? s squares)
   (or (alike? (square-members s))

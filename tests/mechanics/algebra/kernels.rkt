@@ -31,7 +31,7 @@
    [(- (* (cos x) (cos y)) (* (sin x) (sin y))) (cos (+ x y))]
    [(- (* (sin x) (cos y)) (* (cos x) (sin y))) (sin (- x y))]
    [(- (* (cos (- x y)) (cos z)) (* (sin (- x y)) (sin z))) (cos (+ x (* -1 y) z))]
-   [(sin (- (theta t) (phi t))) (* -1 (sin (- (phi t) (theta t))))]))
+   [(sin (- (theta t) (phi t))) (sin (- (theta t) (phi t)))]))
 
 (test-case "the shorter of sine and cosine squared is shown"
   (check-forms
