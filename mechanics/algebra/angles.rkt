@@ -99,7 +99,7 @@
 ;; Was any angle a combination of basic ones?
 (define (dependent-angles? c)
   (for/or ([(key a) (in-hash (collector-angles c))])
-    (and (eq? (car key) 'circular)
+    (and (memq (car key) '(circular hyperbolic))
          (let ([multiples (angle-multiples a)])
            (and (pair? multiples)
                 (or (pair? (cdr multiples)) (not (eqv? 1 (abs (cdar multiples))))))))))

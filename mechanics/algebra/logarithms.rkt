@@ -2,7 +2,7 @@
 ;; Logarithms and absolute values, by the factors of their arguments.
 ;;
 ;; log eᵘ = u, log √u = 1/2 log u, log 1/u = -log u.  Else a single logarithm
-;; stays as it is; where several occur their arguments are split, log(4x²y) =
+;; stays as it is; where several occur, or an exponential is a factor, arguments are split, log(4x²y) =
 ;; 2 log 2 + 2 log x + log y, and that the factors are not negative is assumed.
 ;; |c x²y| = |c| x² |y|, and |y|² = y².
 
@@ -41,7 +41,9 @@
 
 (define (settle-logarithm! c u nodes several?)
   (define parts (logarithm-parts c u))
-  (cond [(or (equal? parts (list (cons 1 u))) (not (or several? (lone? parts))))
+  (define split?
+    (or several? (lone? parts) (for/or ([p (in-list parts)]) (headed? (cdr p) op:exp))))
+  (cond [(or (equal? parts (list (cons 1 u))) (not split?))
          (define k (intern-kernel! c (make-node op:log (list u))))
          (for ([n (in-list nodes)]) (resolve! c n k))]
         [else

@@ -133,7 +133,7 @@
     (define n (normalize e services))
     (present (car n) (cdr n)))
   (define first (present (car form) (cdr form)))
-  (if (atlas-dependent? (field-atlas (car form)))
+  (if (or (atlas-dependent? (field-atlas (car form))) (new-angles? (car form) first))
       (let loop ([seen (list first)])
         (define last (car seen))
         (define new (if (node? last) (next last) last))
@@ -147,6 +147,22 @@
 
 ;; Simplified even when there is no fuel left.
 (define (small? e) (< (expression-size e) 60))
+
+;; Has presentation put angles together that did not occur?
+(define (new-angles? F e)
+  (define known
+    (for/hash ([k (in-vector (field-kernels F))] #:when (circle? (kernel-relation k)))
+      (values (circle-expression (kernel-relation k)) #t)))
+  (define memo (make-memo))
+  (define (new? e)
+    (and (node? e) (memo e (lambda () (new-node? e)))))
+  (define (new-node? n)
+    (cond [(memq (node-head n) (list op:+ op:- op:* op:/ op:expt))
+           (ormap new? (node-args n))]
+          [(memq (node-head n) (list op:sin op:cos op:sinh op:cosh))
+           (not (hash-ref known (car (node-args n)) #f))]
+          [else #f]))
+  (and (positive? (hash-count known)) (new? e)))
 
 (define (least es)
   (for/fold ([best (car es)]) ([e (in-list (cdr es))])

@@ -91,7 +91,8 @@
 (define (assume-signs! F factors q assume!)
   (for ([g (in-list factors)])
     (define e (/ (cdr g) q))
-    (unless (and (even? (truncate e)) (memv (denominator e) (list 1 q)))
+    (unless (or (and (integer? e) (even? e))
+                (and (odd? (cdr g)) (even? (truncate e)) (eqv? q (denominator e))))
       (assume! (present F (fraction-from-poly (field-ring F) (car g)))))))
 
 (define (distinct xs)

@@ -101,7 +101,7 @@
     [(4) (f op:/ (symbol) (symbol))]
     [(5) (f op:+ (e:expt (symbol) 2) (e:expt (symbol) 2))]
     [(6) (f op:- (e:expt (symbol) 2) (e:expt (symbol) 2))]
-    [(7) (f op:* (choose 2 4 1/2 9) (f op:expt (f op:+ (symbol) (symbol)) (choose 1 2 3)))]
+    [(7) (f op:* (choose 2 4 1/2 9) (f op:expt (f (choose op:+ op:-) (symbol) 'b) (choose 1 2 3)))]
     [(8) (random-expression 1 (filter (lambda (k) (memq k '(rational literal flonum))) kinds))]
     [else (f op:+ (symbol) (choose 1 2 'b (f op:* 'a 'b)))]))
 

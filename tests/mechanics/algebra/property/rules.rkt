@@ -79,7 +79,7 @@
   [add-and-subtract always e (-: (+: e 'c) 'c)]
   [times-pythagoras always e (*: e (+: (^: (sin: 'c) 2) (^: (cos: 'c) 2)))]
   [times-hyperbolic-one respelt e (*: e (-: (^: (cosh: 'c) 2) (^: (sinh: 'c) 2)))]
-  [times-secant always e (*: e (-: (/: 1 (^: (cos: 'b) 2)) (^: (tan: 'b) 2)))]
+  [times-secant respelt e (*: e (-: (/: 1 (^: (cos: 'b) 2)) (^: (tan: 'b) 2)))]
   [times-exponentials respelt e (*: e (exp: 'c) (exp: (neg 'c)))]
   [times-root positive e (/: (*: e (sqrt: 'c) (sqrt: 'c)) 'c)]
   [difference-of-squares always e (+: (/: (-: (^: e 2) (^: 'c 2)) (+: e 'c)) 'c)]

@@ -8,8 +8,8 @@
 ;; larger.  Everything is real: where an operation is not defined, or is so close
 ;; to where it is not that the error cannot tell, there is no value.
 ;;
-;; A point is an integer.  It gives every symbol a number between 0.3 and 2.3
-;; and every literal function, and each of its derivatives, a smooth function
+;; A point is an integer.  It gives every symbol a number of a size between 0.3 and
+;; 2.3, positive if the point is odd, of either sign if it is even; and every literal function, and each of its derivatives, a smooth function
 ;; of its own, so that equal arguments give equal values.
 
 (require mechanics/algebra/expression mechanics/algebra/operation)
@@ -144,7 +144,9 @@
   (/ (quotient g 65536) 65536))
 
 (define (symbol-value s point)
-  (constant (+ 3/10 (* 2 (scatter (symbol->string s) point)))))
+  (define text (symbol->string s))
+  (define size (+ 3/10 (* 2 (scatter text point))))
+  (constant (if (and (even? point) (< (scatter text (- point)) 1/2)) (- size) size)))
 
 ;; 3/2 + sin(Σ kᵢ xᵢ + φ), which is never negative.
 (define (application-value head arguments point)

@@ -1,0 +1,172 @@
+#lang racket/base
+;; The list of mutants: wrong laws, wrong signs, forgotten conditions.
+
+(require "mutate.rkt")
+
+(provide mutants)
+
+(define-syntax-rule (define-mutants id [name file old new] ...)
+  (define id (list (mutant name file old new) ...)))
+
+(define-mutants mutants
+  ;; relations between kernels
+  ["sin² + cos² = 2" "field.rkt"
+   "(if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one))"
+   "(if (eqv? (circle-sign o) 1) (poly- R (poly-constant R 2) cosine²) (poly- R cosine² one))"]
+  ["cosh² + sinh² = 1" "field.rkt"
+   "(if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one))"
+   "(poly- R one cosine²)"]
+  ["the relation of an absolute value is |u|² = u" "field.rkt"
+   "(reduce-fraction F (fraction-expt (field-ring F) u 2))"
+   "(reduce-fraction F u)"]
+  ["what is left of a reduced power is all of it" "field.rkt"
+   "(cons (cons (remainder (car entry) q) (cdr entry)) part)"
+   "(cons (cons (car entry) (cdr entry)) part)"]
+  ["a relation is applied to quotients of powers only" "field.rkt"
+   "(fraction-expt R (relation-radicand r) j)"
+   "(relation-radicand r)"]
+  ;; angles
+  ["cos(a + b) = cos a cos b + sin a sin b" "walk.rkt"
+   "(scale sign (product (cdr t) (cdr u)))"
+   "(scale (- sign) (product (cdr t) (cdr u)))"]
+  ["sin(a + b) = sin a cos b + sin a sin b" "walk.rkt"
+   "(list (product (cdr t) (car u)) (product (car t) (cdr u)))"
+   "(list (product (cdr t) (car u)) (product (cdr t) (cdr u)))"]
+  ["sin(-a) = sin a" "walk.rkt"
+   "(if (negative? n) (scale -1 sine) sine)"
+   "sine"]
+  ["tan = cos / sin" "walk.rkt"
+   "[else ((arithmetic-quotient A) (cdr turn) (car turn))]"
+   "[else ((arithmetic-quotient A) (car turn) (cdr turn))]"]
+  ["cos(asin u) = 1 - u²" "angles.rkt"
+   "(values u (root (e:- 1 (square u))))"
+   "(values u (e:- 1 (square u)))"]
+  ["atan(y, x) = atan(x, y)" "angles.rkt"
+   "(values (e:/ u r) (e:/ x r))"
+   "(values (e:/ x r) (e:/ u r))"]
+  ["cos(a - b) is taken for cos(a + b)" "contract.rkt"
+   "(if cosine? (- alike) alike)"
+   "alike"]
+  ["a lattice with a coordinate wrong" "lattice.rkt"
+   "(cons position (* d (coordinate v k)))"
+   "(cons position (abs (* d (coordinate v k))))"]
+  ;; sines and cosines shown
+  ["1 - cos² = -sin²" "squares.rkt"
+   "(define without-sines (merge R p cosine sine -1 sign))"
+   "(define without-sines (merge R p cosine sine -1 (- sign)))"]
+  ;; exponentials, logarithms, absolute values
+  ["e^(k log b) = b^(-k)" "exponentials.rkt"
+   "(exact-exponent (car t))))"
+   "(- (exact-exponent (car t)))))"]
+  ["sinh = cosh" "exponentials.rkt"
+   "(define sine (e:* 1/2 (e:- up down)))"
+   "(define sine (e:* 1/2 (e:+ up down)))"]
+  ["products of exponentials forget their exponents" "exponentials.rkt"
+   "(e:+ sum (e:* (cdr p) (exponential-exponent (kernel-relation (car p)))))"
+   "(e:+ sum (exponential-exponent (kernel-relation (car p))))"]
+  ["log xy = log x - log y" "logarithms.rkt"
+   "(e:+ sum (e:* (car p) (part-logarithm c (cdr p))))"
+   "(e:- sum (e:* (car p) (part-logarithm c (cdr p))))"]
+  ["log √u = 2 log u" "logarithms.rkt"
+   "(values (car (node-args f)) 1/2)"
+   "(values (car (node-args f)) 2)"]
+  ["signs are taken for granted in silence" "normalize.rkt"
+   "(define (assume e) (assume! w e))"
+   "(define (assume e) (void))"]
+  ["|xy| = x |y|" "logarithms.rkt"
+   "(cond [(or (even? e) (never-negative? f)) (e:expt f e)]"
+   "(cond [(or (symbol? f) (even? e) (never-negative? f)) (e:expt f e)]"]
+  ["|-3 x| = -3 |x|" "logarithms.rkt"
+   "(for/fold ([product (abs number)])"
+   "(for/fold ([product number])"]
+  ;; roots
+  ["√(u²) = -u" "radicand.rkt"
+   "(values (present F (power-product F (map whole-part parts)))"
+   "(values (present F (power-product F (cons (cons -1 1) (map whole-part parts))))"]
+  ["√(x³) = x √(x²)" "radicand.rkt"
+   "(define e (- (cdr part) (cdr (whole-part part))))"
+   "(define e (cdr part))"]
+  ["√6 = √2 √3 √5" "root-class.rkt"
+   "(if (number? f)
+        (fraction-scale R (expt f e) w)"
+   "(if (number? f)
+        (fraction-scale R (expt (abs f) (+ e 1)) w)"]
+  ["a norm is to the first power" "rationalize.rkt"
+   "(fraction-expt R norm e)"
+   "norm"]
+  ["a conjugate is multiplied below only" "rationalize.rkt"
+   "(fraction* R (above) (reduce-fraction F (fraction-expt R (from c) e)))"
+   "(above)"]
+  ;; presentation
+  ["x √x = √x" "form.rkt"
+   "(+ (cdr p) (* (root-degree r) (cdr x)))"
+   "(cdr p)"]
+  ["a content loses its sign" "term.rkt"
+   "(values signed powers"
+   "(values c powers"]
+  ["a denominator's sign is dropped" "present.rkt"
+   "(expt (* (if flip? -1 1) (term-coefficient below))"
+   "(expt (* 1 (term-coefficient below))"]
+  ["a radicand comes back with the wrong power" "pieces.rkt"
+   "(* k (base-degree b))"
+   "(* k (+ 1 (base-degree b)))"]
+  ["squares of sums have a wrong middle sign" "squares-of-sums.rkt"
+   "(cons (term (* sign ratio) (term-powers new))"
+   "(cons (term ratio (term-powers new))"]
+  ;; polynomials and fractions
+  ["a product adds where it should multiply" "polynomial/arithmetic.rkt"
+   "(cons (cons (caar p) (* c (cdar p))) (scale c (cdr p)))"
+   "(cons (cons (caar p) (+ c (cdar p))) (scale c (cdr p)))"]
+  ["cancelling divides the numerator alone" "polynomial/fraction.rkt"
+   "(define others (basis-insert R + '() (poly-divide R h d) e))"
+   "(define others (basis-insert R + '() h e))"]
+  ["cancelled factors are forgotten" "polynomial/fraction.rkt"
+   "(values p* (append rest kept))"
+   "(values p* kept)"]
+  ["a fraction is inverted without its content" "polynomial/fraction.rkt"
+   "(expand R (poly-constant R (/ 1 content)) (fraction-denominator-factors f))"
+   "(expand R (poly-constant R 1) (fraction-denominator-factors f))"]
+  ["what divides nothing is a gcd" "polynomial/gcd.rkt"
+   "[(null? kept) (poly-constant R 1)]"
+   "[(null? kept) p]"]
+  ["division adds what it should subtract" "polynomial/division.rkt"
+   "(shift-terms n (- d) (cdr q))"
+   "(shift-terms n d (cdr q))"]
+  ["the square-free parts drop a factor" "polynomial/square-free.rkt"
+   "(if (poly-constant? f) rest (cons (cons f i) rest))"
+   "(if (poly-constant? f) rest (cons (cons f 1) rest))"]
+  ["a basis forgets an exponent" "polynomial/coprime-basis.rkt"
+   "(basis-insert R add others d (add k e))"
+   "(basis-insert R add others d k)"]
+  ;; fingerprints and verdicts
+  ["the fingerprint of a difference is that of a sum" "residues.rkt"
+   "(mod- (one) (two) p)"
+   "(mod+ (one) (two) p)"]
+  ["the fingerprint of the circle is off it" "residues.rkt"
+   "(mod* (mod* 2 t p) inverse p)"
+   "(mod* t inverse p)"]
+  ["fingerprints take derivatives for their functions" "fingerprint.rkt"
+   "(cons (literal-head-name head) (literal-head-index head))"
+   "(literal-head-name head)"]
+  ["a fingerprint looks at one residue and calls it zero" "fingerprint.rkt"
+   "[(eqv? value 0) (loop (+ chain 1))]"
+   "[(even? value) (loop (+ chain 1))]"]
+  ["whatever has no witness is proved" "zero-test.rkt"
+   "[witness 'refuted]"
+   "[witness 'proved]"]
+  ["a witness has another value" "witness.rkt"
+   "(values (reverse point) value-of-e error-of-e)"
+   "(values (reverse point) (- value-of-e) error-of-e)"]
+  ["flonums are proved" "zero-test.rkt"
+   "(and (number? e) (not (exact? e)))"
+   "#f"]
+  ;; expressions
+  ["functions of the same arguments in another order are equal" "expression.rkt"
+   "(define (commutative? head) (or (eq? head op:+) (eq? head op:*)))"
+   "(define (commutative? head) #t)"]
+  ["x - y = y - x" "expression.rkt"
+   "[(exact-zero? a) (e:negate b)]"
+   "[(exact-zero? a) b]"]
+  ["(x^m)^n = x^(m + n)" "expression.rkt"
+   "(e:expt (car (node-args b)) (* n (cadr (node-args b))))"
+   "(e:expt (car (node-args b)) (+ n (cadr (node-args b))))"])

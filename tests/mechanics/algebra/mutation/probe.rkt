@@ -1,0 +1,68 @@
+#lang racket/base
+;; The part of the suite that a mutant is tried with: random expressions of every
+;; class, nothing shrunk, until something fails; and a few sums by name.
+
+(require "../property/run.rkt" "../property/property.rkt" "../reading.rkt"
+         mechanics/algebra/simplify mechanics/algebra/zero-test mechanics/algebra/fingerprint)
+
+(provide probe)
+
+;; Each has its status; what stands for 0 has that form, and that fingerprint.
+(define known
+  '((proved (- (expt (+ a b) 2) (+ (* a a) (* 2 a b) (* b b))))
+    (proved (- (/ 1 (- x 1)) (/ 1 (+ x 1)) (/ 2 (- (expt x 2) 1))))
+    (proved (- (cos (* 3 a)) (- (* 4 (expt (cos a) 3)) (* 3 (cos a)))))
+    (proved (- (expt (cosh a) 2) (expt (sinh a) 2) 1))
+    (proved (- (* (sqrt a) (sqrt b)) (sqrt (* a b))))
+    (proved (- (log (* a b)) (log a) (log b)))
+    (proved (- (* (exp a) (exp b)) (exp (+ a b))))
+    (proved (- (expt (abs (- a b)) 2) (expt (- b a) 2)))
+    (proved (- (/ (- (expt x 6) (expt b 6)) (- (expt x 2) (expt b 2)))
+               (+ (expt x 4) (* (expt x 2) (expt b 2)) (expt b 4))))
+    (refuted (- (sin (+ a b)) (+ (sin a) (sin b))))
+    (refuted (- ((D q) t) (q t)))
+    (refuted (- (V a b) (V b a)))
+    (proved (- (sqrt 6) (* (sqrt 2) (sqrt 3))))
+    (proved (+ b (- 0 b)))
+    (proved (- (expt (expt a 2) 3) (expt a 6)))))
+
+;; Equal, and printed so.
+(define alike
+  '(((/ (- a 1) (- (sqrt a) 1)) (+ 1 (sqrt a)))
+    ((/ (expt (cos x) 2) (- 1 (sin x))) (+ 1 (sin x)))))
+
+;; Simplified, these have the same values.
+(define kept
+  '((+ (* (cos x) (cos b) (V a b)) (* (sin x) (sin b) (V a b)) (expt c 5))
+    (+ (sin a) (cos b) (sin (- (* 1/2 a) b)))
+    (sqrt (expt (- a b) 2))
+    (abs (* a b))
+    (/ 1 (expt (+ 1 (sqrt a)) 2))
+    (/ c (- (expt x 3) (+ a b 1)))))
+
+(define (probe)
+  (or (for/or ([entry (in-list known)])
+        (with-handlers ([exn:fail? exn-message])
+          (wrong entry)))
+      (for/or ([pair (in-list alike)])
+        (same-by-print (datum->expression (car pair)) (datum->expression (cadr pair))))
+      (for/or ([d (in-list kept)]) (value-kept (datum->expression d)))
+      (for/or ([seed (in-range 1 201)])
+        (with-handlers ([exn:fail? exn-message])
+          (define failures (run-seed seed #:shrink? #f))
+          (and (pair? failures) (failure->string (car failures)))))))
+
+(define (wrong entry)
+  (define e (datum->expression (cadr entry)))
+  (define z (zero-test e))
+  (define print (fingerprint e))
+  (define told
+    (list (zero-test-status z)
+          (if (eqv? 0 (simplify-expression e)) 'zero 'not-zero)
+          (if (memq print '(nonzero nonzero?)) 'not-zero print)))
+  (define expected
+    (if (eq? (car entry) 'proved) '(proved zero zero) '(refuted not-zero not-zero)))
+  (define logarithms? (regexp-match? #rx"log" (format "~a" (cadr entry))))
+  (and (not (equal? (if logarithms? (list (car told) (cadr told)) told)
+                    (if logarithms? (list (car expected) (cadr expected)) expected)))
+       (format "~a is ~a" (cadr entry) told)))
