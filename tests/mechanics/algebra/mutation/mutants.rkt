@@ -151,9 +151,9 @@
   ["a fingerprint looks at one residue and calls it zero" "fingerprint.rkt"
    "[(eqv? value 0) (loop (+ chain 1))]"
    "[(even? value) (loop (+ chain 1))]"]
-  ["whatever has no witness is proved" "zero-test.rkt"
-   "[witness 'refuted]"
-   "[witness 'proved]"]
+  ["whatever has a witness is proved" "zero-test.rkt"
+   "(cond [witness (make-zero-test 'refuted "
+   "(cond [witness (make-zero-test 'proved "]
   ["a witness has another value" "witness.rkt"
    "(values (reverse point) value-of-e error-of-e)"
    "(values (reverse point) (- value-of-e) error-of-e)"]
