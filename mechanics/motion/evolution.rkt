@@ -2,7 +2,7 @@
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
 (require racket/flonum
-         "check.rkt" "method.rkt" "system.rkt"
+         "check.rkt" "choice.rkt" "method.rkt" "system.rkt"
          "../numeric/failure.rkt" "../numeric/ode/integrate.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt")
 

@@ -1,28 +1,33 @@
 #lang racket/base
-;; Which method integrates: a value, or the name under which the book sets it.
+;; The methods of integration, by name and with fixed steps.
 
-(require "../numeric/ode/dormand-prince-853.rkt" "../numeric/ode/stepper.rkt")
+(require "check.rkt" "choice.rkt"
+         "../numeric/ode/bulirsch-stoer.rkt" "../numeric/ode/dormand-prince-54.rkt"
+         "../numeric/ode/dormand-prince-853.rkt" "../numeric/ode/gauss-legendre.rkt"
+         "../numeric/ode/quality-controlled.rkt" "../numeric/ode/stepper.rkt"
+         (rename-in "../numeric/ode/symplectic.rkt" [leapfrog numeric:leapfrog]))
 
-(provide ode-integration-method set-ode-integration-method! integration-method?
-         dormand-prince-853
-         method-of)
+(provide method-of
+         leapfrog Yoshida-4 Yoshida-6 Yoshida-8
+         Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)
 
-(define (integration-method? x) (method? x))
+(define adaptive
+  (list dormand-prince-853 dormand-prince-54 bulirsch-stoer quality-controlled-runge-kutta-4))
 
-(define methods (list dormand-prince-853))
-
-(define ode-integration-method
-  (make-parameter dormand-prince-853
-                  (lambda (m) (method-of 'ode-integration-method m))))
-
-(define (set-ode-integration-method! m)
-  (ode-integration-method (method-of 'set-ode-integration-method! m)))
-
-;; A method from a method or its name.
 (define (method-of who m)
-  (cond [(method? m) m]
-        [(for/first ([known (in-list methods)] #:when (eq? (method-name known) m)) known)]
-        [else
-         (raise-arguments-error who "expected a method of integration or its name"
-                                "given" m
-                                "names" (map method-name methods))]))
+  (check-method who m)
+  (if (method? m)
+      m
+      (for/first ([known (in-list adaptive)] #:when (eq? (method-name known) m)) known)))
+
+(define-syntax-rule (define-fixed [name make] ...)
+  (begin
+    (define (name step)
+      (check-positive 'name "time step" step)
+      (make (real->double-flonum step))) ...))
+
+(define-fixed
+  [leapfrog numeric:leapfrog]
+  [Yoshida-4 yoshida-4] [Yoshida-6 yoshida-6] [Yoshida-8 yoshida-8]
+  [Gauss-Legendre-2 gauss-legendre-2] [Gauss-Legendre-4 gauss-legendre-4]
+  [Gauss-Legendre-6 gauss-legendre-6])

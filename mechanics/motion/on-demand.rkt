@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Integration, loaded when it is first used.
 
-(require racket/lazy-require)
+(require racket/lazy-require
+         "choice.rkt")
 
 (lazy-require
  ["evolution.rkt" (state-advancer evolve)]
@@ -9,7 +10,8 @@
                     trajectory? trajectory-start trajectory-end trajectory-final-state
                     trajectory-states trajectory-events)]
  ["event.rkt" (event event? occurrence? occurrence-event occurrence-time occurrence-state)]
- ["method.rkt" (set-ode-integration-method! ode-integration-method integration-method?)])
+ ["method.rkt" (leapfrog Yoshida-4 Yoshida-6 Yoshida-8
+                Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)])
 
 (provide
  state-advancer evolve
@@ -17,4 +19,6 @@
  trajectory? trajectory-start trajectory-end trajectory-final-state
  trajectory-states trajectory-events
  event event? occurrence? occurrence-event occurrence-time occurrence-state
- set-ode-integration-method! ode-integration-method integration-method?)
+ set-ode-integration-method! ode-integration-method integration-method?
+ leapfrog Yoshida-4 Yoshida-6 Yoshida-8
+ Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)

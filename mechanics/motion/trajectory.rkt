@@ -6,7 +6,7 @@
 ;; themselves do.
 
 (require racket/flonum
-         "check.rkt" "event.rkt" "evolution.rkt" "method.rkt" "system.rkt"
+         "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "system.rkt"
          "../generic/describe.rkt" "../numeric/ode/vectors.rkt")
 
 (provide evolve-trajectory

@@ -25,12 +25,9 @@
 
 (define (start f! y0)
   (define n (flvector-length y0))
-  (define-syntax-rule (define-vectors id ...)
-    (begin (define id (make-flvector n)) ...))
   (define y (flvector-copy y0))
-  (define-vectors z w old e5 e3)
-  (define-vectors k0 k1 k2 k3 k4 k5 k6 k7 k8 k9 k10 k11 k12 k13 k14 k15)
-  (define-vectors c0 c1 c2 c3 c4 c5 c6)
+  (define-vectors n z w old e5 e3)
+  (define-vectors n k0 k1 k2 k3 k4 k5 k6 k7 k8 k9 k10 k11 k12 k13 k14 k15)
   (define step 0.0)
   (define fresh? #f)                    ; is k12 the slope at y?
 
@@ -111,7 +108,7 @@
     (set! fresh? #t))
 
   (define (interpolant)
-    (define-vectors c0 c1 c2 c3 c4 c5 c6)
+    (define-vectors n c0 c1 c2 c3 c4 c5 c6)
     (define from (flvector-copy old))
     (further-slopes! step)
     (weighted-sum! n c0 [1.0 y] [-1.0 old])
@@ -146,11 +143,7 @@
                    [96.3245539591882829483949506 k13] [-39.177261675615439165231486172 k14]
                    [-149.72683625798562581422125276 k15])
     (for ([c (in-list (list c3 c4 c5 c6))]) (scale! c step))
-    (lambda (theta out)
-      (define rest (fl- 1.0 theta))
-      (for ([i (in-range n)])
-        (define-syntax-rule (at-i id ...) (nested theta rest (flvector-ref id i) ...))
-        (flvector-set! out i (at-i from c0 c1 c2 c3 c4 c5 c6)))))
+    (nested-polynomial n from c0 c1 c2 c3 c4 c5 c6))
 
   (define (further-slopes! h)
     (combine! n w old h [0.0561675022830479523392909219681 k0]
@@ -177,14 +170,8 @@
   (f! y k0)
   (stepper y slope try! accept! interpolant))
 
-;; x₀ + a (x₁ + b (x₂ + a (x₃ + ...)))
-(define-syntax nested
-  (syntax-rules ()
-    [(_ a b x) x]
-    [(_ a b x . more) (fl+ x (fl* a (nested b a . more)))]))
-
 (define (error-estimate e5 e3)
   (define root (flsqrt (fl+ (fl* e5 e5) (fl* 0.01 (fl* e3 e3)))))
   (if (fl= root 0.0) 0.0 (fl/ (fl* e5 e5) root)))
 
-(define dormand-prince-853 (method 'Dormand-Prince-853 8 #t start))
+(define dormand-prince-853 (adaptive-method 'Dormand-Prince-853 8 start))

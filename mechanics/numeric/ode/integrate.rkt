@@ -2,8 +2,8 @@
 ;; Integration of y' = f(y) from one time to another, by any method.
 ;;
 ;; An adaptive method tries a step; if its error exceeds the tolerance the step
-;; is tried again, shorter.  Other methods take steps of the length they are
-;; given.  The last step ends where the integration ends, exactly.
+;; is tried again, shorter.  Other methods take steps of their own length.  The
+;; last step ends where the integration ends, exactly.
 ;;
 ;; When no step is short enough, because f is not finite there or changes too
 ;; fast, the integration fails with the time it has reached and the last state
@@ -14,19 +14,16 @@
 
 (provide integrate)
 
-
 ;; f!    : y dy -> void; stores f(y) in dy
 ;; visit : called after each step with the times before and after it and with a
 ;;         thunk that makes its interpolant (stepper.rkt); the integration ends
 ;;         there if it returns #f
 ;; clock : index of the component of y that is the time, to be kept exact, or #f
-;; step  : the length of the first step, or of all if the method is not adaptive
 ;; stuck : called with a time and a copy of the state there if no step is short
 ;;         enough to go on; it does not return
 ;; -> the time reached and the state there, an flvector
 (define (integrate m f! y0 start end
                    #:tolerance [tolerance 1e-10]
-                   #:step [step #f]
                    #:longest [longest +inf.0]
                    #:limit [limit +inf.0]
                    #:clock [clock #f]
@@ -37,16 +34,17 @@
   (define sign (if (fl< end start) -1.0 1.0))
   (define tolerated (step-tolerance tolerance))
   (define first
-    (flmin longest (or step (first-length m s f! tolerated sign (flabs (fl- end start))))))
+    (or (method-step m)
+        (flmin longest (first-length m s f! tolerated sign (flabs (fl- end start))))))
   (let loop ([t start] [h first] [count 0])
     (cond
       [(fl= t end) (values t (flvector-copy (stepper-state s)))]
       [(>= count limit) (raise-too-many who limit t s)]
       [else
-       (define-values (now next) (take-step m s tolerated t end sign h stuck))
+       (define-values (now next) (take-step m s tolerated t end sign (flmin longest h) stuck))
        (when clock (flvector-set! (stepper-state s) clock now))
        (if (visit t now (stepper-interpolant s))
-           (loop now (flmin longest next) (+ count 1))
+           (loop now next (+ count 1))
            (values now (flvector-copy (stepper-state s))))])))
 
 ;; The errors of many steps add up: each may have a tenth of the tolerance, but
@@ -57,15 +55,16 @@
 (define (take-step m s tolerance t end sign h stuck)
   (define remaining (flabs (fl- end t)))
   (let try ([h h])
-    (define last? (fl>= h (fl* 0.9999999 remaining)))
+    (define last? (fl>= h (fl* (fl- 1.0 1e-7) remaining)))
     (define length (if last? remaining h))
     (define error (fl/ ((stepper-try! s) (fl* sign length)) tolerance))
     (cond
       [(fl<= error 1.0)
        ((stepper-accept! s))
        (values (if last? end (fl+ t (fl* sign length)))
-               (if (method-adaptive? m) (next-length m length error) h))]
-      [(fl= (fl+ t (fl* 0.125 length)) t) (stuck t (flvector-copy (stepper-state s)))]
+               (if (method-step m) h (next-length m length error)))]
+      [(or (method-step m) (fl= (fl+ t (fl* 0.125 length)) t))
+       (stuck t (flvector-copy (stepper-state s)))]
       [else (try (next-length m length error))])))
 
 ;; ---------------------------------------------------------------------------

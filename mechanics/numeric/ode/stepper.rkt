@@ -6,20 +6,28 @@
 ;; that may be; the driver (integrate.rkt) accepts it or tries a shorter one.
 ;; Time, where f depends on it, is a component of y with derivative 1.
 
-(provide (struct-out method) (struct-out stepper))
+(provide (struct-out method) adaptive-method fixed-step-method
+         (struct-out stepper))
 
-;; order : the error of a step of length h is of the order h^order
-;; adaptive? : does it estimate that error?
+;; order : the error of a step of length h, as far as it is estimated, is of the
+;;         order h^order
+;; step  : the length of all steps, or #f if they follow the error
 ;; start : (f! y0) -> stepper; (f! y dy) stores f(y) in dy
-(struct method (name order adaptive? start)
+(struct method (name order step start)
   #:authentic
-  #:property prop:object-name 0)
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (m port mode)
+    (write (if (method-step m) (list (method-name m) (method-step m)) (method-name m)) port)))
+
+(define (adaptive-method name order start) (method name order #f start))
+(define (fixed-step-method name order step start) (method name order step start))
 
 ;; state       : the flvector of the present state, which steps overwrite
 ;; slope       : -> the flvector f(state), good until a step is tried
 ;; try!        : h -> the error of a step of that length, a flonum: the root mean
-;;               square over the components, each relative to 1 + |y|; 0.0 if the
-;;               method does not know
+;;               square over the components, each relative to 1 + |y|; of a method
+;;               with a fixed step 0.0, or not a number if the step fails
 ;; accept!     : -> void; the state tried last becomes the present one
 ;; interpolant : -> (theta out -> void), which stores in `out` the state at the
 ;;               fraction theta of the step accepted last, and stays good

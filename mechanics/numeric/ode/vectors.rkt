@@ -7,7 +7,11 @@
 
 (require racket/flonum racket/unsafe/ops)
 
-(provide combine! weighted-sum! scale! flvector-copy! root-mean-square flvector-finite?)
+(provide define-vectors combine! weighted-sum! advance! scale! flvector-copy! exchange!
+         nested-polynomial root-mean-square flvector-finite?)
+
+(define-syntax-rule (define-vectors n id ...)
+  (begin (define id (make-flvector n)) ...))
 
 (define-syntax-rule (for-each-index i n body)
   (let loop ([i 0])
@@ -32,6 +36,14 @@
   (for-each-index i n
     (unsafe-flvector-set! out i (sum (unsafe-fl* a (unsafe-flvector-ref k i)) ...))))
 
+;; v = v + h w, from one index to before another
+(define (advance! v w h from to)
+  (let loop ([i from])
+    (when (unsafe-fx< i to)
+      (unsafe-flvector-set! v i (unsafe-fl+ (unsafe-flvector-ref v i)
+                                            (unsafe-fl* h (unsafe-flvector-ref w i))))
+      (loop (unsafe-fx+ i 1)))))
+
 ;; v = h v
 (define (scale! v h)
   (for-each-index i (flvector-length v)
@@ -54,3 +66,23 @@
 
 (define (flvector-finite? v)
   (for/and ([x (in-flvector v)]) (< (abs x) +inf.0)))
+
+(define (exchange! v w)
+  (for-each-index i (flvector-length v)
+    (let ([x (unsafe-flvector-ref v i)])
+      (unsafe-flvector-set! v i (unsafe-flvector-ref w i))
+      (unsafe-flvector-set! w i x))))
+
+;; -> (theta out -> void), which stores y + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + ...)))
+(define-syntax-rule (nested-polynomial n y c ...)
+  (lambda (theta out)
+    (let ([rest (unsafe-fl- 1.0 theta)])
+      (for-each-index i n
+        (unsafe-flvector-set! out i
+          (nested theta rest (unsafe-flvector-ref y i) (unsafe-flvector-ref c i) ...))))))
+
+;; x₀ + a (x₁ + b (x₂ + a (x₃ + ...)))
+(define-syntax nested
+  (syntax-rules ()
+    [(_ a b x) x]
+    [(_ a b x . more) (unsafe-fl+ x (unsafe-fl* a (nested b a . more)))]))

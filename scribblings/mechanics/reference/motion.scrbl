@@ -141,15 +141,57 @@ vanishes, where the cosine of the angle is 2/3:
 @section{Methods}
 
 @deftogether[(@defparam[ode-integration-method method integration-method?]
-              @defproc[(set-ode-integration-method! [method (or/c integration-method? symbol?)])
-                       void?]
+              @defproc[(set-ode-integration-method! [method integration-method?]) void?]
               @defproc[(integration-method? [x any/c]) boolean?])]{
 
-The method by which all of these integrate unless told otherwise, and the book's way
-to set it. The method at the start is @racket['Dormand-Prince-853]: of order 8, with
-error estimates of orders 5 and 3, and interpolation of order 7 (Hairer, Nørsett and
-Wanner 1993).
+The method by which all of these integrate unless told otherwise by a keyword, and the
+book's way to set it. It is a method with a fixed step, below, or the name of one that
+makes its steps as long as the tolerance allows:
+
+@itemlist[
+@item{@racket['Dormand-Prince-853], of order 8 with interpolation of order 7 (Hairer,
+Nørsett and Wanner 1993): the one to begin with, and best for small tolerances.}
+@item{@racket['Dormand-Prince-54], of order 5, for tolerances above about
+@racket[1e-6].}
+@item{@racket['bulirsch-stoer], by extrapolation of Gragg's method to order 14: long
+steps, for smooth motions followed very precisely.}
+@item{@racket['qcrk4], the classical Runge–Kutta method of order 4 whose steps are
+doubled to know their error.}]
+
+@examples[#:eval session
+(define (after-10 method)
+  ((state-advancer harmonic-state-derivative 1 1) (up 0 1 0) 10 1e-10 #:method method))
+(coordinate (after-10 'bulirsch-stoer))
+(coordinate (after-10 'qcrk4))
+(eval:error (after-10 'euler))]
 
 @sicm{2.8.1, p. 145}}
+
+@deftogether[(@defproc[(leapfrog [step real?]) integration-method?]
+              @defproc[(Yoshida-4 [step real?]) integration-method?]
+              @defproc[(Yoshida-6 [step real?]) integration-method?]
+              @defproc[(Yoshida-8 [step real?]) integration-method?])]{
+
+Symplectic methods of orders 2, 4, 6 and 8 with steps of the length @racket[step]: the
+energy of a conservative system does not drift, however long it is followed. They
+are for states of a time, @italic{n} coordinates and @italic{n} velocities or momenta,
+or without the time, in which the rates of the coordinates depend on the latter alone
+and those of the velocities do not depend on them. The tolerance has no effect. (H.
+Yoshida 1990.)
+
+@examples[#:eval session
+(define E (Lagrangian->energy (L-pendulum 1 1 9.8)))
+(define long
+  (evolve-trajectory pendulum (up 0 1 0) 1000 #:method (leapfrog 0.02)))
+(map (lambda (t) (E (long t))) '(0 10 100 1000))]}
+
+@deftogether[(@defproc[(Gauss-Legendre-2 [step real?]) integration-method?]
+              @defproc[(Gauss-Legendre-4 [step real?]) integration-method?]
+              @defproc[(Gauss-Legendre-6 [step real?]) integration-method?])]{
+
+Implicit methods of orders 2, 4 and 6 with steps of the length @racket[step],
+symplectic for Hamilton's equations of any Hamiltonian. The first one is the implicit
+midpoint rule. Where a step is too long to be solved for,
+@racket[exn:fail:mechanics:singular] is raised. (Hairer, Lubich and Wanner 2006.)}
 
 @(close-session session)

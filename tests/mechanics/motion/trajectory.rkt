@@ -99,10 +99,41 @@
   (check-exn #rx"outside the trajectory.*time: 11.*from: 0.0.*to: 10.0"
              (lambda () ((evolve-trajectory oscillator (up 0 1 0) 10) 11))))
 
-(test-case "the method is a parameter; the book's way to set it knows names"
-  (define before (ode-integration-method))
-  (check-true (integration-method? before))
-  (set-ode-integration-method! 'Dormand-Prince-853)
-  (check-eq? (ode-integration-method) before)
-  (check-exn #rx"expected a method of integration or its name.*Dormand-Prince-853"
-             (lambda () (set-ode-integration-method! 'unheard-of))))
+;; ---------------------------------------------------------------------------
+;; Methods
+
+(define names '(Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4))
+
+(test-case "all methods agree, by keyword, as parameter and as the book sets them"
+  (define (final-angle #:method [m (ode-integration-method)])
+    (coordinate (trajectory-final-state
+                 (evolve-trajectory pendulum (up 0 1 0) 3 #:tolerance 1e-10 #:method m))))
+  (define expected (final-angle))
+  (for ([m names])
+    (check-= (final-angle #:method m) expected 1e-8)
+    (check-= (parameterize ([ode-integration-method m]) (final-angle)) expected 1e-8))
+  (for ([m (list (Yoshida-6 0.01) (Yoshida-8 0.01) (Gauss-Legendre-6 0.01))])
+    (check-= (final-angle #:method m) expected 1e-7))
+  (for ([m (list (Yoshida-4 0.01) (Gauss-Legendre-4 0.01))])
+    (check-= (final-angle #:method m) expected 1e-5))
+  (for ([m (list (leapfrog 0.01) (Gauss-Legendre-2 0.01))])
+    (check-= (final-angle #:method m) expected 1e-2))
+  (parameterize ([ode-integration-method 'qcrk4])
+    (set-ode-integration-method! 'bulirsch-stoer)
+    (check-equal? (ode-integration-method) 'bulirsch-stoer)))
+
+(test-case "leapfrog keeps the energy of the pendulum for a hundred periods"
+  (define E (Lagrangian->energy (L-pendulum 1 1 9.8)))
+  (define tr (evolve-trajectory pendulum (up 0 1 0) 214 #:method (leapfrog 0.01)))
+  (for ([t (in-range 0 214 3)])
+    (check-= (E (tr t)) (E (tr 0)) 5e-3)))
+
+(test-case "methods print as what makes them"
+  (check-equal? (format "~a" (leapfrog 0.5)) "(leapfrog 0.5)"))
+
+(test-case "mistakes about methods"
+  (check-exn #rx"expected a method of integration or the name of one.*given: 'unheard-of.*qcrk4"
+             (lambda () (set-ode-integration-method! 'unheard-of)))
+  (check-exn #rx"evolve-trajectory: expected a method"
+             (lambda () (evolve-trajectory oscillator (up 0 1 0) 1 #:method 4)))
+  (check-exn #rx"leapfrog: expected a positive time step" (lambda () (leapfrog 0))))

@@ -4,10 +4,14 @@
 (require racket/flonum
          rackunit
          mechanics/numeric/failure
-         mechanics/numeric/ode/dormand-prince-853 mechanics/numeric/ode/integrate
+         mechanics/numeric/ode/bulirsch-stoer
+         mechanics/numeric/ode/dormand-prince-54 mechanics/numeric/ode/dormand-prince-853
+         mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/integrate
+         mechanics/numeric/ode/quality-controlled mechanics/numeric/ode/symplectic
          mechanics/numeric/ode/stepper)
 
-(define methods (list dormand-prince-853))
+(define methods
+  (list dormand-prince-853 dormand-prince-54 quality-controlled-runge-kutta-4 bulirsch-stoer))
 
 ;; y'' = -y
 (define (oscillator! y dy)
@@ -54,7 +58,8 @@
       ((stepper-try! s) h)
       ((stepper-accept! s))
       (error-of (stepper-state s) (list (cos h) (- (sin h)))))
-    (define ratio (/ (error-after 0.8) (error-after 0.4)))
+    (define h (for/first ([h (in-list '(0.4 0.8 1.6 3.2))] #:when (> (error-after h) 1e-11)) h))
+    (define ratio (/ (error-after (* 2.0 h)) (error-after h)))
     (check-true (> ratio (expt 2.0 (method-order m))) (format "ratio ~a" ratio)))
 
   (test-case (format "~a: between the ends of steps the interpolant is as good" (method-name m))
@@ -72,6 +77,66 @@
                          #t))
     (for ([k (in-list kept)]) (apply measure k))
     (check-true (< 0.0 worst 1e-9) (format "~a" worst))))
+
+;; ---------------------------------------------------------------------------
+;; Methods with a fixed step
+
+(define fixed (list leapfrog yoshida-4 yoshida-6 yoshida-8
+                    gauss-legendre-2 gauss-legendre-4 gauss-legendre-6))
+
+(define (energy y) (* 0.5 (+ (expt (flvector-ref y 0) 2) (expt (flvector-ref y 1) 2))))
+
+(for ([make (in-list fixed)])
+  (define m (make 0.1))
+  (define name (method-name m))
+
+  (test-case (format "~a: halving the step divides the error by 2 to the order" name)
+    (define (error-with h)
+      (error-of (final (make h) oscillator! (flvector 1.0 0.0) 0.0 8.0 1.0)
+                (list (cos 8.0) (- (sin 8.0)))))
+    (define h (for/first ([h (in-list '(0.125 0.25 0.5))] #:when (> (error-with h) 1e-11)) h))
+    (define ratio (/ (error-with (* 2.0 h)) (error-with h)))
+    (define two^order (expt 2.0 (method-order m)))
+    (check-true (< (* 0.6 two^order) ratio (* 1.8 two^order)) (format "ratio ~a" ratio)))
+
+  (test-case (format "~a: energy does not drift" name)
+    (define-values (early late) (values 0.0 0.0))
+    (define y (make-flvector 2))
+    (integrate m oscillator! (flvector 1.0 0.0) 0.0 2010.0
+               #:visit (lambda (from to interpolant)
+                         (when (or (< to 10.0) (> to 2000.0))
+                           ((interpolant) 1.0 y)
+                           (define e (abs (- (energy y) 0.5)))
+                           (if (< to 10.0) (set! early (max early e)) (set! late (max late e))))
+                         #t))
+    (check-true (< late (* 1.5 (+ 1e-12 early))) (format "~a ~a" early late)))
+
+  (test-case (format "~a: there and back" name)
+    (define there (final m kepler! eccentric 0.0 5.0 1.0))
+    (check-true (< (error-of (final m kepler! there 5.0 0.0 1.0)
+                             (for/list ([x (in-flvector eccentric)]) x))
+                   1e-9)))
+
+  (test-case (format "~a: states between steps, and a clock" name)
+    (define (f! y dy)
+      (flvector-set! dy 0 1.0)
+      (flvector-set! dy 1 (flvector-ref y 2))
+      (flvector-set! dy 2 (- (flvector-ref y 1))))
+    (define out (make-flvector 3))
+    (integrate (make 0.01) f! (flvector 0.0 1.0 0.0) 0.0 1.0 #:clock 0
+               #:visit (lambda (from to interpolant)
+                         ((interpolant) 0.3 out)
+                         (define t (+ from (* 0.3 (- to from))))
+                         (check-= (flvector-ref out 0) t 1e-12)
+                         (check-= (flvector-ref out 1) (cos t) 1e-4)
+                         #t))))
+
+(test-case "an implicit step that does not converge stops the integration"
+  (define (stiff! y dy) (flvector-set! dy 0 (* -1e6 (flvector-ref y 0))))
+  (check-exn #rx"cannot be followed any further"
+             (lambda () (integrate (gauss-legendre-4 0.1) stiff! (flvector 1.0) 0.0 1.0))))
+
+;; ---------------------------------------------------------------------------
 
 (test-case "the clock is exact and the end is met exactly"
   (define (f! y dy) (flvector-set! dy 0 1.0) (flvector-set! dy 1 (cos (flvector-ref y 0))))
