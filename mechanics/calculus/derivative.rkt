@@ -9,7 +9,8 @@
 (require "perturbed.rkt" "dual.rkt" "jet.rkt" "extract.rkt" "derivative-errors.rkt"
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt"
-         "../value/matrix.rkt" "../value/operator.rkt" "../value/series/series.rkt" "../value/series/calculus.rkt"
+         "../value/matrix.rkt" "../value/operator.rkt"
+         "../value/series/series.rkt" "../value/series/calculus.rkt"
          "../algebra/expression.rkt" "../numeric/failure.rkt")
 
 (provide D partial derivative-at derivatives-at derivative-function value-and-derivative-along
@@ -94,18 +95,26 @@
 ;; The list of f and its derivatives up to order n at x, by one run of f if x is a
 ;; number.
 (define (derivatives-at f x n)
-  (cond [(eqv? n 0) (list (f x))]
-        [(not (scalar? x))
-         (list* (f x) (derivative-at f x)
-                (for/list ([k (in-range 2 (add1 n))]) (derivative-of-order k f x)))]
+  (define (each)
+    (for/list ([k (in-range (add1 n))])
+      (case k
+        [(0) (f x)]
+        [(1) (derivative-at f x)]
+        [else (derivative-of-order k f x)])))
+  (cond [(or (eqv? n 0) (not (scalar? x))) (each)]
         [(eqv? n 1)
          (define-values (y slope) (value-and-derivative-along f x 1))
-         (list y slope)]
+         (if (holds-function? y) (each) (list y slope))]
         [else
-         (define tag (fresh-tag))
-         (define y (f (displaced tag n x)))
-         (cons (map-leaves (lambda (leaf) (jet-value leaf tag)) y)
-               (for/list ([k (in-range 1 (add1 n))]) (extract-derivative tag k y)))]))
+         (unless-singular
+          (lambda ()
+            (define tag (fresh-tag))
+            (define y (f (displaced tag n x)))
+            (if (holds-function? y)         ; with an ε inside
+                (each)
+                (cons (map-leaves (lambda (leaf) (jet-value leaf tag)) y)
+                      (for/list ([k (in-range 1 (add1 n))]) (extract-derivative tag k y)))))
+          each)]))
 
 ;; f at x and its derivative there in the direction dx, a value of the shape of
 ;; x, by one run of f.
@@ -144,61 +153,71 @@
 ;; ---------------------------------------------------------------------------
 ;; Operators
 
-;; The procedure of an operator that takes f to x ↦ (derivative-at f x); series of
-;; functions are differentiated term by term, a power series by of-power-series.
-(define (differentiator name derivative-at [of-power-series #f])
+;; Two derivatives along one path are one of higher order: what makes a derivative
+;; remembers of which function it is one, along which path, of which order.
+(struct derivative function (base path order) #:authentic)
+
+;; The procedure of the operator `name` that takes the derivative of order n along
+;; the path.  Series of functions are differentiated term by term.
+(define (differentiator name path n)
   (define (differentiate f)
-    (cond [(and (power-series? f) of-power-series) (of-power-series f)]
+    (cond [(and (power-series? f) (null? path))
+           (for/fold ([s f]) ([_ (in-range n)]) (series:derivative s))]
           [(and (series? f) (not (power-series? f)))
            (map-series (lambda (x) (if (scalar? x) 0 (differentiate x))) f)]
-          [else (derivative-function name f derivative-at)]))
+          [(vector? f) (differentiate (vector->up f))]
+          [(procedure? f) (derivative-of name path n f)]
+          [else (raise-needs-function name f)]))
   (case-lambda
     [(f) (differentiate f)]
     [fs (raise-takes-only-function name fs)]))
 
 (define (scalar? x) (or (expression? x) (perturbed? x)))
 
-(define D
-  (make-primitive-operator
-   (differentiator 'D derivative-at series:derivative)
-   (lambda () 'D)
-   #:iterate
-   (lambda (n)
-     (differentiator (list 'expt 'D n)
-                     (lambda (f x) (derivative-of-order n f x))
-                     (lambda (s) (for/fold ([s s]) ([_ (in-range n)]) (series:derivative s)))))))
+;; The derivative of order n along the path, as a function.
+(define (derivative-of name path n f)
+  (define again? (and (derivative? f) (equal? (derivative-path f) path)))
+  (define base (if again? (derivative-base f) f))
+  (define order (if again? (+ n (derivative-order f)) n))
+  (define derive (if (eqv? order 1) derivative-at (lambda (f x) (derivative-of-order order f x))))
+  (derivative-function name f (lambda (f x) (partial-at derive f x path path))
+                       #:of base
+                       #:make (lambda (procedure mask make-datum)
+                                (derivative procedure mask make-datum base path order))))
+
+(define (operator-of name path)
+  (make-primitive-operator (differentiator name path 1)
+                           (lambda () name)
+                           #:iterate (lambda (n) (differentiator (list 'expt name n) path n))))
+
+(define D (operator-of 'D '()))
 
 ;; (partial i j ...): the derivative by component j of component i ... of the
 ;; argument, or of the tuple of the arguments when there are several.
 (define (partial . path)
   (check-path path)
-  (define name (cons 'partial path))
-  (define ((along-path derive) f x) (partial-at derive f x path path))
-  (make-primitive-operator
-   (differentiator name (along-path derivative-at))
-   (lambda () name)
-   #:iterate
-   (lambda (n)
-     (differentiator (list 'expt name n)
-                     (along-path (lambda (f x) (derivative-of-order n f x)))))))
+  (operator-of (cons 'partial path) path))
 
-;; The function whose value at x is (derivative-at f x); several arguments are
-;; taken as one up tuple.  Values known to be numbers are not searched for
-;; functions to be named.
-(define (derivative-function name given-f derivative-at #:values-are-numbers? [numbers? #f])
+;; The function whose value at x is (derivative-at base x), where base is f unless f
+;; is said to be a derivative of it; several arguments are taken as one up tuple.
+;; Values known to be numbers are not searched for functions to be named.
+(define (derivative-function name given-f derivative-at
+                             #:of [given-base #f] #:make [make make-function]
+                             #:values-are-numbers? [numbers? #f])
   (define f (if (vector? given-f) (vector->up given-f) given-f))
   (unless (procedure? f) (raise-needs-function name f))
+  (define base (or given-base f))
   (define mask (bitwise-and (arity-mask f) -2))         ; without arguments there is nothing to vary
   (define (make-datum) (list name (value->datum f)))
   (define (named y xs) (if numbers? y (name-functions y make-datum xs)))
-  (make-function
+  (make
    (case-lambda
      [(x)
       (unless (bitwise-bit-set? mask 1) (raise-arity-of-differentiated f (list x) name))
-      (named (derivative-at f x) (list x))]
+      (named (derivative-at base x) (list x))]
      [xs
       (unless (bitwise-bit-set? mask (length xs)) (raise-arity-of-differentiated f xs name))
-      (named (derivative-at (spread f) (apply up xs)) xs)])
+      (named (derivative-at (spread base) (apply up xs)) xs)])
    mask
    make-datum))
 

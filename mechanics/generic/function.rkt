@@ -7,7 +7,7 @@
 
 (require "kind.rkt" "structure.rkt" "describe.rkt")
 
-(provide make-function function? pointwise?
+(provide (struct-out function) make-function pointwise?
          arity-mask accepts? arity->text
          combine-functions compose-unary)
 

@@ -27,7 +27,8 @@
   (unless (eqv? (series-term s 0) 0)
     (raise-arguments-error 'series:reversion "the series must begin with 0" "series" s))
   (define slopes                        ; s/x
-    (power-series-of (make-coefficients (lambda (k) (series-term s (add1 k))) (sub1 (series-length s)))))
+    (power-series-of
+     (make-coefficients (lambda (k) (series-term s (add1 k))) (sub1 (series-length s)))))
   (when (or (< (series-length s) 2) (eqv? (series-term s 1) 0))
     (raise-arguments-error 'series:reversion "the coefficient of x must not be 0" "series" s))
   (define φ (g:/ 1 slopes))
@@ -44,6 +45,7 @@
      (exn:fail:contract
       (format "~a: expected a power series; given ~a~a" who (describe-with-value s)
               (if (series? s)
-                  "\n  a series of terms has no variable; (series:->function s) takes its terms as coefficients"
+                  (string-append "\n  a series of terms has no variable; "
+                                 "(series:->function s) takes its terms as coefficients")
                   ""))
       (current-continuation-marks)))))

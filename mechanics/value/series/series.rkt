@@ -99,7 +99,10 @@
                 (same? (series-term a k) (series-term b k)))]))
 
 (define (raise-undecidable a b)
-  (complain "=: two endless series agree in their first ~a terms, which does not decide whether they are equal\n  first: ~a\n  second: ~a\n  compare as many terms as matter: (series:head s n)"
+  (complain (string-append
+             "=: two endless series agree in their first ~a terms, which does not decide whether "
+             "they are equal\n  first: ~a\n  second: ~a\n"
+             "  compare as many terms as matter: (series:head s n)")
             compared-terms (value->text a) (value->text b)))
 
 (define (complain format-string . args)
@@ -134,7 +137,9 @@
   (if (series? x) (series-coefficients x) (coefficients-from (list x))))
 
 (define (raise-mixed op a b)
-  (complain "~a: one is a series, the other a power series; apply the power series to its variable first\n  argument 1: ~a\n  argument 2: ~a"
+  (complain (string-append
+             "~a: one is a series, the other a power series; apply the power series to its "
+             "variable first\n  argument 1: ~a\n  argument 2: ~a")
             (generic-op-name op) (describe-with-value a) (describe-with-value b)))
 
 ;; ---------------------------------------------------------------------------
@@ -181,7 +186,9 @@
         [else x]))
 
 (define (raise-no-function s)
-  (complain "application: a series applies those of its terms that are functions, but ~a has none\n  (power-series a ...) makes a function of coefficients"
+  (complain (string-append
+             "application: a series applies those of its terms that are functions, but ~a has none\n"
+             "  (power-series a ...) makes a function of coefficients")
             (value->text s)))
 
 ;; The series of series s as one: term m of the series at order n has order n + m.
@@ -227,7 +234,8 @@
            (g:+ (series-term s n) (g:* sum t)))]
         [(eqv? (series-term t 0) 0) (like-series t (composition s t))]
         [else
-         (complain "application: an endless power series can be applied to a series only if that begins with 0; given ~a"
+         (complain (string-append "application: an endless power series can be applied to a series "
+                                  "only if that begins with 0; given ~a")
                    (value->text t))]))
 
 ;; Coefficient k is Σ_{n≤k} aₙ (tⁿ)_k, the powers of t being remembered.

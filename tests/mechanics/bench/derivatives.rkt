@@ -6,8 +6,8 @@
          (prefix-in m: mechanics)
          "clock.rkt" "rotations.rkt" "task.rkt")
 
-(provide derivative-micros growth-heading growth-rows peers-heading peers-rows
-         growing-functions)
+(provide derivative-micros growth-heading growth-rows order-heading order-rows
+         peers-heading peers-rows growing-functions)
 
 ;; ---------------------------------------------------------------------------
 ;; At numbers
@@ -52,6 +52,10 @@
                #:reach "500 ns")
    (make-micro 'derivative2 "((D (D f)) x) for x sin x"
                (lambda (n) (repeat n ((m:D (m:D f)) x)))
+               #:against (lambda (n) (repeat n (ddf x)))
+               #:reach "2 µs")
+   (make-micro 'order2 "(((expt D 2) f) x) for x sin x, in one run"
+               (lambda (n) (repeat n (((m:expt m:D 2) f) x)))
                #:against (lambda (n) (repeat n (ddf x)))
                #:reach "2 µs")
    (make-micro 'attraction "D of -1/r at an up of 3 flonums"
@@ -100,7 +104,31 @@
                (round (* 50.0 ms))))))
 
 ;; ---------------------------------------------------------------------------
-;; The same in other systems, where they are installed
+;; Derivatives of higher order, in one run and nested
+
+(define (wave x) (m:/ (m:exp (m:sin x)) (m:+ 1 (m:square x))))
+(define (nested n f)                    ; hidden in a plain function each time
+  (for/fold ([f f]) ([_ (in-range n)]) (let ([slope (m:D f)]) (lambda (x) (slope x)))))
+
+(define order-heading
+  '("derivative of exp(sin x)/(1 + x²)" "order" "µs" "nested µs" "nodes" "nested nodes"))
+
+(define (order-rows)
+  (for/list ([n (in-list '(1 2 3 4 6 8 12 16 20))])
+    (define one-run ((m:expt m:D n) wave))
+    (define nest (and (<= n 8) (nested n wave)))
+    (define (µs g) (round (least-µs (lambda () (g 1.25)))))
+    (map (lambda (v) (format "~a" v))
+         (list "" n (µs one-run) (if nest (µs nest) "")
+               (graph-size (one-run 'x)) (if nest (graph-size (nest 'x)) "")))))
+
+(define (least-µs thunk)
+  (for/fold ([least +inf.0]) ([_ (in-range 5)])
+    (define-values (_ ms) (call/cpu (lambda () (for ([_ (in-range 20)]) (thunk)))))
+    (min least (* 50.0 ms))))
+
+;; ---------------------------------------------------------------------------
+;; First derivatives in other systems, where they are installed
 
 (define peers-heading '("first derivative elsewhere" "n" "ours µs" "SymPy µs" "JAX µs, traced and compiled"))
 

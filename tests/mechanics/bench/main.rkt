@@ -108,14 +108,16 @@
   (when (wanted? 'growth)
     (table growth-heading (growth-rows))
     (table peers-heading (peers-rows)))
+  (when (wanted? 'orders)
+    (table order-heading (order-rows)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
 (define (check-names names)
   (for ([name (in-list names)])
-    (unless (or (find-task name) (find-micro name) (memq name '(growth load)))
+    (unless (or (find-task name) (find-micro name) (memq name '(growth orders load)))
       (raise-user-error 'bench "no task ~a; there are ~a" name
-                        (append (map task-name tasks) (map micro-name micros) '(growth load))))))
+                        (append (map task-name tasks) (map micro-name micros) '(growth orders load))))))
 
 (module+ main
   (define runs 7)

@@ -110,6 +110,19 @@
                  (lambda () (integer-matrix 20)) m:m:invert)))
 
 ;; ---------------------------------------------------------------------------
+;; Lie series
+
+(define (bracket F G)
+  (m:- (m:* ((m:partial 1) F) ((m:partial 2) G)) (m:* ((m:partial 2) F) ((m:partial 1) G))))
+
+(define (Lie-series)
+  (define (H s)
+    (m:+ (m:/ (m:square (m:ref s 2)) (m:* 2 'm)) (m:* 1/2 'k (m:square (m:ref s 1)))))
+  (define transform
+    (m:exp (m:* 'dt (m:make-operator (lambda (F) (bracket F H)) 'Lie-derivative))))
+  (map m:simplify (m:series:head ((transform m:coordinate) (m:up 0 'x0 'p0)) 6)))
+
+;; ---------------------------------------------------------------------------
 ;; Zero-testing
 
 ;; judge : residual -> what it is found to be
@@ -142,6 +155,8 @@
                     Foucault-Lagrangian Foucault-state)
    (residual-task 'T2 "Lagrange equations of the restricted three-body problem, simplified"
                   three-body-Lagrangian plane-path)
+   (make-task 'X6 "Lie series of the coordinate of a harmonic oscillator, 6 terms, simplified"
+              Lie-series #:size (lambda (terms) (node-count (map m:expression terms))))
    (zero-task 'Z1 "zero test of a large residual that does not vanish, with a witness"
               #f (lambda (e) (zero-test-status (zero-test e))))
    (zero-task 'Z2 "fingerprint of a large residual that vanishes"

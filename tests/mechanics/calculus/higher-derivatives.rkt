@@ -11,8 +11,12 @@
          mechanics/value/signature
          "../laws/derivation.rkt" "../laws/law.rkt" "../laws/random.rkt" "../laws/same.rkt")
 
-;; D repeated, which nests dual numbers.
-(define (repeated n f) (for/fold ([f f]) ([_ (in-range n)]) (D f)))
+;; D repeated, which nests dual numbers: a plain function does not say that it is a
+;; derivative.
+(define (repeated n f)
+  (for/fold ([f f]) ([_ (in-range n)])
+    (define slope (D f))
+    (lambda args (apply slope args))))
 (define (check-orders f x [orders '(0 1 2 3 4 5)] [tolerance 1e-9])
   (for ([n (in-list orders)])
     (with-check-info (['order n] ['at x])
@@ -113,7 +117,31 @@
   (define runs 0)
   (define (f x) (set! runs (add1 runs)) (g:exp (g:sin x)))
   (((g:expt D 20) f) 0.3)
-  (check-equal? runs 1))
+  (check-equal? runs 1)
+  ((D (D (D f))) 0.3)
+  (((g:expt D 2) ((g:expt D 3) f)) 0.3)
+  (check-equal? runs 3))
+
+(test-case "derivatives of derivatives are of higher order, whatever they print as"
+  (define f (literal-function 'f))
+  (define F (literal-function 'F (-> (X Real Real) Real)))
+  (check-equal? (format "~a" (D (D f))) "(D (D f))")
+  (check-equal? (format "~a" ((g:expt D 2) (D f))) "((expt D 2) (D f))")
+  (check-same ((D (D (D f))) 'x) (((g:expt D 3) f) 'x))
+  (check-same (((partial 0) ((partial 0) F)) 'x 'y) (((g:expt (partial 0) 2) F) 'x 'y))
+  (check-same (((partial 0) ((partial 1) F)) 'x 'y) (((partial 1) ((partial 0) F)) 'x 'y))
+  (check-same ((D (D F)) 'x 'y) (((g:expt D 2) F) 'x 'y)))
+
+(test-case "a list of derivatives is that of each, of values of any shape"
+  (define (orders f x) (for/list ([k 4]) (((g:expt D k) f) x)))
+  (for ([f (list g:sin (lambda (t) (up (g:cube t) (down t 1))) (lambda (t) 3))] [x '(t 2 0.5)])
+    (check-true (andmap same? (derivatives-at f x 3) (orders f x))))
+  (check-true (andmap (lambda (f g) (same? (f 'y) (g 'y)))
+                      (derivatives-at (lambda (x) (lambda (y) (g:* x x y))) 'x 2)
+                      (list (lambda (y) (g:* 'x 'x y)) (lambda (y) (g:* 2 'x y)) (lambda (y) (g:* 2 y)))))
+  (check-equal? ((car (derivatives-at (lambda (x) (lambda (y) (g:* x y))) 2 1)) 3) 6)
+  (define s (up 'x 'y))
+  (check-same (caddr (derivatives-at g:square s 2)) (((g:expt D 2) g:square) s)))
 
 (define (node-count e)
   (define seen (make-hasheq))
