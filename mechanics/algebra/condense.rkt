@@ -55,15 +55,17 @@
   (define (collected terms)
     (group-by-kernels terms ->term (lambda (usual product core) (smaller? F usual product))))
   (define (->term/collected terms) (one-term F (collected terms)))
+  (define (shorter? usual product)
+    (< (terms-size F (list product)) (terms-size F usual)))
   (define (welcome? usual product core)
-    (if (symbols-times-sum? product)
-        (< (terms-size F (list product)) (terms-size F usual))
-        (smaller? F usual product)))
+    (if (symbols-times-sum? product) (shorter? usual product) (smaller? F usual product)))
   (define (welcome-in-residual? usual product core)
-    (and (smaller? F usual product)
-         (or (ormap divided? usual)
-             (ormap derivative-power? (term-powers product))
-             (andmap without-circles? core))))
+    (cond [(>= (term-derivative product) 2) (shorter? usual product)]
+          [(or (>= (term-derivative product) 1)
+               (ormap divided? usual)
+               (andmap without-circles? core))
+           (smaller? F usual product)]
+          [else #f]))
   (if (residual? terms)
       (group-by-factors (collected terms) residual-weight ->term/collected welcome-in-residual?)
       (group-by-factors (collected terms) heavy-size ->term/collected welcome?)))
@@ -91,8 +93,12 @@
 ;; collected.  What they may share besides are divisors, or sines times a sum
 ;; without any: m l (g + ÿ) sin θ.
 (define (residual? terms)
-  (for*/or ([t (in-list terms)] [p (in-list (term-powers t))])
-    (>= (derivative-order (kernel-expression (car p))) 2)))
+  (for/or ([t (in-list terms)]) (>= (term-derivative t) 2)))
+
+;; The order of the highest derivative among the factors.
+(define (term-derivative t)
+  (for/fold ([order 0]) ([p (in-list (term-powers t))])
+    (max order (derivative-order (kernel-expression (car p))))))
 
 (define (residual-weight k e)
   (if (or (circular-kernel? k)
@@ -100,8 +106,6 @@
           (>= (derivative-order (kernel-expression k)) 2))
       (heavy-size k e)
       0))
-
-(define (derivative-power? p) (>= (derivative-order (kernel-expression (car p))) 1))
 
 (define (without-circles? t)
   (not (for/or ([p (in-list (term-powers t))]) (circular-kernel? (car p)))))
