@@ -49,8 +49,8 @@
 (define (long-in-sines? F r h)
   (and (sine? F r)
        (> (poly-term-count h) 4)
-       (> (for/sum ([s (in-list (field-relations F))])
-            (if (and (sine? F s) (positive? (poly-degree (field-ring F) h (relation-index s)))) 1 0))
+       (> (for/sum ([s (in-list (field-relations F))] #:when (sine? F s))
+            (min 1 (poly-degree (field-ring F) h (relation-index s))))
           1)))
 
 (define (sine? F r)
