@@ -10,6 +10,7 @@
          "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt" "../generic/recurrence.rkt"
          "../value/signature.rkt"
+         "../value/series/coefficients.rkt" "../value/series/series.rkt"
          "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/datum.rkt")
 
 (provide literal-function literal-function? literal-function-takes?
@@ -85,7 +86,20 @@
 (define (apply-to-scalar f x)
   (cond [(expression? x) (e:application (unknown-head f) (list x))]
         [(perturbed? x) (apply-head (unknown-head f) (list x))]
+        [(series? x) (apply-to-series f x)]
         [else (raise-misfit f (list x))]))
+
+;; f(x₀ + x₁ + ⋯) is its Taylor series about x₀, of the increment x₁ + ⋯.
+(define (apply-to-series f x)
+  (define point (list (series-term x 0)))
+  (define (coefficient k)
+    (define-values (head factorial)
+      (for/fold ([head (unknown-head f)] [factorial 1]) ([j (in-range 1 (add1 k))])
+        (values (literal-head-derivative head '()) (* j factorial))))
+    (g:/ (apply-head head point) factorial))
+  (define (increment k) (if (eqv? k 0) 0 (series-term x k)))
+  ((power-series-of (make-coefficients coefficient))
+   (like-series x (make-coefficients increment (series-length x)))))
 
 (define (apply-unknown f args)
   (unless (literal-function-takes? f args) (raise-misfit f args))

@@ -12,7 +12,8 @@ See @secref["derivatives"] for an introduction.
 The derivative. @racket[(D f)] is a function of the arguments of f. By a number it
 has the shape of f's values; by a structure it is a structure of the opposite
 orientation, whose components are the derivatives by its components. Several
-arguments are taken together as an @racket[up].
+arguments are taken together as an @racket[up]. A power of @racket[D] by a number,
+whether as @racket[(expt D n)] or repeated, takes one run of f (@secref["higher-derivatives"]).
 
 The values of f may be scalars, structures, matrices, functions, and structures of
 these. Its units are those of f over those of the argument.

@@ -5,7 +5,8 @@
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
          mechanics/value/function mechanics/value/operator mechanics/value/signature
          mechanics/value/simplify
-         mechanics/value/series/access mechanics/value/series/named
+         mechanics/value/series/access mechanics/value/series/calculus
+         mechanics/value/series/named
          mechanics/calculus/derivative mechanics/calculus/literal-function
          mechanics/calculus/Taylor
          "../laws/derivation.rkt" "../laws/random.rkt" "../laws/same.rkt")
@@ -71,6 +72,15 @@
   (check-same ((D (lambda (x) (series:ref ((Taylor-series f) x) 2))) 'x)
               (g:/ (((g:expt D 3) f) 'x) 2))
   (check-same (((Taylor-series f) 'x) (power-series 0 1)) ((Taylor-series f) 'x)))
+
+(test-case "an unknown function of a series is its Taylor series about the first term"
+  (define t (power-series 'a 'b 'c))
+  (check-same (series:ref (f t) 2)
+              (g:+ (g:* ((D f) 'a) 'c) (g:* 1/2 (((g:expt D 2) f) 'a) (g:square 'b))))
+  (check-same ((g:* f g) t) (g:* (f t) (g t)))
+  (check-same (series:derivative (f t)) (g:* ((D f) t) (series:derivative t)))
+  (check-same (f (series 2 0)) (f 2))
+  (check-exn #rx"^F: was declared" (lambda () (F t))))
 
 (test-case "misuse is explained"
   (check-exn #rx"^Taylor-series: needs a function; 3 is a number" (lambda () (Taylor-series 3)))
