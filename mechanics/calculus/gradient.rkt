@@ -141,15 +141,19 @@
    (arithmetic-shift 1 2)
    (lambda () (list name (value->datum f)))))
 
-;; The derivative of the gradient along v: forward over reverse mode.
+;; The gradient of the derivative along v, which is the derivative of the gradient
+;; along v.  In this order the tape holds flonums where x and v do, and it takes
+;; about half of the time that dual numbers on a tape take.
 (define (Hessian-vector-product f)
   (product-function
    'Hessian-vector-product f
    (lambda (f x v)
      (check-increment 'Hessian-vector-product x v)
-     (define (gradient-of-f s) (gradient-at f s))
-     (define-values (slope product) (value-and-derivative-along gradient-of-f x v))
-     product)))
+     (define (slope-along-v s)
+       (define-values (y slope) (value-and-derivative-along f s v))
+       (unless (scalar? y) (raise-not-scalar 'Hessian-vector-product f y))
+       slope)
+     (gradient-at slope-along-v x))))
 
 ;; The derivative of f along v, (* ((D f) x) v): one run in forward mode.
 (define (jacobian-vector-product f)

@@ -2,9 +2,8 @@
 ;; What derivatives cost: at numbers, beside derivatives written by hand; as
 ;; expressions, in nodes for each node of the function.
 
-(require racket/port
-         (prefix-in m: mechanics)
-         "clock.rkt" "rotations.rkt" "task.rkt")
+(require (prefix-in m: mechanics)
+         "clock.rkt" "python.rkt" "rotations.rkt" "task.rkt")
 
 (provide derivative-micros growth-heading growth-rows order-heading order-rows
          peers-heading peers-rows growing-functions)
@@ -161,24 +160,3 @@ def f(x):
 start = time.process_time(); jax.jit(jax.grad(f))(0.3).block_until_ready(); print(round(1e6*(time.process_time() - start)))
 PYTHON
           n step))
-
-;; What the program prints; SymPy writes out trees, and may take for ever.
-(define (python program)
-  (define interpreter (find-executable-path "python3"))
-  (cond
-    [(not interpreter) "no Python"]
-    [else
-     (define-values (process out in err)
-       (parameterize ([current-subprocess-custodian-mode 'kill])
-         (subprocess #f #f #f interpreter "-c" program)))
-     (close-output-port in)
-     (define finished? (sync/timeout 60 process))
-     (unless finished? (subprocess-kill process #t))
-     (define text (string-append (port->string out)))
-     (define complaint (port->string err))
-     (close-input-port out)
-     (close-input-port err)
-     (cond [(not finished?) "> 60 s"]
-           [(regexp-match #rx"ModuleNotFoundError" complaint) "not installed"]
-           [(regexp-match #px"\\d+" text) => car]
-           [else "failed"])]))

@@ -7,7 +7,7 @@
 (require racket/cmdline
          racket/file
          racket/runtime-path
-         "derivatives.rkt" "measure.rkt" "peers.rkt" "table.rkt" "task.rkt" "tasks.rkt")
+         "derivatives.rkt" "gradients.rkt" "measure.rkt" "peers.rkt" "table.rkt" "task.rkt" "tasks.rkt")
 
 (define-runtime-path build "../../../build")
 
@@ -110,14 +110,17 @@
     (table peers-heading (peers-rows)))
   (when (wanted? 'orders)
     (table order-heading (order-rows)))
+  (when (wanted? 'gradients)
+    (table gradient-heading (gradient-rows)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
 (define (check-names names)
   (for ([name (in-list names)])
-    (unless (or (find-task name) (find-micro name) (memq name '(growth orders load)))
+    (unless (or (find-task name) (find-micro name) (memq name '(growth orders gradients load)))
       (raise-user-error 'bench "no task ~a; there are ~a" name
-                        (append (map task-name tasks) (map micro-name micros) '(growth orders load))))))
+                        (append (map task-name tasks) (map micro-name micros)
+                                '(growth orders gradients load))))))
 
 (module+ main
   (define runs 7)

@@ -69,6 +69,9 @@
   "Hessian-vector-product: the vector must be of the shape of the point\n"
   "  point: (up 1 2), an up tuple of 2\n"
   "  vector: (down 1 2), a down tuple of 2"]
+ [((Hessian-vector-product pair) (up 1 2) (up 1 2))
+  "Hessian-vector-product: needs a function whose value is a scalar; pair returned an up tuple of 2\n"
+  "  for the derivatives of all its scalars use jacobian"]
  [((jacobian-vector-product pair) (up 1 2) 3)
   "jacobian-vector-product: the vector must be of the shape of the point\n"
   "  point: (up 1 2), an up tuple of 2\n"

@@ -310,6 +310,15 @@
                 (g:+ 1 (g:* 8 'a 'b 'c)))
     (check-same ((d1 (d2 (d3 (lambda (x) (g:expt x 5))))) 'x) (g:* 60 (g:square 'x)))))
 
+(test-case "Taylor numbers inside and outside"
+  (define second (g:expt D 2))
+  (define (curvature x y) ((second (lambda (t) (g:* y (g:sin (g:* x t))))) x))
+  (check-agrees curvature 'a 'b)
+  (check-agrees curvature 0.7 1.3)
+  (define (slope t) (ref ((gradient (lambda (x y) (g:* (g:sin (g:* x t)) y))) t 'b) 0))
+  (check-same ((second slope) 'a)
+              ((second (lambda (t) (ref ((D (lambda (x y) (g:* (g:sin (g:* x t)) y))) t 'b) 0))) 'a)))
+
 (test-case "gradients of functions of tuples made of gradients"
   (define (f s) (g:* (g:square (ref s 0)) (g:cube (ref s 1))))
   (define (length-of-slope s) (g:square ((gradient f) s)))
