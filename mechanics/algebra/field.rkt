@@ -71,21 +71,32 @@
       (relation i (root-degree r) u)
       (related-root F i u (root-degree r) others)))
 
-;; The relations of the roots known so far, but for those that depend on others.
+;; The relations of the roots known so far, but for those that others make.
 (define (independent-roots F)
   (for/list ([r (in-list (field-relations F))]
              #:when (independent-root? F r))
     r))
 
 (define (independent-root? F r)
-  (define k (kernel-relation (vector-ref (field-kernels F) (relation-index r))))
-  (and (root? k) (eqv? (root-degree k) (relation-degree r))))
+  (and (root? (relation-root F r)) (> (relation-degree r) 1)))
+
+(define (relation-root F r)
+  (kernel-relation (vector-ref (field-kernels F) (relation-index r))))
+
+;; What stands under the root; the relation may be of a lower power of it.
+(define (radicand-of F r)
+  (define x (relation-root F r))
+  (if (eqv? (root-degree x) (relation-degree r))
+      (relation-radicand r)
+      (field-fraction F (root-radicand x))))
 
 ;; The q-th root of u, whose lower power may be w times powers of other roots.
 (define (related-root F i u q others)
   (define R (field-ring F))
   (define-values (power members w basis)
-    (root-dependence R u q (map relation-radicand others) (map relation-degree others)))
+    (root-dependence R u q
+                     (for/list ([r (in-list others)]) (radicand-of F r))
+                     (for/list ([r (in-list others)]) (root-degree (relation-root F r)))))
   (for ([p (in-list basis)]) (set-box! (field-assumed F) (cons p (unbox (field-assumed F)))))
   (relation i power
             (for/fold ([product w]) ([m (in-list members)])

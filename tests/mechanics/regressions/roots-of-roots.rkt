@@ -13,3 +13,9 @@
 (test-case "roots of products of any degree depend on those of the factors"
   (check-equal? (simplify (- (expt (* 'a 'b) 1/3) (* (expt 'a 1/3) (expt 'b 1/3)))) 0)
   (check-equal? (simplify (- (sqrt (sqrt (* 16 'a))) (* 2 (expt 'a 1/4)))) 0))
+
+(test-case "a root whose square depends on another still makes others"
+  (check-equal? (simplify (- (* (expt (* 'a 'a 'a 'b) 1/4) (expt (* 'a 'b) 1/4))
+                             (* 'a (sqrt 'b))))
+                0)
+  (check-equal? (simplify (- (expt (* 'a 'a 'a 'b) 1/4) (* (expt (* 'a 'b) 1/4) (sqrt 'a)))) 0))
