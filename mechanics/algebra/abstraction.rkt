@@ -19,8 +19,7 @@
 ;; -> an expression in which parts of that on the tape are symbols of their own, and
 ;; differences; if it and they are zero, so is the whole.  #f and '() if there is
 ;; nothing to gain.
-(define (abstract whole)
-  (define t (merge-equal-items whole))
+(define (abstract t)
   (define cuts (choose-cuts t (candidate-classes t (tape-classes t))))
   (define general
     (and (pair? cuts)

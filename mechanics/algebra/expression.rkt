@@ -21,6 +21,7 @@
  ;; kinds
  expression? symbolic? node? node-head node-args
  make-node expression=? expression-hash
+ node-mark set-node-mark!
  ;; forms that were asked for
  requested? requested-assumptions request-form
  ;; constructors
@@ -31,7 +32,8 @@
 ;; ---------------------------------------------------------------------------
 ;; The node
 
-(struct node (head args hash)
+;; mark : of the last walk that came by, a hint that it alone believes (tape.rkt)
+(struct node (head args hash [mark #:auto #:mutable])
   #:authentic
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write

@@ -7,7 +7,7 @@
 ;; (in-exponentials.rkt).  Whoever finds no proof here may still look at the normal
 ;; form for as long as is bearable.
 
-(require "expression.rkt" "simplify.rkt" "bounds.rkt" "tape.rkt"
+(require "simplify.rkt" "bounds.rkt" "tape.rkt"
          "abstraction.rkt" "in-exponentials.rkt"
          "polynomial/fraction.rkt")
 
@@ -16,10 +16,11 @@
 ;; What the first attempt may cost.
 (define brief-look 500000)
 
-;; -> the assumptions made, as datums, or #f if there is no proof.
-(define (prove-vanishing e)
+;; t : tape.  -> the assumptions made, as datums, or #f if there is no proof.
+(define (prove-vanishing t)
+  (define e (tape->expression t))
   (or (prove-directly e (make-fuel brief-look))
-      (prove-abstractly e)
+      (prove-abstractly t)
       (prove-in-exponentials e (make-fuel))))
 
 (define (prove-directly e fuel)
@@ -37,8 +38,8 @@
 
 ;; The general case, and that parts taken for equal are.  What the general case
 ;; takes for granted of parts would have to be checked, so it may not take any.
-(define (prove-abstractly e)
-  (define-values (general differences) (abstract (expression->tape e)))
+(define (prove-abstractly t)
+  (define-values (general differences) (abstract t))
   (define fuel (make-fuel))
   (define (prove e)
     (and (not (fuel-empty? fuel))

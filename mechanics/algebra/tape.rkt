@@ -1,13 +1,14 @@
 #lang racket/base
 ;; Tapes: an expression's graph written out once, operands before the nodes they
-;; are operands of.
+;; are operands of, and equal nodes once.
 ;;
 ;; A walk over a tape is a loop over vectors by place, without a table of nodes
 ;; met; so an expression to be evaluated several times is put on a tape first.
 
-(require "expression.rkt" "operation.rkt")
+(require racket/fixnum
+         "expression.rkt" "operation.rkt")
 
-(provide (struct-out tape) expression->tape tape-length merge-equal-items)
+(provide (struct-out tape) expression->tape tape-length tape->expression)
 
 ;; items : vector of numbers, symbols and nodes, the whole expression last
 ;; operands : vector of lists of places, those of the operands of each node
@@ -15,64 +16,145 @@
 
 (define (tape-length t) (vector-length (tape-items t)))
 
+;; A node met is marked with its place, in a pair that names this tape: the mark of
+;; another tape, made at the same time by another thread, is only met too late, and
+;; costs a second look.  Nodes with the same head and the same operands, in any order
+;; they may have, are one item.
 (define (expression->tape e)
-  (define places (make-hasheq))
-  (define items '())
-  (define operands '())
-  (define count 0)
-  (define (append! e ks)
-    (define k count)
-    (set! items (cons e items))
-    (set! operands (cons ks operands))
-    (set! count (+ k 1))
-    (hash-set! places e k)
-    k)
+  (define leaves (make-hasheqv))
+  (define merged (make-merged))
+  (define items (make-buffer))
+  (define operands (make-buffer))
+  (define keys (make-buffer))
+  (define (append! e ks key)
+    (buffer-add! operands ks)
+    (buffer-add! keys key)
+    (buffer-add! items e))
   (define (place e)
-    (cond [(hash-ref places e #f)]
-          [(node? e) (append! e (places-of (node-args e)))]
-          [else (append! e '())]))
+    (cond [(not (node? e))
+           (or (hash-ref leaves e #f)
+               (let ([k (append! e '() '())])
+                 (hash-set! leaves e k)
+                 k))]
+          [else
+           (define mark (node-mark e))
+           (if (and (pair? mark) (eq? (car mark) items))
+               (cdr mark)
+               (place-node e (places-of (node-args e))))]))
   (define (places-of es)
     (if (null? es)
         '()
         (let ([k (place (car es))])
           (cons k (places-of (cdr es))))))
+  (define (place-node e ks)
+    (define key (if (memq (node-head e) commutative) (sort-places ks) ks))
+    (define k
+      (or (merged-ref merged items keys e key)
+          (let ([k (append! e ks key)])
+            (merged-add! merged e k)
+            k)))
+    (set-node-mark! e (cons items k))
+    k)
   (place e)
-  (tape (reversed-vector items count) (reversed-vector operands count)))
+  (tape (buffer->vector items) (buffer->vector operands)))
 
-(define (reversed-vector items count)
-  (define v (make-vector count))
-  (let loop ([items items] [k (- count 1)])
-    (unless (null? items)
-      (vector-set! v k (car items))
-      (loop (cdr items) (- k 1))))
-  v)
+;; An expression equal to that on the tape, in which equal nodes are the same.
+(define (tape->expression t)
+  (define items (tape-items t))
+  (define operands (tape-operands t))
+  (define n (vector-length items))
+  (define nodes (make-vector n #f))
+  (for ([e (in-vector items)] [ks (in-vector operands)] [k (in-naturals)])
+    (define args (for/list ([j (in-list ks)]) (vector-ref nodes j)))
+    (vector-set! nodes k
+                 (if (or (not (node? e)) (andmap eq? args (node-args e)))
+                     e
+                     (make-node (node-head e) args))))
+  (vector-ref nodes (- n 1)))
+
+(define commutative (list op:+ op:*))
+
+;; Mostly there are two.
+(define (sort-places ks)
+  (cond [(or (null? ks) (null? (cdr ks))) ks]
+        [(null? (cddr ks)) (if (fx<= (car ks) (cadr ks)) ks (list (cadr ks) (car ks)))]
+        [else (sort ks fx<)]))
 
 ;; ---------------------------------------------------------------------------
+;; Vectors that grow
 
-;; The tape without nodes that do as others before them, with the same head and
-;; the same operands in any order they may have.
-(define (merge-equal-items t)
-  (define n (tape-length t))
-  (define places (make-hash))
-  (define new-places (make-vector n))
-  (define-values (items operands count)
-    (for/fold ([items '()] [operands '()] [count 0])
-              ([e (in-vector (tape-items t))] [ks (in-vector (tape-operands t))] [k (in-naturals)])
-      (define new-ks (for/list ([j (in-list ks)]) (vector-ref new-places j)))
-      (define key (item-key e new-ks))
-      (define known (hash-ref places key #f))
-      (vector-set! new-places k (or known count))
-      (cond [known (values items operands count)]
-            [else
-             (hash-set! places key count)
-             (values (cons e items) (cons new-ks operands) (+ count 1))])))
-  (tape (reversed-vector items count) (reversed-vector operands count)))
+(struct buffer (items count) #:mutable #:authentic)
 
-(define (item-key e ks)
-  (cond [(not (node? e)) e]
-        [else
-         (define head (node-head e))
-         (cons (if (literal-head? head)
-                   (cons (literal-head-name head) (literal-head-index head))
-                   head)
-               (if (memq head (list op:+ op:*)) (sort ks <) ks))]))
+(define (make-buffer) (buffer (make-vector 64 #f) 0))
+
+(define (buffer-ref b k) (vector-ref (buffer-items b) k))
+
+;; -> the place of the new item
+(define (buffer-add! b x)
+  (define n (buffer-count b))
+  (when (fx= n (vector-length (buffer-items b)))
+    (set-buffer-items! b (resized (buffer-items b) n (fx* 2 n))))
+  (vector-set! (buffer-items b) n x)
+  (set-buffer-count! b (fx+ n 1))
+  n)
+
+(define (buffer->vector b) (resized (buffer-items b) (buffer-count b) (buffer-count b)))
+
+(define (resized v count size)
+  (define new (make-vector size #f))
+  (vector-copy! new 0 v 0 count)
+  new)
+
+;; ---------------------------------------------------------------------------
+;; The items that are nodes, found by head and operands: open addressing by the
+;; hash that equal nodes share.
+
+;; A node's key is the list of its operands' places, in order if they commute.
+;; places : fxvector, -1 where there is none; hashes : of the items there
+(struct merged (places hashes count) #:mutable #:authentic)
+
+(define (make-merged) (merged (make-fxvector 1024 -1) (make-fxvector 1024) 0))
+
+(define-syntax-rule (first-slot h mask) (fxand (fxxor h (fxrshift h 20)) mask))
+
+;; -> place or #f
+(define (merged-ref m items keys e key)
+  (define places (merged-places m))
+  (define hashes (merged-hashes m))
+  (define mask (fx- (fxvector-length places) 1))
+  (define h (expression-hash e))
+  (define (same? k)
+    (and (same-places? (buffer-ref keys k) key)
+         (head=? (node-head (buffer-ref items k)) (node-head e))))
+  (let probe ([i (first-slot h mask)])
+    (define k (fxvector-ref places i))
+    (cond [(fx= k -1) #f]
+          [(and (fx= h (fxvector-ref hashes i)) (same? k)) k]
+          [else (probe (fxand (fx+ i 1) mask))])))
+
+(define (same-places? ks js)
+  (cond [(null? ks) (null? js)]
+        [(null? js) #f]
+        [else (and (fx= (car ks) (car js)) (same-places? (cdr ks) (cdr js)))]))
+
+(define (merged-add! m e k)
+  (when (fx> (fx* 2 (merged-count m)) (fxvector-length (merged-places m))) (widen! m))
+  (insert! (merged-places m) (merged-hashes m) (expression-hash e) k)
+  (set-merged-count! m (fx+ 1 (merged-count m))))
+
+(define (widen! m)
+  (define places (merged-places m))
+  (define hashes (merged-hashes m))
+  (define size (fx* 4 (fxvector-length places)))
+  (set-merged-places! m (make-fxvector size -1))
+  (set-merged-hashes! m (make-fxvector size))
+  (for ([k (in-fxvector places)] [h (in-fxvector hashes)] #:unless (fx= k -1))
+    (insert! (merged-places m) (merged-hashes m) h k)))
+
+(define (insert! places hashes h k)
+  (define mask (fx- (fxvector-length places) 1))
+  (let probe ([i (first-slot h mask)])
+    (cond [(fx= -1 (fxvector-ref places i))
+           (fxvector-set! places i k)
+           (fxvector-set! hashes i h)]
+          [else (probe (fxand (fx+ i 1) mask))])))

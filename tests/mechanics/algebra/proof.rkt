@@ -79,7 +79,7 @@
 (test-case "no proof is found of what does not vanish"
   (for ([e (in-list (list* (commuting-turns (cons 'a (cdr (turns 12))))
                            (for/list ([e (in-list vanishing)]) (e:+ e 'z))))])
-    (check-false (prove-vanishing e))))
+    (check-false (prove-vanishing (expression->tape e)))))
 
 (test-case "flonums are not proved, by whatever way"
   (check-eq? (status (e:* 1.5 (e:+ (difference-of-squares) (commuting-turns)))) 'undecided))
@@ -95,7 +95,7 @@
     (check-= (magnitude (- (evaluate-expression e lookup)
                            (evaluate-expression (in-exponentials e) lookup)))
              0 1e-12)
-    (check-equal? (prove-vanishing (e:- e (in-exponentials e))) '())))
+    (check-equal? (prove-vanishing (expression->tape (e:- e (in-exponentials e)))) '())))
 
 (test-case "without such functions nothing is rewritten"
   (define e (datum->expression '(+ (expt a 2) (exp (* b (f a))))))
@@ -145,8 +145,42 @@
   (for-each-difference (append sound-rewrites unsound-rewrites)
     (lambda (e)
       (define zero? (zero-by-normal-form? e))
-      (check-equal? (and (prove-vanishing e) #t) zero? (format "~a" e))
+      (check-equal? (and (prove-vanishing (expression->tape e)) #t) zero? (format "~a" e))
       (define-values (general differences) (abstract (expression->tape e)))
       (when (and general (andmap zero-by-normal-form? (cons general differences)))
         (check-true zero? (format "~a" e)))
       (check-equal? (zero-by-normal-form? (in-exponentials e)) zero? (format "~a" e)))))
+
+;; ---------------------------------------------------------------------------
+;; Tapes
+
+(test-case "equal nodes are one item of a tape, whatever the order of commuting operands"
+  (define (built d) (datum->expression d))
+  (check-equal? (tape-length (expression->tape
+                              (make-node op:+ (list (built '(* (+ a b) c)) (built '(* c (+ b a)))))))
+                6)
+  (check-equal? (tape-length (expression->tape (built '(- (f a b) (f b a))))) 5)
+  (check-equal? (tape-length (expression->tape (built '(- (expt a 2) (expt 2 a))))) 5))
+
+(test-case "an expression comes back from its tape, equal nodes being the same"
+  (with-seeds 40 report
+    (define e (random-expression 5 '(rational trigonometric exponential)))
+    (define t (expression->tape e))
+    (define back (tape->expression t))
+    (check-equal? back e)
+    (check-equal? (tape-length (expression->tape back)) (tape-length t))))
+
+(test-case "tapes of one expression made by several threads are the same"
+  (define e (commuting-turns))
+  (define expected (tape-operands (expression->tape e)))
+  (define results (make-vector 4 #f))
+  (define threads
+    (for/list ([i (in-range 4)])
+      (thread (lambda ()
+                (vector-set! results i
+                             (for/and ([_ (in-range 60)])
+                               (define ks (tape-operands (expression->tape e)))
+                               (sleep 0)
+                               (equal? ks expected)))))))
+  (for-each thread-wait threads)
+  (check-equal? results (make-vector 4 #t)))

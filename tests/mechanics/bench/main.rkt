@@ -67,6 +67,38 @@
   (if x (string-append (milliseconds x) " ns") "–"))
 
 ;; ---------------------------------------------------------------------------
+;; Growth
+
+(define chains-heading '("n" "CPU ms, best" "nodes"))
+
+;; Time against size, and the exponent of the power of n that fits it from
+;; `fit-from` on.
+(define (print-growth heading ts runs table)
+  (define results (for/list ([t (in-list ts)]) (measure (task-name t) (max 1 (quotient runs 2)))))
+  (define times (for/list ([rs (in-list results)]) (best (map car (filter pair? rs)))))
+  (displayln heading)
+  (table chains-heading
+         (for/list ([rs (in-list results)] [time (in-list times)] [n (in-naturals 1)])
+           (list (number->string n) (milliseconds time) (size-text (cadr (car rs))))))
+  (printf "grows as n^~a from n = ~a on\n\n"
+          (decimal (exponent times fit-from)) fit-from))
+
+(define fit-from 3)
+
+;; The slope of log time against log n, by least squares.
+(define (exponent times from)
+  (define points
+    (for/list ([time (in-list times)] [n (in-naturals 1)] #:when (>= n from))
+      (cons (log n) (log time))))
+  (define (mean f) (/ (for/sum ([p (in-list points)]) (f p)) (length points)))
+  (define x (mean car))
+  (define y (mean cdr))
+  (/ (mean (lambda (p) (* (- (car p) x) (- (cdr p) y))))
+     (mean (lambda (p) (* (- (car p) x) (- (car p) x))))))
+
+(define (decimal x) (number->string (/ (round (* 10 x)) 10)))
+
+;; ---------------------------------------------------------------------------
 ;; Loading
 
 (define load-heading '("loading" "CPU ms, best" "median" "of racket/base"))
@@ -112,15 +144,17 @@
     (table order-heading (order-rows)))
   (when (wanted? 'gradients)
     (table gradient-heading (gradient-rows)))
+  (when (wanted? 'chains)
+    (for ([g (in-list growths)]) (print-growth (car g) (cdr g) runs table)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
 (define (check-names names)
   (for ([name (in-list names)])
-    (unless (or (find-task name) (find-micro name) (memq name '(growth orders gradients load)))
+    (unless (or (find-task name) (find-micro name) (memq name '(growth orders gradients chains load)))
       (raise-user-error 'bench "no task ~a; there are ~a" name
                         (append (map task-name tasks) (map micro-name micros)
-                                '(growth orders gradients load))))))
+                                '(growth orders gradients chains load))))))
 
 (module+ main
   (define runs 7)

@@ -3,10 +3,12 @@
 
 (require mechanics)
 
-(provide chain-Lagrangian chain-path chain-state
+(provide chain-Lagrangian chain-Lagrangian/decimal chain-path chain-state
          rigid-body-Lagrangian Euler-path Euler-state
          Foucault-Lagrangian Foucault-path Foucault-state
-         three-body-Lagrangian plane-path)
+         Foucault-Lagrangian/rectangular Foucault-state/rectangular
+         three-body-Lagrangian plane-path
+         Jacobi-identity)
 
 (define (numbered name i) (string->symbol (format "~a~a" name i)))
 (define (numbered-list name n)
@@ -36,6 +38,12 @@
   (compose (L-particles (numbered-list 'm n) 'g)
            (F->C (angles->positions (numbered-list 'l n)))))
 
+;; The same with decimal numbers for masses, lengths and g.
+(define (chain-Lagrangian/decimal n)
+  (define (decimals start) (for/list ([i (in-range n)]) (+ start (* 0.37 i))))
+  (compose (L-particles (decimals 1.2) 9.8)
+           (F->C (angles->positions (decimals 0.7)))))
+
 (define (chain-path n)
   (apply up (map literal-function (numbered-list 'theta n))))
 
@@ -64,13 +72,17 @@
 ;; R turning at Omega; theta from the local vertical, lambda about it.
 
 (define ((pendulum->space l R phi Omega) (up t (up theta lambda) v))
-  (let* ([x (* l (sin theta) (cos lambda))]
-         [y (* l (sin theta) (sin lambda))]
-         [z (- R (* l (cos theta)))]
-         [X (+ (* x (cos phi)) (* z (sin phi)))]
-         [Z (- (* z (cos phi)) (* x (sin phi)))])
-    (up (- (* X (cos (* Omega t))) (* y (sin (* Omega t))))
-        (+ (* X (sin (* Omega t))) (* y (cos (* Omega t))))
+  (in-space (* l (sin theta) (cos lambda))
+            (* l (sin theta) (sin lambda))
+            (- R (* l (cos theta)))
+            phi (* Omega t)))
+
+;; From local axes, the last one vertical, to axes that do not turn.
+(define (in-space x y z phi angle)
+  (let ([X (+ (* x (cos phi)) (* z (sin phi)))]
+        [Z (- (* z (cos phi)) (* x (sin phi)))])
+    (up (- (* X (cos angle)) (* y (sin angle)))
+        (+ (* X (sin angle)) (* y (cos angle)))
         Z)))
 
 (define (Foucault-Lagrangian)
@@ -78,6 +90,24 @@
   (define weight (lambda (local) (* 'm 'g 'l (cos (ref (coordinate local) 0)))))
   (+ (compose L-free (F->C (pendulum->space 'l 'R 'phi 'Omega)))
      weight))
+
+;; The same in the rectangular coordinates x and y of the bob, below which the
+;; rod reaches down by a root.
+(define ((below l) x y) (sqrt (- (square l) (square x) (square y))))
+
+(define ((pendulum->space/rectangular l R phi Omega) (up t (up x y) v))
+  (in-space x y (- R ((below l) x y)) phi (* Omega t)))
+
+(define (Foucault-Lagrangian/rectangular)
+  (define L-free (lambda (local) (* 1/2 'm (square (velocity local)))))
+  (define weight
+    (lambda (local)
+      (define q (coordinate local))
+      (* 'm 'g ((below 'l) (ref q 0) (ref q 1)))))
+  (+ (compose L-free (F->C (pendulum->space/rectangular 'l 'R 'phi 'Omega)))
+     weight))
+
+(define (Foucault-state/rectangular) (up 't (up 'x 'y) (up 'xdot 'ydot)))
 
 (define (Foucault-path) (up (literal-function 'theta) (literal-function 'lambda)))
 (define (Foucault-state) (up 't (up 'theta 'lambda) (up 'thetadot 'lambdadot)))
@@ -101,3 +131,19 @@
        (/ (* 'GM1 'm) r1))))
 
 (define (plane-path) (up (literal-function 'x) (literal-function 'y)))
+
+;; ---------------------------------------------------------------------------
+;; Jacobi's identity for the Poisson brackets of three literal functions of n
+;; coordinates and momenta (SICM 3.2), at a symbolic state.
+
+(define (bracket F G)
+  (- (* ((partial 1) F) ((partial 2) G))
+     (* ((partial 2) F) ((partial 1) G))))
+
+(define (Jacobi-identity n)
+  (define reals (for/list ([_ (in-range n)]) 'Real))
+  (define signature `(-> (UP Real (UP ,@reals) (DOWN ,@reals)) Real))
+  (define-values (F G H)
+    (apply values (for/list ([name '(F G H)]) (literal-function name signature))))
+  ((+ (bracket F (bracket G H)) (bracket G (bracket H F)) (bracket H (bracket F G)))
+   (up 't (apply up (numbered-list 'q n)) (apply down (numbered-list 'p n)))))

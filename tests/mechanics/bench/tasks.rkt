@@ -11,7 +11,7 @@
          "systems.rkt"
          "task.rkt")
 
-(provide tasks micros find-task find-micro)
+(provide tasks micros growths find-task find-micro)
 
 ;; ---------------------------------------------------------------------------
 ;; Lagrange equations on literal paths, simplified
@@ -39,6 +39,12 @@
              (lambda () (residual (chain-Lagrangian n) (chain-path n)))
              #:size residual-size))
 
+(define (decimal-chain-task name n)
+  (residual-task name
+                 (format "the same of ~a links with decimal masses, lengths and g" n)
+                 (lambda () (chain-Lagrangian/decimal n))
+                 (lambda () (chain-path n))))
+
 (define (residual-task name description make-L make-path)
   (make-task name description
              (lambda () (residual (make-L) (make-path)))
@@ -58,6 +64,12 @@
   (derivative-task name
                    (format "state derivative of a chain of ~a links, simplified" n)
                    (lambda () (chain-Lagrangian n))
+                   (lambda () (chain-state n))))
+
+(define (decimal-chain-derivative-task name n)
+  (derivative-task name
+                   (format "the same of ~a links with decimal masses, lengths and g" n)
+                   (lambda () (chain-Lagrangian/decimal n))
                    (lambda () (chain-state n))))
 
 (define (rigid-body) (rigid-body-Lagrangian 'A 'B 'C))
@@ -134,14 +146,24 @@
                                (format "~a (tree ~a) ~a" (graph-size (car r))
                                        (tree-size (car r)) (cdr r)))))
 
+(define (Jacobi-task name n)
+  (make-task name
+             (format "Jacobi's identity with three literal functions of ~a coordinates, proved" n)
+             (lambda ()
+               (define identity (Jacobi-identity n))
+               (cons identity (m:verdict-status (m:prove-zero identity))))
+             #:size (lambda (r) (format "~a ~a" (node-count (m:expression (car r))) (cdr r)))))
+
 (define tasks
   (list*
    (chain-task 'L2 2)
    (chain-task 'L3 3)
    (chain-task 'L4 4)
    (chain-task 'L6 6)
+   (decimal-chain-task 'L6d 6)
    (chain-derivative-task 'S2 2)
    (chain-derivative-task 'S3 3)
+   (decimal-chain-derivative-task 'S3d 3)
    (chain-derivative-task 'S4 4)
    (derivative-task 'R1 "state derivative of a rigid body in Euler angles, simplified"
                     rigid-body Euler-state)
@@ -153,15 +175,36 @@
                   Foucault-Lagrangian Foucault-path)
    (derivative-task 'F2 "state derivative of Foucault's pendulum, simplified"
                     Foucault-Lagrangian Foucault-state)
+   (residual-task 'F3 "Lagrange equations of the same in rectangular coordinates, with a root"
+                  Foucault-Lagrangian/rectangular plane-path)
+   (derivative-task 'F4 "state derivative of the same in rectangular coordinates"
+                    Foucault-Lagrangian/rectangular Foucault-state/rectangular)
    (residual-task 'T2 "Lagrange equations of the restricted three-body problem, simplified"
                   three-body-Lagrangian plane-path)
    (make-task 'X6 "Lie series of the coordinate of a harmonic oscillator, 6 terms, simplified"
               Lie-series #:size (lambda (terms) (node-count (map m:expression terms))))
+   (Jacobi-task 'J2 2)
+   (Jacobi-task 'J3 3)
    (zero-task 'Z1 "zero test of a large residual that does not vanish, with a witness"
               #f (lambda (e) (zero-test-status (zero-test e))))
    (zero-task 'Z2 "fingerprint of a large residual that vanishes"
               #t fingerprint)
+   (zero-task 'Z3 "zero test of the same, a proof"
+              #t (lambda (e) (zero-test-status (zero-test e))))
    matrix-tasks))
+
+;; ---------------------------------------------------------------------------
+;; Growth
+
+(define (numbered-name base n) (string->symbol (format "~a~a" base n)))
+
+;; ((heading . tasks) ...): tasks of ascending size, from 1 on.
+(define growths
+  (list (cons "Lagrange equations of a chain of n links"
+              (for/list ([n (in-range 1 13)]) (chain-task (numbered-name "chains-L" n) n)))
+        (cons "state derivative of a chain of n links"
+              (for/list ([n (in-range 1 6)])
+                (chain-derivative-task (numbered-name "chains-S" n) n)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Operations
@@ -200,7 +243,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define (find-task name) (find name tasks task-name))
+(define (find-task name)
+  (find name (apply append tasks (map cdr growths)) task-name))
 (define (find-micro name) (find name micros micro-name))
 
 (define (find name entries entry-name)

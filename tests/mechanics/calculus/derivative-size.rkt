@@ -4,10 +4,15 @@
 
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/loops
-         mechanics/algebra/tape
+         mechanics/algebra/expression
          mechanics/calculus/derivative)
 
-(define (nodes e) (vector-length (tape-items (expression->tape e))))
+;; Of the graph as it was made, equal nodes made apart counted apart.
+(define (nodes e)
+  (define count 0)
+  (define (count! . _) (set! count (+ count 1)))
+  (node-fold e void count!)
+  count)
 
 (define (composition n) (lambda (x) (for/fold ([y x]) ([_ (in-range n)]) (g:sin y))))
 (define (product n)
