@@ -81,11 +81,11 @@
 
 ;; A flonum, or an exact number too long to be read, to six digits: it is there to
 ;; be seen not to be zero.
-(define (readable x)
-  (cond [(and (exact? x) (real? x) (> (bits x) 64)) (readable (exact->inexact x))]
+(define (readable x [digits 6])
+  (cond [(and (exact? x) (real? x) (> (bits x) 64)) (readable (exact->inexact x) digits)]
         [(or (exact? x) (not (rational? x)) (zero? x)) x]
         [else
-         (define unit (expt 10.0 (- 5 (inexact->exact (floor (/ (log (abs x)) (log 10)))))))
+         (define unit (expt 10.0 (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10)))))))
          (/ (round (* x unit)) unit)]))
 
 (define (bits x) (+ (integer-length (numerator x)) (integer-length (denominator x))))
@@ -96,13 +96,16 @@
      (append (if (zero? i) '() (list ","))
              (list (value->datum (car entry)) "=" (cdr entry))))))
 
+;; The bound is rounded upwards.
 (define (bound z line)
   (define points (zero-test-points z))
   (define size (zero-test-bound z))
   (line "evidence:"
         (cond [(zero? points) "zero within rounding; exact numbers would tell"]
-              [(eqv? size 0) (format "zero at ~a points, exactly or modulo primes" points)]
-              [else (format "at ~a points, zero to within ~a" points size)])))
+              [(eqv? size 0) (format "zero at ~a, exactly or modulo primes" (counted points))]
+              [else (format "at ~a, zero to within ~a" (counted points) (readable (* 1.05 size) 2))])))
+
+(define (counted points) (if (eqv? points 1) "one point" (format "~a points" points)))
 
 ;; ---------------------------------------------------------------------------
 

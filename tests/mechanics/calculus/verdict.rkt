@@ -64,3 +64,17 @@
   (for ([mode '("~a" "~s" "~v")])
     (check-regexp-match #rx"^proved: " (format mode (prove-zero 0)))
     (check-regexp-match #rx"^refuted: .*\n  residual: " (format mode (prove-zero 'a)))))
+
+;; ---------------------------------------------------------------------------
+;; The report
+
+(define (last-line v) (cadr (regexp-match #rx"([^\n]*)$" (format "~a" v))))
+
+(test-case "a bound is given to two digits, rounded upwards"
+  (check-equal? (last-line (prove-zero 1.234e-15)) "  evidence: at one point, zero to within 1.3e-15")
+  (check-regexp-match #px"^  evidence: at 12 points, zero to within [0-9]([.][0-9])?e-[0-9]+$"
+                      (last-line (verify-equal (g:* 0.1 'x) (g:/ 'x 10)))))
+
+(test-case "a value of many digits is shown to six"
+  (check-equal? (last-line (prove-zero (g:* (expt 10 60) 'm))) "  value: 1e+60")
+  (check-equal? (last-line (prove-zero (g:/ 1 3))) "  value: 1/3"))
