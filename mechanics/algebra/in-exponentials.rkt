@@ -9,7 +9,7 @@
 
 (require "operation.rkt" "expression.rkt" "evaluate.rkt")
 
-(provide in-exponentials)
+(provide in-exponentials single-valued?)
 
 ;; -> expression; e itself if it has no such functions.
 (define (in-exponentials e)
@@ -42,3 +42,20 @@
 (define rewritings
   (hasheq op:cos (even +i) op:sin (odd +i) op:tan (ratio +i)
           op:cosh (even 1) op:sinh (odd 1) op:tanh (ratio 1)))
+
+;; ---------------------------------------------------------------------------
+
+;; Are all operations of e rational, or exponential, circular or hyperbolic
+;; functions?  Then what holds for exponentials of complex numbers holds for it.
+(define (single-valued? e)
+  (node-fold e
+             (lambda (leaf) #t)
+             (lambda (n args)
+               (define head (node-head n))
+               (and (andmap values args)
+                    (or (literal-head? head)
+                        (and (memq head single-valued) #t)
+                        (hash-has-key? rewritings head)
+                        (and (eq? head op:expt) (exact-integer? (cadr (node-args n)))))))))
+
+(define single-valued (list op:+ op:- op:* op:/ op:exp op:up op:down))

@@ -29,10 +29,13 @@
          (define-values (F f assumptions) (normal-form e fuel))
          (and (fraction-zero? f) assumptions)]))
 
+;; Where there are roots, absolute values or inverse functions, complex numbers would
+;; be mistaken for positive ones.
 (define (prove-in-exponentials e fuel)
-  (define other (in-exponentials e))
-  (and (not (eq? other e))
-       (prove-directly other fuel)))
+  (and (single-valued? e)
+       (let ([other (in-exponentials e)])
+         (and (not (eq? other e))
+              (prove-directly other fuel)))))
 
 ;; ---------------------------------------------------------------------------
 

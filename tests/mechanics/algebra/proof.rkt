@@ -184,3 +184,14 @@
                                (equal? ks expected)))))))
   (for-each thread-wait threads)
   (check-equal? results (make-vector 4 #t)))
+
+;; ---------------------------------------------------------------------------
+;; Roots
+
+(test-case "roots are not taken of complex exponentials"
+  (define (vanishes? d) (prove-vanishing (expression->tape (datum->expression d))))
+  (check-equal? (vanishes? '(- (sqrt (expt (cos u) 2)) (cos u))) '((>= (cos u) 0)))
+  (check-false (vanishes? '(- (sqrt (expt (+ (expt (cos u) 2) (expt (sin v) 2)) 2)) (cos u))))
+  (check-true (single-valued? (datum->expression '(+ (cos u) (expt (exp v) -2) (f (sinh u) t)))))
+  (for ([d (in-list '((sqrt (cos u)) (abs u) (log (exp u)) (expt u 1/2) (expt u n) (asin (sin u))))])
+    (check-false (single-valued? (datum->expression d)))))
