@@ -14,6 +14,7 @@ can be read in any order.
 @include-section["guide/arithmetic.scrbl"]
 @include-section["guide/literals.scrbl"]
 @include-section["guide/derivatives.scrbl"]
+@include-section["guide/differentiation.scrbl"]
 @include-section["guide/residuals.scrbl"]
 @include-section["guide/mistakes.scrbl"]
 @include-section["guide/systems.scrbl"]

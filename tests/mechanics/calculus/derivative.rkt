@@ -1,7 +1,7 @@
 #lang racket/base
 ;; D and partial: functions of every shape, orientation, nesting, programs.
 
-(require rackunit
+(require racket/match rackunit
          mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
          mechanics/generic/loops mechanics/generic/structure
          mechanics/value/function mechanics/value/linear mechanics/value/matrix mechanics/value/operator
@@ -234,6 +234,76 @@
 (test-case "exceptions and early exits pass through"
   (define (f x) (let/ec return (g:for/sum ([n 10]) (when (= n 3) (return (g:expt x n))) x)))
   (check-equal? ((D f) 2) 12))
+
+(struct body (mass position))
+
+(test-case "match, structures of the user's, accumulators, strings of calls"
+  (define (energy x)
+    (define b (body 2 (list x (g:square x))))
+    (match b
+      [(body m (list y z)) (g:* m (g:+ y z))]))
+  (check-equal? ((D energy) 3) 14)
+  (define (apply-all fs x) (foldl (lambda (f y) (f y)) x fs))
+  (check-same ((D (lambda (x) (apply-all (list g:sin g:square g:exp) x))) 'x)
+              ((D (compose g:exp g:square g:sin)) 'x))
+  (define (sum-by-set x)
+    (define total 0)
+    (for ([k 4]) (set! total (g:+ total (g:expt x k))))
+    total)
+  (check-equal? ((D sum-by-set) 2) 17)
+  (check-equal? (((g:expt D 2) sum-by-set) 2) 14))
+
+(test-case "functions that remember their values"
+  (define (remembering f)
+    (define known (make-hash))
+    (lambda (x) (hash-ref! known x (lambda () (f x)))))
+  (define cube (remembering g:cube))
+  (check-equal? (list (cube 5) ((D cube) 5) ((D (D cube)) 5) ((D cube) 5) (cube 5))
+                '(125 75 30 75 125))
+  (check-same ((D cube) 'x) (g:* 3 (g:square 'x)))
+  (define (fibonacci-polynomial n x)            ; Fₙ = x Fₙ₋₁ + Fₙ₋₂
+    (define F (remembering (lambda (k) (if (< k 2) k (g:+ (g:* x (F (- k 1))) (F (- k 2)))))))
+    (F n))
+  ;; F₄ = x³ + 2x; at 1 the slope of Fₙ is (n Lₙ − Fₙ)/5
+  (check-equal? ((D (lambda (x) (fibonacci-polynomial 4 x))) 3) 29)
+  (check-equal? ((D (lambda (x) (fibonacci-polynomial 30 x))) 1)
+                (/ (- (* 30 1860498) 832040) 5)))
+
+(test-case "continuations: generators, escapes, and coming back to a derivative that has ended"
+  (define (powers x)                            ; yields 1, x, x², … to `receive`
+    (lambda (receive) (let loop ([p 1] [n 0]) (unless (= n 4) (receive p) (loop (g:* p x) (add1 n))))))
+  (define (sum x) (let ([total 0]) ((powers x) (lambda (p) (set! total (g:+ total p)))) total))
+  (check-equal? ((D sum) 2) 17)
+  (define again #f)
+  (define visits 0)
+  (define (f x) (let ([k (call/cc (lambda (k) (set! again k) 2))]) (g:* k (g:square x))))
+  (define slope ((D f) 3))
+  (set! visits (add1 visits))
+  (case visits
+    [(1) (check-equal? slope 12) (again 5)]
+    [else (check-equal? slope 30)]))
+
+(test-case "derivatives in threads do not meet"
+  (define results
+    (for/list ([n 8])
+      (define box (make-channel))
+      (thread (lambda ()
+                (channel-put box ((D (lambda (x) (g:* x ((D (lambda (y) (g:* x (g:expt y n)))) x)))) 2))))
+      box))
+  ;; d/dx (n xⁿ⁺¹) = n (n + 1) xⁿ
+  (for ([r results] [n 8])
+    (check-equal? (channel-get r) (* n (+ n 1) (expt 2 n)))))
+
+(test-case "literal functions of several structures, and of structured range, along curves"
+  (define G (literal-function 'G (-> (X (UP Real Real) (DOWN Real Real)) (UP Real (DOWN Real Real)))))
+  (define (along t) (G (up t (g:square t)) (down (g:sin t) 1)))
+  (define d ((D along) 't))
+  (check-same (ref d 0)
+              (g:+ (((partial 0 0) (ref G 0)) (up 't (g:square 't)) (down (g:sin 't) 1))
+                   (g:* 2 't (((partial 0 1) (ref G 0)) (up 't (g:square 't)) (down (g:sin 't) 1)))
+                   (g:* (g:cos 't) (((partial 1 0) (ref G 0)) (up 't (g:square 't)) (down (g:sin 't) 1)))))
+  (check-equal? (((partial 0 1) ((partial 1 0) G)) (up 'a 'b) (down 'c 'd))
+                (((g:* (partial 1 0) (partial 0 1)) G) (up 'a 'b) (down 'c 'd))))
 
 ;; ---------------------------------------------------------------------------
 ;; Direction
