@@ -33,7 +33,7 @@
  Lagrangian-action make-path make-eta parametric-path-action
  linear-interpolants Lagrange-interpolation-function
  ;; integrals and minima
- definite-integral minimize
+ definite-integral minimize multidimensional-minimize
  ;; compiled functions
  compile-function compiled-function? compiled-function-reason compiled-function-operations
  ;; equations of motion

@@ -14,7 +14,9 @@
          (only-in "../value/signature.rkt" scalar?))
 
 (provide gradient jacobian
-         Hessian-vector-product jacobian-vector-product vector-jacobian-product)
+         Hessian-vector-product jacobian-vector-product vector-jacobian-product
+         ;; for minimisation
+         value-and-derivatives-at)
 
 ;; ---------------------------------------------------------------------------
 ;; One run
@@ -88,6 +90,13 @@
      [(f) (derivative-function 'gradient f gradient-at #:values-are-numbers? #t)]
      [fs (raise-takes-only-function 'gradient fs)])
    (lambda () 'gradient)))
+
+;; The value of f at x and its derivatives by the scalars of x, as a function of
+;; their number.
+(define (value-and-derivatives-at who f x)
+  (define-values (y t) (record-run who f x))
+  (unless (scalar? y) (raise-not-scalar who f y))
+  (value-and-derivatives t y))
 
 ;; ---------------------------------------------------------------------------
 ;; jacobian

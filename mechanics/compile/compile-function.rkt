@@ -7,8 +7,9 @@
 ;; slower, and the same in all else.
 
 (require racket/flonum
-         "cache.rkt" "program.rkt" "shape.rkt" "trace.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt")
+         "cache.rkt" "program.rkt" "trace.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt"
+         "../value/shape.rkt")
 
 (provide
  compile-function

@@ -7,9 +7,10 @@
 ;; a placeholder ends the trace, and so does an error, which may be due to the
 ;; placeholder not being a number.
 
-(require "program.rkt" "shape.rkt"
+(require "program.rkt"
          "../algebra/expression.rkt" "../algebra/operation.rkt"
-         "../generic/describe.rkt" "../generic/tracing.rkt")
+         "../generic/describe.rkt" "../generic/tracing.rkt"
+         "../value/shape.rkt")
 
 (provide trace)
 

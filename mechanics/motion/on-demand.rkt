@@ -10,6 +10,7 @@
                     trajectory? trajectory-start trajectory-end trajectory-final-state
                     trajectory-states trajectory-events)]
  ["event.rkt" (event event? occurrence? occurrence-event occurrence-time occurrence-state)]
+ ["find-path.rkt" (find-path)]
  ["method.rkt" (leapfrog Yoshida-4 Yoshida-6 Yoshida-8
                 Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)])
 
@@ -19,6 +20,7 @@
  trajectory? trajectory-start trajectory-end trajectory-final-state
  trajectory-states trajectory-events
  event event? occurrence? occurrence-event occurrence-time occurrence-state
+ find-path
  set-ode-integration-method! ode-integration-method integration-method?
  leapfrog Yoshida-4 Yoshida-6 Yoshida-8
  Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)

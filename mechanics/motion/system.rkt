@@ -6,8 +6,9 @@
 ;; decides something by a parameter, it is compiled for that one.
 
 (require racket/flonum
-         "../compile/compile-function.rkt" "../compile/shape.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt")
+         "../compile/compile-function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         "../value/shape.rkt")
 
 (provide (struct-out system) make-system make-parametric-system
          system-state system-size state-vector)

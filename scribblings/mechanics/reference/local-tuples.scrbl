@@ -140,6 +140,30 @@ the two.
 
 @sicm{1.4, p. 19}}
 
+@defproc[(multidimensional-minimize [f procedure?] [start (or/c value list?)]
+                                    [#:tolerance tolerance real? 1e-8]
+                                    [#:method method (or/c 'quasi-newton 'nelder-mead #f) #f]
+                                    [#:observe observe (-> any/c real? any) void])
+         (or/c value list?)]{
+
+The argument, near @racket[start] and of its shape, at which f is least. f is a
+function of a number, a tuple, or a list of these, with real values.
+@racket['quasi-newton], the method of Broyden, Fletcher, Goldfarb and Shanno, uses the
+gradient of f; @racket['nelder-mead], the downhill simplex method, its values alone.
+Unless told, the first one is used if f can be differentiated at @racket[start].
+@racket[observe] is called with each point reached and the value there.
+
+@examples[#:eval session
+(define (valley v)
+  (+ (square (- 1 (ref v 0)))
+     (* 100 (square (- (ref v 1) (square (ref v 0)))))))
+(multidimensional-minimize valley (up -1.2 1))]
+
+Where no minimum is found, @racket[exn:fail:mechanics:not-convergent] carries the best
+point.
+
+@sicm{1.4, p. 22}}
+
 @section{Paths to try}
 
 @defproc[(make-eta [nu procedure?] [t1 scalar] [t2 scalar]) procedure?]{
@@ -153,6 +177,27 @@ them.
 (Lagrangian-action (L-free 3) (+ straight (* 0.001 eta)) 0 10)]
 
 @sicm{1.4, p. 18}}
+
+@defproc[(find-path [L Lagrangian] [t0 real?] [q0 value] [t1 real?] [q1 value]
+                    [n exact-nonnegative-integer?]
+                    [#:tolerance tolerance real? 1e-8]
+                    [#:observe observe (-> path real? any) void])
+         procedure?]{
+
+The path from @racket[q0] at @racket[t0] to @racket[q1] at @racket[t1] of least action
+among the polynomials in time through @racket[n] evenly spaced points between them, as
+@racket[make-path] gives it. The points are right to the tolerance.
+@racket[observe] is called with each path tried and its action.
+
+@examples[#:eval session
+(define ((L-harmonic m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(define q (find-path (L-harmonic 1 1) 0 1 :pi/2 0 3))
+(- (q 0.5) (cos 0.5))
+(find-path (L-harmonic 1 1) 0 1 :pi/2 0 1
+           #:observe (lambda (q action) (printf "~a\n" action)))]
+
+@sicm{1.4, p. 22}}
 
 @defproc[(make-path [t0 scalar] [q0 value] [t1 scalar] [q1 value] [qs list?]) procedure?]{
 
