@@ -4,6 +4,7 @@
 
 (require "generic/arithmetic.rkt" "generic/elementary.rkt" "generic/compare.rkt"
          "generic/loops.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
+         (except-in "value/assumptions.rkt" assumptions-in-force note-used! undeclared)
          "value/constants.rkt" "value/eigenvalues.rkt" "value/function.rkt"
          (except-in "value/linear.rkt" square-entries) "value/matrix.rkt"
          "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt" "value/forms.rkt"
@@ -72,6 +73,7 @@
  gradient jacobian Hessian-vector-product jacobian-vector-product vector-jacobian-product
  ;; expressions
  expression simplify substitute print-limit
+ assume assuming assumptions forget-assumptions automatic-assumptions
  expand factor collect coefficient together apart numerator denominator
  ;; verdicts
  prove-zero verify-equal

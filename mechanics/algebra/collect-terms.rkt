@@ -8,14 +8,15 @@
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
          "present.rkt" "quotient.rkt" "simplify.rkt"
+         (only-in "assumptions.rkt" no-assumptions)
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide collect-expression expression-coefficient find-kernels)
 
 ;; chosen : symbols or literal functions applied -> expression and assumptions
-(define (collect-expression e chosen)
-  (define-values (F f assumptions) (normal-form e))
-  (define variables (find-kernels F chosen))
+(define (collect-expression e chosen [A no-assumptions])
+  (define-values (F f assumptions) (normal-form e A))
+  (define variables (find-kernels F chosen A))
   (define-values (table divisors) (collected F f variables))
   (define whole (polynomial-expression F table variables))
   (values (if (null? divisors)
@@ -25,9 +26,9 @@
 
 ;; -> the coefficient of chosen^n as an expression, #f if e is no polynomial in
 ;; it, and assumptions
-(define (expression-coefficient e chosen n)
-  (define-values (F f assumptions) (normal-form e))
-  (define variables (find-kernels F (list chosen)))
+(define (expression-coefficient e chosen n [A no-assumptions])
+  (define-values (F f assumptions) (normal-form e A))
+  (define variables (find-kernels F (list chosen) A))
   (define-values (table divisors) (collected F f variables))
   (define entry (if (null? variables)
                     (and (eqv? n 0) (pair? table) (car table))
@@ -38,9 +39,9 @@
           assumptions))
 
 ;; The indices of those of the expressions that are kernels of the field.
-(define (find-kernels F expressions)
+(define (find-kernels F expressions A)
   (for*/list ([e (in-list expressions)]
-              [simple (in-value (simplify-expression e))]
+              [simple (in-value (simplify-expression e A))]
               [k (in-vector (field-kernels F))]
               #:when (equal? (kernel-expression k) simple))
     (kernel-index k)))

@@ -3,19 +3,25 @@
 ;;
 ;; Every factor of the numerator is not zero at a generic point; the *core* is
 ;; the one that can vanish by a choice of parameters: a polynomial in symbols
-;; alone, if there is one, else the largest factor.
+;; alone, if there is one, else the largest factor.  Under assumptions, what has a
+;; sign cannot vanish.
 
 (require "expression.rkt" "kernel.rkt" "field.rkt" "present.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide factor-and-core)
 
+;; may-vanish? : expression -> boolean
 ;; -> factor core condition: the value is factor · core; condition is #f or an
 ;; equation (= symbol expression), as a datum, equivalent to core = 0.
-(define (factor-and-core F f)
+(define (factor-and-core F f may-vanish?)
   (define R (field-ring F))
-  (define factors (poly-parts R (fraction-numerator f)))
-  (define core (choose-core F factors))
+  (define (candidate? g)
+    (and (eqv? (cdr g) 1)
+         (> (poly-term-count (car g)) 1)
+         (may-vanish? (present F (fraction-from-poly R (car g))))))
+  (define factors (filter candidate? (poly-parts R (fraction-numerator f))))
+  (define core (choose-core F (map car factors)))
   (cond [core
          (define p (presentable-sign F (fraction-from-poly R core)))
          (values (present F (fraction/ R f p))
@@ -29,13 +35,9 @@
       (fraction-negate (field-ring F) p)
       p))
 
-;; Of the factors with several terms: the first that is a relation between
-;; parameters, else the one with most terms.
-(define (choose-core F factors)
-  (define candidates
-    (for/list ([g (in-list factors)]
-               #:when (and (eqv? (cdr g) 1) (> (poly-term-count (car g)) 1)))
-      (car g)))
+;; Of factors with several terms: the first that is a relation between parameters,
+;; else the one with most terms.
+(define (choose-core F candidates)
   (or (for/first ([p (in-list candidates)] #:when (condition F p)) p)
       (for/fold ([best #f]) ([p (in-list candidates)])
         (if (and best (>= (poly-term-count best) (poly-term-count p))) best p))))

@@ -8,14 +8,15 @@
 
 (require "operation.rkt" "expression.rkt" "field.rkt" "term.rkt" "form.rkt"
          "pieces.rkt" "quotient.rkt" "simplify.rkt" "kernel.rkt"
+         (only-in "assumptions.rkt" no-assumptions)
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide expand-expression)
 
 ;; -> expression and assumptions
-(define (expand-expression e)
-  (define-values (veiled assumed) (veil e))
-  (define-values (F f assumptions) (normal-form veiled))
+(define (expand-expression e [A no-assumptions])
+  (define-values (veiled assumed) (veil e A))
+  (define-values (F f assumptions) (normal-form veiled A))
   (values (unveil (form-expression (expanded-form F f)))
           (append assumed assumptions)))
 
@@ -63,10 +64,10 @@
 
 ;; -> e with veiled functions, their arguments and those of roots simplified, and
 ;; what that assumed.
-(define (veil e)
+(define (veil e A)
   (define assumptions '())
   (define (simplified n)
-    (define-values (simple assumed) (simplify-expression/assumptions n))
+    (define-values (simple assumed) (simplify-expression/assumptions n A))
     (set! assumptions (append assumptions assumed))
     simple)
   (define memo (make-memo))

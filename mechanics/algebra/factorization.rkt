@@ -8,13 +8,14 @@
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
          "squares.rkt" "present.rkt" "pieces.rkt" "quotient.rkt" "simplify.rkt"
+         (only-in "assumptions.rkt" no-assumptions)
          "polynomial/factor.rkt" "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide factored-expression)
 
 ;; -> expression and assumptions
-(define (factored-expression e)
-  (define-values (F f assumptions) (normal-form e))
+(define (factored-expression e [A no-assumptions])
+  (define-values (F f assumptions) (normal-form e A))
   (define p (fraction-numerator f))
   (values (if (and (fraction-polynomial? f) (poly-constant? p))
               (quotient-expression F f)

@@ -23,8 +23,8 @@
 
 ;; kernels : vector by index; relations : from the top of the tower;
 ;; circles : those known by their angles, presentation may add some;
-;; assumed : box of polynomials taken not to be negative
-(struct field (atlas kernels ring relations circles assumed) #:authentic)
+;; branch : field polynomial -> 1 or -1, as its sign is known or taken to be, or #f
+(struct field (atlas kernels ring relations circles branch) #:authentic)
 
 ;; xᵢ^degree = radicand, a fraction.
 (struct relation (index degree radicand) #:authentic)
@@ -35,12 +35,11 @@
 ;; The field and the value of an expression
 
 ;; atlas -> field, in a ring of the given greatest degree.
-(define (make-field atlas kernels max-degree)
+(define (make-field atlas kernels max-degree branch)
   (define tank (services-fuel (atlas-services atlas)))
   (define R (make-ring (vector-length kernels) max-degree (fuel-meter tank)))
   (define circles (make-circles kernels (atlas-services atlas)))
-  (define assumed (box '()))
-  (define (over relations) (field atlas kernels R relations circles assumed))
+  (define (over relations) (field atlas kernels R relations circles branch))
   (for/fold ([F (over (circle-relations R kernels))])
             ([r (in-list (sort-tower (atlas-tower atlas)))])
     (over (cons (if (root? r) (root-relation F r) (modulus-relation F r))
@@ -93,11 +92,11 @@
 ;; The q-th root of u, whose lower power may be w times powers of other roots.
 (define (related-root F i u q others)
   (define R (field-ring F))
-  (define-values (power members w basis)
+  (define-values (power members w)
     (root-dependence R u q
                      (for/list ([r (in-list others)]) (radicand-of F r))
-                     (for/list ([r (in-list others)]) (root-degree (relation-root F r)))))
-  (for ([p (in-list basis)]) (set-box! (field-assumed F) (cons p (unbox (field-assumed F)))))
+                     (for/list ([r (in-list others)]) (root-degree (relation-root F r)))
+                     (lambda (p) ((field-branch F) F p))))
   (relation i power
             (for/fold ([product w]) ([m (in-list members)])
               (define other (relation-index (list-ref others (car m))))

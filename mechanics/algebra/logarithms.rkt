@@ -2,9 +2,13 @@
 ;; Logarithms and absolute values, by the factors of their arguments.
 ;;
 ;; log eᵘ = u, log √u = 1/2 log u, log 1/u = -log u.  Else a single logarithm
-;; stays as it is; where several occur, or an exponential is a factor, arguments are split, log(4x²y) =
-;; 2 log 2 + 2 log x + log y, and that the factors are not negative is assumed.
-;; |c x²y| = |c| x² |y|, and |y|² = y².
+;; stays as it is, but for that of a power of what has a known sign; where several
+;; occur, or an exponential is a factor, arguments are split, log(4x²y) = 2 log 2 +
+;; 2 log x + log y, the factors being known or assumed not to be negative.  Where
+;; nothing is known and nothing may be assumed, log x² = 2 log|x|, and factors to odd
+;; powers stay together.
+;;
+;; |c x²y| = |c| x² |y|, and |y|² = y²; |y| is y or -y if the sign of y is known.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collector.rkt" "exact.rkt")
 
@@ -17,8 +21,8 @@
   (define u ((services-simplify (collector-services c)) (car (node-args n))))
   (cond [(eqv? u 1) (resolve-alias! c n 0)]
         [(headed? u op:exp) (resolve-alias! c n (car (node-args u)))]
-        [(symbolic-power? u)
-         ((services-assume! (collector-services c)) (car (node-args u)))
+        [(and (symbolic-power? u)
+              (eqv? 1 (services-branch (collector-services c) (car (node-args u)))))
          (resolve-alias! c n (e:* (cadr (node-args u))
                                   (make-node op:log (list (car (node-args u))))))]
         [else
@@ -40,24 +44,73 @@
     (unless (null? met) (loop #t))))
 
 (define (settle-logarithm! c u nodes several?)
+  (define whole (list (cons 1 u)))
   (define parts (logarithm-parts c u))
-  (define split?
-    (or several? (lone? parts) (for/or ([p (in-list parts)]) (headed? (cdr p) op:exp))))
-  (cond [(or (equal? parts (list (cons 1 u))) (not split?))
+  (define split? (or several? (for/or ([p (in-list parts)]) (headed? (cdr p) op:exp))))
+  (define signed
+    (cond [(or (equal? parts whole) (lone? parts)) parts]
+          [split? (signed-parts c parts)]
+          [else (or (power-parts c parts) whole)]))
+  (cond [(equal? signed whole)
          (define k (intern-kernel! c (make-node op:log (list u))))
          (for ([n (in-list nodes)]) (resolve! c n k))]
         [else
-         (unless (lone? parts) (assume-parts! c parts))
-         (define sum (sum-of-logarithms c parts))
+         (define sum (sum-of-logarithms c signed))
          (for ([n (in-list nodes)]) (resolve-alias! c n sum))]))
 
 ;; A single part that is not negative if the argument is not.
 (define (lone? parts)
   (and (pair? parts) (null? (cdr parts)) (not (even? (numerator (caar parts))))))
 
-(define (assume-parts! c parts)
-  (for ([p (in-list parts)] #:when (symbolic? (cdr p)) #:unless (never-negative? (cdr p)))
-    ((services-assume! (collector-services c)) (cdr p))))
+;; The part of an even power of what has a known sign, or #f.
+(define (power-parts c parts)
+  (define f (and (pair? parts) (null? (cdr parts)) (cdar parts)))
+  (define sign (and f (symbolic? f) (services-ask (collector-services c) f)))
+  (and sign (list (cons (caar parts) (if (eqv? sign 1) f (opposite c f))))))
+
+;; ---------------------------------------------------------------------------
+;; Signs of parts
+
+;; The same sum with logarithms of what is not negative.  Of a negative part the
+;; opposite stands in it; if that changes the sign of the whole, so does one other.
+(define (signed-parts c parts)
+  (define s (collector-services c))
+  (define-values (positive negative unknown)
+    (for/fold ([positive '()] [negative '()] [unknown '()]) ([p (in-list parts)])
+      (define sign (if (symbolic? (cdr p)) (services-branch s (cdr p)) 1))
+      (cond [(eqv? sign 1) (values (cons p positive) negative unknown)]
+            [(and sign (integer? (car p))) (values positive (cons p negative) unknown)]
+            [else (values positive negative (cons p unknown))])))
+  (define-values (powers odd) (partition-even-powers unknown))
+  (define sign (expt -1 (for/sum ([p (in-list negative)]) (car p))))
+  (append (reverse positive)
+          (for/list ([p (in-list powers)]) (cons (car p) (make-node op:abs (list (cdr p)))))
+          (if (null? odd)
+              (opposite-parts c (reverse negative) sign)
+              (cons (cons 1 (joined c odd sign)) (opposite-parts c (reverse negative) 1)))))
+
+(define (partition-even-powers parts)
+  (define (even-power? p) (and (integer? (car p)) (even? (car p))))
+  (values (filter even-power? parts)
+          (filter (lambda (p) (not (even-power? p))) parts)))
+
+;; The product of the parts' powers, and a sign.
+(define (joined c parts sign)
+  ((services-simplify (collector-services c))
+   (for/fold ([u sign]) ([p (in-list parts)]) (e:* u (e:expt (cdr p) (car p))))))
+
+;; If the sign is -1, a part that is no power stays negative, or -1 is a part.
+(define (opposite-parts c parts sign)
+  (define kept
+    (and (eqv? sign -1) (for/first ([p (in-list parts)] #:when (eqv? 1 (car p))) p)))
+  (define others
+    (for/list ([p (in-list parts)] #:unless (eq? p kept)) (cons (car p) (opposite c (cdr p)))))
+  (cond [kept (cons kept others)]
+        [(eqv? sign -1) (cons (cons 1 -1) others)]
+        [else others]))
+
+;; ---------------------------------------------------------------------------
+;; Factors
 
 ;; log u as ((rational . expression) ...), a multiple of the logarithm of each.
 (define (logarithm-parts c u)
@@ -120,14 +173,18 @@
 (define (visit-modulus! c n)
   (define s (collector-services c))
   (define u ((services-simplify s) (car (node-args n))))
-  (define-values (number factors) ((services-factors s) u))
-  (resolve-alias! c n
-                  (for/fold ([product (abs number)]) ([f (in-list factors)])
-                    (e:* product (modulus-power c (car f) (cdr f))))))
+  (define sign ((services-sign s) u))
+  (resolve-alias! c n (if sign (e:* sign u) (product-of-moduli c u))))
+
+(define (product-of-moduli c u)
+  (define-values (number factors) ((services-factors (collector-services c)) u))
+  (for/fold ([product (abs number)]) ([f (in-list factors)])
+    (e:* product (modulus-power c (car f) (cdr f)))))
 
 ;; |f|^e, the kernel |f| being interned.
 (define (modulus-power c f e)
-  (cond [(or (even? e) (never-negative? f)) (e:expt f e)]
+  (define sign (if (even? e) 1 (services-ask (collector-services c) f)))
+  (cond [sign (e:* sign (e:expt f e))]
         [else
          (define n (make-node op:abs (list f)))
          (define k (intern-kernel! c n (modulus f)))
@@ -135,6 +192,3 @@
          (add-relation! c k)
          (resolve! c n k)
          (e:expt n e)]))
-
-(define (never-negative? f)
-  (and (node? f) (memq (node-head f) (list op:exp op:sqrt op:abs op:cosh)) #t))

@@ -5,31 +5,29 @@
 ;; the same means; then the expression is evaluated as a fraction of polynomials
 ;; in them, reduced by the relations among them.  One `workspace` serves an
 ;; expression and everything within it: each node is treated once, and what is
-;; taken for granted is written down.
+;; taken for granted is written in a ledger.
 
-(require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collect.rkt" "field.rkt"
-         "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt" "order.rkt" "radicand.rkt" "rationalize.rkt"
+(require "operation.rkt" "expression.rkt" "kernel.rkt" "ledger.rkt" "services.rkt"
+         "collect.rkt" "field.rkt" "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt"
+         "order.rkt" "radicand.rkt" "rationalize.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide make-workspace workspace-assumptions workspace-left
-         workspace-simplify workspace-normal workspace-atlas)
+         workspace-simplify workspace-normal workspace-atlas
+         workspace-services workspace-revision poly-branch)
 
 ;; ---------------------------------------------------------------------------
-;; The assumptions made so far, each once; what was left unexpanded
+;; What the work rests on; what was left unexpanded
 
-(struct workspace (services normal-of simplify-anew table
-                            [list #:mutable] [left-unexpanded #:mutable])
+(struct workspace (services normal-of simplify-anew ledger [left-unexpanded #:mutable])
   #:authentic)
 
-(define (assume! w expression)
-  (unless (hash-ref (workspace-table w) expression #f)
-    (hash-set! (workspace-table w) expression #t)
-    (set-workspace-list! w (cons expression (workspace-list w)))))
+;; What the work so far rests on, as datums such as (>= R 0).
+(define (workspace-assumptions w) (ledger-grounds (workspace-ledger w)))
 
-;; As datums such as (>= R 0).
-(define (workspace-assumptions w)
-  (for/list ([e (in-list (reverse (workspace-list w)))])
-    (list '>= (expression->datum e) 0)))
+;; Assumptions with which to begin anew, or #f (see ledger.rkt).
+(define (workspace-revision w)
+  (ledger-revision (workspace-ledger w) (workspace-services w)))
 
 (define (leave! w e)
   (set-workspace-left-unexpanded! w (cons e (workspace-left-unexpanded w))))
@@ -78,7 +76,8 @@
 
 ;; The tables know expressions by structure: kernels are met again and again in
 ;; nodes of their own.  What something simplifies to has its normal form.
-(define (make-workspace [fuel (make-fuel)])
+(define (make-workspace A [fuel (make-fuel)])
+  (define ledger (make-ledger A))
   (define normals (make-hash))
   (define simples (make-hash))
   (define term-lists (make-hash))
@@ -111,11 +110,17 @@
     (cond [(or (symbol? e) (simple-application? e)) (list (cons 1 e))]
           [else (hash-ref! term-lists e (lambda () (call linear-terms e)))]))
   (define (factors e) (call fraction-factors e))
-  (define (split-root* e degree) (call split-root e degree assume))
-  (define (assume e) (assume! w e))
+  (define (irreducible e) (call fraction-factors/irreducible e))
+  (define (branch e) (services-branch services* e))
+  (define (split-root* e degree) (call split-root e degree branch))
+  (define (sign e) (ledger-sign! ledger services* e))
+  (define (assume! e) (ledger-assume! ledger e))
+  (define (leave-open! e) (ledger-leave-open! ledger e))
   (define (stuck! form nodes) (hash-set! stuck-at form nodes))
-  (define services* (services simplify terms factors split-root* assume stuck! fuel))
-  (define w (workspace services* normal simplify-anew (make-hash) '() '()))
+  (define services*
+    (services simplify terms factors irreducible split-root*
+              sign assume! leave-open! stuck! fuel))
+  (define w (workspace services* normal simplify-anew ledger '()))
   w)
 
 ;; A literal function of symbols and exact numbers: nothing to do.
@@ -220,10 +225,9 @@
   (let retry ([degree 7])
     (when (> degree degree-limit) (raise (stuck e)))
     (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
-          (define F (make-field atlas kernels degree))
+          (define F (make-field atlas kernels degree poly-branch))
           (define f (rationalize F (field-fraction F e)))
           (spend-on-terms! (services-fuel services) (poly-term-count (fraction-numerator f)))
-          (tell-assumptions F services)
           (and (room-to-present? F f) (cons F f)))
         (retry (+ 1 (* 2 degree))))))
 
@@ -237,6 +241,7 @@
             (+ degree (* (cdr h) (poly-total-degree R (car h))))))
           (ring-max-degree R))))
 
-(define (tell-assumptions F services)
-  (for ([p (in-list (unbox (field-assumed F)))])
-    ((services-assume! services) (present F (fraction-from-poly (field-ring F) p)))))
+;; The sign of a polynomial, known or taken for granted, or #f.
+(define (poly-branch F p)
+  (services-branch (atlas-services (field-atlas F))
+                   (present F (fraction-from-poly (field-ring F) p))))

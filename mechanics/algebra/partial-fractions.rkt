@@ -10,15 +10,16 @@
 ;; It is as fine as the factors Dᵢ that are found.
 
 (require "expression.rkt" "field.rkt" "form.rkt" "quotient.rkt" "simplify.rkt"
+         (only-in "assumptions.rkt" no-assumptions)
          "collect-terms.rkt" "univariate.rkt"
          "polynomial/factor.rkt" "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide partial-fractions)
 
 ;; chosen : a symbol or literal function applied -> expression and assumptions
-(define (partial-fractions e chosen)
-  (define-values (F f assumptions) (normal-form e))
-  (define variables (find-kernels F (list chosen)))
+(define (partial-fractions e chosen [A no-assumptions])
+  (define-values (F f assumptions) (normal-form e A))
+  (define variables (find-kernels F (list chosen) A))
   (values (if (null? variables)
               (quotient-expression F f)
               (with-room F f e (lambda (F f) (sum-of-parts F f (car variables)))))
@@ -31,7 +32,8 @@
   (cond [(exn:algebra:degree-overflow? result)
          (define larger
            (make-field (field-atlas F) (field-kernels F)
-                       (+ 1 (* 2 (ring-max-degree (field-ring F))))))
+                       (+ 1 (* 2 (ring-max-degree (field-ring F))))
+                       (field-branch F)))
          (with-room larger (field-fraction larger e) e proceed)]
         [else result]))
 

@@ -7,7 +7,7 @@
 ;; (in-exponentials.rkt).  Whoever finds no proof here may still look at the normal
 ;; form for as long as is bearable.
 
-(require "simplify.rkt" "bounds.rkt" "tape.rkt"
+(require "simplify.rkt" "bounds.rkt" "tape.rkt" "assumptions.rkt"
          "abstraction.rkt" "in-exponentials.rkt"
          "polynomial/fraction.rkt")
 
@@ -16,37 +16,38 @@
 ;; What the first attempt may cost.
 (define brief-look 500000)
 
-;; t : tape.  -> the assumptions made, as datums, or #f if there is no proof.
-(define (prove-vanishing t)
+;; t : tape; A : assumptions
+;; -> what the proof rests on, as datums, or #f if there is none.
+(define (prove-vanishing t [A no-assumptions])
   (define e (tape->expression t))
-  (or (prove-directly e (make-fuel brief-look))
-      (prove-abstractly t)
-      (prove-in-exponentials e (make-fuel))))
+  (or (prove-directly e A (make-fuel brief-look))
+      (prove-abstractly t A)
+      (prove-in-exponentials e A (make-fuel))))
 
-(define (prove-directly e fuel)
+(define (prove-directly e A fuel)
   (cond [(eqv? e 0) '()]
         [else
-         (define-values (F f assumptions) (normal-form e fuel))
+         (define-values (F f assumptions) (normal-form e A fuel))
          (and (fraction-zero? f) assumptions)]))
 
 ;; Where there are roots, absolute values or inverse functions, complex numbers would
 ;; be mistaken for positive ones.
-(define (prove-in-exponentials e fuel)
+(define (prove-in-exponentials e A fuel)
   (and (single-valued? e)
        (let ([other (in-exponentials e)])
          (and (not (eq? other e))
-              (prove-directly other fuel)))))
+              (prove-directly other A fuel)))))
 
 ;; ---------------------------------------------------------------------------
 
 ;; The general case, and that parts taken for equal are.  What the general case
 ;; takes for granted of parts would have to be checked, so it may not take any.
-(define (prove-abstractly t)
+(define (prove-abstractly t A)
   (define-values (general differences) (abstract t))
   (define fuel (make-fuel))
   (define (prove e)
     (and (not (fuel-empty? fuel))
-         (or (prove-directly e fuel) (prove-in-exponentials e fuel))))
+         (or (prove-directly e A fuel) (prove-in-exponentials e A fuel))))
   (and general
        (let ([assumptions (prove general)])
          (and assumptions

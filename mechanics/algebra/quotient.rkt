@@ -8,6 +8,7 @@
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "field.rkt" "term.rkt" "form.rkt"
          "size.rkt" "exact.rkt" "pieces.rkt" "present.rkt" "simplify.rkt"
+         (only-in "assumptions.rkt" no-assumptions)
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide together-expression numerator-and-denominator
@@ -15,8 +16,8 @@
          inexact-field? all-negative?)
 
 ;; -> expression and assumptions
-(define (together-expression e)
-  (define-values (F f assumptions) (normal-form e))
+(define (together-expression e [A no-assumptions])
+  (define-values (F f assumptions) (normal-form e A))
   (values (quotient-expression F f) assumptions))
 
 (define (quotient-expression F f)
@@ -26,8 +27,8 @@
       (flatten-products (form-expression (quotient-form F f)))))
 
 ;; -> two expressions, whose quotient e is, and assumptions
-(define (numerator-and-denominator e)
-  (define-values (whole assumptions) (together-expression e))
+(define (numerator-and-denominator e [A no-assumptions])
+  (define-values (whole assumptions) (together-expression e A))
   (cond [(and (node? whole) (eq? (node-head whole) op:/))
          (values (car (node-args whole)) (cadr (node-args whole)) assumptions)]
         [else (values whole 1 assumptions)]))

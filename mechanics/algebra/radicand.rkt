@@ -2,32 +2,85 @@
 ;; Roots by the factors of their radicands: (c^q w)^(1/q) = c w^(1/q).
 ;;
 ;; The radicand is factored into primes, square-free polynomials and, where it
-;; holds roots or exponentials as factors, what stands in these.  Each factor g^e contributes a whole
-;; power of g and g^(a/d) in lowest terms; factors with one d are one root, so
-;; (4x²y)^(1/4) = √(2x) y^(1/4).  What is taken out, or to a lower root, is
-;; assumed not to be negative, and that is told to `assume!`; an even power need
-;; not be.
+;; holds roots or exponentials as factors, what stands in these.  Each factor g^e
+;; contributes a whole power of g and g^(a/d) in lowest terms; factors with one d are
+;; one root, so (4x²y)^(1/4) = √(2x) y^(1/4).
+;;
+;; What is taken out, or to a lower root, must not be negative, but for an even
+;; power.  The opposite of a factor known to be negative is put in its place, and a
+;; minus sign under the root.  Where nothing is known and nothing may be assumed, an
+;; even number of factors under an even root is one of |g|.
 
 (require "expression.rkt" "operation.rkt" "kernel.rkt" "field.rkt" "squares.rkt"
          "present.rkt" "exact.rkt"
-         "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
+         "polynomial/factor.rkt" "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
-(provide split-root fraction-factors)
+(provide split-root fraction-factors fraction-factors/irreducible)
 
+;; branch : expression -> 1 or -1, as its sign is known or taken to be, or #f
 ;; -> outer and ((inner . exponent) ...), expressions and rationals, with
 ;; f^(1/q) = outer ∏ inner^exponent.
-(define (split-root F f q assume!)
+(define (split-root F f q branch)
   (cond
     [(fraction-zero? f) (values 0 '())]
     [else
      (define-values (number factors) (value-parts F f))
      (define-values (roots others) (partition-roots F factors))
-     (define parts (append (number-parts number q (field-inexact? F))
-                           (for/list ([g (in-list others)]) (cons (car g) (/ (cdr g) q)))))
-     (assume-signs! F others q assume!)
-     (values (present F (power-product F (map whole-part parts)))
+     (define-values (sign known unknown) (by-signs F others q branch))
+     (define parts (append (number-parts (* sign number) q (field-inexact? F))
+                           (for/list ([g (in-list known)]) (cons (car g) (/ (cdr g) q)))))
+     (define-values (outer lower kept) (careful-roots F unknown q))
+     (define rest (append (filter pair? (map fractional-part parts)) kept))
+     (values (e:* (present F (power-product F (map whole-part parts))) outer)
              (append (for/list ([r (in-list roots)]) (lower-root (car r) (/ (cdr r) q)))
-                     (grouped-roots F (filter pair? (map fractional-part parts)))))]))
+                     (if (and (odd? q) (pair? kept))
+                         (list (one-root F rest q))
+                         (grouped-roots F rest))
+                     lower))]))
+
+;; Factors ((polynomial . integer) ...) by their signs, if these matter: -> 1 or -1 and
+;; factors that together are those of known signs, and those of unknown sign.
+(define (by-signs F factors q branch)
+  (for/fold ([sign 1] [known '()] [unknown '()]
+             #:result (values sign (reverse known) (reverse unknown)))
+            ([g (in-list factors)])
+    (define s (if (sign-matters? (cdr g) q) (branch (present-poly F (car g))) 1))
+    (cond [(eqv? s 1) (values sign (cons g known) unknown)]
+          [s (values (* sign (expt -1 (cdr g)))
+                     (cons (cons (poly-negate (field-ring F) (car g)) (cdr g)) known)
+                     unknown)]
+          [else (values sign known (cons g unknown))])))
+
+;; Does some of the factor g^n leave the root, wholly or for a lower one?
+(define (sign-matters? n q)
+  (define e (/ n q))
+  (not (or (and (integer? e) (even? e))
+           (and (odd? n) (even? (truncate e)) (eqv? q (denominator e))))))
+
+(define (present-poly F p) (present F (fraction-from-poly (field-ring F) p)))
+
+;; Factors of unknown sign: -> an expression outside, roots ((inner . exponent) ...),
+;; and parts ((polynomial . exponent) ...) to be left under the root with others.
+(define (careful-roots F factors q)
+  (for/fold ([outer 1] [roots '()] [kept '()]) ([g (in-list factors)])
+    (define x (present-poly F (car g)))
+    (define size (make-node op:abs (list x)))
+    (define e (/ (cdr g) q))
+    (define k (truncate e))
+    (define rest (- e k))
+    (cond [(even? (/ q (denominator e)))
+           (values (e:* outer (e:expt size k))
+                   (if (eqv? rest 0) roots (cons (cons size rest) roots))
+                   kept)]
+          [(even? q) (values (e:* outer (e:expt size k)) roots (cons (cons (car g) rest) kept))]
+          [else
+           (define even (- k (remainder k 2)))
+           (values (e:* outer (e:expt x even)) roots (cons (cons (car g) (- e even)) kept))])))
+
+;; All parts under one root of degree q.
+(define (one-root F parts q)
+  (cons (present F (power-product F (for/list ([p (in-list parts)]) (cons (car p) (* q (cdr p))))))
+        (/ 1 q)))
 
 ;; Factors that are roots or exponentials, as ((root . integer) ...), and the others.
 (define (partition-roots F factors)
@@ -87,14 +140,6 @@
                                         (cons (car p) (/ (numerator (cdr p)) power)))))
           (/ power d))))
 
-;; What leaves the root, wholly or for a lower one.
-(define (assume-signs! F factors q assume!)
-  (for ([g (in-list factors)])
-    (define e (/ (cdr g) q))
-    (unless (or (and (integer? e) (even? e))
-                (and (odd? (cdr g)) (even? (truncate e)) (eqv? q (denominator e))))
-      (assume! (present F (fraction-from-poly (field-ring F) (car g)))))))
-
 (define (distinct xs)
   (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
     (if (memv x kept) kept (cons x kept))))
@@ -123,11 +168,16 @@
 
 ;; The fraction as a number and ((expression . integer) ...), factors with a
 ;; positive leading coefficient.
-(define (fraction-factors F f)
-  (define R (field-ring F))
+(define (fraction-factors F f) (show-factors F f (lambda (p) (list (cons p 1)))))
+
+;; The same, factored as far as possible.
+(define (fraction-factors/irreducible F f)
+  (show-factors F f (lambda (p) (poly-factor (field-ring F) p))))
+
+(define (show-factors F f factor)
   (cond [(fraction-zero? f) (values 0 '())]
         [else
          (define-values (number parts) (value-parts F f))
          (values number
-                 (for/list ([g (in-list parts)])
-                   (cons (present F (fraction-from-poly R (car g))) (cdr g))))]))
+                 (for*/list ([g (in-list parts)] [h (in-list (factor (car g)))])
+                   (cons (present-poly F (car h)) (* (cdr g) (cdr h)))))]))

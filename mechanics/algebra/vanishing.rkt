@@ -5,21 +5,23 @@
 ;; Residues modulo primes tell in one pass over the graph that it is not, most of
 ;; the time; else the canonical form decides.  Where that would grow past its
 ;; bounds, residues of 0 modulo several primes count as a zero: they are wrong
-;; with a chance below 2⁻⁸⁰.
+;; with a chance below 2⁻⁸⁰.  Their roots are those of positive numbers, so what
+;; they take for zero is not where assumptions have been made.
 
-(require "expression.rkt" "fingerprint.rkt" "simplify.rkt" "polynomial/fraction.rkt")
+(require "assumptions.rkt" "expression.rkt" "fingerprint.rkt" "simplify.rkt"
+         "polynomial/fraction.rkt")
 
 (provide vanishes?)
 
-(define (vanishes? e)
+(define (vanishes? e [A no-assumptions])
   (cond [(number? e) (zero? e)]
         [(symbol? e) #f]
         [else
          (define print (fingerprint e))
          (and (not (eq? print 'nonzero))
-              (or (canonically-zero? e)
-                  (eq? print 'zero)))]))
+              (or (canonically-zero? e A)
+                  (and (eq? print 'zero) (null? (assumptions-relations A)))))]))
 
-(define (canonically-zero? e)
-  (define-values (F f assumptions) (normal-form e))
+(define (canonically-zero? e A)
+  (define-values (F f grounds) (normal-form e A))
   (fraction-zero? f))

@@ -6,30 +6,33 @@
 ;; the like, where the value is then exact.  If the expression vanishes there,
 ;; points with integers for all leaves follow, where its value is known to
 ;; within rounding; zeros at those are what "undecided" reports.  The points
-;; are always the same.
+;; are always the same.  Where assumptions were made they hold at every point.
 
-(require "operation.rkt" "expression.rkt" "tape.rkt" "approximate.rkt")
+(require "operation.rkt" "expression.rkt" "tape.rkt" "approximate.rkt" "region.rkt")
 
 (provide find-witness)
 
-;; How many points with integers for all leaves are tried.
+;; How many points with integers for all leaves are tried; where relations have
+;; to hold, most may be in vain.
 (define point-limit 12)
+(define point-limit/relations 100)
 
 ;; e, residual : tapes of the expression and of a simpler one of the same value,
 ;; in whose leaves the point is given, or twice the same.  The value is that of e
 ;; itself, so simplification is no part of the evidence.
-;; Where simplification took signs for granted, `positive?`, all integers are.
+;; place : region where the point has to be.  Where simplification took signs for
+;; granted, `positive?`, all integers are that may be.
 ;; -> witness value bound points; witness is #f if none was found.
-(define (find-witness e residual positive?)
-  (define-values (point value) (exact-witness e residual))
+(define (find-witness e residual place positive?)
+  (define-values (point value) (exact-witness e residual place))
   (if point
       (values point value 0 0)
-      (search e residual positive?)))
+      (search e residual place positive?)))
 
 ;; ---------------------------------------------------------------------------
 ;; Points where transcendental functions have exact values
 
-(define (exact-witness e residual)
+(define (exact-witness e residual place)
   (define-values (under only-under) (leaves-under-functions residual))
   (define more
     (if (eqv? (hash-count under) (hash-count only-under)) '() (list (cons under 0))))
@@ -37,7 +40,7 @@
     (cond [(null? tries) (values #f 0)]
           [else
            (define-values (point value error)
-             (integer-point e residual (cdar tries) (caar tries)))
+             (integer-point e residual place (cdar tries) (caar tries)))
            (if (and (exact? value) (not (eqv? value 0)) (eqv? error 0))
                (values point value)
                (loop (cdr tries)))])))
@@ -74,13 +77,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Points with integers for all leaves
 
-(define (search e residual positive?)
+(define (search e residual place positive?)
+  (define tries (if (region-free? place) point-limit point-limit/relations))
   (let loop ([k 0] [bound 0] [points 0])
     (cond
-      [(= k point-limit) (values #f 0 bound points)]
+      [(or (= k tries) (= points point-limit)) (values #f 0 bound points)]
       [else
        (define-values (point value error)
-         (integer-point e residual (if positive? k (- k)) #hash()))
+         (integer-point e residual place (if positive? k (- k)) #hash()))
        (cond [(not (decent? value error)) (loop (+ k 1) bound points)]
              [(> (magnitude value) (* 4 error)) (values point value error points)]
              [else (loop (+ k 1) (max bound error) (+ points 1))])])))
@@ -90,17 +94,17 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; Small integers for the leaves of residual, zeros for those of `zeros`; leaves
-;; only e has get integers of their own.  A literal function has one value for
-;; one argument.
-;; -> ((leaf . integer) ...), the value and the error of e there; not a number
-;; where e is not defined.
-(define (integer-point e residual k zeros)
+;; Small integers for the leaves of residual, zeros for those of `zeros`; other
+;; leaves get integers of their own.  A literal function has one value for one
+;; argument.
+;; -> ((leaf . number) ...), the value and the error of e there; not a number
+;; where e is not defined or the point is out of place.
+(define (integer-point e residual place k zeros)
   (define seen (make-hash))
-  (define (lookup next choose)
-    (lambda (leaf arguments)
-      (hash-ref! seen (leaf-key leaf arguments)
-                 (lambda () (choose leaf (lambda () (next leaf arguments)))))))
+  (define ((lookup next choose) leaf arguments)
+    (hash-ref! seen (leaf-key leaf arguments)
+               (lambda ()
+                 (choose leaf (lambda () (region-place place leaf (next leaf arguments)))))))
   (define listed (make-hash))
   (define point '())
   (define (list! leaf value)
@@ -114,14 +118,18 @@
     (define value (assign leaf arguments))
     (list! leaf value)
     value)
+  (define assign-others
+    (lookup (integers-from (+ 100 (abs k))) (lambda (leaf other) (other))))
   (define-values (value error) (value-at residual assign-and-list))
   (define-values (value-of-e error-of-e)
-    (if (eq? e residual)
-        (values value error)
-        (value-at e (lookup (integers-from (+ 100 (abs k))) (lambda (leaf other) (other))))))
-  (if (agree? value error value-of-e error-of-e)
+    (if (eq? e residual) (values value error) (value-at e assign-others)))
+  (if (and (agree? value error value-of-e error-of-e)
+           (admitted? place assign-others))
       (values (reverse point) value-of-e error-of-e)
       (values #f +nan.0 +nan.0)))
+
+(define (admitted? place lookup)
+  (with-handlers ([exn:fail? (lambda (x) #f)]) (region-admits? place lookup)))
 
 ;; Where e and the residual differ, the point is outside what simplification took
 ;; for granted.

@@ -4,16 +4,19 @@
 ;; *Proved* rests on the canonical form being 0, with exact input.  *Refuted*
 ;; rests on a point where the value is farther from zero than rounding can
 ;; explain: small integers for the symbols and for the literal functions
-;; applied, which a person can put in by hand.  Otherwise the test is
-;; *undecided* and says at how many points it found zero, and to what bound.
-;; The points are always the same.
+;; applied, which a person can put in by hand; all assumptions hold there.
+;; Otherwise the test is *undecided* and says at how many points it found zero,
+;; and to what bound.  The points are always the same.
 ;;
 ;; A large graph is first judged modulo primes (fingerprint.rkt): if it is not
 ;; zero, a point is found for it as it stands, and it is expanded only when its
 ;; residual is asked for.  If it is zero there, proofs are tried (proof.rkt); should
-;; none be found, the test is undecided, with a bound of 0 at those points.
+;; none be found, the test is undecided, with a bound of 0 at those points.  The
+;; roots there are those of positive numbers: under assumptions they decide nothing.
 
 (require "expression.rkt" "simplify.rkt" "condition.rkt"
+         (only-in "field.rkt" field-atlas) (only-in "collect.rkt" atlas-services)
+         "assumptions.rkt" "relation.rkt" "region.rkt" (only-in "signs.rkt" signs-within? zero)
          "tape.rkt" "witness.rkt" "fingerprint.rkt" "proof.rkt" "bounds.rkt"
          "polynomial/fraction.rkt")
 
@@ -27,14 +30,14 @@
 ;; bound : the greatest rounding error at the points tried without a decision; 0 if
 ;; those were points modulo primes
 ;; points : how many those were
-;; form : box of a form, or of the expression to make it from
+;; form : box of a form, or of a thunk that makes it
 (struct zero-test (status witness value bound points form)
   #:name zero-test-result
   #:constructor-name make-zero-test)
 
 ;; residual : expression, simplified             factor, core : residual = factor · core
 ;; condition : #f or an equation, as a datum, for which core = 0
-;; notes : datums, such as (>= R 0) for what the residual takes for granted and
+;; notes : datums, such as (>= R 0) for what the residual rests on and
 ;; (left-unexpanded e) for what would have grown too large
 (struct form (residual factor core condition notes) #:authentic)
 
@@ -51,42 +54,52 @@
   (define content (unbox (zero-test-form z)))
   (cond [(form? content) content]
         [else
-         (define made (make-form content))
+         (define made (content))
          (set-box! (zero-test-form z) made)
          made]))
 
-(define (make-form e)
+(define (make-form e A)
   (if (and (number? e) (not (rational? (magnitude e))))
       (form e 1 e #f '())
-      (make-form-of-finite e)))
+      (make-form-of-finite e A)))
 
-(define (make-form-of-finite e)
-  (define-values (F f simple notes) (normal-form+simplified e))
+(define (make-form-of-finite e A)
+  (define-values (F f simple notes) (normal-form+simplified e A))
   (cond [(fraction-zero? f) (form 0 1 0 #f notes)]
         [(and (readable? f) (andmap assumption? notes))
-         (define-values (factor core condition) (factor-and-core F f))
+         (define-values (factor core condition)
+           (factor-and-core F f (lambda (p) (may-vanish? A F p))))
          (form simple factor core condition notes)]
         [else (form simple 1 simple #f notes)]))
 
-(define (assumption? note) (eq? (car note) '>=))
+(define (assumption? note) (not (eq? (car note) 'left-unexpanded)))
+
+;; Do the assumptions allow the expression over F to be zero?
+(define (may-vanish? A F e)
+  (define k (infer-signs A (atlas-services (field-atlas F)) e))
+  (signs-within? zero (known-signs k)))
 
 ;; ---------------------------------------------------------------------------
 ;; The test
 
-(define (zero-test e)
-  (or (and (number? e) (inexact? e) (test-flonum e))
-      (test-expression e (expression->tape e))))
+;; A : assumptions the expression is judged under
+(define (zero-test e [A no-assumptions])
+  (or (and (number? e) (inexact? e) (test-flonum e A))
+      (test-expression e A (expression->tape e))))
 
 ;; A flonum that stands alone does not tell what it is the difference of; one
 ;; this small may be what rounding left of numbers about 1.  Infinity is not
 ;; zero, and of what is not a number nothing can be said.
 ;; -> a verdict, or #f for an ordinary flonum
-(define (test-flonum x)
+(define (test-flonum x A)
   (define size (magnitude x))
-  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 (box x))]
-        [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 (box x))]
+  (define form (later x A))
+  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 form)]
+        [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 form)]
         [(rational? size) #f]
-        [else (make-zero-test 'undecided #f x 0 0 (box x))]))
+        [else (make-zero-test 'undecided #f x 0 0 form)]))
+
+(define (later e A) (box (lambda () (make-form e A))))
 
 ;; More items than `middling` are judged by the fingerprint first.  No more than
 ;; `large` are expanded even if they do not vanish: a witness then names only what
@@ -94,43 +107,53 @@
 (define middling 300)
 (define large 2000)
 
-(define (test-expression e t)
+(define (test-expression e A t)
   (define n (tape-length t))
   (define print (if (> n middling) (tape-fingerprint t) 'unknown))
-  (or (and (eq? print 'nonzero) (> n large) (refute-at-once e t))
-      (and (eq? print 'zero) (prove-indirectly t))
-      (test-canonically e t print)))
+  (or (and (eq? print 'nonzero) (> n large) (refute-at-once e A t))
+      (and (eq? print 'zero) (prove-indirectly t A))
+      (test-canonically e A t print)))
 
 ;; -> a refutation, or #f
-(define (refute-at-once e t)
-  (define-values (witness value bound points) (find-witness t t #f))
+(define (refute-at-once e A t)
+  (define-values (witness value bound points)
+    (find-witness t t (make-region (assumptions-relations A) t) #f))
   (and witness
-       (make-zero-test 'refuted witness value bound points (box e))))
+       (make-zero-test 'refuted witness value bound points (later e A))))
 
 ;; -> a proof, or #f
-(define (prove-indirectly t)
-  (define assumptions (prove-vanishing t))
-  (and assumptions
-       (vanishing-test t (form 0 1 0 #f assumptions))))
+(define (prove-indirectly t A)
+  (define grounds (prove-vanishing t A))
+  (and grounds
+       (vanishing-test t (form 0 1 0 #f grounds))))
 
 ;; Nothing is proved of flonums.
 (define (vanishing-test t f)
   (make-zero-test (if (contains-flonum? t) 'undecided 'proved) #f 0 0 0 (box f)))
 
 ;; print : what the fingerprint said, if it was asked
-(define (test-canonically e t print)
-  (define f (make-form e))
+(define (test-canonically e A t print)
+  (define f (make-form e A))
   (cond [(eqv? (form-residual f) 0) (vanishing-test t f)]
-        [(eq? print 'zero) (make-zero-test 'undecided #f 0 0 fingerprint-points (box f))]
-        [else (test-by-points e t f)]))
+        [(and (eq? print 'zero) (null? (assumptions-relations A)))
+         (make-zero-test 'undecided #f 0 0 fingerprint-points (box f))]
+        [else (test-by-points e A t f)]))
 
-(define (test-by-points e t f)
-  (define assumptions? (ormap assumption? (form-notes f)))
+(define (test-by-points e A t f)
+  (define grounds (filter assumption? (form-notes f)))
   (define-values (witness value bound points)
-    (find-witness t (expression->tape (form-residual f)) assumptions?))
+    (find-witness t
+                  (expression->tape (form-residual f))
+                  (make-region (append (assumptions-relations A) (taken-relations A grounds)) t)
+                  (pair? grounds)))
   (cond [witness (make-zero-test 'refuted witness value bound points (box f))]
-        [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t))]
+        [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
         [else (make-zero-test 'undecided #f value bound points (box f))]))
+
+;; What is among the grounds without being in A.
+(define (taken-relations A grounds)
+  (define declared (map relation-datum (assumptions-relations A)))
+  (for/list ([d (in-list grounds)] #:unless (member d declared)) (read-relation d)))
 
 ;; ---------------------------------------------------------------------------
 

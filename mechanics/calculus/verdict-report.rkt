@@ -11,7 +11,8 @@
 
 ;; status : as a whole.  tests : the zero-test of each scalar, in order.
 ;; labels : what the scalars are called; none for one that stands alone.
-(define (verdict-report status tests labels)
+;; given : the assumptions that were declared.
+(define (verdict-report status tests labels given)
   (define open (for/list ([z (in-list tests)]
                           [label (in-list (if (null? labels) '(#f) labels))]
                           #:unless (eq? (zero-test-status z) 'proved))
@@ -27,8 +28,14 @@
    (if (and shared (pair? labels))
        (list (list 1 "zero if:" (equation shared)))
        '())
-   (for/list ([a (in-list (distinct (append* (map zero-test-assumptions tests))))])
-     (list 1 "assuming:" (list a)))))
+   (grounds (distinct (append* (map zero-test-assumptions tests))) given)))
+
+;; What was declared and used, then what was assumed.
+(define (grounds all given)
+  (define (lines label wanted?)
+    (for/list ([a (in-list all)] #:when (wanted? a)) (list 1 label (list a))))
+  (append (lines "given:" (lambda (a) (member a given)))
+          (lines "assuming:" (lambda (a) (not (member a given))))))
 
 (define (headline status)
   (case status
@@ -101,11 +108,17 @@
   (define points (zero-test-points z))
   (define size (zero-test-bound z))
   (line "evidence:"
-        (cond [(zero? points) "zero within rounding; exact numbers would tell"]
+        (cond [(zero? points) (without-points z)]
               [(eqv? size 0) (format "zero at ~a, exactly or modulo primes" (counted points))]
               [else (format "at ~a, zero to within ~a" (counted points) (readable (* 1.05 size) 2))])))
 
 (define (counted points) (if (eqv? points 1) "one point" (format "~a points" points)))
+
+;; Either the residual is zero, but for rounding, or no point was found.
+(define (without-points z)
+  (if (number? (zero-test-residual z))
+      "zero within rounding; exact numbers would tell"
+      "no point was found at which it is defined and the assumptions hold"))
 
 ;; ---------------------------------------------------------------------------
 

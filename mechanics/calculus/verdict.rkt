@@ -9,9 +9,10 @@
 
 (require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/arithmetic.rkt"
-         "../value/matrix.rkt" "../value/operator.rkt"
+         "../value/assumptions.rkt" "../value/matrix.rkt" "../value/operator.rkt"
          "../value/series/series.rkt" "../value/series/access.rkt"
-         "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt" "../algebra/zero-test.rkt"
+         "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../algebra/zero-test.rkt"
          "verdict-report.rkt")
 
 (provide prove-zero verify-equal
@@ -22,8 +23,9 @@
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
+;; given       : the assumptions that were declared when it was judged
 ;; endless?    : is it, or has it, a series of which only the first terms were tested?
-(struct verdict (status residual tests endless?)
+(struct verdict (status residual tests given endless?)
   #:authentic
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write
@@ -31,7 +33,8 @@
 
 (define (report v)
   (append
-   (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v)))
+   (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))
+                   (verdict-given v))
    (if (verdict-endless? v)
        (list (list 1 "examined:" (list (format "terms up to order ~a of a series that does not end"
                                                (sub1 compared-terms)))))
@@ -56,6 +59,7 @@
   (define z (first-refuted v))
   (and z (zero-test-value z)))
 
+;; What the verdict rests on, declared or not.
 (define (verdict-assumptions v)
   (distinct (apply append (map zero-test-assumptions (verdict-tests v)))))
 
@@ -79,17 +83,19 @@
 
 ;; x : a value, or a function, which is judged at symbolic arguments.
 (define (prove-zero x)
+  (define A (assumptions-in-force))
   (define tests '())
   (define endless? #f)
   (define residual
     (map-leaves (lambda (leaf)
-                  (define z (judge leaf))
+                  (define z (judge leaf A))
                   (set! tests (cons z tests))
                   (zero-test-residual z))
                 (at-symbolic-arguments x '() (lambda () (set! endless? #t)))))
+  (for ([z (in-list tests)]) (note-used! (zero-test-assumptions z)))
   (define status (overall (map zero-test-status tests)))
   (verdict (if (and endless? (eq? status 'proved)) 'undecided status)
-           residual (reverse tests) endless?))
+           residual (reverse tests) (assumptions 'declared) endless?))
 
 ;; x with the up tuple of its terms in place of a series; of one that does not end
 ;; as many as are compared, and (note!) is called.
@@ -117,14 +123,14 @@
         [(memq 'undecided statuses) 'undecided]
         [else 'proved]))
 
-(define (judge leaf)
+(define (judge leaf A)
   (unless (expression? leaf)
     (raise
      (exn:fail:contract
       (format "prove-zero: expected a number, an expression, a tuple of them, or a function; given ~a"
               (describe-with-value leaf))
       (current-continuation-marks))))
-  (zero-test leaf))
+  (zero-test leaf A))
 
 (define (raise-operator o)
   (raise

@@ -73,7 +73,7 @@
     (define (two a b)
       (if (and (real? a) (real? b))
           (compare a b)
-          (compare (real-comparand 'name a) (real-comparand 'name b))))
+          (compare (ordered 'name a b a) (ordered 'name a b b))))
     (define-named id name
       (case-lambda
         [(a b) (two a b)]
@@ -85,6 +85,22 @@
 (define-order g:<= <= <=)
 (define-order g:>= >= >=)
 
+;; x, one of a and b, as a number; what is none may be meant as an assumption.
+(define (ordered who a b x)
+  (define u (comparand a))
+  (define v (comparand b))
+  (cond [(and (symbolic? (comparand x)) (expression? u) (expression? v))
+         (look-inside who)
+         (raise-with-value
+          who
+          (format "~a\n  as an assumption, the relation is quoted: (assume '~a)"
+                  no-order (value->text (list who u v)))
+          (comparand x))]
+        [else (real-comparand who x)]))
+
+(define no-order
+  "an expression that is not a number has no order; give its symbols values first")
+
 (define (real-comparand who x)
   (define c (comparand x))
   (if (real? c) c (raise-no-order who c)))
@@ -93,9 +109,7 @@
   (when (symbolic? x) (look-inside who))
   (raise-with-value
    who
-   (if (symbolic? x)
-       "an expression that is not a number has no order; give its symbols values first"
-       "expected real numbers")
+   (if (symbolic? x) no-order "expected real numbers")
    x))
 
 (define (raise-with-value who what x)

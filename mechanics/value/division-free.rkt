@@ -9,7 +9,7 @@
 ;; polynomial, and any other is the last coefficient of the characteristic
 ;; polynomial, in n⁴/4 products.
 
-(require "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/kind.rkt"
+(require "assumptions.rkt" "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/kind.rkt"
          "../algebra/expression.rkt" "../algebra/vanishing.rkt"
          "../algebra/linear/characteristic.rkt" "../algebra/linear/elimination.rkt"
          "../algebra/linear/minors.rkt"
@@ -32,7 +32,7 @@
 (define (zero-value? x)
   (define look (and (has-kind? x) (kind-comparand (kind-of x))))
   (cond [look (zero-value? (look x))]
-        [(expression? x) (vanishes? x)]
+        [(expression? x) (vanishes? x (assumptions-in-force))]
         [else (g:zero? x)]))
 
 ;; ---------------------------------------------------------------------------
@@ -55,7 +55,8 @@
 (define (ring-determinant rows)
   (define n (vector-length rows))
   (cond [(few-minors? rows) ((make-minors generic-ring rows) (all-lines n) (all-lines n))]
-        [(and (all-entries? expression? rows) (eliminated-determinant rows few-terms))]
+        [(and (all-entries? expression? rows)
+              (eliminated-determinant rows few-terms (assumptions-in-force)))]
         [else (characteristic-determinant generic-ring rows)]))
 
 ;; ---------------------------------------------------------------------------
@@ -65,7 +66,7 @@
 (define (ring-solutions A right)
   (cond [(few-minors? A) (solutions-by-minors A right)]
         [(and (all-entries? expression? A) (all-entries? expression? right)
-              (eliminated-solutions A right few-terms))]
+              (eliminated-solutions A right few-terms (assumptions-in-force)))]
         [else (solutions-by-powers A right)]))
 
 ;; Cramer's rule.

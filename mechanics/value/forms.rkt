@@ -5,7 +5,7 @@
 ;; asked for, where others are simplified first; calculating with them goes on
 ;; as with any value, and `simplify` simplifies them.
 
-(require "../generic/describe.rkt"
+(require "assumptions.rkt" "../generic/describe.rkt"
          "../algebra/expression.rkt" "../algebra/operation.rkt"
          "../algebra/expand.rkt" "../algebra/collect-terms.rkt" "../algebra/quotient.rkt"
          "../algebra/partial-fractions.rkt" "../algebra/factorization.rkt"
@@ -33,7 +33,7 @@
     [(x in)
      (define chosen (if (list? in) in (list in)))
      (for ([e (in-list chosen)]) (check-unknown 'collect e))
-     (reform 'collect (lambda (e) (collect-expression e chosen)) x)]
+     (reform 'collect (lambda (e A) (collect-expression e chosen A)) x)]
     [(x) (raise-no-unknown 'collect "(collect x 'm) or (collect x (list 'm 'n))" x)]))
 
 ;; Partial fractions in a symbol.
@@ -41,7 +41,7 @@
   (case-lambda
     [(x in)
      (check-unknown 'apart in)
-     (reform 'apart (lambda (e) (partial-fractions e in)) x)]
+     (reform 'apart (lambda (e A) (partial-fractions e in A)) x)]
     [(x) (raise-no-unknown 'apart "(apart x 's)" x)]))
 
 ;; The coefficient of in^n, simplified.
@@ -50,8 +50,9 @@
   (unless (exact-integer? n)
     (raise-argument-error 'coefficient "an integer, the power whose coefficient is wanted" n))
   (map-scalars 'coefficient
-               (lambda (e)
-                 (define-values (c assumptions) (expression-coefficient e in n))
+               (lambda (e A)
+                 (define-values (c assumptions) (expression-coefficient e in n A))
+                 (note-used! assumptions)
                  (or c (raise-not-polynomial e in)))
                x))
 
@@ -63,26 +64,29 @@
 
 (define (part-of-quotient who choose x)
   (reform who
-          (lambda (e)
-            (define-values (n d assumptions) (numerator-and-denominator e))
+          (lambda (e A)
+            (define-values (n d assumptions) (numerator-and-denominator e A))
             (values (choose n d) assumptions))
           x))
 
 ;; ---------------------------------------------------------------------------
 ;; On every scalar
 
-;; rewrite : expression -> expression and assumptions
+;; rewrite : expression assumptions -> expression and what it rests on
 (define (reform who rewrite x)
   (map-scalars who
-               (lambda (e)
-                 (define-values (new assumptions) (rewrite e))
+               (lambda (e A)
+                 (define-values (new assumptions) (rewrite e A))
+                 (note-used! assumptions)
                  (request-form new assumptions))
                x))
 
+;; f : expression, and the assumptions in force -> value
 (define (map-scalars who f x)
+  (define A (assumptions-in-force))
   (map-leaves
    (lambda (leaf)
-     (if (expression? leaf) (f leaf) (raise-no-expression who leaf)))
+     (if (expression? leaf) (f leaf A) (raise-no-expression who leaf)))
    x))
 
 ;; ---------------------------------------------------------------------------

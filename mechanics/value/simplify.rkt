@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The algebra of expressions, applied to every scalar of a value.
 
-(require "../generic/describe.rkt"
+(require "assumptions.rkt" "../generic/describe.rkt"
          "../algebra/expression.rkt" "../algebra/simplify.rkt" "../algebra/evaluate.rkt")
 
 (provide expression simplify simplify/assumptions as-shown substitute with-literals)
@@ -11,21 +11,30 @@
 
 ;; The same value with every scalar simplified; functions stay as they are.
 (define (simplify x)
-  (map-leaves (lambda (leaf) (if (symbolic? leaf) (simplify-expression leaf) leaf)) x))
+  (define-values (simple assumptions) (simplify/assumptions x))
+  simple)
 
-;; The simplified value, and what simplification assumed.
-(define (simplify/assumptions x) (map-expressions simplify-expression/assumptions x))
+;; The simplified value, and what that assumed without being declared.
+(define (simplify/assumptions x)
+  (define A (assumptions-in-force))
+  (map-expressions (lambda (e) (simplified e A)) x))
+
+(define (simplified e A)
+  (define-values (simple grounds) (simplify-expression/assumptions e A))
+  (note-used! grounds)
+  (values simple grounds))
 
 ;; The value as a result is shown, and what getting there assumed: simplified,
 ;; but for scalars in a form that was asked for.
 (define (as-shown x)
+  (define A (assumptions-in-force))
   (map-expressions (lambda (e)
                      (if (requested? e)
                          (values e (requested-assumptions e))
-                         (simplify-expression/assumptions e)))
+                         (simplified e A)))
                    x))
 
-;; rewrite : expression -> expression and assumptions
+;; rewrite : expression -> expression and what it rests on
 (define (map-expressions rewrite x)
   (define assumptions '())
   (define value
@@ -38,7 +47,7 @@
              [else leaf]))
      x))
   (value->datum value)                  ; a series gets the terms that are shown
-  (values value (distinct assumptions)))
+  (values value (undeclared (distinct assumptions))))
 
 (define (distinct xs)
   (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])

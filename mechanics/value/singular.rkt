@@ -2,7 +2,7 @@
 ;; A matrix without an inverse, in words: which rows depend on which, what it
 ;; takes to zero, whether the system still has solutions.
 
-(require "../generic/describe.rkt"
+(require "assumptions.rkt" "../generic/describe.rkt"
          "../algebra/expression.rkt" "../algebra/linear/coefficients.rkt"
          "../algebra/linear/elimination.rkt" "../algebra/simplify.rkt" "../algebra/vanishing.rkt"
          "../numeric/failure.rkt" "../numeric/linear-systems.rkt" "../numeric/rows.rkt")
@@ -14,7 +14,7 @@
   (if (and (all-entries? number? rows) (not (exact-numbers? rows)))
       (let-values ([(rank vectors) (floating-kernel rows)])
         (kernel-basis rank vectors '()))
-      (eliminated-kernel rows)))
+      (eliminated-kernel rows (assumptions-in-force))))
 
 ;; right : rows of right-hand sides, or #f if the inverse was wanted
 ;; shape : vector of components -> unknown, as it is called for
@@ -70,13 +70,13 @@
   (apply string-append (car strings)
          (for/list ([s (in-list (cdr strings))]) (string-append " plus " s))))
 
-(define (simple e) (if (number? e) e (simplify-expression e)))
+(define (simple e) (if (number? e) e (simplify-expression e (assumptions-in-force))))
 
 ;; Do the right-hand sides depend in the same way?
 (define (solutions-text dependences right)
   (if (and (all-entries? expression? right)
            (for*/and ([y (in-list dependences)] [l (in-range (row-length right))])
-             (vanishes? (combination y right l))))
+             (vanishes? (combination y right l) (assumptions-in-force))))
       "infinitely many, the right-hand side depending in the same way"
       "none, the right-hand side not depending in the same way"))
 

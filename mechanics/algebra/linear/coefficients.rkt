@@ -30,9 +30,10 @@
   #:authentic)
 
 ;; matrix : vector of rows; use : coefficients -> any, which may be called again
+;; A : assumptions
 ;; -> what `use` gives, or #f if that took too much, or an entry divides by 0
-(define (call-with-coefficients matrix use)
-  (cond [(not (exact-numbers? matrix)) (call-with-polynomials matrix use)]
+(define (call-with-coefficients matrix A use)
+  (cond [(not (exact-numbers? matrix)) (call-with-polynomials matrix A use)]
         [(all-entries? real? matrix) (use (integer-coefficients matrix))]
         [else (use (complex-coefficients matrix))]))
 
@@ -68,8 +69,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Expressions
 
-(define (call-with-polynomials matrix use)
-  (define w (make-workspace))
+(define (call-with-polynomials matrix A use)
+  (define w (make-workspace A))
   (define entries (for*/list ([row (in-vector matrix)] [e (in-vector row)]) e))
   (define atlas (workspace-atlas w (make-node op:+ entries)))
   (define kernels (place-kernels! (atlas-kernels atlas)))
@@ -78,7 +79,7 @@
       (with-handlers ([exn:algebra:degree-overflow? values]
                       [stuck? (lambda (s) #f)]
                       [outgrown? (lambda (o) #f)])
-        (use (field-coefficients (make-field atlas kernels degree) matrix w))))
+        (use (field-coefficients (make-field atlas kernels degree poly-branch) matrix w))))
     (if (exn:algebra:degree-overflow? result) (retry (+ 1 (* 2 degree))) result)))
 
 (define (field-coefficients F matrix w)

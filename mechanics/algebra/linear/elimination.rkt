@@ -1,11 +1,11 @@
 #lang racket/base
 ;; What elimination tells about a matrix: determinant, solutions, rank, null
 ;; space.  Entries are exact numbers, or expressions, of which what is zero is
-;; decided by their canonical form.
+;; decided by their canonical form, under assumptions A.
 ;;
 ;; Every answer is #f where the attempt was given up as too large.
 
-(require "bareiss.rkt" "coefficients.rkt" "pattern.rkt"
+(require "bareiss.rkt" "coefficients.rkt" "pattern.rkt" "../assumptions.rkt"
          "../../numeric/rows.rkt")
 
 (provide eliminated-determinant eliminated-solutions
@@ -16,9 +16,9 @@
 
 ;; #f also if the determinant might have more than `limit` terms, or the entries
 ;; satisfy relations: then there are better ways.
-(define (eliminated-determinant matrix limit)
+(define (eliminated-determinant matrix limit [A no-assumptions])
   (define n (vector-length matrix))
-  (call-with-coefficients matrix
+  (call-with-coefficients matrix A
     (lambda (c)
       (and (coefficients-unscale c)
            (<= (coefficients-most-terms c) limit)
@@ -36,9 +36,9 @@
 
 ;; The rows of x with matrix · x = right, both vectors of rows; 'singular if that
 ;; has none or many.  limit : as above
-(define (eliminated-solutions matrix right limit)
+(define (eliminated-solutions matrix right limit [A no-assumptions])
   (define n (vector-length matrix))
-  (call-with-coefficients (beside matrix right)
+  (call-with-coefficients (beside matrix right) A
     (lambda (c)
       (and (<= (coefficients-most-terms c) limit)
            (let ([E (reduced c n)])
@@ -59,9 +59,9 @@
 (struct kernel-basis (rank vectors assumptions) #:transparent)
 
 ;; Of a matrix of at least one row.
-(define (eliminated-kernel matrix)
+(define (eliminated-kernel matrix [A no-assumptions])
   (define n (vector-length (vector-ref matrix 0)))
-  (call-with-coefficients matrix
+  (call-with-coefficients matrix A
     (lambda (c)
       (define E (reduced c n))
       (define free (for/list ([j (in-vector (echelon-columns E) (echelon-rank E))]) j))

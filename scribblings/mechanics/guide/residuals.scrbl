@@ -110,6 +110,44 @@ what was assumed. Without that relation, the condition is found:
 @examples[#:eval session #:label #f
 (verify-solution (L-Kepler 'm 'mu) circular-orbit)]
 
+What you know of your symbols you can say. A radius is positive:
+
+@examples[#:eval session #:label #f
+(assume '(> R 0))
+(sqrt (* (square 'R) 'm))
+(verify-solution (L-Kepler 'm mu) circular-orbit)]
+
+Nothing is printed beneath the root now, and the verdict calls the relation given.
+Not all is positive. On the way down the velocity of a stone is negative, its
+speed is not, and the library need not guess; @racket[assuming] says so for one
+calculation:
+
+@examples[#:eval session #:label #f
+(define speed (sqrt (square 'v)))
+speed
+(assuming ('(< v 0)) speed)]
+
+Signs follow from signs, through products, powers, sums and whatever is positive by
+itself. What contradicts what was said before is refused:
+
+@examples[#:eval session #:label #f
+(assume '(> c v) '(> v 0))
+(sqrt (square (- (square 'c) (square 'v))))
+(eval:error (assume '(< c 0)))
+(assumptions)
+(forget-assumptions)]
+
+If you would rather have nothing assumed that you did not declare, turn
+@racket[automatic-assumptions] off; then the root of x² is the absolute value of x.
+
+@examples[#:eval session #:label #f
+(automatic-assumptions #f)
+(sqrt (square 'x))
+(verify-equal (sqrt (square 'x)) 'x)
+(automatic-assumptions #t)]
+
+All forms are in @secref["reference-assumptions"].
+
 @section{How to use it on your own work}
 
 @itemlist[#:style 'ordered

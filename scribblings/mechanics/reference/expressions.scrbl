@@ -10,9 +10,9 @@
 @defproc[(simplify [x value]) value]{
 
 The same value with each of its scalars simplified. Functions are returned as
-they are. The result is equal to @racket[x] wherever both are defined; where a
-root or a logarithm was resolved under an assumption, @racket[prove-zero] on a
-difference tells which.
+they are. The result is equal to @racket[x] wherever both are defined, under the
+assumptions that were declared and those that were made; @racket[assumptions] lists
+both.
 
 What would grow past a bound, counted in terms, is left unexpanded. At the prompt the
 innermost such operations are told beneath the result, which may then be zero without
@@ -43,6 +43,87 @@ and lists.
 (expression (* 'b (sin 'a) 'b))
 (expression (simplify (* 'b (sin 'a) 'b)))
 (cadr (expression (up 1 2)))]}
+
+@section[#:tag "reference-assumptions"]{Assumptions}
+
+An assumption is a relation, such as @racket['(>= r 0)]: it says which sign an
+expression has. Symbols and functions are real. Simplification uses what was
+@emph{declared}, and what follows from it by the rule of signs; where that does not
+decide, it takes for granted that what comes out of a root or a logarithm is not
+negative, and this is an assumption that was @emph{used}. It is shown beneath the
+result, while declared ones are not: you know them. See @secref["assumptions"] for
+an introduction.
+
+A relation is a quoted list: @racket[>], @racket[>=], @racket[<] or @racket[<=]
+before two expressions as they print, or before more, @racket['(< 0 e 1)] being
+@racket['(< 0 e)] and @racket['(< e 1)]; or @racketidfont{positive},
+@racketidfont{negative}, @racketidfont{nonnegative} or @racketidfont{nonpositive}
+before some expressions, @racket['(positive m k)] being @racket['(> m 0)] and
+@racket['(> k 0)].
+
+@defform*[[(assume relation ...) assume]]{
+
+Declares the relations, for the session or, within @racket[assuming], for its scope. If
+one is no relation, or they cannot all hold, that is an error and nothing is declared.
+A thread begins with what was declared when it was made, and has a session of its
+own. Without parentheses, @racket[assume] is a function of relations.
+
+@examples[#:eval session
+(sqrt (/ (* (square 'r) (expt 'm 4)) (square 'k)))
+(assume '(> r 0) '(< k 0))
+(sqrt (/ (* (square 'r) (expt 'm 4)) (square 'k)))
+(log (* (square 'r) 'm))
+(assume '(> c v) '(> v 0))
+(abs (- (square 'c) (square 'v)))
+(eval:error (assume '(> k 0)))
+(eval:error (assume 'k))
+(eval:error (>= 'r 0))]}
+
+@defform[(assuming (relation ...) body ...+)]{
+
+The values of the body, under the relations and those declared before. As a result
+is usually simplified when it is shown, and the scope has ended by then, expressions
+among the values, and in tuples, matrices and lists, are simplified here. They show
+the assumptions of the scope that they rest on.
+
+@examples[#:eval session
+(assuming ('(< x 0)) (sqrt (* (square 'x) (square 'z))))
+(assuming ('(< x 0)) (verify-equal (abs 'x) (- 'x)))]}
+
+@defproc[(assumptions [which (or/c 'declared 'used) _all]) list?]{
+
+The relations that were declared, as they were declared, and after them those that
+were used without being declared, in simplifying any value of the session; or one of
+both kinds.
+
+@examples[#:eval session
+(assumptions 'used)
+(assumptions)]}
+
+@defproc[(forget-assumptions [relation any/c] ...) void?]{
+
+Withdraws these relations, or all, with the record of those that were used.
+
+@examples[#:eval session
+(forget-assumptions '(> r 0))
+(assumptions 'declared)
+(forget-assumptions)
+(assumptions)
+(eval:error (forget-assumptions '(> r 0)))]}
+
+@defparam[automatic-assumptions on? any/c]{
+
+Whether simplification may assume what was not declared, as it does to begin with. If
+not, @racket[(sqrt (square 'x))] is the absolute value of @racketidfont{x}, and
+roots, powers and logarithms whose signs are not known stay as they are. Set it for
+the session by calling it; with @racket[parameterize], results have to be simplified
+within.
+
+@examples[#:eval session
+(parameterize ([automatic-assumptions #f])
+  (simplify (sqrt (* 'm (square 'x)))))
+(parameterize ([automatic-assumptions #f])
+  (verify-equal (sqrt (square 'x)) 'x))]}
 
 @section{Forms}
 

@@ -93,9 +93,16 @@ For each scalar that is not zero, a pair of its factor and its core.
 
 @defproc[(verdict-assumptions [v verdict?]) list?]{
 
-What was assumed, such as @racket[(>= R 0)].
+What the residual rests on, such as @racket[(>= R 0)]: declared relations that were
+used, which the verdict calls @italic{given}, and assumptions that were made. At the
+witness of a refutation all that was declared holds, used or not.
 
 @examples[#:eval session
-(verdict-assumptions (prove-zero (- (sqrt (square 'R)) 'R)))]}
+(verdict-assumptions (prove-zero (- (sqrt (square 'R)) 'R)))
+(assume '(< x 0))
+(verify-equal (sqrt (square 'x)) 'x)
+(forget-assumptions)]
+
+See @secref["reference-assumptions"].}
 
 @(close-session session)

@@ -2,7 +2,9 @@
 ;; Verdicts: what is proved, refuted, left undecided, and what they carry.
 
 (require rackunit "reading.rkt"
-         mechanics/algebra/evaluate mechanics/algebra/zero-test)
+         mechanics/algebra/assumptions mechanics/algebra/declare mechanics/algebra/evaluate
+         mechanics/algebra/expression mechanics/algebra/operation mechanics/algebra/relation
+         mechanics/algebra/zero-test)
 
 (define (verdict d) (zero-test (datum->expression d)))
 (define (status d) (zero-test-status (verdict d)))
@@ -74,3 +76,61 @@
   (define v (verdict '(- (sqrt (expt R 2)) R)))
   (check-equal? (zero-test-status v) 'proved)
   (check-equal? (zero-test-assumptions v) '((>= R 0))))
+
+;; ---------------------------------------------------------------------------
+;; Under assumptions
+
+(define (under relations d)
+  (define data
+    (apply append (for/list ([r (in-list relations)]) (split-relation r))))
+  (zero-test (datum->expression d) (declare-relations no-assumptions data)))
+
+(test-case "an identity may be proved by what is declared"
+  (define v (under '((< x 0)) '(+ (sqrt (expt x 2)) x)))
+  (check-equal? (zero-test-status v) 'proved)
+  (check-equal? (zero-test-assumptions v) '((< x 0))))
+
+(test-case "a root and an absolute value agree where the root is real"
+  (define v (verdict '(- (sqrt (expt x 2)) (abs x))))
+  (check-equal? (zero-test-status v) 'proved)
+  (check-equal? (zero-test-assumptions v) '((>= x 0))))
+
+(test-case "at a witness all that was declared holds"
+  (define (check-witness relations d ok?)
+    (define v (under relations d))
+    (check-equal? (zero-test-status v) 'refuted (format "~s" d))
+    (define e (datum->expression d))
+    (check-= (evaluate-expression e (point-lookup (zero-test-witness v))) (zero-test-value v) 1e-9)
+    (check-true (ok? (lambda (x) (cdr (assoc x (zero-test-witness v)))))
+                (format "~s" (zero-test-witness v))))
+  (check-witness '((> x 0)) '(+ (sqrt (expt x 2)) x) (lambda (at) (> (at 'x) 0)))
+  (check-witness '((< x 0)) '(- (sqrt (expt x 2)) x) (lambda (at) (< (at 'x) 0)))
+  (check-witness '((< 0 e 1)) '(- (expt e 2) e) (lambda (at) (< 0 (at 'e) 1)))
+  (check-witness '((< -3 x -2)) '(+ 3/2 (sin x)) (lambda (at) (< -3 (at 'x) -2)))
+  (check-witness '((> x 7/2) (< x 9/2)) '(- x 5) (lambda (at) (= (at 'x) 4)))
+  (check-witness '((> a b)) '(- (abs (- a b)) (- b a)) (lambda (at) (> (at 'a) (at 'b))))
+  (check-witness '((> theta 0)) '(sin theta) (lambda (at) (> (at 'theta) 0)))
+  (define q '((D q) t))
+  (check-witness (list (list '< q 0)) (list '- (list 'abs q) q)
+                 (lambda (at) (< (at (datum->expression q)) 0))))
+
+(test-case "what vanishes where the assumptions hold is not refuted elsewhere"
+  (check-not-equal? (zero-test-status (under '((>= x 0) (<= x 0)) 'x)) 'refuted)
+  (check-not-equal? (zero-test-status (under '((> x 0)) '(- (abs x) x))) 'refuted))
+
+(test-case "the condition is none that the assumptions exclude"
+  (check-equal? (zero-test-condition (under '((> a b)) '(- a b))) #f)
+  (check-equal? (zero-test-condition (under '((> a 0)) '(* (+ 1 a) (- k m)))) '(= k m)))
+
+;; Large enough for the fingerprint, which takes roots of squares to be positive.
+(test-case "the fingerprint does not decide what depends on a sign"
+  (define terms
+    (for/list ([k (in-range 1200)]) (e:* (+ k 1) (make-node op:cos (list (e:+ 'y k))))))
+  (define sum (make-node op:+ terms))
+  (define (test d relation)
+    (zero-test (make-node op:- (list (e:+ (datum->expression d) sum) sum))
+               (declare-relations no-assumptions (list relation))))
+  (check-equal? (zero-test-status (test '(+ x (sqrt (expt x 2))) '(< x 0))) 'proved)
+  (define v (test '(- x (sqrt (expt x 2))) '(< x 0)))
+  (check-equal? (zero-test-status v) 'refuted)
+  (check-true (< (cdr (assq 'x (zero-test-witness v))) 0)))

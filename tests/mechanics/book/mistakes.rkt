@@ -75,6 +75,7 @@
 
 (test-case "an order between symbols"
   (check-says (string-append "<: an expression that is not a number has no order; give its symbols values first\n"
+                             "  as an assumption, the relation is quoted: (assume '(< a b))\n"
                              "  value: the symbol a")
               (< 'a 'b))
   (check-exn #rx"^max: an expression that is not a number has no order" (lambda () (max 1 'x))))

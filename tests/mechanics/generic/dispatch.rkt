@@ -142,9 +142,11 @@
 (says
  [(g:< 'a 'b)
   "<: an expression that is not a number has no order; give its symbols values first\n"
+  "  as an assumption, the relation is quoted: (assume '(< a b))\n"
   "  value: the symbol a"]
  [(g:>= 1 (g:sin 'x))
   ">=: an expression that is not a number has no order; give its symbols values first\n"
+  "  as an assumption, the relation is quoted: (assume '(>= 1 (sin x)))\n"
   "  value: (sin x), a number-like expression"]
  [(g:< (up 1 2) 3)
   "<: expected real numbers\n  value: (up 1 2), an up tuple of 2"]

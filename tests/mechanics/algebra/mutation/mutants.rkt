@@ -70,19 +70,19 @@
   ["log √u = 2 log u" "logarithms.rkt"
    "(values (car (node-args f)) 1/2)"
    "(values (car (node-args f)) 2)"]
-  ["signs are taken for granted in silence" "normalize.rkt"
-   "(define (assume e) (assume! w e))"
-   "(define (assume e) (void))"]
+  ["signs are taken for granted in silence" "ledger.rkt"
+   "(note! l (relation-datum r))"
+   "(void)"]
   ["|xy| = x |y|" "logarithms.rkt"
-   "(cond [(or (even? e) (never-negative? f)) (e:expt f e)]"
-   "(cond [(or (symbol? f) (even? e) (never-negative? f)) (e:expt f e)]"]
+   "(define sign (if (even? e) 1 "
+   "(define sign (if (or (symbol? f) (even? e)) 1 "]
   ["|-3 x| = -3 |x|" "logarithms.rkt"
    "(for/fold ([product (abs number)])"
    "(for/fold ([product number])"]
   ;; roots
   ["√(u²) = -u" "radicand.rkt"
-   "(values (present F (power-product F (map whole-part parts)))"
-   "(values (present F (power-product F (cons (cons -1 1) (map whole-part parts))))"]
+   "(values (e:* (present F (power-product F (map whole-part parts)))"
+   "(values (e:* (present F (power-product F (cons (cons -1 1) (map whole-part parts))))"]
   ["√(x³) = x √(x²)" "radicand.rkt"
    "(define e (- (cdr part) (cdr (whole-part part))))"
    "(define e (cdr part))"]

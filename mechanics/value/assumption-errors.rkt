@@ -1,0 +1,60 @@
+#lang racket/base
+;; What is wrong with a relation that cannot be declared or withdrawn.
+
+(require "../generic/describe.rkt" "../algebra/datum.rkt")
+
+(provide complaint raise-contradiction raise-not-declared)
+
+(define (raise-complaint who . lines)
+  (raise (exn:fail:contract (apply string-append (format "~a: " who) lines)
+                            (current-continuation-marks))))
+
+;; -> what to call with a reason and a part of the relation (algebra/relation.rkt)
+(define ((complaint who relation) reason part)
+  (raise-complaint who
+                   (explain reason part)
+                   (if (eq? relation part) "" (format "\n  in: ~a" (value->text relation)))))
+
+(define (explain reason part)
+  (case reason
+    [(form) (format "expected a quoted relation such as '(>= r 0); given ~a"
+                    (describe-with-value part))]
+    [(operands) (format "the relation lacks an operand: ~a" (value->text part))]
+    [(name)
+     (format "unknown relation ~a; known are ~a\n  given: ~a"
+             (value->text (car part)) known-relations (value->text part))]
+    [(equation)
+     (format "~a; put the value in, with substitute\n  given: ~a"
+             "an equation is no assumption about a sign" (value->text part))]
+    [(number) (format "only real numbers are greater or less than others; given ~a" part)]
+    [else (format "expected an expression in the relation; given ~a" (describe-with-value part))]))
+
+(define known-relations
+  (string-append "> >= < <= between expressions, "
+                 "and positive, negative, nonpositive, nonnegative before some"))
+
+;; data : relations that were being declared; because : those that cannot all hold
+(define (raise-contradiction who data because)
+  (define others (filter (lambda (d) (not (member d data))) because))
+  (define own (filter (lambda (d) (member d data)) because))
+  (raise-complaint
+   who
+   (if (null? others)
+       (if (= 1 (length own))
+           (format "the relation cannot hold: ~a" (list-text own))
+           (format "the relations contradict each other: ~a" (list-text own)))
+       (format "~a contradicts what was assumed: ~a" (list-text own) (list-text others)))
+   (if (null? others) "" "\n  forget-assumptions withdraws what was assumed")))
+
+(define (list-text data)
+  (define texts (map datum->text data))
+  (for/fold ([text (car texts)]) ([t (in-list (cdr texts))]) (string-append text ", " t)))
+
+;; declared : relations that are
+(define (raise-not-declared d declared)
+  (raise-complaint
+   'forget-assumptions
+   (format "~a was not declared" (datum->text d))
+   (if (null? declared)
+       "; nothing is"
+       (format "\n  declared: ~a" (list-text declared)))))

@@ -1,0 +1,137 @@
+#lang racket/base
+;; Assumptions about signs: of a session, and of a scope.
+;;
+;; The set in force is the value of a parameter; to declare is to set it, for the
+;; thread or within `assuming`.  The algebra knows no parameter: who calls it
+;; takes the set from `assumptions-in-force`, once, and tells `note-used!` what the
+;; result rests on.
+
+(require (for-syntax racket/base)
+         "assumption-errors.rkt" "../generic/describe.rkt"
+         (except-in "../algebra/assumptions.rkt" assumptions) "../algebra/declare.rkt"
+         "../algebra/expression.rkt" "../algebra/relation.rkt" "../algebra/simplify.rkt")
+
+(provide assume assuming assumptions forget-assumptions automatic-assumptions
+         ;; for those who call the algebra
+         assumptions-in-force note-used! undeclared)
+
+;; ---------------------------------------------------------------------------
+;; The state
+
+(define current-declared (make-parameter no-assumptions))
+
+;; Datums of what was taken for granted, newest first.
+(define current-used (make-parameter '()))
+
+;; May simplification take for granted that what comes out of a root is not
+;; negative?
+(define automatic-assumptions (make-parameter #t (lambda (on?) (and on? #t))))
+
+(define (assumptions-in-force)
+  (with-automatic-assumptions (current-declared) (automatic-assumptions)))
+
+;; More than these are not remembered.
+(define used-limit 1000)
+
+;; notes : grounds, and what was left unexpanded
+(define (note-used! notes)
+  (for ([d (in-list (undeclared notes))] #:unless (eq? (car d) 'left-unexpanded))
+    (define used (current-used))
+    (unless (or (member d used) (= (length used) used-limit))
+      (current-used (cons d used)))))
+
+;; Those of the datums that are not declared.
+(define (undeclared grounds)
+  (define declared (if (null? grounds) '() (declared-relations (current-declared))))
+  (filter (lambda (d) (not (member d declared))) grounds))
+
+;; ---------------------------------------------------------------------------
+;; Declaring and withdrawing
+
+;; (assume '(>= r 0) '(> m 0) ...)
+(define (declare! . relations)
+  (current-declared (declare 'assume relations)))
+
+;; The set in force with the relations, or an error.
+(define (declare who relations)
+  (define data (read-relations who relations))
+  (with-handlers ([exn:algebra:contradiction?
+                   (lambda (x)
+                     (raise-contradiction who data (exn:algebra:contradiction-because x)))])
+    (declare-relations (current-declared) data (lambda (d) (complaint who d)))))
+
+(define (read-relations who relations)
+  (for*/list ([r (in-list relations)] [d (in-list (split-relation r (complaint who r)))])
+    d))
+
+;; (forget-assumptions) all, and what was used; (forget-assumptions '(> m 0) ...) these.
+(define (forget-assumptions . relations)
+  (cond [(null? relations)
+         (current-declared no-assumptions)
+         (current-used '())]
+        [else
+         (define data (read-relations 'forget-assumptions relations))
+         (define unknown (undeclared data))
+         (unless (null? unknown) (raise-not-declared (car unknown) (assumptions 'declared)))
+         (current-declared (without-relations (current-declared) data))]))
+
+;; What was declared, then what was used without being declared; or one of both.
+(define (assumptions [which #f])
+  (define declared (declared-relations (current-declared)))
+  (define used (undeclared (reverse (current-used))))
+  (case which
+    [(#f) (append declared used)]
+    [(declared) declared]
+    [(used) used]
+    [else (raise-argument-error 'assumptions "'declared or 'used, or no argument" which)]))
+
+;; ---------------------------------------------------------------------------
+;; Scopes
+
+;; The values of the body, simplified under its assumptions.
+(define (call-assuming relations body)
+  (parameterize ([current-declared (declare 'assuming relations)])
+    (call-with-values body (lambda results
+                             (define A (assumptions-in-force))
+                             (apply values (map (lambda (x) (settle x A)) results))))))
+
+;; A series is asked for its terms later, so the set is not read again.
+(define (settle x A)
+  (if (list? x)
+      (map (lambda (e) (settle e A)) x)
+      (map-leaves (lambda (e) (if (symbolic? e) (settle-expression e A) e)) x)))
+
+(define (settle-expression e A)
+  (cond [(requested? e) e]
+        [else
+         (define-values (simple notes) (simplify-expression/assumptions e A))
+         (note-used! notes)
+         (request-form simple notes)]))
+
+;; ---------------------------------------------------------------------------
+;; The forms: a relation without a quote is noticed where it is written
+
+(define-for-syntax (check-quoted stx relations)
+  (for ([r (in-list (syntax->list relations))])
+    (syntax-case r ()
+      [(name . operands)
+       (and (identifier? #'name)
+            (memq (syntax-e #'name) '(> >= < <= = positive negative nonpositive nonnegative)))
+       (raise-syntax-error
+        #f (format "a relation is quoted here: write '~s" (syntax->datum r)) stx r)]
+      [_ (void)])))
+
+(define-syntax (assume stx)
+  (syntax-case stx ()
+    [(_ relation ...)
+     (begin (check-quoted stx #'(relation ...))
+            (syntax/loc stx (declare! relation ...)))]
+    [id (identifier? #'id) (syntax/loc stx declare!)]))
+
+(define-syntax (assuming stx)
+  (syntax-case stx ()
+    [(_ (relation ...) body0 body ...)
+     (begin (check-quoted stx #'(relation ...))
+            (syntax/loc stx (call-assuming (list relation ...) (lambda () body0 body ...))))]
+    [_ (raise-syntax-error
+        #f "expected relations in parentheses, then a body: (assuming ('(> m 0)) body)" stx)]))
