@@ -18,6 +18,7 @@
 
 (provide (struct-out field) (struct-out relation)
          make-field field-fraction field-inexact?
+         wider-field with-room degree-limit
          field-combined-circle field-doubled? field-whole-kernel
          reduce-poly reduce-fraction lower)
 
@@ -44,6 +45,30 @@
             ([r (in-list (sort-tower (atlas-tower atlas)))])
     (over (cons (if (root? r) (root-relation F r) (modulus-relation F r))
                 (field-relations F)))))
+
+;; -> the field and the fraction in a ring of a greater degree
+(define (wider-field F f max-degree)
+  (define R (field-ring F))
+  (define W (wider-ring R max-degree))
+  (define (wider g) (fraction-rering R W g))
+  (values (field (field-atlas F) (field-kernels F) W
+                 (for/list ([r (in-list (field-relations F))])
+                   (relation (relation-index r) (relation-degree r) (wider (relation-radicand r))))
+                 (field-circles F)
+                 (field-branch F))
+          (wider f)))
+
+;; (proceed F f), in wider rings until there is room for its degrees.
+(define (with-room F f proceed)
+  (define result
+    (with-handlers ([exn:algebra:degree-overflow? values]) (proceed F f)))
+  (cond [(exn:algebra:degree-overflow? result)
+         (define-values (W w) (wider-field F f (+ 1 (* 2 (ring-max-degree (field-ring F))))))
+         (with-room W w proceed)]
+        [else result]))
+
+;; A ring for polynomials of a higher degree than this is not made for an expression.
+(define degree-limit 1000000)
 
 ;; Roots and absolute values, inner ones first, then in the order of kernels.
 (define (sort-tower tower)

@@ -66,7 +66,7 @@
       ((workspace-simplify-anew w) e)))
 
 ;; -> (field . fraction)
-(define (workspace-normal w e) ((workspace-normal-of w) e))
+(define (workspace-normal w e) (roomy ((workspace-normal-of w) e)))
 
 ;; The kernels of e, without evaluating it.
 (define (workspace-atlas w e) (collect-kernels e (workspace-services w)))
@@ -89,7 +89,7 @@
           (hash-set! normals n form)
           form)))
   (define (call f e . more)
-    (define n (call-nested fuel (lambda () (normal e))))
+    (define n (roomy (call-nested fuel (lambda () (normal e)))))
     (apply f (car n) (cdr n) more))
   (define (simplify e)
     (cond [(or (not (node? e)) (simple-application? e)) e]
@@ -131,27 +131,41 @@
          (or (symbol? a) (and (number? a) (exact? a))))))
 
 ;; What a normal form is presented as.  Which angles are basic depends on those
-;; that occur, so where some depend on others the result is simplified again
-;; until it is one that came before: the least of those that keep coming back.
+;; that occur, so a result in others is simplified again until it stays as it is or is
+;; one that came before: the least of those that keep coming back.
 (define (settle form services)
-  (define (next e)
-    (define n (normalize e services))
-    (present (car n) (cdr n)))
-  (define first (present (car form) (cdr form)))
-  (if (or (atlas-dependent? (field-atlas (car form))) (new-angles? (car form) first))
-      (let loop ([seen (list first)])
-        (define last (car seen))
-        (define new (if (node? last) (next last) last))
-        (define cycle (member new (reverse seen)))
-        (cond [cycle (least cycle)]
-              [(= (length seen) settle-limit) (least (cons new seen))]
-              [else (loop (cons new seen))]))
-      first))
+  (let loop ([form form] [seen '()])
+    (define e (present (car form) (cdr form)))
+    (define cycle (member e (reverse seen)))
+    (cond [cycle (least cycle)]
+          [(or (not (node? e)) (settled? (car form) e services)) e]
+          [(= (length seen) settle-limit) (least (cons e seen))]
+          [else (loop (normalize e services) (cons e seen))])))
 
 (define settle-limit 4)
 
 ;; Simplified even when there is no fuel left.
 (define (small? e) (< (expression-size e) 60))
+
+;; Would e, presented from this field, come out again?
+(define (settled? F e services)
+  (or (not (or (atlas-dependent? (field-atlas F)) (new-angles? F e)))
+      (same-field? F e services)))
+
+;; Would e be simplified in this very field?
+(define (same-field? F e services)
+  (define known
+    (for/hash ([k (in-vector (field-kernels F))]) (values (kernel-expression k) #t)))
+  (define (known? e) (hash-ref known e #f))
+  (define atlas (collect-kernels e services))
+  (define kernels (atlas-kernels atlas))
+  (and (= (length kernels) (hash-count known))
+       (for/and ([k (in-list kernels)]) (known? (kernel-expression k)))
+       (same-circles? (atlas-doubled atlas) (atlas-doubled (field-atlas F)))))
+
+(define (same-circles? as bs)
+  (define (expressions os) (for/hash ([o (in-list os)]) (values (circle-expression o) #t)))
+  (equal? (expressions as) (expressions bs)))
 
 ;; Has presentation put angles together that did not occur?
 (define (new-angles? F e)
@@ -215,9 +229,6 @@
   (define found (operand-sums n))
   (if (null? found) (list n) found))
 
-;; A ring for polynomials of a higher degree than this is not made.
-(define degree-limit 1000000)
-
 (define (normalize-around e services blocked)
   (define atlas (collect-kernels e services blocked))
   (spend-on-nodes! (services-fuel services) (hash-count (atlas-resolutions atlas)))
@@ -228,18 +239,27 @@
           (define F (make-field atlas kernels degree poly-branch))
           (define f (rationalize F (field-fraction F e)))
           (spend-on-terms! (services-fuel services) (poly-term-count (fraction-numerator f)))
-          (and (room-to-present? F f) (cons F f)))
+          (when (> (expanded-degree F f) degree-limit) (raise (stuck e)))
+          (cons F f))
         (retry (+ 1 (* 2 degree))))))
 
 ;; Presentation may multiply out all of numerator and denominator, and their
 ;; conjugates.
-(define (room-to-present? F f)
+(define (expanded-degree F f)
   (define R (field-ring F))
-  (or (fraction-polynomial? f)
-      (<= (* 2 (for/fold ([degree (poly-total-degree R (fraction-numerator f))])
-                    ([h (in-list (fraction-denominator-factors f))])
-            (+ degree (* (cdr h) (poly-total-degree R (car h))))))
-          (ring-max-degree R))))
+  (if (fraction-polynomial? f)
+      0
+      (* 2 (for/fold ([degree (poly-total-degree R (fraction-numerator f))])
+                     ([h (in-list (fraction-denominator-factors f))])
+             (+ degree (* (cdr h) (poly-total-degree R (car h))))))))
+
+;; (field . fraction) in a ring with room for that.
+(define (roomy n)
+  (define degree (expanded-degree (car n) (cdr n)))
+  (cond [(<= degree (ring-max-degree (field-ring (car n)))) n]
+        [else
+         (define-values (F f) (wider-field (car n) (cdr n) degree))
+         (cons F f)]))
 
 ;; The sign of a polynomial, known or taken for granted, or #f.
 (define (poly-branch F p)

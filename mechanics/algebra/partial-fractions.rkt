@@ -22,20 +22,8 @@
   (define variables (find-kernels F (list chosen) A))
   (values (if (null? variables)
               (quotient-expression F f)
-              (with-room F f e (lambda (F f) (sum-of-parts F f (car variables)))))
+              (with-room F f (lambda (F f) (sum-of-parts F f (car variables)))))
           assumptions))
-
-;; (proceed F f), in a ring with room for its degrees.
-(define (with-room F f e proceed)
-  (define result
-    (with-handlers ([exn:algebra:degree-overflow? values]) (proceed F f)))
-  (cond [(exn:algebra:degree-overflow? result)
-         (define larger
-           (make-field (field-atlas F) (field-kernels F)
-                       (+ 1 (* 2 (ring-max-degree (field-ring F))))
-                       (field-branch F)))
-         (with-room larger (field-fraction larger e) e proceed)]
-        [else result]))
 
 (define (sum-of-parts F f i)
   (define-values (below factors) (split-denominator F f i))

@@ -17,7 +17,10 @@
 
 (provide present linear-terms)
 
-(define (present F f)
+;; Much may be multiplied out that was not before.
+(define (present F f) (with-room F f present-here))
+
+(define (present-here F f)
   (define p (fraction-numerator f))
   (cond [(fraction-zero? f) 0]
         [(and (fraction-polynomial? f) (poly-constant? p))

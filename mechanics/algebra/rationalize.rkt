@@ -24,14 +24,15 @@
     (if (fraction-polynomial? f) f (rationalize-by F r f))))
 
 ;; A short numerator without them instead: (√a - 1)/(a - 1) is 1/(1 + √a).  f itself
-;; if nothing changes, or the ring has no room.
+;; if nothing changes, or no ring has room.
 (define (rationalize-above F f)
   (define R (field-ring F))
   (define (algebraic? i) (for/or ([r (in-list (field-relations F))]) (eqv? i (relation-index r))))
   (if (and (not (fraction-polynomial? f))
            (<= 2 (poly-term-count (fraction-numerator f)) 6)
            (ormap algebraic? (poly-variables R (fraction-numerator f))))
-      (with-handlers ([exn:algebra:degree-overflow? (lambda (x) f)])
+      (with-handlers ([exn:algebra:degree-overflow?
+                      (lambda (x) (if (< (ring-max-degree R) degree-limit) (raise x) f))])
         (fraction-invert R (rationalize F (fraction-invert R f))))
       f))
 

@@ -14,11 +14,11 @@
 ;; fraction-denominator-parts splits it in a way that does not.
 
 (require "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt"
-         "division.rkt" "gcd.rkt" "coprime-basis.rkt" "parts.rkt")
+         "division.rkt" "gcd.rkt" "coprime-basis.rkt" "parts.rkt" "rering.rkt")
 
 (provide
  ;; making
- fraction? fraction-from-poly
+ fraction? fraction-from-poly fraction-rering
  ;; parts
  fraction-numerator fraction-denominator-factors fraction-denominator-parts
  fraction-denominator
@@ -32,6 +32,12 @@
   #:authentic)
 
 (define (fraction-from-poly R p) (fraction p '()))
+
+;; The fraction f of the ring `from`, in the ring `to`.
+(define (fraction-rering from to f)
+  (fraction (rering from to (fraction-numerator f))
+            (for/list ([h (in-list (fraction-denominator-factors f))])
+              (cons (rering from to (car h)) (cdr h)))))
 
 ;; The parts of the denominator (parts.rkt), which depend on the value alone.
 (define (fraction-denominator-parts R f)
