@@ -142,7 +142,9 @@
     (if (field-inexact? F)
         terms
         (for/list ([t (in-list terms)])
-          (gather-under-roots t (lambda (e) (field-whole-kernel F e))))))
+          (gather-under-roots t
+                              (lambda (e) (field-whole-kernel F e))
+                              (lambda (e) (field-not-negative? F e))))))
   (sum-form (for/list ([t (in-list (in-order shown))])
               (term-form t (field-inexact? F)))))
 

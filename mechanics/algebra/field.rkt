@@ -19,7 +19,7 @@
 (provide (struct-out field) (struct-out relation)
          make-field field-fraction field-inexact?
          wider-field with-room degree-limit
-         field-combined-circle field-doubled? field-whole-kernel
+         field-combined-circle field-doubled? field-whole-kernel field-not-negative?
          reduce-poly reduce-fraction lower)
 
 ;; kernels : vector by index; relations : from the top of the tower;
@@ -31,6 +31,10 @@
 (struct relation (index degree radicand) #:authentic)
 
 (define (field-inexact? F) (atlas-inexact? (field-atlas F)))
+
+;; Is e known not to be negative, or taken to be so from now on?
+(define (field-not-negative? F e)
+  (eqv? 1 (services-branch (atlas-services (field-atlas F)) e)))
 
 ;; ---------------------------------------------------------------------------
 ;; The field and the value of an expression

@@ -6,6 +6,10 @@
 ;; a half-integer exponent f.  With f of both signs everything goes under the root,
 ;; √(k/m), √(G M/a³), or, f being ±n/2 throughout, becomes (k/m)^(n/2).  With f of
 ;; one sign integer parts stay outside: h √(2 g h), 1/√(2 g y).
+;;
+;; b √u is √(b² u) only if b is not negative; so what goes under the root, or comes
+;; out, to an odd power must not be negative, unless all of the radicand does, which
+;; is not negative itself.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "order.rkt" "term.rkt" "exact.rkt")
 
@@ -13,14 +17,18 @@
 
 ;; The term with roots as they are best shown.
 ;; intern : expression -> kernel
-(define (gather-under-roots t intern)
+;; not-negative? : expression -> is it known, or may it be taken, not to be negative?
+(define (gather-under-roots t intern not-negative?)
   (if (ormap (lambda (p) (square-root? (car p))) (term-powers t))
       (for/fold ([c (term-coefficient t)] [powers (term-powers t)]
                  #:result (make-term c powers))
                 ([p (in-list (term-powers t))])
-        (define factors (and (square-root? (car p)) (radicand-factors (kernel-expression (car p)))))
+        (define factors
+          (and (square-root? (car p))
+               (odd? (cdr p))
+               (radicand-factors (kernel-expression (car p)))))
         (if (and factors (pair? (cdr factors)))
-            (gather c powers p factors intern)
+            (gather c powers p factors intern not-negative?)
             (values c powers)))
       t))
 
@@ -57,7 +65,7 @@
 
 ;; c · powers, with the root in p taken together with its factors outside, if
 ;; there are any or its number cancels something.
-(define (gather c powers p factors intern)
+(define (gather c powers p factors intern not-negative?)
   (define n
     (for/product ([f (in-list factors)] #:when (number? (car f)))
       (expt (car f) (* (cdr p) (cdr f)))))
@@ -66,11 +74,31 @@
   (define (outside? q)
     (and (not (eq? q p))
          (for/or ([f (in-list others)]) (equal? (kernel-expression (car q)) (car f)))))
-  (if (or (not (= number c)) (ormap outside? powers))
+  (define exponents (total-exponents p others powers))
+  (if (and (or (not (= number c)) (ormap outside? powers))
+           (andmap not-negative? (bases-of-sign p others exponents)))
       (values number
-              (append (root-powers inside (total-exponents p others powers) intern)
+              (append (root-powers inside exponents intern)
                       (filter (lambda (q) (not (or (eq? q p) (outside? q)))) powers)))
       (values c powers)))
+
+;; The factors on whose signs gathering depends: those of which an odd power passes
+;; the root, unless one of all does.
+(define (bases-of-sign p factors exponents)
+  (define sign (common-sign exponents))
+  (define odd-ones
+    (for/list ([f (in-list factors)] [e (in-list exponents)]
+               #:when (odd? (- (cdr e)
+                               (* 1/2 (cdr p) (cdr f))
+                               (if sign (- (cdr e) (* 1/2 sign)) 0))))
+      (car f)))
+  (if (= (length odd-ones) (length factors)) '() odd-ones))
+
+;; 1 or -1 if all exponents have that sign, else #f.
+(define (common-sign exponents)
+  (cond [(andmap (lambda (f) (positive? (cdr f))) exponents) 1]
+        [(andmap (lambda (f) (negative? (cdr f))) exponents) -1]
+        [else #f]))
 
 ;; ((factor . half-integer) ...)
 (define (total-exponents p factors powers)
@@ -94,10 +122,9 @@
 
 ;; Powers of kernels that stand for √inside ∏ bᶠ.
 (define (root-powers inside exponents intern)
-  (define (positive-exponent? f) (positive? (cdr f)))
   (define n (abs (cdar exponents)))
-  (cond [(andmap positive-exponent? exponents) (apart inside exponents 1 intern)]
-        [(not (ormap positive-exponent? exponents)) (apart inside exponents -1 intern)]
+  (define sign (common-sign exponents))
+  (cond [sign (apart inside exponents sign intern)]
         [(and (eqv? inside 1) (> n 1/2)
               (andmap (lambda (f) (= n (abs (cdr f)))) exponents))
          (list (cons (intern (make-node op:expt (list (quotient-of 1 exponents (/ 1 n)) n))) 1))]

@@ -1,0 +1,23 @@
+#lang racket/base
+;; a √(a/b) was shown as √(a³/b), which is its opposite where a is negative, and
+;; nothing was said of it.
+
+(require rackunit
+         mechanics/algebra/simplify mechanics/algebra/expression mechanics/algebra/assumptions
+         "../algebra/reading.rkt")
+
+(define (simplified datum [A no-assumptions])
+  (define-values (simple notes) (simplify-expression/assumptions (datum->expression datum) A))
+  (list (expression->datum simple) notes))
+
+(test-case "what goes under a root is taken not to be negative, and that is said"
+  (check-equal? (simplified '(* a (sqrt (/ a b)))) '((sqrt (/ (expt a 3) b)) ((>= a 0))))
+  (check-equal? (simplified '(/ k (sqrt (* k m)))) '((sqrt (/ k m)) ((>= m 0)))))
+
+(test-case "even powers, and all of a radicand, may go without"
+  (check-equal? (simplified '(* a a (sqrt (/ a b)))) '((sqrt (/ (expt a 5) b)) ()))
+  (check-equal? (simplified '(* a (sqrt (* a b)))) '((* a (sqrt (* a b))) ())))
+
+(test-case "where nothing may be taken for granted it stays outside"
+  (check-equal? (simplified '(* a (sqrt (/ a b))) (with-automatic-assumptions no-assumptions #f))
+                '((* a (sqrt (/ a b))) ())))
