@@ -1,9 +1,11 @@
 #lang racket/base
 ;; Names without a definition.  The commonest is a symbol whose quote was
 ;; forgotten, as in (L-harmonic m k), so whoever meets one says how a symbol is
-;; written: the expander in a module, the error display at the prompt.
+;; written: the expander in a module, the error display at the prompt.  Where a
+;; name that is known is spelt nearly so, that is said first.
 
-(require (for-syntax racket/base))
+(require "spelling.rkt"
+         (for-syntax racket/base "spelling.rkt"))
 
 (provide (rename-out [top #%top])
          install-hints!)
@@ -25,10 +27,15 @@
     [(_ . other) (syntax/loc stx (#%top . other))]))
 
 (begin-for-syntax
+  (define (meant-instead names)
+    (if (null? names) "" (format "did you mean ~a? " (alternatives names))))
+
   (define (raise-unbound id)
     (define name (syntax-e id))
     (raise-syntax-error
-     #f (format "unbound identifier; as a symbol it is written '~s" name)
+     #f (format "unbound identifier; ~aas a symbol it is written '~s"
+                (meant-instead (likely-names name (syntax-bound-symbols id)))
+                name)
      id #:exn exn:fail:syntax:unbound)))
 
 ;; ---------------------------------------------------------------------------
@@ -58,7 +65,11 @@
        (let ([id (exn:fail:contract:variable-id e)])
          (and (or (regexp-match? #rx"in module: top-level$" message)
                   (unknown-in-module? id))
-              (format "\n  as a symbol it is written '~s" id)))))
+              (format "~a\n  as a symbol it is written '~s" (meant-instead id) id)))))
+
+(define (meant-instead id)
+  (define names (likely-names id (namespace-mapped-symbols)))
+  (if (null? names) "" (format "\n  did you mean ~a?" (alternatives names))))
 
 ;; Is the prompt inside a module, as in DrRacket, which does not define the name?
 (define (unknown-in-module? id)

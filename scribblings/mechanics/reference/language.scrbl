@@ -37,7 +37,8 @@ that it stands for.
 @defform[(#%top . id)]{
 
 A name without a definition. The error says how it is written as a symbol, for
-what is missing most often is a quote.}
+what is missing most often is a quote; before that it gives known names that are
+spelt nearly so.}
 
 @section{Binding with patterns}
 

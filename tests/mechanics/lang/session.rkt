@@ -227,6 +227,16 @@
   (check-exn exn:fail:syntax:unbound?
              (lambda () (declare (lines "#lang mechanics" "(define (f) (+ y 1))")))))
 
+(test-case "an unbound name that is nearly spelt as one that is known is told from it"
+  (check-equal?
+   (syntax-message "#lang mechanics" "(Lagrange-equation 'L)")
+   (string-append "example:2:1: Lagrange-equation: unbound identifier; "
+                  "did you mean Lagrange-equations? as a symbol it is written "
+                  "'Lagrange-equation\n  in: Lagrange-equation"))
+  (check-regexp-match
+   #rx"did you mean kinetic-energy[?]"
+   (syntax-message "#lang mechanics" "(define (kinetic-energy v) v)" "(kinetic-enrgy 'v)")))
+
 (test-case "names may be defined further down, in modules, submodules and bodies"
   (check-equal? (run-module "#lang mechanics"
                             "(define (f) (g y))"
@@ -309,6 +319,17 @@
     (check-equal? output '("1"))
     (check-regexp-match #rx"m: undefined;.*top-level\n.*  as a symbol it is written 'm\n" errors)
     (check-false (regexp-match? #rx"'g" errors))))
+
+(test-case "an unknown name at the prompt that is nearly spelt as a known one"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(determinent 'M)"
+             "(define (kinetic-energy v) v)"
+             "(kinetic-enrgy 'v)"))
+  (check-equal? output '())
+  (check-regexp-match
+   #rx"did you mean determinant[?]\n.*as a symbol it is written 'determinent" errors)
+  (check-regexp-match #rx"did you mean kinetic-energy[?]" errors))
 
 (test-case "a function that is undefined is noticed before its arguments are evaluated"
   (define-values (output errors)

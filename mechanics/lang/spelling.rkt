@@ -1,0 +1,79 @@
+#lang racket/base
+;; Which known names an unknown one may have been meant for: those a few slips
+;; of the finger away, or else those that it begins, as matrix begins
+;; matrix-by-rows.  Short names have too many neighbours, and are the symbols
+;; of physics; so about one slip is allowed for four letters, and below four
+;; letters there are no suggestions.  Predicates are rarely meant.
+
+(provide likely-names alternatives)
+
+(define most-suggestions 3)
+
+;; name : symbol; known : list of symbols  ->  at most three of them, likely first
+(define (likely-names name known)
+  (define text (symbol->string name))
+  (define length (string-length text))
+  (cond [(< length 4) '()]
+        [else
+         (define others (filter (lambda (k) (other-than? k name)) known))
+         (define near (nearest text (min 3 (quotient (add1 length) 4)) others))
+         (take-some (if (null? near) (completions text others) near))]))
+
+(define (other-than? known name)
+  (not (or (eq? known name) (regexp-match? #rx"[?]$" (symbol->string known)))))
+
+;; a, b or c
+(define (alternatives names)
+  (define texts (map symbol->string names))
+  (for/fold ([text (car texts)])
+            ([t (in-list (cdr texts))] [left (in-range (sub1 (length texts)) 0 -1)])
+    (string-append text (if (= left 1) " or " ", ") t)))
+
+;; The names at the smallest distance that is allowed.
+(define (nearest text allowed known)
+  (define-values (found distance)
+    (for/fold ([found '()] [least allowed]) ([k (in-list known)])
+      (define d (slips text (symbol->string k) least))
+      (cond [(not d) (values found least)]
+            [(< d least) (values (list k) d)]
+            [else (values (cons k found) least)])))
+  found)
+
+(define (completions text known)
+  (define beginning (string-append text "-"))
+  (define n (string-length beginning))
+  (for/list ([k (in-list known)]
+             #:when (let ([s (symbol->string k)])
+                      (and (> (string-length s) n)
+                           (string-ci=? beginning (substring s 0 n)))))
+    k))
+
+(define (take-some names)
+  (for/list ([name (in-list (sort names symbol<?))] [_ (in-range most-suggestions)]) name))
+
+;; How many letters were left out, put in or exchanged for another, or swapped
+;; with their neighbour, upper and lower case being one; #f if more than `most`.
+;; Rows of the table of distances between beginnings of s and of t, where
+;; `above` is the row before, and `higher` the one before that.
+(define (slips s t most)
+  (define m (string-length s))
+  (define n (string-length t))
+  (define (same? i j)
+    (char-ci=? (string-ref s (sub1 i)) (string-ref t (sub1 j))))
+  (define (next-row i above higher)
+    (define row (make-vector (add1 n) i))
+    (for ([j (in-range 1 (add1 n))])
+      (define straight
+        (min (add1 (vector-ref above j))
+             (add1 (vector-ref row (sub1 j)))
+             (+ (vector-ref above (sub1 j)) (if (same? i j) 0 1))))
+      (define swapped?
+        (and (> i 1) (> j 1) (same? i (sub1 j)) (same? (sub1 i) j)))
+      (vector-set! row j (if swapped?
+                             (min straight (add1 (vector-ref higher (- j 2))))
+                             straight)))
+    row)
+  (and (<= (abs (- m n)) most)
+       (let loop ([i 1] [above (build-vector (add1 n) values)] [higher #f])
+         (cond [(<= i m) (loop (add1 i) (next-row i above higher) above)]
+               [else (define d (vector-ref above n)) (and (<= d most) d)]))))
