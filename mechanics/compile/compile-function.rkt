@@ -33,8 +33,7 @@
     (write-value `(compile-function ,(compiled-function-datum c)) port)))
 
 (define (compile-function f example #:name [who 'compile-function])
-  (unless (and (procedure? f) (accepts? f 1))
-    (raise-argument-error who "a function of one structure" f))
+  (check-function who f)
   (define point (structure->flvector example (lambda (x) (raise-not-a-number who "example" x))))
   (define-values (p shape) (trace who f example))
   (if (string? p)
@@ -46,9 +45,21 @@
                      (program-inputs p) (shape-length shape) shape
                      (program-length p) #f (value->datum f)))
 
+(define (check-function who f)
+  (unless (and (procedure? f) (accepts? f 1))
+    (complain "~a: expected a function of one structure\n  given: ~a~a"
+              who (describe-with-value f)
+              (if (procedure? f)
+                  (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
+                          (arity->text f) (value->text f))
+                  ""))))
+
 (define (apply-to-flvector c input)
   (unless (flvector? input)
-    (raise-argument-error (object-name c) "flvector?" input))
+    (complain "(compile-function ~a): takes an flvector, such as (flvector ~a)\n  given: ~a"
+              (value->text (compiled-function-datum c))
+              (if (= 1 (compiled-function-inputs c)) "1.0" "1.0 2.0 ...")
+              (describe-with-value input)))
   (unless (= (flvector-length input) (compiled-function-inputs c))
     (raise-arguments-error (object-name c) "the flvector is of another length than the example"
                            "expected" (compiled-function-inputs c)
@@ -96,7 +107,7 @@
       (not (rational? d))))
 
 (define (raise-not-a-number who what x)
-  (raise
-   (exn:fail:contract
-    (format "~a: the ~a holds ~a; expected real numbers" who what (describe-with-value x))
-    (current-continuation-marks))))
+  (complain "~a: the ~a holds ~a; expected real numbers" who what (describe-with-value x)))
+
+(define (complain text . parts)
+  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))

@@ -100,8 +100,7 @@
 
 ;; A system is compiled once for an advancer and each shape of state it meets.
 (define (system-by-shape who derivative-maker parameters)
-  (unless (procedure? derivative-maker)
-    (raise-argument-error who "a procedure that makes a state derivative" derivative-maker))
+  (check-maker who derivative-maker parameters)
   (define known '())
   (lambda (state)
     (or (for/first ([s (in-list known)] #:when (same-shape? (system-shape s) state)) s)

@@ -24,6 +24,8 @@
   (check-Lagrangian 'find-path L)
   (check-real 'find-path "initial time" t0)
   (check-real 'find-path "final time" t1)
+  (when (= t0 t1)
+    (raise-arguments-error 'find-path "the initial and the final time are the same" "time" t0))
   (unless (exact-nonnegative-integer? n)
     (raise-argument-error 'find-path "a number of intermediate points" n))
   (define start (apply up (linear-interpolants q0 q1 n)))

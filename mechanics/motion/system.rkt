@@ -10,7 +10,7 @@
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
          "../value/shape.rkt")
 
-(provide (struct-out system) make-system make-parametric-system
+(provide (struct-out system) make-system make-parametric-system check-maker
          system-state system-size state-vector)
 
 ;; shape : a state; clock? : is its first scalar the time, with derivative 1?
@@ -26,9 +26,9 @@
 
 ;; derivative : state -> state
 (define (make-system who derivative state)
+  (define clock? (check-derivative who derivative state))
   (define code (compile-function derivative state #:name who))
-  (system state (check-derivative who derivative state)
-          (lambda () (compiled-function-run code))))
+  (system state clock? (lambda () (compiled-function-run code))))
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
@@ -72,8 +72,7 @@
 ;; -> is the first scalar of the state a clock?
 (define (check-derivative who derivative state)
   (define y (state-vector who state))
-  (unless (accepts? derivative 1)
-    (raise-argument-error who "a function of a state" derivative))
+  (check-function-of-state who derivative)
   (define slope (derivative (flvector->structure state y)))
   (unless (same-shape? slope state)
     (raise-arguments-error
@@ -82,9 +81,35 @@
      "derivative" slope))
   (eqv? 1 (car (scalars slope))))
 
+(define (check-function-of-state who derivative)
+  (unless (and (procedure? derivative) (accepts? derivative 1))
+    (complain "~a: expected a state derivative, a function of the state\n  given: ~a~a"
+              who (describe-with-value derivative)
+              (if (procedure? derivative)
+                  (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
+                          (arity->text derivative) (value->text derivative))
+                  ""))))
+
+;; maker : what is to make a state derivative of that many parameters
+(define (check-maker who maker parameters)
+  (unless (procedure? maker)
+    (complain "~a: expected a procedure that makes a state derivative\n  given: ~a"
+              who (describe-with-value maker)))
+  (unless (or (accepts? maker (length parameters)) (takes-state-only? maker parameters))
+    (complain
+     (string-append
+      "~a: expected as many parameters as the maker of the state derivative takes"
+      "\n  maker: ~a, which takes ~a\n  parameters: ~a~a")
+     who (describe-with-value maker) (arity->text maker)
+     (if (null? parameters) "none" (value->text parameters))
+     (if (takes-state-only? maker '())
+         "\n  a state derivative itself is given without parameters"
+         ""))))
+
 (define (raise-not-a-number who state x)
-  (raise
-   (exn:fail:contract
-    (format "~a: expected a state of real numbers; ~a is none\n  state: ~a"
-            who (describe-with-value x) (value->text state))
-    (current-continuation-marks))))
+  (complain "~a: expected a state of real numbers; ~a is none\n  state: ~a~a"
+            who (describe-with-value x) (value->text state)
+            (if (pair? x) "\n  a list is not a tuple; use (up x y ...)" "")))
+
+(define (complain text . parts)
+  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))

@@ -83,9 +83,11 @@
   (define all (if (list? events) events (list events)))
   (for ([e (in-list all)])
     (unless (event? e)
-      (raise-arguments-error 'evolve-trajectory
-                             "expected events; (event f) makes one of a function of the state"
-                             "given" e)))
+      (raise
+       (exn:fail:contract
+        (format "~a: expected events; (event f) makes one of a function of the state\n  given: ~a"
+                'evolve-trajectory (describe-with-value e))
+        (current-continuation-marks)))))
   all)
 
 ;; ---------------------------------------------------------------------------
