@@ -6,7 +6,7 @@
 ;; one must not be taken for that of the outer (perturbation confusion, Siskind
 ;; and Pearlmutter 2005): every ε carries a tag of its own (perturbed.rkt).
 
-(require "perturbed.rkt"
+(require "perturbed.rkt" "slopes.rkt"
          "../generic/kind.rkt" "../generic/describe.rkt" "../generic/arithmetic.rkt"
          "../algebra/expression.rkt")
 
@@ -54,10 +54,8 @@
 ;; Arithmetic: the chain rule
 
 (define (dual-unary op d)
-  (define x (dual-primal d))
-  (define value ((generic-op-procedure op) x))
-  (define slope ((car (generic-op-partials op)) x value))
-  (varying (dual-tag d) value (g:* slope (dual-tangent d))))
+  (define-values (value slope) (value-and-slope op (dual-primal d)))
+  (varying (dual-tag d) value (times slope (dual-tangent d))))
 
 ;; Where the outermost ε is not a dual number's, its own arithmetic decides.
 (define (dual-binary op a b)

@@ -6,7 +6,7 @@
 ;; by all of them; so a gradient costs a few runs, be it in a million variables.
 ;; The values are those of D.
 
-(require "perturbed.rkt" "tape.rkt" "recorded.rkt" "derivative.rkt" "derivative-errors.rkt"
+(require "perturbed.rkt" (only-in "tape.rkt" tape-inputs) "recorded.rkt" "derivative.rkt" "derivative-errors.rkt"
          "gradient-errors.rkt"
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt"
@@ -23,7 +23,7 @@
 
 ;; The value of f at x, recorded, and the tape.
 (define (record-run who f x)
-  (define t (make-tape (fresh-tag) (count-scalars who x) (all-flonums? x)))
+  (define t (make-recording (fresh-tag) (count-scalars who x) (all-flonums? x)))
   (values (f (map-scalars (lambda (leaf i) (record-input t i leaf)) x)) t))
 
 (define (count-scalars who x)

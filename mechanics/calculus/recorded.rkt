@@ -6,9 +6,10 @@
 ;; A tape has a tag as an ε has: where derivatives nest, it decides which is
 ;; outermost.  The value and the factors contain only lesser tags.
 
-(require racket/flonum
-         "perturbed.rkt" "dual.rkt" "tape.rkt"
+(require (for-syntax racket/base) racket/fixnum racket/flonum
+         "perturbed.rkt" "slopes.rkt" "dual.rkt" "tape.rkt"
          "../generic/kind.rkt" "../generic/describe.rkt" "../generic/arithmetic.rkt"
+         "../generic/record.rkt"
          (only-in "../algebra/expression.rkt" symbolic?))
 
 ;; Fields are read after the test for the type: no need to test again, which
@@ -16,7 +17,7 @@
 (#%declare #:unsafe)
 
 (provide recorded? on-tape? recorded-tape recorded-value
-         record-input record-sum recorded-increment
+         make-recording record-input record-sum recorded-increment
          derivatives value-and-derivatives)
 
 (define kind:recorded
@@ -29,7 +30,7 @@
              #:same? (lambda (same? a b) (same-recorded? same? a b))))
 
 ;; value, with the differential factor · dz, z being number `index` of the tape.
-(struct recorded perturbed (tape index factor value)
+(struct recorded perturbed (index factor value)
   #:authentic
   #:sealed
   #:constructor-name construct-recorded
@@ -45,7 +46,12 @@
 (define (record tape index factor value)
   (if (and (eq? factor 0) (symbolic? value))
       value
-      (construct-recorded kind:recorded (tape-tag tape) tape index factor value)))
+      (construct-recorded tape (tape-tag tape) index factor value)))
+
+(define-syntax-rule (recorded-tape r) (carrier-kind r))
+
+;; A new tape, for so many variables; are all of them flonums?
+(define (make-recording tag inputs flonums?) (make-tape kind:recorded tag inputs flonums?))
 
 ;; Variable i of the tape.
 (define (record-input tape i value) (record tape i 1 value))
@@ -53,28 +59,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic: the chain rule
 
-;; An operation that has rules has one for each argument.
-(define-syntax-rule (first-partial op) (car (rules op)))
-(define-syntax-rule (second-partial op) (cadr (rules op)))
-(define-syntax-rule (rules op)
-  (let ([partials (generic-op-partials op)])
-    (if (pair? partials) partials (raise-no-rule op))))
-
-(define (raise-no-rule op)
-  (raise (exn:fail:contract (format "~a: has no derivative rule" (generic-op-name op))
-                            (current-continuation-marks))))
-
-;; slope · factor, where most are flonums and many are 1.
-(define (times slope factor)
-  (cond [(eq? factor 1) slope]
-        [(eq? slope 1) factor]
-        [(and (flonum? slope) (flonum? factor)) (fl* slope factor)]
-        [else (g:* slope factor)]))
-
 (define (record-unary op r)
-  (define x (recorded-value r))
-  (define value ((generic-op-procedure op) x))
-  (scaled r ((first-partial op) x value) value))
+  (define-values (value slope) (value-and-slope op (recorded-value r)))
+  (scaled r slope value))
 
 ;; The value whose differential is slope times that of r.
 (define (scaled r slope value)
@@ -83,34 +70,69 @@
 ;; Of two different tapes, and of a tape and the ε of another derivative, the
 ;; outermost decides; for it the other number is constant.
 (define (record-binary op a b)
-  (cond [(not (perturbed? b)) (by-first op a b)]
-        [(not (perturbed? a)) (by-second op a b)]
-        [(and (recorded? a) (recorded? b) (eq? (recorded-tape a) (recorded-tape b))) (by-both op a b)]
-        [else
-         (define owner (outermost a b))
-         (cond [(not (recorded? owner)) ((kind-binary (carrier-kind owner)) op a b)]
-               [(eq? owner a) (by-first op a b)]
-               [else (by-second op a b)])]))
+  (cond [(not (recorded? a)) (if (perturbed? a) (by-outermost op a b) (by-second op a b))]
+        [(not (recorded? b)) (if (perturbed? b) (by-outermost op a b) (by-first op a b))]
+        [(eq? (recorded-tape a) (recorded-tape b)) (by-both op a b)]
+        [else (by-outermost op a b)]))
+
+(define (by-outermost op a b)
+  (define owner (outermost a b))
+  (cond [(not (recorded? owner)) ((kind-binary (carrier-kind owner)) op a b)]
+        [(eq? owner a) (by-first op a b)]
+        [else (by-second op a b)]))
+
+;; The four operations on flonums, which most of a run consists of, are computed in
+;; place.  use : value derivative ... -> form
+(define-syntax-rule (case-arithmetic op x y use general)
+  (if (and (flonum? x) (flonum? y))
+      (case-at-flonums op (x y) use
+        [generic:+ +] [generic:* *] [generic:- -] [generic:/ /] [else general])
+      general))
 
 (define (by-first op a y)
   (define x (recorded-value a))
+  (define-syntax-rule (in-place value by-x by-y) (scaled a by-x value))
+  (case-arithmetic op x y in-place (by-first-generally op a x y)))
+
+(define (by-first-generally op a x y)
   (define value ((generic-op-procedure op) x y))
-  (define slope ((first-partial op) x y value))
+  (define slope (first-slope op x y value))
   (if (and (eq? slope 0) (constant? slope #f x y)) value (scaled a slope value)))
 
 (define (by-second op x b)
   (define y (recorded-value b))
+  (define-syntax-rule (in-place value by-x by-y) (scaled b by-y value))
+  (case-arithmetic op x y in-place (by-second-generally op x b y)))
+
+(define (by-second-generally op x b y)
   (define value ((generic-op-procedure op) x y))
-  (define slope ((second-partial op) x y value))
+  (define slope (second-slope op x y value))
   (if (and (eq? slope 0) (constant? #f slope x y)) value (scaled b slope value)))
 
+;; slope · factor as a flonum; the slope may be a constant, the factor exact 1.
+(define-syntax fl-times
+  (syntax-rules ()
+    [(_ 1 factor) (if (eq? factor 1) 1.0 factor)]
+    [(_ -1 factor) (if (eq? factor 1) -1.0 (fl* -1.0 factor))]
+    [(_ slope factor) (if (eq? factor 1) slope (fl* slope factor))]))
+
 (define (by-both op a b)
-  (define x (recorded-value a))
-  (define y (recorded-value b))
-  (define value ((generic-op-procedure op) x y))
+  (define-values (x y) (values (recorded-value a) (recorded-value b)))
+  (define-values (i j) (values (recorded-index a) (recorded-index b)))
+  (define-values (f g) (values (recorded-factor a) (recorded-factor b)))
+  (define tape (recorded-tape a))
+  (define-syntax-rule (in-place value by-x by-y)
+    (let* ([v value] [k (join-flonums! tape i (fl-times by-x f) j (fl-times by-y g))])
+      (construct-recorded tape (tape-tag tape) k 1 v)))
+  (if (and (not (eq? i j)) (or (eq? f 1) (flonum? f)) (or (eq? g 1) (flonum? g)))
+      (case-arithmetic op x y in-place (by-both-generally op a b))
+      (by-both-generally op a b)))
+
+(define (by-both-generally op a b)
+  (define-values (value by-a by-b) (value-and-slopes op (recorded-value a) (recorded-value b)))
   (join (recorded-tape a)
-        (recorded-index a) (times ((first-partial op) x y value) (recorded-factor a))
-        (recorded-index b) (times ((second-partial op) x y value) (recorded-factor b))
+        (recorded-index a) (times by-a (recorded-factor a))
+        (recorded-index b) (times by-b (recorded-factor b))
         value))
 
 ;; The value with the differential a dzᵢ + b dzⱼ.

@@ -21,29 +21,28 @@
 ;; an expression, or a number that is itself being differentiated.
 
 (require racket/fixnum racket/flonum
-         "../generic/arithmetic.rkt")
+         "../generic/arithmetic.rkt" "../generic/kind.rkt")
 
 ;; Every index on a tape is one that `join!` gave out, or a variable's.
 (#%declare #:unsafe)
 
-(provide make-tape tape-tag tape-inputs tape-count
-         join! adjoints adjoint)
+(provide make-tape tape-tag tape-inputs
+         join! join-flonums! adjoints adjoint)
 
 ;; Who calls `make-tape` owns the tape.
-;; count : the number of variables and lines.  block : the one being written, with
-;; `free` entries of it used.  older : the blocks before it, the last one first.
-(struct tape (tag inputs [count #:mutable] [used #:mutable] [block #:mutable] [older #:mutable])
+;; inputs : the number of variables.  The block being written: its size, how many
+;; lines of it are used, its indices and slopes; `before` counts the variables and the
+;; lines of older blocks, of which the last comes first.
+;; A tape is the kind of the numbers recorded on it, which so need no field for each.
+(struct tape kind (tag inputs
+                   [before #:mutable] [size #:mutable] [used #:mutable]
+                   [indices #:mutable] [slopes #:mutable] [older #:mutable])
   #:authentic)
 
-;; size : for how many lines; used : how many there are, once a later block has been
-;; begun.  indices : i and j of a line, packed.  slopes : a and b, one after the
-;; other, in an flvector or a vector.
-(struct block (size [used #:mutable] indices slopes)
+;; used : how many lines there are.  indices : i and j of a line, packed.
+;; slopes : a and b, one after the other, in an flvector or a vector.
+(struct block (used indices slopes)
   #:authentic)
-
-(define (make-block size flonums?)
-  (block size 0 (make-fxvector size)
-         (if flonums? (make-flvector (* 2 size)) (make-vector (* 2 size) 0))))
 
 ;; Half of a fixnum for each; a tape of 2³⁰ lines would not fit into memory.
 (define-syntax-rule (pack i j) (fxior (fxlshift i 30) j))
@@ -51,34 +50,40 @@
 (define-syntax-rule (second-index p) (fxand p #x3FFFFFFF))
 
 ;; A line for each variable but one is the least that a function of all needs.
-(define (make-tape tag inputs flonums?)
-  (tape tag inputs inputs 0 (make-block (+ inputs 8) flonums?) '()))
+(define (make-tape k tag inputs flonums?)
+  (define size (+ inputs 8))
+  (tape (kind-rank k) (kind-describe k) (kind-datum k) (kind-map k) (kind-unary k) (kind-binary k)
+        (kind-comparand k) (kind-zero? k) (kind-same? k) (kind-arity k) (kind-closed? k)
+        tag inputs inputs size 0 (make-fxvector size) (make-slopes size flonums?) '()))
+
+(define (make-slopes size flonums?)
+  (if flonums? (make-flvector (* 2 size)) (make-vector (* 2 size) 0)))
+
+(define (tape-count t) (fx+ (tape-before t) (tape-used t)))
 
 ;; ---------------------------------------------------------------------------
 ;; Writing
 
 ;; The index of dz = a dzᵢ + b dzⱼ.
 (define (join! t i a j b)
-  (define current (tape-block t))
   (define k (tape-used t))
-  (define at (fxlshift k 1))
-  (define slopes (block-slopes current))
-  (cond [(fx= k (block-size current))
+  (define slopes (tape-slopes t))
+  (define-values (x y) (values (->flonum a) (->flonum b)))
+  (cond [(fx= k (tape-size t))
          (begin-block! t (* 2 k) (flvector? slopes))
          (join! t i a j b)]
-        [(flvector? slopes)
-         (let ([a (->flonum a)] [b (->flonum b)])
-           (cond [(and (flonum? a) (flonum? b))
-                  (flvector-set! slopes at a)
-                  (flvector-set! slopes (fx+ at 1) b)
-                  (note-line! t current k i j)]
-                 [else
-                  (begin-block! t 16 #f)
-                  (join! t i a j b)]))]
+        [(not (flvector? slopes)) (write-line! t k i j vector-set! slopes a b)]
+        [(and (flonum? x) (flonum? y)) (write-line! t k i j flvector-set! slopes x y)]
         [else
-         (vector-set! slopes at a)
-         (vector-set! slopes (fx+ at 1) b)
-         (note-line! t current k i j)]))
+         (begin-block! t 16 #f)
+         (join! t i a j b)]))
+
+;; The same for flonums, without a call where there is room.
+(define-syntax-rule (join-flonums! t i a j b)
+  (let ([k (tape-used t)] [slopes (tape-slopes t)])
+    (if (and (fx< k (tape-size t)) (flvector? slopes))
+        (write-line! t k i j flvector-set! slopes a b)
+        (join! t i a j b))))
 
 ;; a as a flonum if it is real.
 (define-syntax-rule (->flonum a)
@@ -87,19 +92,25 @@
         [(real? a) (real->double-flonum a)]
         [else a]))
 
-(define-syntax-rule (note-line! t current k i j)
-  (let ([index (tape-count t)])
-    (fxvector-set! (block-indices current) k (pack i j))
+(define-syntax-rule (write-line! t k i j slope-set! slopes a b)
+  (let ([at (fxlshift k 1)])
+    (slope-set! slopes at a)
+    (slope-set! slopes (fx+ at 1) b)
+    (fxvector-set! (tape-indices t) k (pack i j))
     (set-tape-used! t (fx+ k 1))
-    (set-tape-count! t (fx+ index 1))
-    index))
+    (fx+ (tape-before t) k)))
 
-(define (begin-block! t lines flonums?)
-  (define current (tape-block t))
-  (set-block-used! current (tape-used t))
-  (set-tape-older! t (cons current (tape-older t)))
-  (set-tape-block! t (make-block lines flonums?))
-  (set-tape-used! t 0))
+(define (begin-block! t size flonums?)
+  (set-tape-older! t (written-blocks t))
+  (set-tape-before! t (tape-count t))
+  (set-tape-size! t size)
+  (set-tape-used! t 0)
+  (set-tape-indices! t (make-fxvector size))
+  (set-tape-slopes! t (make-slopes size flonums?)))
+
+;; All blocks, the last one first.
+(define (written-blocks t)
+  (cons (block (tape-used t) (tape-indices t) (tape-slopes t)) (tape-older t)))
 
 ;; ---------------------------------------------------------------------------
 ;; Sweeping
@@ -107,8 +118,7 @@
 ;; The adjoints of all z up to this index, whose own is `seed`.
 (define (adjoints t index seed)
   (define size (fxmax (tape-inputs t) (fx+ index 1)))
-  (set-block-used! (tape-block t) (tape-used t))
-  (define blocks (cons (tape-block t) (tape-older t)))
+  (define blocks (written-blocks t))
   (if (and (real? seed) (andmap (lambda (b) (flvector? (block-slopes b))) blocks))
       (flonum-adjoints t blocks index (real->double-flonum seed) size)
       (general-adjoints t blocks index seed size)))

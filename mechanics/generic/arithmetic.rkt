@@ -12,7 +12,7 @@
          "../algebra/operation.rkt" "../algebra/expression.rkt")
 
 (provide g:+ g:- g:* g:/ g:square g:cube g:negate g:invert
-         arithmetic-operations)
+         generic:+ generic:- generic:* generic:/ arithmetic-operations)
 
 ;; ---------------------------------------------------------------------------
 ;; Sums
@@ -75,8 +75,8 @@
 
 (define-named g:negate negate (lambda (a) (negate a)))
 
-(define generic:negate
-  (generic-op '- #f negate (list (lambda (a value) -1)) '((-2.0 2.0))))
+(define-composite-record generic:negate negate
+  [- (a) (g:negate a) ((-2.0 2.0)) -1])
 
 (define-record generic:- - 2 g:-)
 
@@ -133,10 +133,10 @@
           [(arithmetic-value? a) (multiply a (g:square a))]
           [else (raise-inapplicable generic:cube a)])))
 
-(define generic:square
-  (generic-op 'square #f g:square (list (lambda (a value) (multiply 2 a))) '((-2.0 2.0))))
-(define generic:cube
-  (generic-op 'cube #f g:cube (list (lambda (a value) (multiply 3 (g:square a)))) '((-2.0 2.0))))
+(define-composite-record generic:square g:square
+  [square (a) (g:* a a) ((-2.0 2.0)) (g:* 2 a)])
+(define-composite-record generic:cube g:cube
+  [cube (a) (g:* a (g:square a)) ((-2.0 2.0)) (g:* 3 (g:square a))])
 
 ;; ---------------------------------------------------------------------------
 ;; Quotients

@@ -51,7 +51,8 @@
 ;; A generic operation as kinds see it: its name, the operation that heads
 ;; symbolic expressions, the generic procedure itself, its partial derivatives,
 ;; one generic procedure for each argument, which takes the arguments and the
-;; operation's value there; and for each argument an interval (low high) on which
-;; the operation is real and smooth.
-(struct generic-op (name operation procedure partials domain)
+;; operation's value there; of flonums only, a procedure that gives the value and
+;; all derivatives in one call, or #f; and for each argument an interval (low high)
+;; on which the operation is real and smooth.
+(struct generic-op (name operation procedure partials at-flonums domain)
   #:authentic)

@@ -7,7 +7,7 @@
 ;; plain numbers, which may count and index.
 
 (require "naming.rkt" "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt" "compare.rkt"
-         "elementary.rkt" "singular-derivative.rkt" "../algebra/expression.rkt")
+         "elementary.rkt" "record.rkt" "singular-derivative.rkt" "../algebra/expression.rkt")
 
 (provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude
          rounding-operations)
@@ -20,8 +20,8 @@
           [(tuple? x) (structure-map g:exact->inexact (adopt x))]
           [else (dispatch-unary generic:exact->inexact x)])))
 
-(define generic:exact->inexact
-  (generic-op 'exact->inexact #f g:exact->inexact (list (lambda (x value) 1)) '((-2.0 2.0))))
+(define-composite-record generic:exact->inexact g:exact->inexact
+  [exact->inexact (x) x ((-2.0 2.0)) 1])
 
 (define-named g:magnitude magnitude
   (lambda (x) (if (number? x) (magnitude x) (g:abs x))))
@@ -42,6 +42,7 @@
       (generic-op 'name #f id
                   (list (lambda (x value)
                           (if (g:zero? (jump x value)) (raise-at-jump 'name x) 0)))
+                  #f
                   '((-0.9 -0.6))))))
 
 (define-rounding g:floor generic:floor floor floor g:-)

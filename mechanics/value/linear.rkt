@@ -44,7 +44,7 @@
         [(pointwise? x) (compose-unary op x)]
         [else (raise-inapplicable op x)]))
 
-(define (generic-of-matrices name procedure) (generic-op name #f procedure '() '()))
+(define (generic-of-matrices name procedure) (generic-op name #f procedure '() #f '()))
 (define generic:determinant (generic-of-matrices 'determinant determinant))
 (define generic:trace (generic-of-matrices 'trace trace))
 

@@ -89,7 +89,7 @@
   (check-exn exn:fail:contract:arity? (lambda () ((Hessian-vector-product g:sin) 1))))
 
 (test-case "an operation without a rule is named"
-  (define generic:odd (generic-op 'odd #f values '() '()))
+  (define generic:odd (generic-op 'odd #f values '() #f '()))
   (check-message
    (lambda () ((gradient (lambda (x) ((kind-unary (carrier-kind x)) generic:odd x))) 1.0))
    "odd: has no derivative rule"))

@@ -66,6 +66,14 @@
     (for-each-rule 201 20 (r args i)
       (check-close (rule-value r i args) (difference (along f args i) (list-ref args i)) 1e-9)))
 
+  (test-case (format "of flonums, value and derivatives of ~a in one call are those of each" (title r))
+    (for-each-rule 206 10 (r args i)
+      (define at-flonums (generic-op-at-flonums r))
+      (when at-flonums
+        (define all (call-with-values (lambda () (apply at-flonums args)) list))
+        (check-eqv? (car all) (apply f args))
+        (check-eqv? (list-ref all (add1 i)) (rule-value r i args)))))
+
   (test-case (format "D and partial apply the rules of ~a" (title r))
     (for-each-rule 202 10 (r args i)
       (define rule (rule-value r i args))
@@ -100,6 +108,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Off the real line, where all but the two that depend on it have the same
 ;; derivatives
+
+(test-case "where an operation leaves the flonums, so do its derivatives in one call"
+  (for ([name (in-list '(sqrt log))])
+    (define r (findf (lambda (r) (eq? (generic-op-name r) name)) elementary-operations))
+    (define f (generic-op-procedure r))
+    (define (in-one-call x) (call-with-values (lambda () ((generic-op-at-flonums r) x)) list))
+    (check-equal? (in-one-call -2.0) (list (f -2.0) (rule-value r 0 '(-2.0))))
+    (check-exn #rx"has no derivative at 0.0" (lambda () (in-one-call 0.0)))))
 
 (for ([r (in-list elementary-operations)]
       #:unless (or (= (arity r) 2) (memq (generic-op-name r) '(abs sgn))))
