@@ -7,7 +7,7 @@
          (only-in "compile/compile-function.rkt"
                   compile-function compiled-function? compiled-function-reason
                   compiled-function-operations)
-         "calculus/minimum.rkt" (only-in "calculus/integral.rkt" definite-integral)
+         "calculus/minimum.rkt" "calculus/root.rkt" (only-in "calculus/integral.rkt" definite-integral)
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/Lagrange-equations.rkt" "lagrangian/state-derivative.rkt"
          (except-in "lagrangian/local-tuple.rkt" path)
@@ -32,8 +32,8 @@
  ;; actions
  Lagrangian-action make-path make-eta parametric-path-action
  linear-interpolants Lagrange-interpolation-function
- ;; integrals and minima
- definite-integral minimize multidimensional-minimize
+ ;; integrals, minima and roots
+ definite-integral minimize multidimensional-minimize find-root
  ;; compiled functions
  compile-function compiled-function? compiled-function-reason compiled-function-operations
  ;; equations of motion

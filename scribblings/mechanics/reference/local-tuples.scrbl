@@ -164,6 +164,42 @@ point.
 
 @sicm{1.4, p. 22}}
 
+@defproc[(find-root [f procedure?] [start value] [high real? _none]
+                    [#:tolerance tolerance real? 1e-12]
+                    [#:observe observe (-> any/c any/c any) void])
+         value]{
+
+An argument at which f is zero. Between two numbers at which f has different signs
+it is found by Brent's method; a sign that changes at a pole or at a jump is told from a
+root.
+
+@examples[#:eval session
+(find-root cos 1 2)
+(eval:error (find-root cos 0 1))
+(eval:error (find-root tan 1 2))]
+
+With a @racket[start] alone, a number or a tuple, f has as many scalars in its value as in
+its argument, and a root near the start is found by Newton's method, damped, with the
+derivatives of f. Where f cannot be differentiated, differences take their place.
+The height and the time at which a free fall meets a rising piston:
+
+@examples[#:eval session
+(find-root (lambda (s)
+             (define-values (h t) (values (ref s 0) (ref s 1)))
+             (up (- h (- 10 (* 4.9 (square t))))
+                 (- h (* 2 (sin t)))))
+           (up 1 1))]
+
+The tolerance is relative to the size of the root or, near zero, to a hundredth of the
+width of the interval, and in Newton's method to 1 plus the size of each component.
+@racket[observe] is called with each argument tried and the value there; by Newton's
+method, with each one reached and a list of the scalars of the value. If derivatives have no
+inverse at a point, @racket[exn:fail:mechanics:singular] carries it; if no root is found,
+@racket[exn:fail:mechanics:not-convergent] carries the best argument.
+
+@examples[#:eval session
+(eval:error (find-root (lambda (x) (+ 1 (square x))) 1/3))]}
+
 @section{Paths to try}
 
 @defproc[(make-eta [nu procedure?] [t1 scalar] [t2 scalar]) procedure?]{
