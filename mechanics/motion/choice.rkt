@@ -9,7 +9,7 @@
 (provide ode-integration-method set-ode-integration-method! integration-method?
          check-method)
 
-(define names '(Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4))
+(define names '(Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5))
 
 (define (integration-method? x) (or (method? x) (and (memq x names) #t)))
 

@@ -64,8 +64,9 @@
     (raise-singular who "the motion cannot be followed any further" (kept state)
                     "time" t
                     "last state" state))
+  (define m (method-of who method))
   (define-values (t last)
-    (integrate (method-of who method) ((system-make-slope! s)) y start end
+    (integrate m (system-right-hand-side s m) y start end
                #:tolerance (real->double-flonum tolerance)
                #:clock (and (system-clock? s) 0)
                #:visit visit

@@ -4,7 +4,8 @@
 (require "check.rkt" "choice.rkt"
          "../numeric/ode/bulirsch-stoer.rkt" "../numeric/ode/dormand-prince-54.rkt"
          "../numeric/ode/dormand-prince-853.rkt" "../numeric/ode/gauss-legendre.rkt"
-         "../numeric/ode/quality-controlled.rkt" "../numeric/ode/stepper.rkt"
+         "../numeric/ode/quality-controlled.rkt" "../numeric/ode/radau.rkt"
+         "../numeric/ode/stepper.rkt"
          (rename-in "../numeric/ode/symplectic.rkt" [leapfrog numeric:leapfrog]))
 
 (provide method-of
@@ -12,7 +13,8 @@
          Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)
 
 (define adaptive
-  (list dormand-prince-853 dormand-prince-54 bulirsch-stoer quality-controlled-runge-kutta-4))
+  (list dormand-prince-853 dormand-prince-54 bulirsch-stoer quality-controlled-runge-kutta-4
+        radau-iia-5))
 
 (define (method-of who m)
   (check-method who m)

@@ -5,17 +5,27 @@
 ;; state, so that another set of numbers uses the same code.  If the system
 ;; decides something by a parameter, it is compiled for that one.
 
-(require racket/flonum
+(require racket/flonum racket/promise
+         "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         "../numeric/ode/differentiated.rkt" "../numeric/ode/stepper.rkt"
          "../value/shape.rkt")
 
 (provide (struct-out system) make-system make-parametric-system check-maker
-         system-state system-size state-vector)
+         system-right-hand-side system-state system-size state-vector)
 
 ;; shape : a state; clock? : is its first scalar the time, with derivative 1?
-;; make-slope! : -> (y dy -> void), for one integration
-(struct system (shape clock? make-slope!) #:authentic)
+;; make-slope!    : -> (y dy -> void), for one integration
+;; make-jacobian! : -> (y J -> void), for one integration, or #f if the derivative
+;;                  cannot be differentiated; compiled when first asked for
+(struct system (shape clock? make-slope! make-jacobian!) #:authentic)
+
+;; What a method integrates.
+(define (system-right-hand-side s m)
+  (define slope! ((system-make-slope! s)))
+  (define jacobian! (and (method-jacobian? m) ((system-make-jacobian! s))))
+  (if jacobian! (differentiated slope! jacobian!) slope!))
 
 (define (system-state s y) (flvector->structure (system-shape s) y))
 
@@ -28,7 +38,11 @@
 (define (make-system who derivative state)
   (define clock? (check-derivative who derivative state))
   (define code (compile-function derivative state #:name who))
-  (system state clock? (lambda () (compiled-function-run code))))
+  (define jacobian
+    (delay/sync (compile-jacobian who (lambda (s) (derivative-at derivative s)) state)))
+  (system state clock?
+          (lambda () (compiled-function-run code))
+          (lambda () (let ([c (force jacobian)]) (and c (compiled-function-run c))))))
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
@@ -39,11 +53,19 @@
     [(or (null? parameters) (not (andmap real? parameters))) (fixed)]
     [else
      (define (f s) ((derivative-for (structure->list (cadr-of s))) (car-of s)))
+     (define (slopes s)
+       (derivative-at (lambda (state) (f (up state (cadr-of s)))) (car-of s)))
      (define clock? (check-derivative who (derivative-for parameters) state))
-     (define code (compile-function f (up state (apply up parameters)) #:name who))
+     (define example (up state (apply up parameters)))
+     (define code (compile-function f example #:name who))
+     (define jacobian (delay/sync (compile-jacobian who slopes example)))
+     (define ps (state-vector who (apply up parameters)))
+     (define (with-parameters c) (fix-parameters c (shape-length state) ps))
      (if (compiled-function-reason code)
          (fixed)
-         (system state clock? (slope-maker code (state-vector who (apply up parameters)))))]))
+         (system state clock?
+                 (lambda () (with-parameters code))
+                 (lambda () (let ([c (force jacobian)]) (and c (with-parameters c))))))]))
 
 (define (car-of s) (vector-ref (structure-elements s) 0))
 (define (cadr-of s) (vector-ref (structure-elements s) 1))
@@ -54,8 +76,8 @@
 (define (takes-state-only? f ps)
   (and (null? ps) (accepts? f 1) (not (accepts? f 0))))
 
-(define ((slope-maker code ps))
-  (define n (compiled-function-outputs code))
+;; n : how many scalars a state has
+(define (fix-parameters code n ps)
   (define input (make-flvector (compiled-function-inputs code)))
   (for ([p (in-flvector ps)] [k (in-naturals n)]) (flvector-set! input k p))
   (define run (compiled-function-run code))
@@ -65,6 +87,14 @@
         (flvector-set! input i (flvector-ref y i))
         (loop (+ i 1))))
     (run input dy)))
+
+;; The derivatives of a state derivative, compiled, or #f if they cannot be traced.
+;; slopes : example -> the derivatives there
+(define (compile-jacobian who slopes example)
+  (define code
+    (with-handlers ([exn:fail? (lambda (e) #f)])
+      (compile-function slopes example #:name who)))
+  (and code (not (compiled-function-reason code)) code))
 
 ;; ---------------------------------------------------------------------------
 ;; Checks

@@ -13,15 +13,17 @@
 ;;         order h^order
 ;; step  : the length of all steps, or #f if they follow the error
 ;; start : (f! y0) -> stepper; (f! y dy) stores f(y) in dy
-(struct method (name order step start)
+;; jacobian? : does it ask for the derivatives of f (differentiated.rkt)?
+(struct method (name order step start jacobian?)
   #:authentic
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write
   (lambda (m port mode)
     (write (if (method-step m) (list (method-name m) (method-step m)) (method-name m)) port)))
 
-(define (adaptive-method name order start) (method name order #f start))
-(define (fixed-step-method name order step start) (method name order step start))
+(define (adaptive-method name order start #:jacobian? [jacobian? #f])
+  (method name order #f start jacobian?))
+(define (fixed-step-method name order step start) (method name order step start #f))
 
 ;; state       : the flvector of the present state, which steps overwrite
 ;; slope       : -> the flvector f(state), good until a step is tried

@@ -155,6 +155,10 @@ Nørsett and Wanner 1993): the one to begin with, and best for small tolerances.
 @racket[1e-6].}
 @item{@racket['bulirsch-stoer], by extrapolation of Gragg's method to order 14: long
 steps, for smooth motions followed very precisely.}
+@item{@racket['Radau-IIA-5], implicit, of order 5, for stiff systems: those in which
+something would die out much faster than the motion of interest changes, and force other
+methods to tiny steps. It uses the derivatives of the state derivative, compiled; where they
+cannot be had, differences (Hairer and Wanner 1996).}
 @item{@racket['qcrk4], the classical Runge–Kutta method of order 4 whose steps are
 doubled to know their error.}]
 
@@ -164,6 +168,18 @@ doubled to know their error.}]
 (coordinate (after-10 'bulirsch-stoer))
 (coordinate (after-10 'qcrk4))
 (eval:error (after-10 'euler))]
+
+A pendulum in a very thick fluid falls slowly, but for the first moment. What takes
+@racket['Radau-IIA-5] a hundred steps takes others a hundred thousand:
+
+@examples[#:eval session
+(define ((in-honey μ g) (up t θ v))
+  (up 1 v (- (* -1 g (sin θ)) (* μ v))))
+(define fall
+  (evolve-trajectory (in-honey 1e4 9.8) (up 0 1 0) 100
+                     #:tolerance 1e-8 #:method 'Radau-IIA-5))
+(length (trajectory-states fall))
+(trajectory-final-state fall)]
 
 @sicm{2.8.1, p. 145}}
 

@@ -7,11 +7,13 @@
          mechanics/numeric/ode/bulirsch-stoer
          mechanics/numeric/ode/dormand-prince-54 mechanics/numeric/ode/dormand-prince-853
          mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/integrate
-         mechanics/numeric/ode/quality-controlled mechanics/numeric/ode/symplectic
+         mechanics/numeric/ode/quality-controlled mechanics/numeric/ode/radau
+         mechanics/numeric/ode/symplectic
          mechanics/numeric/ode/stepper)
 
 (define methods
-  (list dormand-prince-853 dormand-prince-54 quality-controlled-runge-kutta-4 bulirsch-stoer))
+  (list dormand-prince-853 dormand-prince-54 quality-controlled-runge-kutta-4 bulirsch-stoer
+        radau-iia-5))
 
 ;; y'' = -y
 (define (oscillator! y dy)
