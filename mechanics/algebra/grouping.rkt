@@ -61,34 +61,37 @@
 (define (group-by-factors terms weight sum->term better?)
   (if (> (length terms) limit)
       terms
-      (let loop ([terms terms] [made '()] [tried '()])
-        (define factor (heaviest-factor terms made tried weight))
-        (cond [factor
-               (define group
-                 (filter (lambda (t)
-                           (and (has-factor? t factor)
-                                (or (has-sum? factor) (not (memq t made)))))
-                         terms))
-               (define new (factored-if-better group sum->term better?))
-               (if (eq? new group)
-                   (loop terms made (cons factor tried))
-                   (loop (append new (filter (lambda (t) (not (memq t group))) terms))
-                         (append new made)
-                         tried))]
-              [else terms]))))
+      (let regroup ([terms terms] [made '()] [tried '()])
+        (let try ([pairs (heavy-pairs terms weight)] [tried tried])
+          (define factor (and (pair? pairs) (shared-factor (caar pairs) (cdar pairs))))
+          (cond [(not factor) terms]
+                [(or (member-factor? factor tried)
+                     (not (or (has-sum? factor) (unmade? (car pairs) made))))
+                 (try (cdr pairs) tried)]
+                [else
+                 (define group
+                   (filter (lambda (t)
+                             (and (has-factor? t factor)
+                                  (or (has-sum? factor) (not (memq t made)))))
+                           terms))
+                 (define new (factored-if-better group sum->term better?))
+                 (if (eq? new group)
+                     (try (cdr pairs) (cons factor tried))
+                     (regroup (append new (filter (lambda (t) (not (memq t group))) terms))
+                              (append new made)
+                              tried))])))))
 
-;; The heaviest factor of two terms that was not tried, or #f if none is heavy enough.
-(define (heaviest-factor terms made tried weight)
-  (for*/fold ([best (- least-weight 1)] [factor #f] #:result factor)
-             ([rest (in-tails terms)] [b (in-list (cdr rest))])
-    (define a (car rest))
-    (define w (shared-weight a b weight))
-    (define new (and (> w best) (shared-factor a b)))
-    (if (and new
-             (not (member-factor? new tried))
-             (or (has-sum? new) (not (or (memq a made) (memq b made)))))
-        (values w new)
-        (values best factor))))
+;; The pairs of terms whose common factor is heavy enough, the heaviest first.
+(define (heavy-pairs terms weight)
+  (define weighed
+    (for*/list ([rest (in-tails terms)]
+                [b (in-list (cdr rest))]
+                [w (in-value (shared-weight (car rest) b weight))]
+                #:when (>= w least-weight))
+      (cons w (cons (car rest) b))))
+  (map cdr (sort weighed > #:key car)))
+
+(define (unmade? pair made) (not (or (memq (car pair) made) (memq (cdr pair) made))))
 
 ;; The weight of what two terms have alike.  Of x² and x y nothing counts: the
 ;; square is worth more than the factor x.

@@ -35,13 +35,21 @@
   (define whole (list (absorb-radicands F roots (split-denominator F f))))
   (define by-roots
     (for/fold ([pieces whole]) ([r (in-list roots)])
-      (join F (append-map* (lambda (p) (split-by-root F r p)) pieces))))
+      (split-all F (lambda (p) (split-by-root F r p)) pieces)))
   (define by-factors
     (for/fold ([pieces by-roots]) ([h (in-list (distinct-factors by-roots))])
-      (join F (append-map* (lambda (p) (split-by-factor F h p)) pieces))))
+      (split-all F (lambda (p) (split-by-factor F h p)) pieces)))
   (values whole by-roots by-factors))
 
-(define (append-map* f xs) (apply append (map f xs)))
+(define (split-all F split pieces)
+  (define parts (map split pieces))
+  (if (andmap whole? pieces parts) pieces (join F (apply append parts))))
+
+;; Is this all one part, as it was?
+(define (whole? p parts)
+  (and (null? (cdr parts))
+       (poly=? (piece-numerator p) (piece-numerator (car parts)))
+       (equal? (piece-powers p) (piece-powers (car parts)))))
 
 ;; ---------------------------------------------------------------------------
 ;; The denominator
