@@ -4,7 +4,7 @@
 ;; A function of a structure becomes one from flvector to flvector: the scalars
 ;; of its argument in a row, and those of its value.  What cannot be traced
 ;; (trace.rkt) is evaluated by the generic arithmetic instead, at each call:
-;; slower, and the same in all else.
+;; slower, and the same in all else: what is complex is not a number there too.
 
 (require racket/flonum
          "cache.rkt" "program.rkt" "trace.rkt"
@@ -15,6 +15,7 @@
  compile-function
  compiled-function? compiled-function-reason compiled-function-operations
  ;; for the integrators
+ compile-traced
  compiled-function-run compiled-function-value-shape compiled-function-inputs
  compiled-function-outputs)
 
@@ -33,12 +34,25 @@
     (write-value `(compile-function ,(compiled-function-datum c)) port)))
 
 (define (compile-function f example #:name [who 'compile-function])
+  (define-values (code reason) (code-or-reason who f example))
+  (or code (evaluate-generically who f example reason)))
+
+;; The same for a function that can be traced; of others #f.
+(define (compile-traced f example #:name who)
+  (define-values (code reason) (code-or-reason who f example))
+  code)
+
+(define (code-or-reason who f example)
   (check-function who f)
-  (define point (structure->flvector example (lambda (x) (raise-not-a-number who "example" x))))
+  (define point (example->flvector who example))
   (define-values (p shape) (trace who f example))
-  (if (string? p)
-      (evaluate-generically who f example point p)
-      (check-at-example who f example point (compiled f p shape))))
+  (define code (and (program? p) (compiled f p shape)))
+  (cond [(not code) (values #f p)]
+        [(right-at-example? f example point code) (values code #f)]
+        [else (values #f "its value differs from that of its trace: it tells symbols from numbers")]))
+
+(define (example->flvector who example)
+  (structure->flvector example (lambda (x) (raise-not-a-number who "example" x))))
 
 (define (compiled f p shape)
   (compiled-function (compiled-program p)
@@ -71,13 +85,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Where the trace stopped
 
-(define (evaluate-generically who f example point reason)
+(define (evaluate-generically who f example reason)
+  (define point (example->flvector who example))
   (define shape (f (flvector->structure example point)))
   (define (complain x) (raise-not-a-number who "value" x))
   (define outputs (flvector-length (structure->flvector shape complain)))
   (define (run input output)
     (define value (f (flvector->structure example input)))
-    (define v (structure->flvector value complain))
+    (define v (structure->flvector value (lambda (x) (if (number? x) +nan.0 (complain x)))))
     (unless (= (flvector-length v) outputs)
       (raise-arguments-error who "the function's value has changed its shape"
                              "at the example" shape "now" value))
@@ -87,17 +102,14 @@
 ;; Racket's own tests, `number?` in a file that is not written in mechanics, say,
 ;; take a placeholder for what it is; so the code is compared with the function
 ;; once.
-(define (check-at-example who f example point c)
-  (define reason "its value differs from that of its trace: it tells symbols from numbers")
+(define (right-at-example? f example point c)
   (define generic
     (with-handlers ([exn:fail? (lambda (x) #f)])
       (structure->flvector (f (flvector->structure example point)) (lambda (x) +nan.0))))
-  (cond [(not generic) c]
-        [(and (= (flvector-length generic) (compiled-function-outputs c))
-              (for/and ([x (in-flvector generic)] [y (in-flvector (apply-to-flvector c point))])
-                (close? x y)))
-         c]
-        [else (evaluate-generically who f example point reason)]))
+  (or (not generic)
+      (and (= (flvector-length generic) (compiled-function-outputs c))
+           (for/and ([x (in-flvector generic)] [y (in-flvector (apply-to-flvector c point))])
+             (close? x y)))))
 
 ;; Up to what rounding does where the order of operations differs; numbers that
 ;; are not finite tell nothing.

@@ -6,7 +6,8 @@
 ;; integration its sign is looked at in a few places within the step; between two
 ;; of them where it differs the zero is found by the Illinois method (Dowell and
 ;; Jarratt 1971), false position in which the weight of an end that stays too long
-;; is halved.
+;; is halved.  The value where a step begins is the one where the last step ended:
+;; computed again it may differ by rounding, and a zero in between would be missed.
 
 (require racket/flonum
          "../compile/compile-function.rkt"
@@ -44,10 +45,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Watching
 
+;; code : flvector flvector -> void; last : its value where the last step ended, or #f
+(struct watched (event code [last #:mutable]) #:authentic)
+
 ;; -> (at -> ((theta . event) ...)): the events within a step, in their order, from
-;; its interpolant
+;; its interpolant; to be asked of each step in turn
 (define (watch-for who events state n)
-  (define codes (for/list ([e (in-list events)]) (event-code who e state)))
+  (define all (for/list ([e (in-list events)]) (watched e (event-code who e state) #f)))
   (define value (make-flvector 1))
   (define point (make-flvector n))
   (define ((along at code) theta)
@@ -55,9 +59,9 @@
     (code point value)
     (flvector-ref value 0))
   (lambda (at)
-    (sort (for*/list ([(e code) (in-parallel events codes)]
-                      [theta (in-list (crossings (along at code) (event-direction e)))])
-            (cons theta e))
+    (sort (for*/list ([w (in-list all)]
+                      [theta (in-list (crossings! w (along at (watched-code w))))])
+            (cons theta (watched-event w)))
           < #:key car)))
 
 (define (event-code who e state)
@@ -72,13 +76,16 @@
 (define places '(0.0 0.125 0.25 0.375 0.5 0.625 0.75 0.875 1.0))
 
 ;; The zeros of g in (0, 1]; one at 0 belongs to the step before.
-(define (crossings g direction)
-  (let loop ([a 0.0] [ga (g 0.0)] [places (cdr places)])
-    (cond [(null? places) '()]
+(define (crossings! w g)
+  (define direction (event-direction (watched-event w)))
+  (let loop ([a 0.0] [ga (or (watched-last w) (g 0.0))] [places (cdr places)])
+    (cond [(null? places)
+           (set-watched-last! w ga)
+           '()]
           [else
            (define b (car places))
            (define gb (g b))
-           (define rest (lambda () (loop b gb (cdr places))))
+           (define (rest) (loop b gb (cdr places)))
            (if (crosses? ga gb direction)
                (cons (zero-between g a ga b gb) (rest))
                (rest))])))

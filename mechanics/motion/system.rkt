@@ -32,16 +32,24 @@
 (define (system-size s) (shape-length (system-shape s)))
 
 (define (state-vector who state)
-  (structure->flvector state (lambda (x) (raise-not-a-number who state x))))
+  (define (complain x) (raise-not-a-number who state x))
+  (define y (structure->flvector state complain))
+  (when (eqv? (flvector-length y) 0)
+    (raise-arguments-error who "a state without components has no motion" "state" state))
+  (for ([x (in-flvector y)])
+    (unless (< (abs x) +inf.0) (complain x)))
+  y)
 
 ;; derivative : state -> state
 (define (make-system who derivative state)
-  (define clock? (check-derivative who derivative state))
+  (check-derivative who derivative state)
   (define code (compile-function derivative state #:name who))
+  (define clock? (clock-first? code))
+  (define run (compiled-function-run code))
   (define jacobian
     (delay/sync (compile-jacobian who (lambda (s) (derivative-at derivative s)) state)))
   (system state clock?
-          (lambda () (compiled-function-run code))
+          (lambda () (if (and clock? (compiled-function-reason code)) (on-time who run) run))
           (lambda () (let ([c (force jacobian)]) (and c (compiled-function-run c))))))
 
 ;; derivative-maker : parameters -> derivative
@@ -52,20 +60,21 @@
   (cond
     [(or (null? parameters) (not (andmap real? parameters))) (fixed)]
     [else
+     (check-derivative who (derivative-for parameters) state)
      (define (f s) ((derivative-for (structure->list (cadr-of s))) (car-of s)))
      (define (slopes s)
        (derivative-at (lambda (state) (f (up state (cadr-of s)))) (car-of s)))
-     (define clock? (check-derivative who (derivative-for parameters) state))
-     (define example (up state (apply up parameters)))
-     (define code (compile-function f example #:name who))
+     (define inputs (apply up parameters))
+     (define example (up state inputs))
+     (define code (compile-traced f example #:name who))
      (define jacobian (delay/sync (compile-jacobian who slopes example)))
-     (define ps (state-vector who (apply up parameters)))
+     (define ps (structure->flvector inputs values))
      (define (with-parameters c) (fix-parameters c (shape-length state) ps))
-     (if (compiled-function-reason code)
-         (fixed)
-         (system state clock?
+     (if code
+         (system state (clock-first? code)
                  (lambda () (with-parameters code))
-                 (lambda () (let ([c (force jacobian)]) (and c (with-parameters c))))))]))
+                 (lambda () (let ([c (force jacobian)]) (and c (with-parameters c)))))
+         (fixed))]))
 
 (define (car-of s) (vector-ref (structure-elements s) 0))
 (define (cadr-of s) (vector-ref (structure-elements s) 1))
@@ -91,15 +100,34 @@
 ;; The derivatives of a state derivative, compiled, or #f if they cannot be traced.
 ;; slopes : example -> the derivatives there
 (define (compile-jacobian who slopes example)
-  (define code
-    (with-handlers ([exn:fail? (lambda (e) #f)])
-      (compile-function slopes example #:name who)))
-  (and code (not (compiled-function-reason code)) code))
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (compile-traced slopes example #:name who)))
+
+;; ---------------------------------------------------------------------------
+;; The clock
+
+;; Is the rate of the first scalar the constant 1?  A trace tells.  Without one it
+;; is taken for constant if it is exact, for states are flonums.
+(define (clock-first? code)
+  (define rate (car (scalars (compiled-function-value-shape code))))
+  (if (compiled-function-reason code)
+      (eqv? rate 1)
+      (and (number? rate) (= rate 1))))
+
+;; It may be exact and not constant, 1 or 2 by a decision.
+(define ((on-time who run) y dy)
+  (run y dy)
+  (define rate (flvector-ref dy 0))
+  (unless (fl= rate 1.0)
+    (raise-arguments-error
+     who "the first component of the state was taken for the time, but its derivative varies"
+     "at the start" 1
+     "now" rate
+     "if it is not the time" (unquoted-printing-string "let its derivative be 1.0 at the start"))))
 
 ;; ---------------------------------------------------------------------------
 ;; Checks
 
-;; -> is the first scalar of the state a clock?
 (define (check-derivative who derivative state)
   (define y (state-vector who state))
   (check-function-of-state who derivative)
@@ -108,8 +136,7 @@
     (raise-arguments-error
      who "the state derivative is of another shape than the state"
      "state" state
-     "derivative" slope))
-  (eqv? 1 (car (scalars slope))))
+     "derivative" slope)))
 
 (define (check-function-of-state who derivative)
   (unless (and (procedure? derivative) (accepts? derivative 1))

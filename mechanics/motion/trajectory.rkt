@@ -65,7 +65,7 @@
       (cond [(null? found) (record! from to to at) #t]
             [else
              (define e (cdar found))
-             (define t (fl+ from (fl* (caar found) (fl- to from))))
+             (define t (time-within from to (caar found)))
              (set! occurrences
                    (cons (occurrence e t (state-within s (step from to to at) t)) occurrences))
              (cond [(event-terminal? e) (record! from t to at) #f]
@@ -78,6 +78,13 @@
   (run-system 'evolve-trajectory s y start (real->double-flonum end) tolerance method visit
               (lambda (state) (so-far)))
   (so-far))
+
+;; Reckoned from the nearer end, so that rounding does not lead beyond.
+(define (time-within from to theta)
+  (define length (fl- to from))
+  (if (fl< theta 0.5)
+      (fl+ from (fl* theta length))
+      (fl- to (fl* (fl- 1.0 theta) length))))
 
 (define (check-events events)
   (define all (if (list? events) events (list events)))

@@ -62,7 +62,7 @@
     (flvector-copy! y (T (- rows 1) (- rows 1)))
     (f! y first))
 
-  (define (interpolant) (by-shorter-step start f! old step))
+  (define (interpolant) (by-shorter-step start f! old y step))
 
   (f! y first)
   (stepper y (lambda () first) try! accept! interpolant))

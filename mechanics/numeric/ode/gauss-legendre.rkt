@@ -61,7 +61,7 @@
     (f! y first)
     first)
 
-  (define (interpolant) (by-shorter-step (start A b) f! old step))
+  (define (interpolant) (by-shorter-step (start A b) f! old y step))
 
   (for ([k (in-list ks)]) (f! y k))
   (stepper y slope try! accept! interpolant))

@@ -60,9 +60,12 @@
     (define error (fl/ ((stepper-try! s) (fl* sign length)) tolerance))
     (cond
       [(fl<= error 1.0)
+       (define now (if last? end (fl+ t (fl* sign length))))
+       (define next (if (method-step m) h (next-length m length error)))
+       (when (and (fl= now t) (fl<= next length)) ; time stands still
+         (stuck t (flvector-copy (stepper-state s))))
        ((stepper-accept! s))
-       (values (if last? end (fl+ t (fl* sign length)))
-               (if (method-step m) h (next-length m length error)))]
+       (values now next)]
       [(or (method-step m) (fl= (fl+ t (fl* 0.125 length)) t))
        (stuck t (flvector-copy (stepper-state s)))]
       [else (try (next-length m length error))])))

@@ -43,7 +43,7 @@
     (flvector-copy! y z)
     (f! y first))
 
-  (define (interpolant) (by-shorter-step start f! old step))
+  (define (interpolant) (by-shorter-step start f! old y step))
 
   (f! y first)
   (stepper y (lambda () first) try! accept! interpolant))

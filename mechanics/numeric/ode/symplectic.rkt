@@ -50,7 +50,7 @@
     (f! y dz)
     dz)
 
-  (define (interpolant) (by-shorter-step (start weights) f! old step))
+  (define (interpolant) (by-shorter-step (start weights) f! old y step))
 
   (stepper y slope try! accept! interpolant))
 
