@@ -32,6 +32,7 @@
     (observe x f)
     (define p (negative-product H g))
     (cond
+      [(not (and (finite? f) (finite? (dot g p)))) (raise-not-found who x p count)]
       [(<= (greatest p) (* tolerance (+ 1.0 (greatest x)))) (values x f count)]
       [(>= count limit) (raise-not-found who x p count)]
       [else
@@ -59,7 +60,7 @@
   (let loop ([a 1.0] [left halvings])
     (define next (along x a p))
     (define-values (f* g*) (value-and-gradient next))
-    (cond [(and (< f* +inf.0) (<= f* (+ f (* fair-part a slope))) (< slope 0.0))
+    (cond [(and (finite? f*) (<= f* (+ f (* fair-part a slope))) (< slope 0.0))
            (values next f* g*)]
           [(= left 0) (values #f #f #f)]
           [else (loop (* 0.5 a) (- left 1))])))
@@ -91,20 +92,25 @@
 (define (correct H s y rho)
   (define Hy (product H y))
   (define c (* rho (+ 1.0 (* rho (dot y Hy)))))
-  (for/vector #:length (vector-length H) ([row (in-vector H)] [si (in-flvector s)] [hi (in-flvector Hy)])
+  (for/vector #:length (vector-length H)
+              ([row (in-vector H)] [si (in-flvector s)] [hi (in-flvector Hy)])
     (for/flvector #:length (flvector-length s)
                   ([h (in-flvector row)] [sj (in-flvector s)] [hj (in-flvector Hy)])
       (+ (- h (* rho (+ (* si hj) (* hi sj)))) (* c si sj)))))
 
 (define (product H v)
   (for/flvector #:length (flvector-length v) ([row (in-vector H)]) (dot row v)))
-(define (negative-product H v) (for/flvector #:length (flvector-length v) ([x (in-flvector (product H v))]) (- x)))
+(define (negative-product H v)
+  (for/flvector #:length (flvector-length v) ([x (in-flvector (product H v))]) (- x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Vectors
 
-(define (dot v w) (for/fold ([sum 0.0]) ([x (in-flvector v)] [y (in-flvector w)]) (fl+ sum (fl* x y))))
+(define (finite? x) (fl< (flabs x) +inf.0))
+(define (dot v w)
+  (for/fold ([sum 0.0]) ([x (in-flvector v)] [y (in-flvector w)]) (fl+ sum (fl* x y))))
 (define (along x a p)
-  (for/flvector #:length (flvector-length x) ([u (in-flvector x)] [v (in-flvector p)]) (fl+ u (fl* a v))))
+  (for/flvector #:length (flvector-length x) ([u (in-flvector x)] [v (in-flvector p)])
+    (fl+ u (fl* a v))))
 (define (difference v w) (along v -1.0 w))
 (define (greatest v) (for/fold ([m 0.0]) ([x (in-flvector v)]) (max m (abs x))))
