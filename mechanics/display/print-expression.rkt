@@ -20,7 +20,8 @@
 (define se show-expression)
 
 ;; The first n terms of a series, all where it ends, each as print-expression has it.
-(define (series:print s [n #f]) (series:for-each print-expression s n))
+(define (series:print s [n #f])
+  (for-each-term 'series:print "(series:print s n)" print-expression s n))
 
 ;; A label, and below it, indented, a value as it stands.
 (define (print-labelled label x)

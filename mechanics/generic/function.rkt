@@ -7,7 +7,7 @@
 
 (require "kind.rkt" "structure.rkt" "describe.rkt")
 
-(provide (struct-out function) make-function pointwise?
+(provide (struct-out function) make-function unary-function pointwise?
          arity-mask accepts? arity->text
          combine-functions compose-unary)
 
@@ -29,6 +29,21 @@
 ;; A function that prints as the datum made when it is asked for.
 (define (make-function procedure mask make-datum)
   (function procedure mask make-datum))
+
+;; (unary-function make-datum (x) body ...): one of a single argument.  Given another
+;; number it says so by the name that it prints as, which Racket does not know.
+(define-syntax-rule (unary-function make-datum (x) body0 body ...)
+  (let ([name make-datum])
+    (make-function (case-lambda [(x) body0 body ...] [xs (raise-takes-one (name) xs)])
+                   2
+                   name)))
+
+(define (raise-takes-one datum args)
+  (raise
+   (exn:fail:contract:arity
+    (format "~a: takes 1 argument; it was given ~a" (value->text datum)
+            (if (null? args) "none" (length args)))
+    (current-continuation-marks))))
 
 ;; Is x a function that arithmetic combines pointwise: neither an operator, nor a
 ;; tuple of functions?

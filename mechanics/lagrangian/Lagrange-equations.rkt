@@ -59,13 +59,10 @@
   (define n (equations-order e))
   (define local (Gamma (path 'Lagrange-equations q) (+ n 2)))
   (define force (equations-force e))
-  (make-function
-   (lambda (t)
-     (define momenta (momentum-terms L local n t))
-     (define residual (g:- momenta (((partial 1) L) (local t))))
-     (if force (g:- residual (force-like momenta (force (local t)))) residual))
-   2
-   (lambda () (list (value->datum e) (value->datum q)))))
+  (unary-function (lambda () (list (value->datum e) (value->datum q))) (t)
+    (define momenta (momentum-terms L local n t))
+    (define residual (g:- momenta (((partial 1) L) (local t))))
+    (if force (g:- residual (force-like momenta (force (local t)))) residual)))
 
 ;; Σ_{k=1..n} (−1)^{k+1} D^k(∂_{k+1}L ∘ Γ[q]) at t
 (define (momentum-terms L local n t)

@@ -20,9 +20,8 @@
 (define (F->C F)
   (unless (procedure? F)
     (raise-argument-error 'F->C "a coordinate transformation: a function of the local tuple" F))
-  (make-function (lambda (local) (transform F local))
-                 2
-                 (lambda () (list 'F->C (value->datum F)))))
+  (unary-function (lambda () (list 'F->C (value->datum F))) (local)
+    (transform F local)))
 
 (define (transform F local)
   (check-local-tuple local)

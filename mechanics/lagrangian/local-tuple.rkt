@@ -27,11 +27,9 @@
   (define q (path 'Gamma given-q))
   (unless (and (exact-integer? n) (>= n 2))
     (raise-argument-error 'Gamma "the length of the local tuples, an integer of at least 2" n))
-  (make-function
-   (lambda (t) (structure 'up (list->vector (cons t (derivatives-at q t (- n 2))))))
-   2
-   (lambda ()
-     (if (= n 3) (list 'Gamma (value->datum q)) (list 'Gamma (value->datum q) n)))))
+  (define (name) (list* 'Gamma (value->datum q) (if (= n 3) '() (list n))))
+  (unary-function name (t)
+    (structure 'up (list->vector (cons t (derivatives-at q t (- n 2)))))))
 
 (define (path->state-path q [n 3]) (Gamma q n))
 
@@ -59,6 +57,7 @@
 (define (path-hint q)
   (cond [(symbol? q) (format "\n  (literal-function '~a) makes a path of that name" q)]
         [(pair? q) "\n  a list is not a tuple; use (up x y ...)"]
+        [(scalar? q) "\n  a path is written (lambda (t) ...), with t where the time stands"]
         [(procedure? q) (format "\n  a path takes one argument, the time; this takes ~a" (arity->text q))]
         [else ""]))
 

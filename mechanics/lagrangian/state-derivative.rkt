@@ -10,6 +10,7 @@
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
          "../generic/structure.rkt" "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         (only-in "../generic/function.rkt" unary-function)
          "../calculus/derivative.rkt" "../numeric/failure.rkt"
          "../value/function.rkt" "../value/linear.rkt")
 
@@ -65,4 +66,4 @@
    (lambda (state) (g:- (g:* (P state) (velocity state)) (L-scalar state)))))
 
 (define (function-of-state who L f)
-  (make-function f 2 (lambda () (list who (value->datum L)))))
+  (unary-function (lambda () (list who (value->datum L))) (state) (f state)))

@@ -23,9 +23,8 @@
    (lambda (F)
      (unless (procedure? F)
        (raise-argument-error 'Dt "a function of the local tuple" F))
-     (make-function (lambda (local) (total-derivative F local))
-                    2
-                    (lambda () (list 'Dt (value->datum F)))))
+     (unary-function (lambda () (list 'Dt (value->datum F))) (local)
+       (total-derivative F local)))
    (lambda () 'Dt)))
 
 (define (total-derivative F local)
@@ -59,7 +58,8 @@
   (define L-scalar (scalar-valued 'Euler-Lagrange-operator L))
   (define residual
     (g:- (Dt ((partial 2) L-scalar)) (compose ((partial 1) L-scalar) trim-last-argument)))
-  (make-function residual 2 (lambda () (list 'Euler-Lagrange-operator (value->datum L)))))
+  (unary-function (lambda () (list 'Euler-Lagrange-operator (value->datum L))) (local)
+    (residual local)))
 
 (define LE Euler-Lagrange-operator)
 (define Lagrange-equations-operator Euler-Lagrange-operator)

@@ -25,4 +25,4 @@
   (define (name) (list (operator-name) (value->datum f)))
   (define (at q)
     (derivative-at (lambda (epsilon) (f (g:+ q (g:* epsilon eta)))) 0))
-  (make-function (lambda (q) (name-functions (at q) name (list q))) 2 name))
+  (unary-function name (q) (name-functions (at q) name (list q))))

@@ -21,13 +21,24 @@
                     (describe-with-value part))]
     [(operands) (format "the relation lacks an operand: ~a" (value->text part))]
     [(name)
-     (format "unknown relation ~a; known are ~a\n  given: ~a"
-             (value->text (car part)) known-relations (value->text part))]
+     (format "unknown relation ~a; known are ~a\n  given: ~a~a"
+             (value->text (car part)) known-relations (value->text part) (instead part))]
     [(equation)
      (format "~a; put the value in, with substitute\n  given: ~a"
              "an equation is no assumption about a sign" (value->text part))]
     [(number) (format "only real numbers are greater or less than others; given ~a" part)]
     [else (format "expected an expression in the relation; given ~a" (describe-with-value part))]))
+
+;; What may have been meant by a relation of an unknown name.
+(define (instead d)
+  (define name (car d))
+  (define (write-as meant) (format "\n  write: ~a" (datum->text meant)))
+  (cond [(eq? name 'and) "\n  several relations are arguments of their own, each quoted"]
+        [(and (= (length d) 3) (memq (cadr d) '(> >= < <=)))
+         (write-as (list (cadr d) name (caddr d)))]
+        [(assq name '((positive? . positive) (negative? . negative)))
+         => (lambda (entry) (write-as (cons (cdr entry) (cdr d))))]
+        [else ""]))
 
 (define known-relations
   (string-append "> >= < <= between expressions, "

@@ -111,15 +111,30 @@
 ;; ---------------------------------------------------------------------------
 ;; The forms: a relation without a quote is noticed where it is written
 
-(define-for-syntax (check-quoted stx relations)
-  (for ([r (in-list (syntax->list relations))])
-    (syntax-case r ()
+(begin-for-syntax
+  (define (check-quoted stx relations)
+    (for ([r (in-list (syntax->list relations))] #:when (relation? r))
+      (raise-syntax-error
+       #f (format "a relation is quoted here: write '~s" (unquoted (syntax->datum r))) stx r)))
+
+  (define (relation? stx)
+    (syntax-case stx ()
       [(name . operands)
        (and (identifier? #'name)
-            (memq (syntax-e #'name) '(> >= < <= = positive negative nonpositive nonnegative)))
-       (raise-syntax-error
-        #f (format "a relation is quoted here: write '~s" (syntax->datum r)) stx r)]
-      [_ (void)])))
+            (memq (syntax-e #'name) '(> >= < <= = positive negative nonpositive nonnegative)))]
+      [_ #f]))
+
+  ;; A relation, quoted or not, where a list of them is due.
+  (define (bare-relation stx)
+    (syntax-case stx (quote)
+      [(quote r) #'r]
+      [_ (and (relation? stx) stx)]))
+
+  ;; The datum without the quotes in it: (> m 0) for (> 'm 0).
+  (define (unquoted d)
+    (cond [(and (pair? d) (eq? (car d) 'quote)) (unquoted (cadr d))]
+          [(list? d) (map unquoted d)]
+          [else d])))
 
 (define-syntax (assume stx)
   (syntax-case stx ()
@@ -130,6 +145,12 @@
 
 (define-syntax (assuming stx)
   (syntax-case stx ()
+    [(_ relation . rest)
+     (bare-relation #'relation)
+     (raise-syntax-error
+      #f (format "relations stand in parentheses: (assuming ('~s) body)"
+                 (unquoted (syntax->datum (bare-relation #'relation))))
+      stx #'relation)]
     [(_ (relation ...) body0 body ...)
      (begin (check-quoted stx #'(relation ...))
             (syntax/loc stx (call-assuming (list relation ...) (lambda () body0 body ...))))]

@@ -64,7 +64,10 @@
   (matrix (rows-transpose (list->vector vectors))))
 
 (define (row->vector who r)
-  (cond [(list? r) (list->vector r)]
+  (cond [(and (list? r) (ormap pair? r))
+         (raise-arguments-error
+          who (format "each list is an argument of its own: (~a '(1 2) '(3 4))" who) "given" r)]
+        [(list? r) (list->vector r)]
         [(tuple? r) (structure-elements (adopt r))]
         [else (raise-argument-error who "a row: a list or a tuple" r)]))
 

@@ -64,26 +64,30 @@
    x))
 
 (define (raise-nothing-to-replace x)
-  (raise
-   (exn:fail:contract
-    (format "substitute: expected an expression, or a tuple or matrix of them; given ~a~a"
+  (complain "expected an expression, or a tuple or matrix of them; given ~a~a"
             (describe-with-value x)
-            (if (procedure? x) "\n  apply the function first, and substitute in its value" ""))
-    (current-continuation-marks))))
+            (if (procedure? x) "\n  apply the function first, and substitute in its value" "")))
 
 (define (pair-up xs)
   (cond [(null? xs) '()]
         [(null? (cdr xs))
-         (raise-arguments-error 'substitute "a name has no replacement" "name" (car xs))]
+         (complain "expected a value, then each name with its replacement: ~a\n  ~a: ~a"
+                   "(substitute x 'm 2 'k 3)" "without a replacement" (describe-with-value (car xs)))]
         [else
          (check-replacement (car xs) (cadr xs))
          (cons (cons (car xs) (cadr xs)) (pair-up (cddr xs)))]))
 
 (define (check-replacement name replacement)
   (unless (symbolic? name)
-    (raise-argument-error 'substitute "a symbol or expression to replace" name))
+    (complain "expected a symbol or an expression to replace\n  given: ~a"
+              (describe-with-value name)))
   (unless (expression? replacement)
-    (raise-argument-error 'substitute "a number or expression as replacement" replacement)))
+    (complain "expected a number or an expression as replacement\n  given: ~a"
+              (describe-with-value replacement))))
+
+(define (complain text . parts)
+  (raise (exn:fail:contract (string-append "substitute: " (apply format text parts))
+                            (current-continuation-marks))))
 
 ;; (with-literals (m k) body ...): the names stand for the symbols.
 (define-syntax-rule (with-literals (name ...) body ...)

@@ -70,7 +70,7 @@
 ;; (component i j ...): the selector of that component.
 (define (component . path)
   (define name (cons 'component path))
-  (make-function (lambda (s) (apply ref s path)) 2 (lambda () name)))
+  (unary-function (lambda () name) (s) (apply ref s path)))
 
 (define (s:ref s i) (ref s i))
 

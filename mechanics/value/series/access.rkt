@@ -6,7 +6,8 @@
 
 (provide
  series power-series series:generate series:->function
- series:finite? series:ref series:head series:sum series:for-each partial-sums)
+ series:finite? series:ref series:head series:sum series:for-each partial-sums
+ for-each-term)
 
 ;; ---------------------------------------------------------------------------
 ;; Making
@@ -55,11 +56,15 @@
 ;; (f term) for the first n terms; for all of them, where they end.
 (define (series:for-each f s [n #f])
   (unless (procedure? f) (raise-argument-error 'series:for-each "a function of a term" f))
-  (check-series 'series:for-each s)
-  (when n (check-count 'series:for-each "a number of terms" n))
+  (for-each-term 'series:for-each "(series:for-each f s n)" f s n))
+
+;; usage : how to say of how many terms
+(define (for-each-term who usage f s n)
+  (check-series who s)
+  (when n (check-count who "a number of terms" n))
   (unless (or n (finite-series? s))
-    (raise-arguments-error 'series:for-each
-                           "the series does not end; say of how many terms: (series:for-each f s n)"
+    (raise-arguments-error who
+                           (string-append "the series does not end; say of how many terms: " usage)
                            "series" s))
   (for ([k (in-range (if n (min n (series-length s)) (series-length s)))])
     (f (series-term s k))))

@@ -208,7 +208,8 @@
   (define equations (Lagrange-equations (L-free 'm)))
   (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the symbol x\n  (literal-function 'x) makes a path of that name"
                  (equations 'x))
-  (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the number 3" (equations 3))
+  (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the number 3\n  a path is written (lambda (t) ...), with t where the time stands"
+                 (equations 3))
   (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given (x y), a list\n  a list is not a tuple; use (up x y ...)"
                  (equations (list x y))))
 

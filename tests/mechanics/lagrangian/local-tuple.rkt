@@ -48,7 +48,8 @@
 (test-case "what is no path is refused with the way to make one"
   (check-message "Gamma: a path is a function of time, or a tuple of such functions; given the symbol q\n  (literal-function 'q) makes a path of that name"
                  (Gamma 'q))
-  (check-message "Gamma: a path is a function of time, or a tuple of such functions; given the number 3" (Gamma 3))
+  (check-message "Gamma: a path is a function of time, or a tuple of such functions; given the number 3\n  a path is written (lambda (t) ...), with t where the time stands"
+                 (Gamma 3))
   (check-message "Gamma: a path is a function of time, or a tuple of such functions; given (q q), a list\n  a list is not a tuple; use (up x y ...)"
                  (Gamma (list q q)))
   (check-exn #rx"the length of the local tuples, an integer of at least 2\n  given: 1" (lambda () (Gamma q 1)))

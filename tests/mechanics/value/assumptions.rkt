@@ -172,8 +172,10 @@
                       (syntax-message '(assume (>= r 0))))
   (check-regexp-match #rx"a relation is quoted here: write '[(]>= r 0[)]"
                       (syntax-message '(assuming ((>= r 0)) 1)))
+  (check-regexp-match #rx"relations stand in parentheses: [(]assuming [(]'[(]>= r 0[)][)] body[)]"
+                      (syntax-message '(assuming '(>= r 0))))
   (check-regexp-match #rx"expected relations in parentheses, then a body"
-                      (syntax-message '(assuming '(>= r 0)))))
+                      (syntax-message '(assuming ('(>= r 0))))))
 
 (test-case "comparing symbols says how to declare a relation"
   (check-raises (string-append ">=: an expression that is not a number has no order;"

@@ -42,9 +42,9 @@
   (check-exn #rx"^substitute: expected an expression, or a tuple or matrix of them; given x, a literal function [(]-> Real Real[)]\n  apply the function first, and substitute in its value$"
              (lambda () (substitute x 'm 3)))
   (check-exn #rx"^substitute: .*given \"m\", a string$" (lambda () (substitute "m" 'm 3)))
-  (check-exn #rx"^substitute: a name has no replacement\n  name: 'm" (lambda () (substitute 'm 'm)))
-  (check-exn #rx"a symbol or expression to replace\n  given: 3" (lambda () (substitute 'm 3 'm)))
-  (check-exn #rx"a number or expression as replacement" (lambda () (substitute 'm 'm (up 1 2)))))
+  (check-exn #rx"^substitute: .*[(]substitute x 'm 2 'k 3[)]\n  without a replacement: the symbol m$" (lambda () (substitute 'm 'm)))
+  (check-exn #rx"a symbol or an expression to replace\n  given: the number 3" (lambda () (substitute 'm 3 'm)))
+  (check-exn #rx"a number or an expression as replacement" (lambda () (substitute 'm 'm (up 1 2)))))
 
 (test-case "with-literals binds names to symbols"
   (check-equal? (with-literals (m k) (list m k)) '(m k)))

@@ -1,0 +1,94 @@
+#lang racket/base
+;; Messages that named no remedy, or the place of a lambda in the library, or
+;; another procedure than the one called.
+
+(require mechanics
+         (only-in racket/base [expand racket:expand])
+         rackunit)
+
+(define-syntax-rule (check-message text expression)
+  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
+             (lambda () expression)))
+
+(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
+(define L (L-free 'm))
+(define x (literal-function 'x))
+
+(test-case "functions of one argument that the library makes are named as they print"
+  (for ([f (list (Gamma x) (Gamma x 4) (F->C p->r) (Lagrangian->energy L)
+                 (Lagrangian->acceleration L) (Lagrangian->state-derivative L)
+                 (Euler-Lagrange-operator L) (Dt L) (component 0)
+                 ((Lagrange-equations L) x) ((delta x) L))])
+    (define name (format "~a" (expression f)))
+    (check-regexp-match #rx"^[(]" name)
+    (for ([arguments '(() (1 2))] [given '("none" "2")])
+      (check-exn
+       (lambda (e)
+         (and (exn:fail:contract:arity? e)
+              (equal? (exn-message e)
+                      (string-append name ": takes 1 argument; it was given " given))))
+       (lambda () (apply f arguments))))))
+
+(test-case "an expression or a number for a path"
+  (define hint "a path is written (lambda (t) ...), with t where the time stands")
+  (define who "Lagrange-equations: a path is a function of time, or a tuple of such functions; given ")
+  (check-message (string-append who "(sin t), a number-like expression\n  " hint)
+                 (verify-solution L (sin 't)))
+  (check-message (string-append who "the number 0\n  " hint) (verify-solution L 0)))
+
+(test-case "substitute shows its use"
+  (define usage
+    "substitute: expected a value, then each name with its replacement: (substitute x 'm 2 'k 3)\n")
+  (check-message (string-append usage "  without a replacement: the symbol m")
+                 (substitute (* 'm 'g) 'm))
+  (check-message (string-append usage "  without a replacement: the symbol k")
+                 (substitute (* 'm 'k) 'm 1 'k))
+  (check-message "substitute: expected a symbol or an expression to replace\n  given: \"m\", a string"
+                 (substitute (* 'm 'g) "m" 1))
+  (check-message
+   "substitute: expected a number or an expression as replacement\n  given: (up 1 2), an up tuple of 2"
+   (substitute (* 'm 'g) 'm (up 1 2))))
+
+(test-case "relations as they are written in a text are answered with how they are written here"
+  (define (complaint relation)
+    (with-handlers ([exn:fail:contract? exn-message]) (assume relation)))
+  (check-regexp-match #rx"given: [(]m > 0[)]\n  write: [(]> m 0[)]$" (complaint '(m > 0)))
+  (check-regexp-match #rx"\n  write: [(]positive m[)]$" (complaint '(positive? m)))
+  (check-regexp-match #rx"\n  several relations are arguments of their own, each quoted$"
+                      (complaint '(and (> m 0) (< k 0))))
+  (check-regexp-match #rx"given: [(]integer[?] n[)]$" (complaint '(integer? n)))
+  (check-equal? (assumptions 'declared) '()))
+
+;; What the expander says of a form.
+(define-namespace-anchor here)
+(define (syntax-complaint form)
+  (with-handlers ([exn:fail:syntax? exn-message])
+    (parameterize ([current-namespace (namespace-anchor->namespace here)])
+      (racket:expand form)
+      "")))
+
+(test-case "assuming takes its relations in parentheses, and says so"
+  (for ([form '((assuming '(> m 0) (sqrt (square 'm)))
+                (assuming (> m 0) (sqrt (square 'm)))
+                (assuming (> 'm 0) (sqrt (square 'm))))])
+    (check-regexp-match #rx"^assuming: relations stand in parentheses: [(]assuming [(]'[(]> m 0[)][)] body[)]"
+                        (syntax-complaint form)))
+  (define relation '(> m 0))
+  (check-equal? (assuming (relation) (simplify (sqrt (square 'm)))) 'm)
+  (check-equal? (assuming () 3) 3))
+
+(test-case "the relation to write has no quotes within"
+  (check-regexp-match #rx"a relation is quoted here: write '[(]> m 0[)]"
+                      (syntax-complaint '(assume (> 'm 0)))))
+
+(test-case "series:print speaks for itself"
+  (check-exn #rx"^series:print: the series does not end; say of how many terms: [(]series:print s n[)]"
+             (lambda () (series:print ((Taylor-series sin) 'x))))
+  (check-exn #rx"^series:print: expected a series" (lambda () (series:print 5))))
+
+(test-case "the rows of a matrix are arguments"
+  (check-message
+   "matrix-by-rows: each list is an argument of its own: (matrix-by-rows '(1 2) '(3 4))\n  given: '((1 2) (3 4))"
+   (matrix-by-rows '((1 2) (3 4))))
+  (check-exn #rx"[(]matrix-by-columns '[(]1 2[)] '[(]3 4[)][)]"
+             (lambda () (matrix-by-columns '((1 2) (3 4))))))
