@@ -10,7 +10,7 @@
 (require "perturbed.rkt" "dual.rkt" "jet.rkt" "recorded.rkt" "tape.rkt" "derivative.rkt"
          "number.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         (prefix-in numeric: "../numeric/quadrature.rkt"))
+         "../numeric/improper-quadrature.rkt")
 
 (provide definite-integral integrate)
 
@@ -50,7 +50,7 @@
         (cond [(real? y) y]
               [(perturbed? y) (stop y)]
               [else (number who y)]))
-      (numeric:quadrature sample low high #:tolerance tolerance #:name who)))
+      (improper-quadrature sample low high #:tolerance tolerance #:name who)))
   (cond [(recorded? result) (integral-recorded integral f (recorded-tape result))]
         [(perturbed? result)
          (integral-by-parts integral f (perturbed-tag result) (if (jet? result) (jet-order result) #f))]

@@ -119,7 +119,8 @@
 ;; The whole interval
 
 ;; A tolerance below twice the rounding error is taken as that.  `limit` bounds
-;; the number of panels.
+;; the number of panels.  (edge) is called when a narrow panel at an end of the
+;; interval is to be halved; (place x) is what the user knows x as.
 (define (quadrature f low high
                     #:tolerance [tolerance 1e-10]
                     #:limit [limit 1000]
@@ -132,6 +133,8 @@
 (define (quadrature/error f low high
                           #:tolerance [tolerance 1e-10]
                           #:limit [limit 1000]
+                          #:place [place values]
+                          #:edge [edge void]
                           #:name [who 'quadrature])
   (check-finite who low "limit of integration")
   (check-finite who high "limit of integration")
@@ -139,29 +142,39 @@
   (define (g x) (sample who f x))
   (define whole
     (integrate-panel g (real->double-flonum low) (real->double-flonum high)))
-  (refine (list whole) 1 (max tolerance (* 2.0 rounding)) limit who g))
+  (define (raise-stuck value bound x)
+    (raise-not-convergent who "the integral does not converge" value bound
+                          "trouble near" (place x)))
+  (refine (list whole) 1 whole (max tolerance (* 2.0 rounding)) limit raise-stuck edge g))
 
 ;; panels : sorted, greatest error first; count : how many.
-(define (refine panels count tolerance limit who f)
+(define (refine panels count whole tolerance limit raise-stuck edge f)
   (define value (sum-of panel-value panels))
   (define bound (sum-of panel-error panels))
   (cond [(<= bound (* tolerance (sum-of panel-size panels)))
          (values value bound)]
         [(or (>= count limit) (indivisible? (car panels)))
-         (raise-not-convergent who "the integral does not converge" value bound
-                               "trouble near" (panel-centre (car panels)))]
+         (raise-stuck value bound (panel-centre (car panels)))]
         [else
          (define worst (car panels))
+         (when (at-edge? worst whole) (edge))
          (define centre (panel-centre worst))
          (refine (insert (integrate-panel f (panel-low worst) centre)
                          (insert (integrate-panel f centre (panel-high worst))
                                  (cdr panels)))
-                 (+ count 1) tolerance limit who f)]))
+                 (+ count 1) whole tolerance limit raise-stuck edge f)]))
 
 (define (sum-of part panels)
   (for/fold ([sum 0.0]) ([p (in-list panels)]) (+ sum (part p))))
 
 (define (panel-centre p) (* 0.5 (+ (panel-low p) (panel-high p))))
+
+(define narrow (expt 0.5 12))
+
+(define (at-edge? p whole)
+  (and (or (= (panel-low p) (panel-low whole)) (= (panel-high p) (panel-high whole)))
+       (< (abs (- (panel-high p) (panel-low p)))
+          (* narrow (abs (- (panel-high whole) (panel-low whole)))))))
 
 ;; Too narrow for its nodes to be different numbers.
 (define (indivisible? p)

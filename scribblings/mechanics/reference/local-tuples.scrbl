@@ -117,13 +117,23 @@ Its unit is that of L times that of time.
                             [tolerance real? 1e-10])
          real?]{
 
-The integral of a function of one variable. The tolerance is relative to the
-integral of |f|. If it cannot be met, the error
-@racket[exn:fail:mechanics:not-convergent] carries the best value found.
+The integral of a function of one variable. The ends may be infinite, @racket[+inf.0]
+and @racket[-inf.0], and f may be infinite at an end, as a power or a logarithm of the
+distance is. The tolerance is relative to the integral of |f|. If it cannot be met, the
+error @racket[exn:fail:mechanics:not-convergent] carries the best value found.
 
 @examples[#:eval session
 (definite-integral sin 0 pi)
-(definite-integral (lambda (x) (exp (- (square x)))) -10 10)]
+(definite-integral (lambda (x) (exp (- (square x)))) -inf.0 +inf.0)
+(definite-integral (lambda (x) (/ (log x) (sqrt x))) 0 1)
+(eval:error (definite-integral (lambda (x) (/ 1 x)) 1 +inf.0))]
+
+A pendulum's period from its law of energy, infinitely slow at the ends of the swing:
+
+@examples[#:eval session
+(define ((slowness g amplitude) θ)
+  (/ 2 (sqrt (* 2 g (- (cos θ) (cos amplitude))))))
+(definite-integral (slowness 9.8 1) -1 1)]
 
 @sicm{1.4, p. 17}}
 

@@ -68,3 +68,13 @@
 
 (test-case "a divergent integral is a mathematical failure"
   (check-exn exn:fail:mechanics? (lambda () (definite-integral (lambda (t) (g:/ 1 t)) 0 1))))
+
+(test-case "derivatives of integrals to infinity and over singularities"
+  ;; d/da of the integral of exp(-a x)/sqrt(x), sqrt(pi/a), at 2
+  (define (laplace a)
+    (definite-integral (lambda (x) (g:/ (g:exp (g:* -1 a x)) (g:sqrt x))) 0 +inf.0))
+  (define root-of-pi (sqrt (* 4.0 (atan 1.0))))
+  (check-= (laplace 2) (/ root-of-pi (sqrt 2.0)) 1e-10)
+  (check-= ((D laplace) 2) (* -1/2 root-of-pi (expt 2.0 -3/2)) 1e-10)
+  (check-= (((g:expt D 2) laplace) 2) (* 3/4 root-of-pi (expt 2.0 -5/2)) 1e-10)
+  (check-= ((D (lambda (b) (definite-integral (lambda (x) (g:/ 1 (g:sqrt x))) 0 b))) 4) 1/2 1e-12))

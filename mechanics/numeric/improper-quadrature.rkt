@@ -1,0 +1,146 @@
+#lang racket/base
+;; Definite integrals to infinity, and of functions that are singular at an end.
+;;
+;; An infinite range, but for a beginning of about the length of its distance from
+;; zero, becomes [0, 1] by x = b + u (1 − t)/t, dx = −u dt/t².
+;;
+;; An integrand like (x − a)^p or log(x − a) near an end a is too much for halving
+;; panels: they become so narrow there that rounding hides x − a.  But its integrals
+;; Sₖ from the middle to a distance 2⁻ᵏ from a tend to the whole as sums of geometric
+;; sequences do, and the epsilon algorithm (P. Wynn, 1956) finds where from a few of
+;; them:
+;;
+;;     ε(n, j+1) = ε(n−1, j−1) + 1/(ε(n, j) − ε(n−1, j)),   ε(n, −1) = 0,  ε(n, 0) = Sₙ,
+;;
+;; in which ε(n, 2m) is exact for m sequences.  It would find a limit for sums that
+;; have none, too, and know nothing of what happens closer to a.  Therefore the last
+;; terms must fall, and what is left must agree roughly with what the rule of
+;; quadrature.rkt makes of it.
+
+(require "failure.rkt" "quadrature.rkt" "sample.rkt")
+
+(provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum
+
+;; The tolerance is relative to ∫ |f|, over each half of an infinite range.
+(define (improper-quadrature f low high
+                             #:tolerance [tolerance 1e-10]
+                             #:name [who 'quadrature])
+  (check-limit who low)
+  (check-limit who high)
+  (check-tolerance who tolerance)
+  (define (g x) (sample who f x))
+  (define a (real->double-flonum low))
+  (define b (real->double-flonum high))
+  ;; direction : 1.0 or -1.0, by which the integral is not affected
+  (define (to-infinity from direction)
+    (define unit (max 1.0 (abs from)))
+    (define near (+ from (* direction unit)))
+    (define (x t) (+ near (* direction unit (/ (- 1.0 t) t))))
+    (define (h t) (/ (* unit (g (x t))) (* t t)))
+    (+ (over-interval g (min from near) (max from near) tolerance who values)
+       (over-interval h 0.0 1.0 tolerance who x)))
+  (cond [(= a b) 0.0]
+        [(> a b) (- (improper-quadrature f b a #:tolerance tolerance #:name who))]
+        [(and (= a -inf.0) (= b +inf.0)) (+ (to-infinity 0.0 -1.0) (to-infinity 0.0 1.0))]
+        [(= b +inf.0) (to-infinity a 1.0)]
+        [(= a -inf.0) (to-infinity b -1.0)]
+        [else (over-interval g a b tolerance who values)]))
+
+(define (check-limit who x)
+  (unless (and (real? x) (= x x))
+    (raise-argument-error who "a real number, perhaps infinite, as limit of integration" x)))
+
+(define most-panels 200)
+
+;; place : what the user knows a point as
+(define (over-interval f a b tolerance who place)
+  (define (plain edge limit)
+    (define-values (value bound)
+      (quadrature/error f a b #:tolerance tolerance #:limit limit
+                        #:place place #:edge edge #:name who))
+    value)
+  (or (let/ec stop (plain (lambda () (stop #f)) 1000))
+      (let ([middle (+ a (* 0.5 (- b a)))])
+        (define left (towards f middle a tolerance))
+        (define right (and left (towards f middle b tolerance)))
+        (and right (- right left)))
+      (plain void most-panels)))
+
+;; ---------------------------------------------------------------------------
+;; Towards an end
+
+(define least-terms 20)
+(define most-terms 200)
+(define greatest-ratio 0.98)
+
+;; sum : the integral up to here; size : that of |f|, nearly; last : the last part
+;; diagonal : of the epsilon algorithm; agreed : how many limits in a row have
+(struct progress (sum size last falls? diagonal agreed) #:authentic)
+
+;; The integral from one point to an end, or #f if it is not found.
+(define (towards f from end tolerance)
+  (define all (- end from))
+  (define (point k) (- end (* all (expt 0.5 k))))
+  (let loop ([k 0] [p (progress 0.0 0.0 +inf.0 #f '() 0)])
+    (define x (point k))
+    (define y (point (+ k 1)))
+    (cond
+      [(and (>= k least-terms) (found? p (lambda () (rough-integral f x end)) tolerance))
+       (limit p)]
+      [(or (= k most-terms) (not (resolved? y end))) #f]
+      [else
+       (define part (integral f x y (max 1e-13 (* 1e-2 tolerance))))
+       (and part (loop (+ k 1) (advance p part (* 0.1 tolerance))))])))
+
+(define (resolved? x end) (> (abs (- end x)) (* 1e-10 (abs end))))
+
+(define (advance p part tolerance)
+  (define sum (+ (progress-sum p) part))
+  (define size (+ (progress-size p) (abs part)))
+  (define diagonal (extend (progress-diagonal p) sum))
+  (define agrees?
+    (and (pair? (progress-diagonal p))
+         (<= (abs (- (estimate diagonal) (limit p))) (* tolerance size))))
+  (progress sum size part
+            (<= (abs part) (max (* greatest-ratio (abs (progress-last p))) (* tolerance size)))
+            diagonal
+            (if agrees? (+ 1 (progress-agreed p)) 0)))
+
+(define (limit p) (estimate (progress-diagonal p)))
+
+(define (found? p rough tolerance)
+  (and (>= (progress-agreed p) 2)
+       (progress-falls? p)
+       (plausible? (- (limit p) (progress-sum p)) (rough) (* tolerance (progress-size p)))))
+
+;; The rule misses most of a singular integral, but not its sign.
+(define (plausible? rest rough tolerated)
+  (or (and (<= (abs rest) tolerated) (<= (abs rough) tolerated))
+      (<= 0.5 (/ rest rough) 50.0)))
+
+;; ---------------------------------------------------------------------------
+
+;; To a tolerance, or #f.
+(define (integral f x y tolerance)
+  (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) #f)])
+    (quadrature f x y #:tolerance tolerance)))
+
+;; Any error is tolerated: the rule is used once.
+(define (rough-integral f x y) (quadrature f x y #:tolerance 10.0))
+
+(define most-columns 16)
+
+;; (ε(n−1, 0) ε(n−2, 1) ...) and Sₙ -> (ε(n, 0) ε(n−1, 1) ...)
+(define (extend diagonal s)
+  (let loop ([new s] [old diagonal] [older 0.0] [column 0])
+    (define difference (if (null? old) 0.0 (- new (car old))))
+    (cons new
+          (if (or (= difference 0.0) (= column most-columns))
+              '()
+              (loop (+ older (/ 1.0 difference)) (cdr old) (car old) (+ column 1))))))
+
+;; Its last entry in an even column.
+(define (estimate diagonal)
+  (if (or (null? (cdr diagonal)) (null? (cddr diagonal)))
+      (car diagonal)
+      (estimate (cddr diagonal))))
