@@ -7,7 +7,8 @@
          (only-in "compile/compile-function.rkt"
                   compile-function compiled-function? compiled-function-reason
                   compiled-function-operations)
-         "calculus/minimum.rkt" "calculus/root.rkt" (only-in "calculus/integral.rkt" definite-integral)
+         "calculus/minimum.rkt" "calculus/root.rkt" "calculus/elliptic.rkt"
+          (only-in "calculus/integral.rkt" definite-integral)
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/Lagrange-equations.rkt" "lagrangian/state-derivative.rkt"
          (except-in "lagrangian/local-tuple.rkt" path)
@@ -34,6 +35,9 @@
  linear-interpolants Lagrange-interpolation-function
  ;; integrals, minima and roots
  definite-integral minimize multidimensional-minimize find-root
+ ;; elliptic functions
+ first-elliptic-integral second-elliptic-integral elliptic-integrals
+ elliptic-integral-F elliptic-integral-E Jacobi-elliptic-functions
  ;; compiled functions
  compile-function compiled-function? compiled-function-reason compiled-function-operations
  ;; equations of motion

@@ -210,6 +210,49 @@ inverse at a point, @racket[exn:fail:mechanics:singular] carries it; if no root 
 @examples[#:eval session
 (eval:error (find-root (lambda (x) (+ 1 (square x))) 1/3))]}
 
+@section{Elliptic functions}
+
+Of a modulus k between −1 and 1, its square being the parameter of some tables. They can be
+differentiated, by the modulus too.
+
+@deftogether[(@defproc[(first-elliptic-integral [k real?]) real?]
+              @defproc[(second-elliptic-integral [k real?]) real?]
+              @defproc[(elliptic-integrals [k real?] [receive (-> real? real? any)]) any])]{
+
+The complete elliptic integrals K and E, one of them or what @racket[receive] makes of both.
+A pendulum released at an angle takes 2K/π times as long for a swing as it does for a small
+one, with the sine of half the angle as modulus:
+
+@examples[#:eval session
+(define (period l g angle)
+  (* 4 (sqrt (/ l g)) (first-elliptic-integral (sin (/ angle 2)))))
+(period 1 9.8 1)
+((D (lambda (angle) (period 1 9.8 angle))) 1)
+(elliptic-integrals 0.5 list)]}
+
+@deftogether[(@defproc[(elliptic-integral-F [phi real?] [k real?]) real?]
+              @defproc[(elliptic-integral-E [phi real?] [k real?]) real?])]{
+
+The incomplete ones, from 0 to the angle @racket[phi], which may be any.
+
+@examples[#:eval session
+(elliptic-integral-F 1 0.5)
+((D (lambda (phi) (elliptic-integral-F phi 0.5))) 1)]}
+
+@defproc[(Jacobi-elliptic-functions [u real?] [k real?] [receive (-> real? real? real? any)])
+         any]{
+
+What @racket[receive] makes of sn u, cn u and dn u. The sine of half the angle of a pendulum
+is k sn(t + K):
+
+@examples[#:eval session
+(define (angle t)
+  (define k (sin 1/2))
+  (define K (first-elliptic-integral k))
+  (Jacobi-elliptic-functions (+ t K) k (lambda (sn cn dn) (* 2 (asin (* k sn))))))
+(angle 0)
+(+ (((expt D 2) angle) 1) (sin (angle 1)))]}
+
 @section{Paths to try}
 
 @defproc[(make-eta [nu procedure?] [t1 scalar] [t2 scalar]) procedure?]{
