@@ -52,9 +52,18 @@
         [abs (x) modulus ((-2.0 -0.1)) (slope x (real-value 'abs value x))]
         [sgn (x) sgn ((-2.0 -0.1)) (slope 0 (real-value 'sgn value x))])))
 
+  ;; What is made of other operations and heads no expressions has an entry too, with an
+  ;; expression in the place of the numeric operation.
+  (define composite-entries
+    (syntax->list
+     #'([square (a) (g:* a a) ((-2.0 2.0)) (g:* 2 a)]
+        [cube (a) (g:* a (g:square a)) ((-2.0 2.0)) (g:* 3 (g:square a))]
+        [negate (a) (g:negate a) ((-2.0 2.0)) -1]
+        [exact->inexact (x) x ((-2.0 2.0)) 1])))
+
   ;; The entry of that name and number of arguments.
   (define (find-entry name arity)
-    (or (for/first ([e (in-list operation-entries)]
+    (or (for/first ([e (in-list (append operation-entries composite-entries))]
                     #:when (syntax-case e ()
                              [(n args . _)
                               (and (eq? (syntax-e #'n) name)

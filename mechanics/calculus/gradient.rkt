@@ -41,40 +41,51 @@
         [else #f]))
 
 (define (elements-of x) (if (structure? x) (structure-elements x) x))
+(define (orientation-of x) (if (structure? x) (structure-orientation x) 'up))
+
+(define (flonums? v) (for/and ([e (in-vector v)]) (flonum? e)))
 
 ;; (f scalar i) for each scalar of x and its number.
 (define (map-scalars f x)
-  (define i -1)
-  (define (next! leaf)
-    (set! i (add1 i))
-    (f leaf i))
+  (define-values (next! skip!) (numbering))
   (let walk ([x x])
     (cond [(tuple? x)
-           (structure (if (structure? x) (structure-orientation x) 'up)
-                      (for/vector #:length (vector-length (elements-of x)) ([e (in-vector (elements-of x))])
-                        (if (flonum? e) (next! e) (walk e))))]
-          [else (map-leaves next! x)])))
+           (define v (elements-of x))
+           (define n (vector-length v))
+           (structure (orientation-of x)
+                      (if (flonums? v)
+                          (for/vector #:length n ([e (in-vector v)] [i (in-naturals (skip! n))]) (f e i))
+                          (for/vector #:length n ([e (in-vector v)]) (walk e))))]
+          [else (map-leaves (lambda (leaf) (f leaf (next!))) x)])))
+
+;; Numbers from 0: the next one, and the first of so many.
+(define (numbering)
+  (define i 0)
+  (define (skip! count) (begin0 i (set! i (+ i count))))
+  (values (lambda () (skip! 1)) skip!))
 
 ;; The value of `entry` at the number of each scalar of x, shaped as a derivative
 ;; by x: a tuple of the other orientation; by a matrix, the up tuple of its columns
 ;; as down tuples.
 (define (shape-as-derivative x entry)
-  (define start 0)
-  (define (next! count)
-    (begin0 start (set! start (+ start count))))
+  (define-values (next! skip!) (numbering))
   (let walk ([x x])
     (cond [(tuple? x)
-           (structure (flip-orientation (if (structure? x) (structure-orientation x) 'up))
-                      (for/vector #:length (vector-length (elements-of x)) ([e (in-vector (elements-of x))])
-                        (if (flonum? e) (entry (next! 1)) (walk e))))]
+           (define v (elements-of x))
+           (define n (vector-length v))
+           (structure (flip-orientation (orientation-of x))
+                      (if (flonums? v)
+                          (let ([first (skip! n)])
+                            (for/vector #:length n ([i (in-range first (+ first n))]) (entry i)))
+                          (for/vector #:length n ([e (in-vector v)]) (walk e))))]
           [(matrix? x)
            (define columns (m:num-cols x))
-           (define first (next! (* columns (m:num-rows x))))
+           (define first (skip! (* columns (m:num-rows x))))
            (s:generate columns 'up
                        (lambda (j)
                          (s:generate (m:num-rows x) 'down
                                      (lambda (i) (entry (+ first j (* i columns)))))))]
-          [else (entry (next! 1))])))
+          [else (entry (next!))])))
 
 ;; ---------------------------------------------------------------------------
 ;; gradient

@@ -51,7 +51,8 @@
 (define-syntax-rule (recorded-tape r) (carrier-kind r))
 
 ;; A new tape, for so many variables; are all of them flonums?
-(define (make-recording tag inputs flonums?) (make-tape kind:recorded tag inputs flonums?))
+(define (make-recording tag inputs flonums?)
+  (make-tape kind:recorded record-unary record-binary tag inputs flonums?))
 
 ;; Variable i of the tape.
 (define (record-input tape i value) (record tape i 1 value))
@@ -60,7 +61,15 @@
 ;; Arithmetic: the chain rule
 
 (define (record-unary op r)
-  (define-values (value slope) (value-and-slope op (recorded-value r)))
+  (define x (recorded-value r))
+  (define-syntax-rule (in-place value slope) (scaled r slope value))
+  (if (flonum? x)
+      (case-at-flonums op (x) in-place
+        [generic:square square] [else (record-unary-generally op r x)])
+      (record-unary-generally op r x)))
+
+(define (record-unary-generally op r x)
+  (define-values (value slope) (value-and-slope op x))
   (scaled r slope value))
 
 ;; The value whose differential is slope times that of r.

@@ -49,10 +49,12 @@
 (define-syntax-rule (first-index p) (fxrshift p 30))
 (define-syntax-rule (second-index p) (fxand p #x3FFFFFFF))
 
-;; A line for each variable but one is the least that a function of all needs.
-(define (make-tape k tag inputs flonums?)
+;; k, unary, binary : the kind of what is recorded, and its methods, called from here
+;; without a detour.  A line for each variable but one is the least that a function of
+;; all needs.
+(define (make-tape k unary binary tag inputs flonums?)
   (define size (+ inputs 8))
-  (tape (kind-rank k) (kind-describe k) (kind-datum k) (kind-map k) (kind-unary k) (kind-binary k)
+  (tape (kind-rank k) (kind-describe k) (kind-datum k) (kind-map k) unary binary
         (kind-comparand k) (kind-zero? k) (kind-same? k) (kind-arity k) (kind-closed? k)
         tag inputs inputs size 0 (make-fxvector size) (make-slopes size flonums?) '()))
 

@@ -12,7 +12,7 @@
          "../algebra/operation.rkt" "../algebra/expression.rkt")
 
 (provide g:+ g:- g:* g:/ g:square g:cube g:negate g:invert
-         generic:+ generic:- generic:* generic:/ arithmetic-operations)
+         generic:+ generic:- generic:* generic:/ generic:square arithmetic-operations)
 
 ;; ---------------------------------------------------------------------------
 ;; Sums
@@ -75,8 +75,7 @@
 
 (define-named g:negate negate (lambda (a) (negate a)))
 
-(define-composite-record generic:negate negate
-  [- (a) (g:negate a) ((-2.0 2.0)) -1])
+(define-composite-record generic:negate negate - negate)
 
 (define-record generic:- - 2 g:-)
 
@@ -133,10 +132,8 @@
           [(arithmetic-value? a) (multiply a (g:square a))]
           [else (raise-inapplicable generic:cube a)])))
 
-(define-composite-record generic:square g:square
-  [square (a) (g:* a a) ((-2.0 2.0)) (g:* 2 a)])
-(define-composite-record generic:cube g:cube
-  [cube (a) (g:* a (g:square a)) ((-2.0 2.0)) (g:* 3 (g:square a))])
+(define-composite-record generic:square square square g:square)
+(define-composite-record generic:cube cube cube g:cube)
 
 ;; ---------------------------------------------------------------------------
 ;; Quotients

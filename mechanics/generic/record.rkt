@@ -24,13 +24,14 @@
               (make-record #,stx name op procedure
                            (argument ...) (numeric argument ...) domain partial ...)))])]))
 
-;; The same of an operation that is made of others and heads no expressions.
+;; The same of an operation of one argument made of others; messages call it `name`.
 (define-syntax (define-composite-record stx)
   (syntax-case stx ()
-    [(_ id procedure [name (argument ...) expression domain partial ...])
-     #`(define id
-         (make-record #,stx name #f procedure
-                      (argument ...) expression domain partial ...))]))
+    [(_ id entry name procedure)
+     (syntax-case (find-entry (syntax-e #'entry) 1) ()
+       [(_ arguments expression domain partial ...)
+        #`(define id
+            (make-record #,stx name #f procedure arguments expression domain partial ...))])]))
 
 (define-for-syntax (prefixed name)
   (string->symbol (format "op:~a" (syntax-e name))))
@@ -54,8 +55,8 @@
                                                      #'(partial ...) #'(derivative ...))])
            #'(let ()
                (define (derivative argument ... value) define-slope partial) ...
-               (define at-flonums* at-flonums)
-               (generic-op 'name op procedure (list derivative ...) at-flonums* 'domain)))))]))
+               (define in-one-call at-flonums)
+               (generic-op 'name op procedure (list derivative ...) in-one-call 'domain)))))]))
 
 ;; The procedure that gives value and derivatives of flonums, or #f if a derivative
 ;; takes more than flonum arithmetic.  Where the value is no flonum, as √-1.0, the
@@ -100,6 +101,11 @@
        (with-syntax ([(argument ...) (here #'(argument ...))] [value (here #'value)])
          (define arguments (syntax->list #'(argument ...)))
          #`(let #,(map list arguments inputs)
-             (let ([value #,(flonum-form (here #'(numeric argument ...)) arguments)])
+             (let ([value #,(flonum-form (here (value-form #'numeric #'(argument ...))) arguments)])
                (#,use value #,@(for/list ([p (in-list (syntax->list #'(partial ...)))])
                                  (slope-form (here p) (cons #'value arguments))))))))]))
+
+;; Operations of the algebra have a name for what they are of numbers, composite ones
+;; an expression.
+(define-for-syntax (value-form numeric arguments)
+  (if (identifier? numeric) #`(#,numeric . #,arguments) numeric))

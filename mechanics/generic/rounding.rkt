@@ -20,8 +20,7 @@
           [(tuple? x) (structure-map g:exact->inexact (adopt x))]
           [else (dispatch-unary generic:exact->inexact x)])))
 
-(define-composite-record generic:exact->inexact g:exact->inexact
-  [exact->inexact (x) x ((-2.0 2.0)) 1])
+(define-composite-record generic:exact->inexact exact->inexact exact->inexact g:exact->inexact)
 
 (define-named g:magnitude magnitude
   (lambda (x) (if (number? x) (magnitude x) (g:abs x))))
