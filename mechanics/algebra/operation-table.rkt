@@ -52,8 +52,8 @@
         [abs (x) modulus ((-2.0 -0.1)) (slope x (real-value 'abs value x))]
         [sgn (x) sgn ((-2.0 -0.1)) (slope 0 (real-value 'sgn value x))])))
 
-  ;; What is made of other operations and heads no expressions has an entry too, with an
-  ;; expression in the place of the numeric operation.
+  ;; What is made of other operations and heads no expressions, with an expression in
+  ;; the place of the numeric operation.
   (define composite-entries
     (syntax->list
      #'([square (a) (g:* a a) ((-2.0 2.0)) (g:* 2 a)]

@@ -6,8 +6,8 @@
 ;; by all of them; so a gradient costs a few runs, be it in a million variables.
 ;; The values are those of D.
 
-(require "perturbed.rkt" (only-in "tape.rkt" tape-inputs) "recorded.rkt" "derivative.rkt" "derivative-errors.rkt"
-         "gradient-errors.rkt"
+(require "perturbed.rkt" (only-in "tape.rkt" tape-inputs) "recorded.rkt" "derivative.rkt"
+         "derivative-errors.rkt" "gradient-errors.rkt"
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt"
          "../value/operator.rkt" "../value/matrix.rkt" "../value/structure.rkt"
@@ -43,6 +43,7 @@
 (define (elements-of x) (if (structure? x) (structure-elements x) x))
 (define (orientation-of x) (if (structure? x) (structure-orientation x) 'up))
 
+;; Most tuples of many components are of flonums alone; these are numbered in one go.
 (define (flonums? v) (for/and ([e (in-vector v)]) (flonum? e)))
 
 ;; (f scalar i) for each scalar of x and its number.
@@ -54,7 +55,8 @@
            (define n (vector-length v))
            (structure (orientation-of x)
                       (if (flonums? v)
-                          (for/vector #:length n ([e (in-vector v)] [i (in-naturals (skip! n))]) (f e i))
+                          (for/vector #:length n ([e (in-vector v)] [i (in-naturals (skip! n))])
+                            (f e i))
                           (for/vector #:length n ([e (in-vector v)]) (walk e))))]
           [else (map-leaves (lambda (leaf) (f leaf (next!))) x)])))
 
