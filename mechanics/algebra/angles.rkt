@@ -7,10 +7,11 @@
 ;; stays as it is unless φ or ωt occur apart, and only then is expanded.
 ;; Inverse functions within an angle go at once, by the addition formulas and
 ;;
-;;     sin(asin u) = u,  cos(asin u) = √(1 - u²),  sin(atan(y, x)) = y/√(x² + y²) ...
+;;     sin(asin u) = u,  cos(asin u) = √(1 - u²),  sin(atan(y, x)) = y/√(x² + y²),
+;;     cosh(log u) = (u + 1/u)/2 ...
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "lattice.rkt" "services.rkt"
-         "collector.rkt" "circle.rkt")
+         "collector.rkt" "circle.rkt" "exponentials.rkt")
 
 (provide visit-angle! settle-angles! doubled-circles dependent-angles?)
 
@@ -21,12 +22,13 @@
   (define circular? (and (memq head circular-functions) #t))
   (define terms ((services-terms (collector-services c)) (car (node-args n))))
   (define inverse (and circular? (for/first ([t (in-list terms)] #:when (inverse-term? t)) t)))
-  (if inverse
-      (resolve-alias! c n (unfold head inverse terms))
-      (resolve! c n
-                (circular head
-                          (intern-angle! c (if circular? 'circular 'hyperbolic)
-                                         (linear-form c terms))))))
+  (cond [inverse (resolve-alias! c n (unfold head inverse terms))]
+        [(and (not circular?) (ormap logarithm-term? terms)) (hyperbolic->exponential! c n)]
+        [else
+         (resolve! c n
+                   (circular head
+                             (intern-angle! c (if circular? 'circular 'hyperbolic)
+                                            (linear-form c terms))))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Inverse functions

@@ -13,7 +13,8 @@
          "collector.rkt" "circle.rkt" "exact.rkt")
 
 (provide visit-exponential! visit-symbolic-power! settle-exponentials!
-         combine-exponentials merge-exponentials)
+         combine-exponentials merge-exponentials
+         logarithm-term? hyperbolic->exponential!)
 
 ;; (exp u)
 (define (visit-exponential! c n)

@@ -39,13 +39,31 @@
   (let loop ([several? (> (hash-count table) 1)])
     (define met (hash->list table))
     (hash-clear! table)
-    (for ([entry (in-list met)])
-      (settle-logarithm! c (car entry) (cdr entry) several?))
+    (define all-parts
+      (alike-squares c (for/list ([entry (in-list met)]) (logarithm-parts c (car entry)))))
+    (for ([entry (in-list met)] [parts (in-list all-parts)])
+      (settle-logarithm! c (car entry) parts (cdr entry) several?))
     (unless (null? met) (loop #t))))
 
-(define (settle-logarithm! c u nodes several?)
+;; Squares of what occurs with one sign elsewhere are those of that: beside
+;; log(1 - a), log (a - 1)² is 2 log(1 - a).
+(define (alike-squares c all-parts)
+  (define single
+    (for*/hash ([parts (in-list all-parts)] [p (in-list parts)] #:unless (even-power? p))
+      (values (cdr p) #t)))
+  (define (alike p)
+    (define f (cdr p))
+    (define other (and (even-power? p) (symbolic? f) (not (hash-ref single f #f)) (opposite c f)))
+    (if (and other (hash-ref single other #f)) (cons (car p) other) p))
+  (if (zero? (hash-count single))
+      all-parts
+      (for/list ([parts (in-list all-parts)]) (map alike parts))))
+
+(define (even-power? p) (and (integer? (car p)) (even? (car p))))
+
+;; parts : of log u, ((rational . expression) ...)
+(define (settle-logarithm! c u parts nodes several?)
   (define whole (list (cons 1 u)))
-  (define parts (logarithm-parts c u))
   (define split? (or several? (for/or ([p (in-list parts)]) (headed? (cdr p) op:exp))))
   (define signed
     (cond [(or (equal? parts whole) (lone? parts)) parts]
@@ -90,7 +108,6 @@
               (cons (cons 1 (joined c odd sign)) (opposite-parts c (reverse negative) 1)))))
 
 (define (partition-even-powers parts)
-  (define (even-power? p) (and (integer? (car p)) (even? (car p))))
   (values (filter even-power? parts)
           (filter (lambda (p) (not (even-power? p))) parts)))
 

@@ -8,7 +8,7 @@
 ;; taken for granted is written in a ledger.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "ledger.rkt" "services.rkt"
-         "collect.rkt" "field.rkt" "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt"
+         "collect.rkt" "field.rkt" "align.rkt" "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt"
          "order.rkt" "radicand.rkt" "rationalize.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
@@ -81,13 +81,19 @@
   (define normals (make-hash))
   (define simples (make-hash))
   (define term-lists (make-hash))
+  (define involved? (make-involved?))
   (define stuck-at (make-hasheq))           ; normal form -> nodes
   (define (normal e)
     (define n (if (node? e) e (make-node op:+ (list e))))
     (or (hash-ref normals n #f)
-        (let ([form (normalize n services*)])
+        (let ([form (normalize (aligned n) services*)])
           (hash-set! normals n form)
           form)))
+  (define (aligned n)
+    (define (alone e) (field-kernels (car (call-nested fuel (lambda () (normal e))))))
+    (align n involved? alone simplify
+           (lambda (e) (collect-kernels e services*))
+           (lambda (atlas es) (call-nested fuel (lambda () (values-together atlas es services*))))))
   (define (call f e . more)
     (define n (roomy (call-nested fuel (lambda () (normal e)))))
     (apply f (car n) (cdr n) more))
@@ -137,9 +143,9 @@
   (let loop ([form form] [seen '()])
     (define e (present (car form) (cdr form)))
     (define cycle (member e (reverse seen)))
-    (cond [cycle (least cycle)]
+    (cond [cycle (least-expression cycle)]
           [(or (not (node? e)) (settled? (car form) e services)) e]
-          [(= (length seen) settle-limit) (least (cons e seen))]
+          [(= (length seen) settle-limit) (least-expression (cons e seen))]
           [else (loop (normalize e services) (cons e seen))])))
 
 (define settle-limit 4)
@@ -183,11 +189,6 @@
           [else #f]))
   (and (positive? (hash-count known)) (new? e)))
 
-(define (least es)
-  (for/fold ([best (car es)]) ([e (in-list (cdr es))])
-    (define k (- (expression-size e) (expression-size best)))
-    (if (or (< k 0) (and (eqv? k 0) (expression<? e best))) e best)))
-
 ;; -> (field . fraction), the field of e's kernels and its value there.  Sums at which
 ;; the walk gets stuck are left unexpanded; after too many of them, or if there is
 ;; no fuel left, e is.
@@ -230,18 +231,37 @@
   (if (null? found) (list n) found))
 
 (define (normalize-around e services blocked)
-  (define atlas (collect-kernels e services blocked))
-  (spend-on-nodes! (services-fuel services) (hash-count (atlas-resolutions atlas)))
+  (call-with-field (collect-kernels e services blocked) e
+    (lambda (F)
+      (define f (field-value F e))
+      (when (> (expanded-degree F f) degree-limit) (raise (stuck e)))
+      (cons F f))))
+
+;; (proceed F) in the field of the atlas, with as much room as that needs; stuck at e
+;; if there is none.
+(define (call-with-field atlas e proceed)
+  (spend-on-nodes! (services-fuel (atlas-services atlas)) (hash-count (atlas-resolutions atlas)))
   (define kernels (place-kernels! (atlas-kernels atlas)))
   (let retry ([degree 7])
     (when (> degree degree-limit) (raise (stuck e)))
     (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
-          (define F (make-field atlas kernels degree poly-branch))
-          (define f (rationalize F (field-fraction F e)))
-          (spend-on-terms! (services-fuel services) (poly-term-count (fraction-numerator f)))
-          (when (> (expanded-degree F f) degree-limit) (raise (stuck e)))
-          (cons F f))
+          (proceed (make-field atlas kernels degree poly-branch)))
         (retry (+ 1 (* 2 degree))))))
+
+(define (field-value F e)
+  (define f (rationalize F (field-fraction F e)))
+  (spend-on-terms! (services-fuel (atlas-services (field-atlas F)))
+                   (poly-term-count (fraction-numerator f)))
+  f)
+
+;; -> a field and the values there of expressions whose kernels the atlas holds, or #f #f
+(define (values-together atlas es services)
+  (define found
+    (with-handlers ([stuck? values])
+      (call-with-field atlas (car es)
+        (lambda (F) (cons F (for/list ([e (in-list es)]) (field-value F e)))))))
+  (end-steps! (services-fuel services))
+  (if (stuck? found) (values #f #f) (values (car found) (cdr found))))
 
 ;; Presentation may multiply out all of numerator and denominator, and their
 ;; conjugates.

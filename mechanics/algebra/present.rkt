@@ -50,11 +50,12 @@
   (for/sum ([p (in-list pieces)]) (poly-term-count (piece-numerator p))))
 
 ;; The value as a linear combination: ((number . expression) ...), in the order
-;; of its terms.
+;; of its terms.  These are products of kernels, whatever shorter forms their sum may
+;; have: 2 cos²a - 1 and 2 cos²a have a term in common.
 (define (linear-terms F f)
   (define p (fraction->piece F f))
   (define below (divisor-powers F p))
-  (for/list ([t (in-list (term-sort (piece-terms F p)))])
+  (for/list ([t (in-list (term-sort (piece-terms F p summands)))])
     (cons (present-number (* (term-coefficient below) (term-coefficient t)) (field-inexact? F))
           (form-expression
            (term-form (term 1 (multiply-powers (term-powers t) (term-powers below))) #f)))))
@@ -62,12 +63,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Pieces as terms
 
-(define (poly->terms F p)
-  (for/list ([t (in-list (spell F p))]) (make-term (car t) (cdr t))))
+;; write : as spell does, or summands
+(define (poly->terms F p [write spell])
+  (for/list ([t (in-list (write F p))]) (make-term (car t) (cdr t))))
 
-(define (piece-terms F p)
+(define (piece-terms F p [write spell])
   (define powers (term-powers (make-term 1 (piece-powers p))))
-  (define terms (multiply-terms (poly->terms F (piece-numerator p)) powers))
+  (define terms (multiply-terms (poly->terms F (piece-numerator p) write) powers))
   (if (ormap has-exponential? terms)
       (map (lambda (t) (merged-exponentials F t)) terms)
       terms))

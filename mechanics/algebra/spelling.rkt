@@ -10,7 +10,7 @@
 (require "kernel.rkt" "field.rkt" "squares.rkt" "contract.rkt" "waves.rkt"
          "polynomial/polynomial.rkt")
 
-(provide spell)
+(provide spell summands)
 
 ;; A summand: (coefficient . ((kernel . exponent) ...)).
 
@@ -45,7 +45,7 @@
   (cond [(andmap lone? groups) spelled]
         [else
          (define written (make-hash))
-         (for ([g (in-list (group-by-powers (poly->summands F p) outside))])
+         (for ([g (in-list (group-by-powers (summands F p) outside))])
            (hash-set! written (car g) (cdr g)))
          (apply append
                 (for/list ([g (in-list groups)])
@@ -55,7 +55,8 @@
 
 (define (lone? group) (null? (cddr group)))
 
-(define (poly->summands F p)
+;; The terms of p as they are.
+(define (summands F p)
   (for/list ([t (in-list (poly-terms (field-ring F) p))])
     (cons (car t)
           (for/list ([f (in-list (cdr t))])
