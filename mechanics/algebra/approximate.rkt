@@ -19,8 +19,9 @@
 (define bit-limit 2000)
 
 ;; lookup : as for evaluate-expression, giving plain numbers.
-;; -> number and error; the number is not finite where e is not defined.
-(define (approximate-tape t lookup)
+;; refuse! : #f, or called if a value is not real, which ends the evaluation
+;; -> number and error; the number is not finite where e is not defined or refused.
+(define (approximate-tape t lookup [refuse! #f])
   (define items (tape-items t))
   (define n (vector-length items))
   (define values-so-far (make-vector n #f))
@@ -28,10 +29,17 @@
     (if (null? ks)
         '()
         (cons (vector-ref values-so-far (car ks)) (values-of (cdr ks)))))
-  (for ([e (in-vector items)] [ks (in-vector (tape-operands t))] [k (in-naturals)])
-    (vector-set! values-so-far k (item-value e (values-of ks) lookup)))
-  (define result (vector-ref values-so-far (- n 1)))
-  (values (car result) (cdr result)))
+  (define result
+    (for/fold ([v #f]) ([e (in-vector items)] [ks (in-vector (tape-operands t))]
+                        [k (in-naturals)]
+                        #:break (and refuse! v (not-real? (car v))))
+      (define new (item-value e (values-of ks) lookup))
+      (vector-set! values-so-far k new)
+      new))
+  (cond [(and refuse! (not-real? (car result))) (refuse!) (values +nan.0 0)]
+        [else (values (car result) (cdr result))]))
+
+(define (not-real? x) (and (number? x) (not (real? x))))
 
 (define (item-value e args lookup)
   (cond [(symbol? e) (plain (lookup e '()))]

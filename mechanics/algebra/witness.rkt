@@ -7,6 +7,9 @@
 ;; points with integers for all leaves follow, where its value is known to
 ;; within rounding; zeros at those are what "undecided" reports.  The points
 ;; are always the same.  Where assumptions were made they hold at every point.
+;;
+;; Points where all is real come first, and among these positive ones: at
+;; √(b² - 4km) a person expects strong damping and masses, not negative ones.
 
 (require "operation.rkt" "expression.rkt" "tape.rkt" "approximate.rkt" "region.rkt")
 
@@ -17,6 +20,9 @@
 (define point-limit 12)
 (define point-limit/relations 100)
 
+;; How many of them have positive numbers only.
+(define positive-points 6)
+
 ;; e, residual : tapes of the expression and of a simpler one of the same value,
 ;; in whose leaves the point is given, or twice the same.  The value is that of e
 ;; itself, so simplification is no part of the evidence.
@@ -24,23 +30,30 @@
 ;; granted, `positive?`, all integers are that may be.
 ;; -> witness value bound points; witness is #f if none was found.
 (define (find-witness e residual place positive?)
-  (define-values (point value) (exact-witness e residual place))
-  (if point
-      (values point value 0 0)
-      (search e residual place positive?)))
+  (define complex? #f)
+  (define (try refuse!)
+    (define (at k zeros) (integer-point e residual place k zeros refuse!))
+    (define-values (point value) (exact-witness residual at))
+    (if point
+        (values point value 0 0)
+        (search (region-free? place) positive? at)))
+  (define-values (point value bound points) (try (lambda () (set! complex? #t))))
+  (if (or point (not complex?))
+      (values point value bound points)
+      (try #f)))
 
 ;; ---------------------------------------------------------------------------
 ;; Points where transcendental functions have exact values
 
-(define (exact-witness e residual place)
+;; at : as integer-point, of k and zeros
+(define (exact-witness residual at)
   (define-values (under only-under) (leaves-under-functions residual))
   (define more
     (if (eqv? (hash-count under) (hash-count only-under)) '() (list (cons under 0))))
   (let loop ([tries (list* (cons only-under 0) (cons only-under 1) more)])
     (cond [(null? tries) (values #f 0)]
           [else
-           (define-values (point value error)
-             (integer-point e residual place (cdar tries) (caar tries)))
+           (define-values (point value error) (at (cdar tries) (caar tries)))
            (if (and (exact? value) (not (eqv? value 0)) (eqv? error 0))
                (values point value)
                (loop (cdr tries)))])))
@@ -77,14 +90,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Points with integers for all leaves
 
-(define (search e residual place positive?)
-  (define tries (if (region-free? place) point-limit point-limit/relations))
+(define (search free? positive? at)
+  (define tries (if free? point-limit point-limit/relations))
   (let loop ([k 0] [bound 0] [points 0])
     (cond
       [(or (= k tries) (= points point-limit)) (values #f 0 bound points)]
       [else
-       (define-values (point value error)
-         (integer-point e residual place (if positive? k (- k)) #hash()))
+       (define-values (point value error) (at (if (or positive? (< k positive-points)) k (- positive-points k 1)) #hash()))
        (cond [(not (decent? value error)) (loop (+ k 1) bound points)]
              [(> (magnitude value) (* 4 error)) (values point value error points)]
              [else (loop (+ k 1) (max bound error) (+ points 1))])])))
@@ -97,9 +109,10 @@
 ;; Small integers for the leaves of residual, zeros for those of `zeros`; other
 ;; leaves get integers of their own.  A literal function has one value for one
 ;; argument.
+;; refuse! : #f, or called where something is not real
 ;; -> ((leaf . number) ...), the value and the error of e there; not a number
-;; where e is not defined or the point is out of place.
-(define (integer-point e residual place k zeros)
+;; where e is not defined, the point is out of place or refused.
+(define (integer-point e residual place k zeros refuse!)
   (define seen (make-hash))
   (define ((lookup next choose) leaf arguments)
     (hash-ref! seen (leaf-key leaf arguments)
@@ -120,9 +133,9 @@
     value)
   (define assign-others
     (lookup (integers-from (+ 100 (abs k))) (lambda (leaf other) (other))))
-  (define-values (value error) (value-at residual assign-and-list))
+  (define-values (value error) (value-at residual assign-and-list refuse!))
   (define-values (value-of-e error-of-e)
-    (if (eq? e residual) (values value error) (value-at e assign-others)))
+    (if (eq? e residual) (values value error) (value-at e assign-others refuse!)))
   (if (and (agree? value error value-of-e error-of-e)
            (admitted? place assign-others))
       (values (reverse point) value-of-e error-of-e)
@@ -137,9 +150,9 @@
   (and (decent? x x-error) (decent? y y-error)
        (<= (magnitude (- x y)) (* 4 (+ x-error y-error)))))
 
-(define (value-at t lookup)
+(define (value-at t lookup refuse!)
   (with-handlers ([exn:fail? (lambda (x) (values +nan.0 +nan.0))])
-    (approximate-tape t lookup)))
+    (approximate-tape t lookup refuse!)))
 
 ;; A literal function is known by its name, derivative and arguments' values.
 (define (leaf-key leaf arguments)

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Is an expression zero?  Proved, refuted, or undecided.
 ;;
-;; *Proved* rests on the canonical form being 0, with exact input.  *Refuted*
-;; rests on a point where the value is farther from zero than rounding can
+;; *Proved* rests on the canonical form being 0, whatever numbers stand in place of
+;; the flonums (flonums.rkt).  *Refuted* rests on a point where the value is farther from zero than rounding can
 ;; explain: small integers for the symbols and for the literal functions
 ;; applied, which a person can put in by hand; all assumptions hold there.
 ;; Otherwise the test is *undecided* and says at how many points it found zero,
@@ -14,7 +14,7 @@
 ;; none be found, the test is undecided, with a bound of 0 at those points.  The
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
-(require "expression.rkt" "simplify.rkt" "condition.rkt"
+(require "operation.rkt" "expression.rkt" "simplify.rkt" "condition.rkt" "flonums.rkt"
          (only-in "field.rkt" field-atlas) (only-in "collect.rkt" atlas-services)
          "assumptions.rkt" "relation.rkt" "region.rkt" (only-in "signs.rkt" signs-within? zero)
          "tape.rkt" "witness.rkt" "fingerprint.rkt" "proof.rkt" "bounds.rkt"
@@ -23,7 +23,7 @@
 (provide zero-test
          zero-test? zero-test-status zero-test-residual zero-test-witness zero-test-value
          zero-test-bound zero-test-points zero-test-factor zero-test-core
-         zero-test-condition zero-test-assumptions zero-test-left-unexpanded)
+         zero-test-conditions zero-test-assumptions zero-test-left-unexpanded)
 
 ;; status : 'proved, 'refuted or 'undecided
 ;; witness : #f or ((expression . number) ...)  value : the residual's there
@@ -36,15 +36,15 @@
   #:constructor-name make-zero-test)
 
 ;; residual : expression, simplified             factor, core : residual = factor · core
-;; condition : #f or an equation, as a datum, for which core = 0
+;; conditions : equations, as data, for which core = 0
 ;; notes : datums, such as (>= R 0) for what the residual rests on and
 ;; (left-unexpanded e) for what would have grown too large
-(struct form (residual factor core condition notes) #:authentic)
+(struct form (residual factor core conditions notes) #:authentic)
 
 (define (zero-test-residual z) (form-residual (settled-form z)))
 (define (zero-test-factor z) (form-factor (settled-form z)))
 (define (zero-test-core z) (form-core (settled-form z)))
-(define (zero-test-condition z) (form-condition (settled-form z)))
+(define (zero-test-conditions z) (form-conditions (settled-form z)))
 (define (zero-test-assumptions z) (filter assumption? (form-notes (settled-form z))))
 (define (zero-test-left-unexpanded z)
   (for/list ([note (in-list (form-notes (settled-form z)))] #:unless (assumption? note))
@@ -58,19 +58,27 @@
          (set-box! (zero-test-form z) made)
          made]))
 
-(define (make-form e A)
+(define (make-form e A variables)
   (if (and (number? e) (not (rational? (magnitude e))))
-      (form e 1 e #f '())
-      (make-form-of-finite e A)))
+      (form e 1 e '() '())
+      (make-form-of-finite e A variables)))
 
-(define (make-form-of-finite e A)
+(define (make-form-of-finite e A variables)
   (define-values (F f simple notes) (normal-form+simplified e A))
-  (cond [(fraction-zero? f) (form 0 1 0 #f notes)]
-        [(and (readable? f) (andmap assumption? notes))
-         (define-values (factor core condition)
-           (factor-and-core F f (lambda (p) (may-vanish? A F p))))
-         (form simple factor core condition notes)]
-        [else (form simple 1 simple #f notes)]))
+  (cond [(fraction-zero? f) (form 0 1 0 '() notes)]
+        [(and (readable? f) (andmap assumption? notes) (holds-sum? simple))
+         (define-values (factor core conditions)
+           (factor-and-core F f variables (lambda (p) (may-vanish? A F p))))
+         (form simple factor core conditions notes)]
+        [else (form simple 1 simple '() notes)]))
+
+;; Has a product or quotient a sum among its factors?  Else, as in -5 b sin 3t, there
+;; is no core.
+(define (holds-sum? e)
+  (and (node? e)
+       (cond [(memq (node-head e) (list op:* op:/ op:expt)) (ormap holds-sum? (node-args e))]
+             [else (memq (node-head e) (list op:+ op:-))])
+       #t))
 
 (define (assumption? note) (not (eq? (car note) 'left-unexpanded)))
 
@@ -83,9 +91,10 @@
 ;; The test
 
 ;; A : assumptions the expression is judged under
-(define (zero-test e [A no-assumptions])
+;; variables : symbols that no condition may speak of, such as the time of a path
+(define (zero-test e [A no-assumptions] [variables '()])
   (or (and (number? e) (inexact? e) (test-flonum e A))
-      (test-expression e A (expression->tape e))))
+      (test-expression e A variables (expression->tape e))))
 
 ;; A flonum that stands alone does not tell what it is the difference of; one
 ;; this small may be what rounding left of numbers about 1.  Infinity is not
@@ -93,13 +102,13 @@
 ;; -> a verdict, or #f for an ordinary flonum
 (define (test-flonum x A)
   (define size (magnitude x))
-  (define form (later x A))
+  (define form (later x A '()))
   (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 form)]
         [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 form)]
         [(rational? size) #f]
         [else (make-zero-test 'undecided #f x 0 0 form)]))
 
-(define (later e A) (box (lambda () (make-form e A))))
+(define (later e A variables) (box (lambda () (make-form e A variables))))
 
 ;; More items than `middling` are judged by the fingerprint first.  No more than
 ;; `large` are expanded even if they do not vanish: a witness then names only what
@@ -107,34 +116,35 @@
 (define middling 300)
 (define large 2000)
 
-(define (test-expression e A t)
+(define (test-expression e A variables t)
   (define n (tape-length t))
   (define print (if (> n middling) (tape-fingerprint t) 'unknown))
-  (or (and (eq? print 'nonzero) (> n large) (refute-at-once e A t))
+  (or (and (eq? print 'nonzero) (> n large) (refute-at-once e A variables t))
       (and (eq? print 'zero) (prove-indirectly t A))
-      (test-canonically e A t print)))
+      (test-canonically e A variables t print)))
 
 ;; -> a refutation, or #f
-(define (refute-at-once e A t)
+(define (refute-at-once e A variables t)
   (define-values (witness value bound points)
     (find-witness t t (make-region (assumptions-relations A) t) #f))
   (and witness
-       (make-zero-test 'refuted witness value bound points (later e A))))
+       (make-zero-test 'refuted witness value bound points (later e A variables))))
 
 ;; -> a proof, or #f
 (define (prove-indirectly t A)
   (define grounds (prove-vanishing t A))
   (and grounds
-       (vanishing-test t (form 0 1 0 #f grounds))))
+       (vanishing-test t (form 0 1 0 '() grounds) A)))
 
-;; Nothing is proved of flonums.
-(define (vanishing-test t f)
-  (make-zero-test (if (contains-flonum? t) 'undecided 'proved) #f 0 0 0 (box f)))
+;; Of flonums only what holds whatever they are is proved.
+(define (vanishing-test t f A)
+  (define proved? (or (not (contains-flonum? t)) (vanishes-for-any-flonums? t A)))
+  (make-zero-test (if proved? 'proved 'undecided) #f 0 0 0 (box f)))
 
 ;; print : what the fingerprint said, if it was asked
-(define (test-canonically e A t print)
-  (define f (make-form e A))
-  (cond [(eqv? (form-residual f) 0) (vanishing-test t f)]
+(define (test-canonically e A variables t print)
+  (define f (make-form e A variables))
+  (cond [(eqv? (form-residual f) 0) (vanishing-test t f A)]
         [(and (eq? print 'zero) (null? (assumptions-relations A)))
          (make-zero-test 'undecided #f 0 0 fingerprint-points (box f))]
         [else (test-by-points e A t f)]))
@@ -154,10 +164,3 @@
 (define (taken-relations A grounds)
   (define declared (map relation-datum (assumptions-relations A)))
   (for/list ([d (in-list grounds)] #:unless (member d declared)) (read-relation d)))
-
-;; ---------------------------------------------------------------------------
-
-;; Numbers under functions count: they are no better known than others.
-(define (contains-flonum? t)
-  (for/or ([e (in-vector (tape-items t))])
-    (and (number? e) (not (exact? e)))))

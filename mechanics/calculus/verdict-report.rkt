@@ -17,16 +17,16 @@
                           [label (in-list (if (null? labels) '(#f) labels))]
                           #:unless (eq? (zero-test-status z) 'proved))
                  (cons label z)))
-  (define shared (shared-condition open))
+  (define shared (shared-conditions open))
   (append
    (list (list 0 (headline status) #f))
    (if (null? labels)
        (append* (for/list ([entry (in-list open)]) (evidence (cdr entry) 1 #t)))
        (append* (for/list ([entry (in-list open)])
                   (cons (list 1 (car entry) #f)
-                        (evidence (cdr entry) 2 (not shared))))))
-   (if (and shared (pair? labels))
-       (list (list 1 "zero if:" (equation shared)))
+                        (evidence (cdr entry) 2 (null? shared))))))
+   (if (and (pair? shared) (pair? labels))
+       (list (list 1 "zero if:" (equations shared)))
        '())
    (grounds (distinct (append* (map zero-test-assumptions tests))) given)))
 
@@ -43,22 +43,23 @@
     [(refuted) "refuted: the residual is not zero"]
     [else "undecided: the residual is neither proved nor refuted to be zero"]))
 
-;; The condition that all components that are not zero have in common, or #f.
-(define (shared-condition open)
-  (define conditions (map (lambda (entry) (zero-test-condition (cdr entry))) open))
-  (and (pair? conditions)
-       (null? (cdr (distinct conditions)))
-       (car conditions)))
+;; The conditions that all components that are not zero have in common, if they have
+;; the same.
+(define (shared-conditions open)
+  (define conditions (map (lambda (entry) (zero-test-conditions (cdr entry))) open))
+  (if (and (pair? conditions) (null? (cdr (distinct conditions))))
+      (car conditions)
+      '()))
 
-(define (evidence z depth with-condition?)
+(define (evidence z depth with-conditions?)
   (define (line label . content) (list (list depth label content)))
   (append
-   (line "residual:" (value->datum (zero-test-residual z)))
+   (line "residual:" (short-datum (zero-test-residual z)))
    (for/list ([d (in-list (zero-test-left-unexpanded z))])
      (list depth "left unexpanded:" (list (datum->brief-text d))))
    (factors z line)
-   (if (and with-condition? (zero-test-condition z))
-       (list (list depth "zero if:" (equation (zero-test-condition z))))
+   (if (and with-conditions? (pair? (zero-test-conditions z)))
+       (list (list depth "zero if:" (equations (zero-test-conditions z))))
        '())
    (cond [(not-a-number? (zero-test-residual z)) (line "evidence:" "it is not a number")]
          [(eq? (zero-test-status z) 'refuted) (witness z line)]
@@ -72,11 +73,12 @@
   (define core (zero-test-core z))
   (if (or (number? factor) (number? core))
       '()
-      (append (line "factor:" (value->datum factor))
-              (line "core:" (value->datum core)))))
+      (append (line "factor:" (short-datum factor))
+              (line "core:" (short-datum core)))))
 
-(define (equation c)
-  (list (value->datum (cadr c)) "=" (value->datum (caddr c))))
+(define (equations cs)
+  (separated (for/list ([c (in-list cs)])
+               (list (short-datum (cadr c)) "=" (short-datum (caddr c))))))
 
 (define (witness z line)
   (define point (zero-test-witness z))
@@ -89,19 +91,37 @@
 ;; A flonum, or an exact number too long to be read, to six digits: it is there to
 ;; be seen not to be zero.
 (define (readable x [digits 6])
-  (cond [(and (exact? x) (real? x) (> (bits x) 64)) (readable (exact->inexact x) digits)]
-        [(or (exact? x) (not (rational? x)) (zero? x)) x]
+  (cond [(not (real? x))
+         (make-rectangular (readable (real-part x) digits) (readable (imag-part x) digits))]
+        [(and (exact? x) (> (bits x) 64)) (readable (exact->inexact x) digits)]
+        [(exact? x) x]
+        [else (rounded x digits)]))
+
+;; Flonums to fewer digits than they have: 9.81 - 9.8 is 0.009999999999999787, of
+;; which all but 0.01 is rounding.
+(define (short-datum x)
+  (let shorten ([d (value->datum x)])
+    (cond [(pair? d) (cons (shorten (car d)) (shorten (cdr d)))]
+          [(and (flonum? d) (rational? d)) (rounded d 12)]
+          [else d])))
+
+(define (rounded x digits)
+  (cond [(or (not (rational? x)) (zero? x)) x]
         [else
-         (define unit (expt 10.0 (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10)))))))
-         (/ (round (* x unit)) unit)]))
+         (define place (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10))))))
+         (define unit (expt 10 place))
+         (exact->inexact (/ (round (* (inexact->exact x) unit)) unit))]))
 
 (define (bits x) (+ (integer-length (numerator x)) (integer-length (denominator x))))
 
 (define (substitutions point)
+  (separated (for/list ([entry (in-list point)])
+               (list (value->datum (car entry)) "=" (cdr entry)))))
+
+(define (separated contents)
   (append*
-   (for/list ([entry (in-list point)] [i (in-naturals)])
-     (append (if (zero? i) '() (list ","))
-             (list (value->datum (car entry)) "=" (cdr entry))))))
+   (for/list ([c (in-list contents)] [i (in-naturals)])
+     (if (zero? i) c (cons "," c)))))
 
 ;; The bound is rounded upwards.
 (define (bound z line)

@@ -66,8 +66,7 @@
 ;; Equations, each of which makes a scalar of the residual vanish.
 (define (verdict-conditions v)
   (distinct
-   (for/list ([z (in-list (verdict-tests v))] #:when (zero-test-condition z))
-     (zero-test-condition z))))
+   (for*/list ([z (in-list (verdict-tests v))] [c (in-list (zero-test-conditions z))]) c)))
 
 ;; ((factor . core) ...) of the scalars that are not zero.
 (define (verdict-factored v)
@@ -85,13 +84,14 @@
 (define (prove-zero x)
   (define A (assumptions-in-force))
   (define tests '())
+  (define variables (make-hasheq))
   (define endless? #f)
   (define residual
     (map-leaves (lambda (leaf)
-                  (define z (judge leaf A))
+                  (define z (judge leaf A (hash-keys variables)))
                   (set! tests (cons z tests))
                   (zero-test-residual z))
-                (at-symbolic-arguments x '() (lambda () (set! endless? #t)))))
+                (at-symbolic-arguments x '() variables (lambda () (set! endless? #t)))))
   (for ([z (in-list tests)]) (note-used! (zero-test-assumptions z)))
   (define status (overall (map zero-test-status tests)))
   (verdict (if (and endless? (eq? status 'proved)) 'undecided status)
@@ -123,14 +123,14 @@
         [(memq 'undecided statuses) 'undecided]
         [else 'proved]))
 
-(define (judge leaf A)
+(define (judge leaf A variables)
   (unless (expression? leaf)
     (raise
      (exn:fail:contract
       (format "prove-zero: expected a number, an expression, a tuple of them, or a function; given ~a"
               (describe-with-value leaf))
       (current-continuation-marks))))
-  (zero-test leaf A))
+  (zero-test leaf A variables))
 
 (define (raise-operator o)
   (raise
@@ -145,15 +145,15 @@
 ;; A function, wherever it stands in x, is taken at symbols of its own, which
 ;; occur nowhere else; its value may be a function again.  In the result they
 ;; are renamed to t, or t0 t1 ... if there are several, or to what comes next if
-;; the user has a t already.
-(define (at-symbolic-arguments x arguments note!)
+;; the user has a t already.  Their names are added to the table `variables`.
+(define (at-symbolic-arguments x arguments variables note!)
   (map-leaves
    (lambda (leaf)
      (cond [(operator? leaf) (raise-operator leaf)]
            [(procedure? leaf)
             (define fresh (fresh-arguments leaf))
-            (at-symbolic-arguments (apply leaf fresh) (append arguments fresh) note!)]
-           [(symbolic? leaf) (rename-arguments leaf arguments)]
+            (at-symbolic-arguments (apply leaf fresh) (append arguments fresh) variables note!)]
+           [(symbolic? leaf) (rename-arguments leaf arguments variables)]
            [else leaf]))
    (with-terms x note!)))
 
@@ -164,13 +164,14 @@
   (for/list ([i (in-range n)])
     (string->uninterned-symbol (if (= n 1) "t" (format "t~a" i)))))
 
-(define (rename-arguments e arguments)
+(define (rename-arguments e arguments variables)
   (define taken (free-symbols e))
   (substitute-expression
    e
    (for/list ([a (in-list arguments)])
      (define name (unused-name (symbol->string a) taken))
      (hash-set! taken name #t)
+     (hash-set! variables name #t)
      (cons a name))))
 
 (define (unused-name base taken)

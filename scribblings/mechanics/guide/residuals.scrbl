@@ -39,7 +39,7 @@ A verdict never rests on a guess: points can refute, but they never prove.
 
 Most residuals that are not zero are zero sometimes. The verdict splits the
 residual into a @emph{factor}, which is of no interest, and a @emph{core}. When the
-core is linear in one of its symbols, it states the condition under which it
+core can be solved for a parameter, it states the condition under which it
 vanishes:
 
 @examples[#:eval session #:label #f

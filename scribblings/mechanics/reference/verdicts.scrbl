@@ -25,9 +25,16 @@ is. A function is judged at a symbolic time @racketidfont{t}, or at
 
 Whether the difference is zero.
 
+What holds for any numbers in place of the flonums in it is proved. What holds just
+for the flonums it has may be due to rounding, and is undecided; write
+@racket[49/5] for @racket[9.8] where that matters. Numbers that meet numbers, as in
+@racket[(* 2 4.9)], are rounded by Racket before anyone can tell.
+
 @examples[#:eval session
 (verify-equal (sin (+ 'a 'b))
-              (+ (* (sin 'a) (cos 'b)) (* (cos 'a) (sin 'b))))]}
+              (+ (* (sin 'a) (cos 'b)) (* (cos 'a) (sin 'b))))
+(verify-equal (* 'm (- (/ 9.8 'l) 9.8)) (/ (* 9.8 'm (- 1 'l)) 'l))
+(verify-equal (* 0.5 'm) (* 1/2 'm))]}
 
 @defproc[(verify-solution [L Lagrangian] [q path]
                           [#:force force (or/c #f procedure?) #f]
@@ -80,10 +87,19 @@ an expression and a number, and the value there. The pairs can be given to
 
 @defproc[(verdict-conditions [v verdict?]) list?]{
 
-Equations @racket[(= symbol expression)], each of which makes a scalar of the
-residual vanish: one for each scalar of which the core is linear in a symbol.
+Equations between parameters, as lists @racket[(= left right)], for which the scalars of
+the residual vanish. There are none where no short equation would do, and none that
+speak of the arguments of a function: a residual that varies with the time has to
+vanish at all times, for which several equations may be needed.
 
-@examples[#:eval session (verdict-conditions v)]}
+@examples[#:eval session
+(verdict-conditions v)
+(define ((L-damped m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(verdict-conditions
+ (verify-solution (L-damped 'm 'k)
+                  (lambda (t) (* (exp (* -1 'gamma t)) (cos (* 'omega t))))
+                  #:force (lambda (local) (* -1 'b (velocity local)))))]}
 
 @defproc[(verdict-factored [v verdict?]) (listof pair?)]{
 

@@ -54,8 +54,19 @@
   (check-not-equal? (cdr (assq 'a (zero-test-witness v)))
                     (cdr (assq 'b (zero-test-witness v)))))
 
-(test-case "flonum input is never proved, and never refuted within rounding"
-  (check-equal? (status '(- (* 9.8 (+ a 1)) (* 9.8 a) 9.8)) 'undecided)
+(test-case "what vanishes for any numbers in place of flonums is proved"
+  (check-equal? (status '(- (* 9.8 (+ a 1)) (* 9.8 a) 9.8)) 'proved)
+  (check-equal? (status '(- (/ -9.8 l) (* -1 9.8 (/ 1 l)))) 'proved)
+  (check-equal? (status '(+ (expt (sin (* 2.1 t)) 2) -1 (expt (cos (* 2.1 t)) 2))) 'proved)
+  (check-equal? (status '(- (expt (sqrt (/ 9.8 l)) 2) (/ 9.8 l))) 'proved))
+
+(test-case "what vanishes for the flonums it has is undecided"
+  (check-equal? (status '(- (* 1/2 m) (* 0.5 m))) 'undecided)
+  (check-equal? (status '(- (sqrt (* 0.25 a)) (* 0.5 (sqrt a)))) 'undecided)
+  (check-equal? (status '(- (abs (* 9.8 a)) (* 9.8 (abs a)))) 'undecided)
+  (check-equal? (status (make-node op:- (list 9.8 9.8))) 'undecided))
+
+(test-case "flonums are never refuted within rounding"
   (check-equal? (status '(+ (* 0.1 a) (* 0.2 a) (* -0.3 a))) 'undecided)
   (check-equal? (status '(+ (* 0.1 a) (* 0.2 a) (* -0.3001 a))) 'refuted))
 
@@ -70,7 +81,46 @@
                          (* a m omega omega (cos (+ phi (* t omega)))))))
   (check-equal? (zero-test-core v) (datum->expression '(- k (* m (expt omega 2)))))
   (check-equal? (zero-test-factor v) (datum->expression '(* a (cos (+ (* omega t) phi)))))
-  (check-equal? (zero-test-condition v) '(= k (* m (expt omega 2)))))
+  (check-equal? (zero-test-conditions v) '((= k (* m (expt omega 2))))))
+
+(define (conditions d . variables)
+  (zero-test-conditions (zero-test (datum->expression d) no-assumptions variables)))
+
+(test-case "a condition is the equation that is read most easily"
+  (check-equal? (conditions '(- (* R R R w w) (* G M))) '((= (* G M) (* (expt R 3) (expt w 2)))))
+  (check-equal? (conditions '(- (* m m) (* k k))) '((= (expt k 2) (expt m 2))))
+  (check-equal? (conditions '(- (* l l m) 1)) '((= (* (expt l 2) m) 1)))
+  (check-equal? (conditions '(- (* k (+ m1 m2)) (* m1 m2 w w)))
+                '((= (expt w 2) (+ (/ k m1) (/ k m2)))))
+  (check-equal? (conditions '(- g (* R w w (cos theta)))) '((= g (* R (expt w 2) (cos theta))))))
+
+(test-case "there is no condition where nothing real could meet it, nor one in circles"
+  (check-equal? (conditions '(+ (* a a) (* b b))) '())
+  (check-equal? (conditions '(+ (* a a) 1)) '())
+  (check-equal? (conditions '(- (sin theta) theta)) '())
+  (check-equal? (conditions '(- (sqrt (+ (* a a) (* b b))) a b)) '()))
+
+(test-case "what moves is no parameter: its coefficients have to vanish"
+  (check-equal? (conditions '(- g (* 6 c t)) 't) '())
+  (check-equal? (conditions '(+ (* (- b (* 2 c)) (sin (* w t))) (* (- k (* m w w)) (cos (* w t)))) 't)
+                '((= b (* 2 c)) (= k (* m (expt w 2)))))
+  (check-equal? (conditions '(+ (* (- b c) t) (* b t t)) 't) '())
+  (check-equal? (conditions '(+ (* k (x t)) (* m (((expt D 2) x) t)))) '()))
+
+(test-case "a product of one-term factors has no core"
+  (define v (verdict '(* -5 b (sin (* 3 t)))))
+  (check-equal? (zero-test-core v) (zero-test-residual v))
+  (check-equal? (zero-test-conditions v) '()))
+
+(test-case "a witness is real and positive where that suffices"
+  (for ([d (in-list '((- (sqrt (- (* b b) (* 4 k m))) b)
+                      (* (exp (* t (sqrt (- a b)))) (- a b) (+ 1 (sqrt (- a b))))
+                      (- (* k (cos (* t (sqrt (/ k m))))) 1)))])
+    (define v (verdict d))
+    (check-true (real? (zero-test-value v)) (format "~s" d))
+    (check-true (andmap (lambda (w) (>= (cdr w) 0)) (zero-test-witness v))
+                (format "~s ~s" d (zero-test-witness v))))
+  (check-equal? (status '(- (sqrt (- -1 (* a a))) b)) 'refuted))
 
 (test-case "what a verdict takes for granted is told"
   (define v (verdict '(- (sqrt (expt R 2)) R)))
@@ -119,8 +169,8 @@
   (check-not-equal? (zero-test-status (under '((> x 0)) '(- (abs x) x))) 'refuted))
 
 (test-case "the condition is none that the assumptions exclude"
-  (check-equal? (zero-test-condition (under '((> a b)) '(- a b))) #f)
-  (check-equal? (zero-test-condition (under '((> a 0)) '(* (+ 1 a) (- k m)))) '(= k m)))
+  (check-equal? (zero-test-conditions (under '((> a b)) '(- a b))) '())
+  (check-equal? (zero-test-conditions (under '((> a 0)) '(* (+ 1 a) (- k m)))) '((= k m))))
 
 ;; Large enough for the fingerprint, which takes roots of squares to be positive.
 (test-case "the fingerprint does not decide what depends on a sign"

@@ -75,6 +75,12 @@
   (check-regexp-match #px"^  evidence: at 12 points, zero to within [0-9]([.][0-9])?e-[0-9]+$"
                       (last-line (verify-equal (g:* 0.1 'x) (g:/ 'x 10)))))
 
+(test-case "several conditions stand on one line, and none speaks of the time"
+  (define v (prove-zero (lambda (t) (g:+ (g:* (g:- 'a 'b) (g:sin t))
+                                         (g:* (g:- 'c (g:square 'd)) (g:cos t))))))
+  (check-regexp-match #rx"\n  zero if: a = b, c = [(]expt d 2[)]\n" (format "~a" v))
+  (check-equal? (verdict-conditions (prove-zero (lambda (t) (g:- 'g (g:* 6 'c t))))) '()))
+
 (test-case "a value of many digits is shown to six"
   (check-equal? (last-line (prove-zero (g:* (expt 10 60) 'm))) "  value: 1e+60")
   (check-equal? (last-line (prove-zero (g:/ 1 3))) "  value: 1/3"))

@@ -32,9 +32,21 @@
   (define (friction local) (g:* -1 'b (velocity local)))
   (define (verdict gamma omega)
     (verify-solution (L-harmonic 'm 'k) (damped gamma omega) #:force friction))
-  (check-true (refuted? (verdict 'gamma 'omega)))
+  (define general (verdict 'gamma 'omega))
+  (check-true (refuted? general))
+  (check-equal? (map expression-of (verdict-conditions general))
+                '((= b (* 2 gamma m))
+                  (= k (+ (* b gamma) (* -1 (expt gamma 2) m) (* m (expt omega 2))))))
   (define gamma (g:/ 'b (g:* 2 'm)))
   (check-true (proved? (verdict gamma (g:sqrt (g:- (g:/ 'k 'm) (g:square gamma)))))))
+
+(test-case "decimals: proved if it holds for any number, refuted if it is wrong"
+  (define ((L-falling g) local)
+    (g:- (g:* 1/2 'm (g:square (velocity local))) (g:* 'm g (coordinate local))))
+  (define (fall half-g) (lambda (t) (g:- 'h (g:* half-g (g:square t)))))
+  (check-true (proved? (verify-solution (L-falling 9.8) (fall 4.9))))
+  (define v (verify-solution (L-falling 9.81) (fall 4.9)))
+  (check-regexp-match #rx"residual: \\(\\* 0[.]01 m\\)\n" (format "~a" v)))
 
 (test-case "with an order"
   (define (L local)

@@ -110,7 +110,7 @@
 (define (same-by-verdict e other)
   (define d (difference e other))
   (define v (zero-test-status (zero-test d)))
-  (and (not (eq? v (if (contains-flonum? d) 'undecided 'proved)))
+  (and (not (memq v (if (contains-flonum? d) '(undecided proved) '(proved))))
        (not (undefined? (simplify-expression d)))
        (format "that ~a is the same is ~a" (shown other) v)))
 
