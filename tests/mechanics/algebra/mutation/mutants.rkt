@@ -157,7 +157,7 @@
   ["a witness has another value" "witness.rkt"
    "(values (reverse point) value-of-e error-of-e)"
    "(values (reverse point) (- value-of-e) error-of-e)"]
-  ["flonums are proved" "zero-test.rkt"
+  ["flonums are proved" "flonums.rkt"
    "(and (number? e) (not (exact? e)))"
    "#f"]
   ;; expressions
