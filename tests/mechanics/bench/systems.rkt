@@ -3,7 +3,7 @@
 
 (require mechanics)
 
-(provide chain-Lagrangian chain-Lagrangian/decimal chain-path chain-state
+(provide chain-Lagrangian chain-Lagrangian/decimal chain-Lagrangian/equal chain-path chain-state
          rigid-body-Lagrangian Euler-path Euler-state
          Foucault-Lagrangian Foucault-path Foucault-state
          Foucault-Lagrangian/rectangular Foucault-state/rectangular
@@ -43,6 +43,11 @@
   (define (decimals start) (for/list ([i (in-range n)]) (+ start (* 0.37 i))))
   (compose (L-particles (decimals 1.2) 9.8)
            (F->C (angles->positions (decimals 0.7)))))
+
+;; Masses and lengths 1, g = 9.8.
+(define (chain-Lagrangian/equal n)
+  (define ones (for/list ([_ (in-range n)]) 1.0))
+  (compose (L-particles ones 9.8) (F->C (angles->positions ones))))
 
 (define (chain-path n)
   (apply up (map literal-function (numbered-list 'theta n))))

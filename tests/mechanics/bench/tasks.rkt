@@ -7,6 +7,7 @@
          (only-in mechanics/algebra/zero-test zero-test zero-test-status)
          "derivatives.rkt"
          "matrices.rkt"
+         "motion.rkt"
          "rotations.rkt"
          "systems.rkt"
          "task.rkt")
@@ -191,7 +192,7 @@
               #t fingerprint)
    (zero-task 'Z3 "zero test of the same, a proof"
               #t (lambda (e) (zero-test-status (zero-test e))))
-   matrix-tasks))
+   (append motion-tasks matrix-tasks)))
 
 ;; ---------------------------------------------------------------------------
 ;; Growth
