@@ -39,7 +39,8 @@
              [g:max max] [g:min min] [g:add1 add1] [g:sub1 sub1]
              [g:number? number?] [g:real? real?] [g:rational? rational?]
              [g:integer? integer?] [g:exact? exact?] [g:inexact? inexact?]
-             [g:symbol? symbol?] [g:equal? equal?] [g:eqv? eqv?])
+             [g:symbol? symbol?] [g:equal? equal?] [g:eqv? eqv?]
+             [g:memv memv] [g:member member] [g:case case])
  ;; sums and products over sequences
  (rename-out [g:for/sum for/sum] [g:for/product for/product]
              [g:for*/sum for*/sum] [g:for*/product for*/product])

@@ -7,7 +7,7 @@
 (require "naming.rkt" "tracing.rkt")
 
 (provide g:number? g:real? g:rational? g:integer? g:exact? g:inexact? g:symbol?
-         g:equal? g:eqv?)
+         g:equal? g:eqv? g:memv g:member g:case)
 
 (define-syntax-rule (define-tests [id name] ...)
   (begin
@@ -20,12 +20,30 @@
   [g:number? number?] [g:real? real?] [g:rational? rational?] [g:integer? integer?]
   [g:exact? exact?] [g:inexact? inexact?] [g:symbol? symbol?])
 
+;; To compare is to look inside.
+(define-syntax-rule (look-inside-if-open name x ...)
+  (when (and (being-traced?) (or (open-value? x) ...))
+    (look-inside name)))
+
 (define-syntax-rule (define-equalities [id name] ...)
   (begin
     (define-named id name
       (lambda (x y)
-        (when (and (being-traced?) (or (open-value? x) (open-value? y)))
-          (look-inside 'name))
+        (look-inside-if-open 'name x y)
         (name x y))) ...))
 
-(define-equalities [g:equal? equal?] [g:eqv? eqv?])
+(define-equalities [g:equal? equal?] [g:eqv? eqv?] [g:memv memv])
+
+(define-named g:member member
+  (case-lambda
+    [(x xs)
+     (look-inside-if-open 'member x xs)
+     (member x xs)]
+    [(x xs same?) (member x xs same?)]))
+
+(define-syntax-rule (g:case x clause ...)
+  (case (known-for-case x) clause ...))
+
+(define (known-for-case x)
+  (look-inside-if-open 'case x)
+  x)

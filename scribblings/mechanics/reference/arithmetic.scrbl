@@ -280,7 +280,10 @@ Real numbers only, like @racket[<]. Where two arguments of @racket[max] or
               @defproc[(inexact? [x number?]) boolean?]
               @defproc[(symbol? [x any/c]) boolean?]
               @defproc[(equal? [x any/c] [y any/c]) boolean?]
-              @defproc[(eqv? [x any/c] [y any/c]) boolean?])]{
+              @defproc[(eqv? [x any/c] [y any/c]) boolean?]
+              @defproc[(memv [x any/c] [xs list?]) (or/c list? #f)]
+              @defproc[(member [x any/c] [xs list?] [same? procedure? equal?]) (or/c list? #f)]
+              @defform[(case x [(datum ...) body ...+] ...)])]{
 
 They answer as those of @racketmodname[racket/base] do, in which a symbol is no
 number. While a function is being compiled (@racket[compile-function]) they notice

@@ -31,13 +31,13 @@ after a change of a global variable, compile again, which is cheap. Equal progra
 share their code.
 
 A placeholder is not yet a number. When @racket[f] asks which one it is, by
-@racket[<], @racket[=], @racket[zero?], @racket[number?], @racket[equal?] and the
-like, or by an operation that takes only numbers, a branch would be lost; then the
+@racket[<], @racket[=], @racket[zero?], @racket[number?], @racket[equal?],
+@racket[case] and the like, or by an operation that takes only numbers, a branch would be lost; then the
 generic arithmetic evaluates @racket[f] at each call, with the same values and less
 speed. A test that does not come from @racketmodname[mechanics] goes unseen, so
 the value at @racket[example] is compared with that of @racket[f], and should they
-differ, the generic arithmetic is used as well. In a
-@racket[case] or a @racket[match] on a number, write a test instead.
+differ, the generic arithmetic is used as well. In a @racket[match] on a number,
+write a test instead.
 
 @examples[#:eval session
 (define g (compile-function (lambda (x) (if (< x 0) 0 (square x))) 1.0))

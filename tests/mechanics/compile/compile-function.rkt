@@ -4,7 +4,7 @@
 (require racket/flonum
          (except-in rackunit fail)
          (only-in mechanics up down + - * / sin cos square sqrt ref coordinate velocity
-                  < = zero? number? equal? max D partial literal-function F->C p->r
+                  < = zero? number? equal? memv member case max D partial literal-function F->C p->r
                   Lagrangian->state-derivative compile-function compiled-function-reason
                   compiled-function-operations)
          mechanics/compile/cache)
@@ -52,6 +52,9 @@
    [x (if (zero? x) 1 (/ (sin x) x))]
    [x (if (number? x) (* 3 x) x)]
    [x (if (equal? x 2.0) 5 x)]
+   [x (if (memv x '(2.0 3.0)) 5 x)]
+   [x (if (member x '(2.0 3.0)) 5 x)]
+   [x (case x [(3.0) 5] [else x])]
    [x (max x 1)]
    [x (vector-ref (vector 1 2 3 4) (abs (inexact->exact (floor x))))]))
 
