@@ -17,7 +17,7 @@
  same-orientation flip-orientation structure-length
  structure-map structure-map2 compatible? same-shape?
  ;; arithmetic over a given ring
- structure-add structure-multiply contractible? unequal-contraction)
+ structure-add structure-multiply unequal-contraction)
 
 ;; ---------------------------------------------------------------------------
 ;; Data

@@ -13,7 +13,7 @@
          "../compile/compile-function.rkt"
          "../generic/describe.rkt" "../generic/function.rkt")
 
-(provide event event? event-name event-terminal?
+(provide event event? event-terminal?
          (struct-out occurrence)
          watch-for)
 

@@ -27,16 +27,26 @@
 ;; ended the trajectory; (at theta out) is its interpolant.
 (struct step (from to full at) #:authentic)
 
-(define (trajectory-start tr) (step-from (vector-ref (trajectory-steps tr) 0)))
+(define (trajectory-start tr)
+  (check-trajectory 'trajectory-start tr)
+  (step-from (vector-ref (trajectory-steps tr) 0)))
+
 (define (trajectory-end tr)
+  (check-trajectory 'trajectory-end tr)
   (define steps (trajectory-steps tr))
   (step-to (vector-ref steps (- (vector-length steps) 1))))
 
-(define (trajectory-final-state tr) (state-at tr (trajectory-end tr)))
+(define (trajectory-final-state tr)
+  (check-trajectory 'trajectory-final-state tr)
+  (state-at tr (trajectory-end tr)))
 
 ;; The states at the given times, or at the ends of the steps.
-(define (trajectory-states tr [times (step-times tr)])
-  (for/list ([t times]) (state-at tr t)))
+(define (trajectory-states tr [times #f])
+  (check-trajectory 'trajectory-states tr)
+  (for/list ([t (or times (step-times tr))]) (state-at tr t)))
+
+(define (check-trajectory who tr)
+  (unless (trajectory? tr) (raise-argument-error who "trajectory?" tr)))
 
 (define (step-times tr)
   (cons (trajectory-start tr)

@@ -16,7 +16,7 @@
          "../algebra/expression.rkt"
          "series/coefficients.rkt" "series/series.rkt")
 
-(provide make-operator make-primitive-operator operator? operator-procedure
+(provide make-operator make-primitive-operator operator?
          I-operator commutator anticommutator)
 
 (define kind:operator

@@ -17,7 +17,7 @@
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series
-         coefficients-of collapse shown-terms compared-terms)
+         coefficients-of collapse compared-terms)
 
 ;; ---------------------------------------------------------------------------
 ;; Data

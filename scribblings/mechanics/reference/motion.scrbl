@@ -10,8 +10,8 @@ derivatives are compiled (@secref["compiled-functions"]), once for an advancer a
 shape of state that it meets; exact numbers in states become floating-point numbers.
 
 A state is a scalar or a tuple of real numbers, of any shape, and its derivative a
-value of the same shape. Where the derivative of the state's first component is
-exactly 1, as in a local tuple, that component is the time.
+value of the same shape. Where the derivative of the state's first component is the
+constant 1, as in a local tuple, that component is the time.
 
 The tolerance bounds the error of each step, relative to 1 plus the size of each
 component; the steps are as long as it lets them be. It is a positive number not below
@@ -28,7 +28,8 @@ procedure of a state, a duration and perhaps a tolerance, whose value is the sta
 after that duration, which may be negative.
 
 Parameters that are real numbers become inputs of the compiled code, so that the same
-system with other numbers is not compiled again. A state derivative itself may stand
+system with other numbers is not compiled again; where the system counts or decides by
+one, it is taken as it is. A state derivative itself may stand
 for a procedure of no parameters that makes it.
 
 @examples[#:eval session
