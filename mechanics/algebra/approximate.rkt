@@ -30,10 +30,10 @@
         '()
         (cons (vector-ref values-so-far (car ks)) (values-of (cdr ks)))))
   (define result
-    (for/fold ([v #f]) ([e (in-vector items)] [ks (in-vector (tape-operands t))]
+    (for/fold ([v #f]) ([head (in-vector (tape-heads t))] [ks (in-vector (tape-operands t))]
                         [k (in-naturals)]
                         #:break (and refuse! v (not-real? (car v))))
-      (define new (item-value e (values-of ks) lookup))
+      (define new (item-value (vector-ref items k) head (values-of ks) lookup))
       (vector-set! values-so-far k new)
       new))
   (cond [(and refuse! (not-real? (car result))) (refuse!) (values +nan.0 0)]
@@ -41,11 +41,11 @@
 
 (define (not-real? x) (and (number? x) (not (real? x))))
 
-(define (item-value e args lookup)
-  (cond [(symbol? e) (plain (lookup e '()))]
-        [(number? e) (constant e)]
-        [(literal-head? (node-head e)) (plain (lookup e (map bare args)))]
-        [else (approximate (node-head e) args)]))
+(define (item-value e head args lookup)
+  (cond [(operation? head) (approximate head args)]
+        [head (plain (lookup e (map bare args)))]
+        [(symbol? e) (plain (lookup e '()))]
+        [else (constant e)]))
 
 (define (plain x) (cons x 0))
 (define (constant x) (cons x (if (exact? x) 0 (* 4.0 unit (magnitude x)))))

@@ -52,7 +52,7 @@
 
 ;; -> 'zero : e is 0 at a point modulo each prime, 'nonzero : e is not zero,
 ;;    'nonzero? : very probably it is not, 'unknown : no point was found.
-(define (fingerprint e) (tape-fingerprint (expression->tape e)))
+(define (fingerprint e) (tape-fingerprint (expression->plain-tape e)))
 
 (define (tape-fingerprint t)
   (define-values (plan sure?) (make-plan t))
@@ -99,38 +99,39 @@
 ;; other than 0 a proof?
 (define (make-plan t [cuts #f])
   (define items (tape-items t))
+  (define heads (tape-heads t))
   (define n (vector-length items))
   (define levels (make-fxvector n 0))
   (fxvector-set! levels (- n 1) 1)
   (define sure?
     (for/fold ([sure? #t]) ([k (in-range (- n 1) -1 -1)])
-      (define e (vector-ref items k))
+      (define head (vector-ref heads k))
       (define cut (and cuts (vector-ref cuts k)))
       (cond [cut
              (fxvector-set! levels cut
                             (fxior (fxvector-ref levels cut) (fxvector-ref levels k)))
              sure?]
-            [(node? e)
-             (and (spread-levels! levels k e (vector-ref (tape-operands t) k)) sure?)]
+            [head
+             (and (spread-levels! levels k head (vector-ref (tape-operands t) k) items) sure?)]
             [else sure?])))
   (values (and (for/and ([e (in-vector items)]) (or (not (number? e)) (rational? e)))
-               (plan t levels (number-heads items) cuts))
+               (plan t levels (number-heads heads) cuts))
           sure?))
 
-;; Marks the operands of e at the levels it needs; -> is e sure?
-(define (spread-levels! levels k e operands)
+;; Marks the operands of item k at the levels it needs; -> is it sure?
+(define (spread-levels! levels k op operands items)
   (define here (fxvector-ref levels k))
-  (define op (node-head e))
+  (define (exponent) (vector-ref items (cadr operands)))
   (define (mark! j there) (fxvector-set! levels j (fxior there (fxvector-ref levels j))))
   (define (mark-all! there) (for ([j (in-list operands)]) (mark! j there)))
   (cond [(or (literal-head? op) (memq op rational)) (mark-all! here) #t]
         [(memq op exponential) (mark-all! (exponent-levels here)) (deep-enough? here)]
         [(memq op circular) (mark-all! (angle-levels here)) (deep-enough? here)]
-        [(and (eq? op op:expt) (not (number? (cadr (node-args e)))))
+        [(and (eq? op op:expt) (not (number? (exponent))))
          (mark! (car operands) here)
          (mark! (cadr operands) (exponent-levels here))
          #f]
-        [else (mark-all! here) (and (eq? op op:expt) (integer? (cadr (node-args e))))]))
+        [else (mark-all! here) (and (eq? op op:expt) (integer? (exponent)))]))
 
 (define rational (list op:+ op:* op:- op:/ op:up op:down))
 (define exponential (list op:exp op:sinh op:cosh op:tanh))
@@ -147,11 +148,10 @@
          (fxlshift (fxand bits 1) 2) (fxlshift (fxand bits 2) 3) (fxlshift (fxand bits 4) 4)))
 
 ;; Equal literal heads have equal numbers.
-(define (number-heads items)
+(define (number-heads heads)
   (define table (make-hash))
   (define numbers (make-hasheq))
-  (for ([e (in-vector items)] #:when (and (node? e) (literal-head? (node-head e))))
-    (define head (node-head e))
+  (for ([head (in-vector heads)] #:when (literal-head? head))
     (unless (hash-ref numbers head #f)
       (define key (cons (literal-head-name head) (literal-head-index head)))
       (hash-set! numbers head (hash-ref! table key (lambda () (+ 100 (hash-count table)))))))
@@ -197,6 +197,7 @@
 ;; -> did all go well?
 (define (fill-site! plan level s)
   (define items (tape-items (plan-tape plan)))
+  (define heads (tape-heads (plan-tape plan)))
   (define operands (tape-operands (plan-tape plan)))
   (define levels (plan-levels plan))
   (define values (site-values s))
@@ -205,17 +206,17 @@
     (cond [(fx= k n) #t]
           [(not (fxbit-set? (fxvector-ref levels k) level)) (loop (fx+ k 1))]
           [else
-           (define x (item-residue plan s k (vector-ref items k) (vector-ref operands k)))
+           (define x (item-residue plan s k (vector-ref heads k) items (vector-ref operands k)))
            (and x
                 (begin (fxvector-set! values k x)
                        (loop (fx+ k 1))))])))
 
-(define (item-residue plan s k e operands)
+(define (item-residue plan s k head items operands)
   (define cuts (plan-cuts plan))
   (define cut (and cuts (vector-ref cuts k)))
   (cond [cut (if (fx= cut k) (site-symbol s k) (fxvector-ref (site-values s) cut))]
-        [(symbol? e) (site-symbol s k)]
-        [(number? e) (site-number s e)]
-        [(literal-head? (node-head e))
-         (site-application s (hash-ref (plan-heads plan) (node-head e)) operands)]
-        [else (site-operation s (node-head e) (node-args e) operands)]))
+        [(operation? head) (site-operation s head items operands)]
+        [head (site-application s (hash-ref (plan-heads plan) head) operands)]
+        [else
+         (define leaf (vector-ref items k))
+         (if (symbol? leaf) (site-symbol s k) (site-number s leaf))]))

@@ -69,7 +69,7 @@
          (and (not (eqv? 0 (modulo (denominator x) p)))
               (residue x p))]))
 
-(define (site-operation s op args operands)
+(define (site-operation s op items operands)
   (define p (site-prime s))
   (define (one) (value s (car operands)))
   (define (two) (value s (cadr operands)))
@@ -77,7 +77,7 @@
         [(eq? op op:*) (product s p operands)]
         [(eq? op op:-) (mod- (one) (two) p)]
         [(eq? op op:/) (quotient-residue (one) (two) p)]
-        [(eq? op op:expt) (general-power s p args operands)]
+        [(eq? op op:expt) (general-power s p items operands)]
         [(eq? op op:sqrt) (rational-power (one) 1/2 p)]
         [(eq? op op:abs) (if (square? (one) p) (one) (mod- 0 (one) p))]
         [(memq op circular) (circular-value s p op (car operands))]
@@ -112,9 +112,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Powers
 
-(define (general-power s p args operands)
+(define (general-power s p items operands)
   (define base (value s (car operands)))
-  (define n (cadr args))
+  (define n (vector-ref items (cadr operands)))
   (cond [(number? n) (rational-power base (inexact->exact n) p)]
         [(site-order s) (symbolic-power s p base (fxvector-ref (site-exponents s) (cadr operands)))]
         [else (unknown s op:expt operands)]))

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Tapes: an expression's graph written out once, operands before the nodes they
-;; are operands of, and equal nodes once.
+;; are operands of, and equal nodes once if that is asked for.
 ;;
 ;; A walk over a tape is a loop over vectors by place, without a table of nodes
 ;; met; so an expression to be evaluated several times is put on a tape first.
@@ -8,27 +8,49 @@
 (require racket/fixnum
          "expression.rkt" "operation.rkt")
 
-(provide (struct-out tape) expression->tape tape-length tape->expression)
+(provide (struct-out tape) expression->tape expression->plain-tape tape-length tape->expression)
 
 ;; items : vector of numbers, symbols and nodes, the whole expression last
+;; heads : vector of the heads of nodes, #f for numbers and symbols: loops that need
+;; no more of a node do without fetching it from where it lies in memory
 ;; operands : vector of lists of places, those of the operands of each node
-(struct tape (items operands) #:authentic)
+(struct tape (items heads operands) #:authentic)
 
 (define (tape-length t) (vector-length (tape-items t)))
 
-;; A node met is marked with its place, in a pair that names this tape: the mark of
-;; another tape, made at the same time by another thread, is only met too late, and
-;; costs a second look.  Nodes with the same head and the same operands, in any order
-;; they may have, are one item.
-(define (expression->tape e)
+;; Nodes with the same head and the same operands, in any order they may have, are
+;; one item.
+(define (expression->tape e) (make-tape e (make-merged)))
+
+;; Nodes made apart are items apart: half the work, for those who look at a graph
+;; once.
+(define (expression->plain-tape e) (make-tape e #f))
+
+;; Every tape has a number, which the marks of its nodes carry: the mark of another
+;; tape, made at the same time by another thread, is only met too late, and costs a
+;; second look.
+(define numbers (box 0))
+
+(define (next-number)
+  (define n (unbox numbers))
+  (if (box-cas! numbers n (fxand (fx+ n 1) most-tapes)) n (next-number)))
+
+(define place-bits 28)
+(define most-places (fx- (fxlshift 1 place-bits) 1))
+(define most-tapes (fx- (fxlshift 1 31) 1))
+
+;; merged : table of the nodes met, or #f
+(define (make-tape e merged)
   (define leaves (make-hasheqv))
-  (define merged (make-merged))
   (define items (make-buffer))
+  (define heads (make-buffer))
   (define operands (make-buffer))
   (define keys (make-buffer))
+  (define number (next-number))
   (define (append! e ks key)
     (buffer-add! operands ks)
-    (buffer-add! keys key)
+    (buffer-add! heads (and (node? e) (node-head e)))
+    (when merged (buffer-add! keys key))
     (buffer-add! items e))
   (define (place e)
     (cond [(not (node? e))
@@ -38,8 +60,8 @@
                  k))]
           [else
            (define mark (node-mark e))
-           (if (and (pair? mark) (eq? (car mark) items))
-               (cdr mark)
+           (if (and mark (fx= number (fxrshift mark place-bits)))
+               (fxand mark most-places)
                (place-node e (places-of (node-args e))))]))
   (define (places-of es)
     (if (null? es)
@@ -47,16 +69,20 @@
         (let ([k (place (car es))])
           (cons k (places-of (cdr es))))))
   (define (place-node e ks)
-    (define key (if (memq (node-head e) commutative) (sort-places ks) ks))
     (define k
-      (or (merged-ref merged items keys e key)
-          (let ([k (append! e ks key)])
-            (merged-add! merged e k)
-            k)))
-    (set-node-mark! e (cons items k))
+      (if merged
+          (merged-place merged e ks)
+          (append! e ks #f)))
+    (set-node-mark! e (fxior (fxlshift number place-bits) k))
     k)
+  (define (merged-place merged e ks)
+    (define key (if (memq (node-head e) commutative) (sort-places ks) ks))
+    (or (merged-ref merged items keys e key)
+        (let ([k (append! e ks key)])
+          (merged-add! merged e k)
+          k)))
   (place e)
-  (tape (buffer->vector items) (buffer->vector operands)))
+  (tape (buffer->vector items) (buffer->vector heads) (buffer->vector operands)))
 
 ;; An expression equal to that on the tape, in which equal nodes are the same.
 (define (tape->expression t)

@@ -60,28 +60,29 @@
 
 (define algebraic (list op:+ op:- op:* op:/ op:expt op:sqrt op:abs))
 
-(define (transcendental? n)
-  (and (operation? (node-head n)) (not (memq (node-head n) algebraic))))
+(define (transcendental? head) (not (memq head algebraic)))
 
 ;; -> the leaves standing somewhere below a function such as sin, and those that
 ;; stand nowhere else.  From the root down every item learns whether it is
 ;; outside (bit 1), below (bit 2) or both; a literal application is a leaf.
 (define (leaves-under-functions t)
   (define items (tape-items t))
+  (define heads (tape-heads t))
   (define n (vector-length items))
   (define states (make-vector n 0))
   (define leaves (make-hash))
   (vector-set! states (- n 1) 1)
   (for ([k (in-range (- n 1) -1 -1)])
-    (define e (vector-ref items k))
+    (define head (vector-ref heads k))
     (define state (vector-ref states k))
-    (cond [(or (number? e) (eqv? state 0)) (void)]
-          [(or (symbol? e) (literal-head? (node-head e)))
-           (hash-update! leaves e (lambda (old) (bitwise-ior old state)) 0)]
-          [else
-           (define below (if (transcendental? e) 2 state))
+    (cond [(eqv? state 0) (void)]
+          [(operation? head)
+           (define below (if (transcendental? head) 2 state))
            (for ([j (in-list (vector-ref (tape-operands t) k))])
-             (vector-set! states j (bitwise-ior below (vector-ref states j))))]))
+             (vector-set! states j (bitwise-ior below (vector-ref states j))))]
+          [(number? (vector-ref items k)) (void)]
+          [else
+           (hash-update! leaves (vector-ref items k) (lambda (old) (bitwise-ior old state)) 0)]))
   (define (those test)
     (for/hash ([(leaf state) (in-hash leaves)] #:when (test state)) (values leaf #t)))
   (values (those (lambda (state) (>= state 2)))

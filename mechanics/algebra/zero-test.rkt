@@ -94,6 +94,7 @@
 ;; variables : symbols that no condition may speak of, such as the time of a path
 (define (zero-test e [A no-assumptions] [variables '()])
   (or (and (number? e) (inexact? e) (test-flonum e A))
+      (test-if-enormous e A variables (expression->plain-tape e))
       (test-expression e A variables (expression->tape e))))
 
 ;; A flonum that stands alone does not tell what it is the difference of; one
@@ -115,6 +116,16 @@
 ;; the residual depends on.
 (define middling 300)
 (define large 2000)
+
+;; Graphs of more nodes than these are asked before equal nodes are looked for, which
+;; takes longer than to see that most residuals do not vanish.
+(define enormous 20000)
+
+;; -> a refutation, or #f
+(define (test-if-enormous e A variables t)
+  (and (> (tape-length t) enormous)
+       (eq? (tape-fingerprint t) 'nonzero)
+       (refute-at-once e A variables t)))
 
 (define (test-expression e A variables t)
   (define n (tape-length t))
