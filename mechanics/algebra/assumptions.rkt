@@ -19,7 +19,7 @@
  (struct-out known) unknown single?
  meet derive scaled known-sum known-product known-power
  ;; signs
- infer-signs normalized)
+ infer-signs real-valued? plainly-real? normalized)
 
 ;; datum : as declared, such as (>= r 0); expression has one of the signs.
 (struct relation (datum expression signs) #:transparent)
@@ -76,25 +76,38 @@
 ;; ---------------------------------------------------------------------------
 ;; The sign of an expression
 
-;; The services are used only if there are relations.  Where numbers occur that are
-;; not real, nothing is known. -> known
+;; The services are used only if there are relations. -> known
 (define (infer-signs A s e)
-  (if (real-numbers? e) (infer-real-signs A s e) unknown))
-
-(define (real-numbers? e)
-  (node-fold e
-             (lambda (leaf) (or (symbol? leaf) (real? leaf)))
-             (lambda (n parts) (andmap values parts))))
-
-(define (infer-real-signs A s e)
   (node-fold e
              (lambda (leaf)
-               (if (number? leaf)
-                   (because-of (number-signs leaf))
-                   (look-up A (list (cons 1 leaf)))))
+               (cond [(symbol? leaf) (look-up A (list (cons 1 leaf)))]
+                     [(real? leaf) (because-of (number-signs leaf))]
+                     [else not-real]))
              (lambda (n parts)
-               (define k (structural n parts))
-               (if (no-relations? A) k (from-table A s n k)))))
+               (define k (if (memq not-real parts) (part-not-real n) (structural n parts)))
+               (if (or (eq? k not-real) (no-relations? A)) k (from-table A s n k)))))
+
+;; What is known of numbers that are not real, of roots and logarithms of what is
+;; negative, and of what they occur in: nothing.
+(define not-real (because-of any-sign))
+
+(define (part-not-real n)
+  (if (eq? (node-head n) op:abs) (because-of nonnegative) not-real))
+
+;; Symbols are real, and roots and logarithms of what may be positive.
+(define (real-valued? A s e)
+  (or (plainly-real? e) (not (eq? (infer-signs A s e) not-real))))
+
+;; Are all numbers in e real, and are there no roots and logarithms?
+(define (plainly-real? e)
+  (define (single-valued? n)
+    (define head (node-head n))
+    (if (eq? head op:expt)
+        (exact-integer? (cadr (node-args n)))
+        (not (memq head (list op:sqrt op:log)))))
+  (node-fold e
+             (lambda (leaf) (or (symbol? leaf) (real? leaf)))
+             (lambda (n parts) (and (andmap values parts) (single-valued? n)))))
 
 (define (no-relations? A) (null? (assumptions-relations A)))
 
@@ -108,6 +121,7 @@
         [(eq? head op:sqrt) (power-signs (car parts) 1/2)]
         [(memq head (list op:exp op:cosh)) (because-of positive)]
         [(eq? head op:acos) (because-of nonnegative)]
+        [(eq? head op:log) (if (never-positive? (car parts)) not-real unknown)]
         [(eq? head op:abs) (known-power (car parts) 2)]
         [(and (memq head odd-functions) (null? (cdr parts))) (car parts)]
         [else unknown]))
@@ -115,13 +129,16 @@
 ;; Those that have the sign of their argument.
 (define odd-functions (list op:sinh op:tanh op:asin op:atan))
 
-;; Roots are taken where they are real; if their sign is not decided by the base,
+(define (never-positive? k) (signs-within? (known-signs k) nonpositive))
+
+;; Roots are taken where they may be real; if their sign is not decided by the base,
 ;; even ones are not negative there.
 (define (power-signs base n)
   (define k (exact-exponent n))
   (cond [(integer? k) (known-power base k)]
         [(signs-within? (known-signs base) nonnegative) (known-power base (if k (sgn k) 1))]
-        [(and k (even? (denominator k)) (not (decided? base))) (because-of nonnegative)]
+        [(never-positive? base) not-real]
+        [(and k (even? (denominator k))) (because-of nonnegative)]
         [else unknown]))
 
 (define (sgn x) (if (negative? x) -1 1))
@@ -147,7 +164,7 @@
 (define (from-table A s n k)
   (define ts (terms-of s n))
   (define (or-else k more) (if (decided? k) k (meet k (more))))
-  (if (andmap real-term? ts)
+  (if (and (pair? ts) (andmap real-term? ts))
       (let* ([k (meet k (look-up A ts))]
              [k (or-else k (lambda () (from-sums A s ts)))])
         (or-else k (lambda () (from-factors A s ts n))))

@@ -9,7 +9,7 @@
 
 (require "expression.rkt" "signs.rkt" "assumptions.rkt" "narrowing.rkt")
 
-(provide make-ledger ledger-sign! ledger-assume! ledger-leave-open!
+(provide make-ledger ledger-sign! ledger-real? ledger-assume! ledger-leave-open!
          ledger-grounds ledger-revision)
 
 ;; grounds : datums, newest first, each once; noted : the same as a table
@@ -39,13 +39,16 @@
         [(signs-within? (known-signs k) nonpositive) -1]
         [else #f]))
 
-;; -> 1, or #f where nothing may be taken for granted
-(define (ledger-assume! l e)
+;; -> 1, or #f where nothing may be taken for granted, as of what is not real
+(define (ledger-assume! l s e)
   (and (assumptions-automatic? (ledger-assumptions l))
+       (ledger-real? l s e)
        (let ([r (taken-relation e)])
          (note! l (relation-datum r))
          (set-ledger-taken! l (cons r (ledger-taken l)))
          1)))
+
+(define (ledger-real? l s e) (real-valued? (ledger-assumptions l) s e))
 
 (define (taken-relation e) (relation (list '>= (expression->datum e) 0) e nonnegative))
 

@@ -8,6 +8,8 @@
 ;; nothing is known and nothing may be assumed, log x² = 2 log|x|, and factors to odd
 ;; powers stay together.
 ;;
+;; Of what is not real the logarithm stays as it is: log e^(it) is it up to 2πi.
+;;
 ;; |c x²y| = |c| x² |y|, and |y|² = y²; |y| is y or -y if the sign of y is known.
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "services.rkt" "collector.rkt" "exact.rkt")
@@ -20,6 +22,8 @@
 (define (visit-logarithm! c n)
   (define u ((services-simplify (collector-services c)) (car (node-args n))))
   (cond [(eqv? u 1) (resolve-alias! c n 0)]
+        [(not ((services-real? (collector-services c)) u))
+         (resolve! c n (intern-kernel! c (make-node op:log (list u))))]
         [(headed? u op:exp) (resolve-alias! c n (car (node-args u)))]
         [(and (symbolic-power? u)
               (eqv? 1 (services-branch (collector-services c) (car (node-args u)))))
@@ -66,7 +70,8 @@
   (define whole (list (cons 1 u)))
   (define split? (or several? (for/or ([p (in-list parts)]) (headed? (cdr p) op:exp))))
   (define signed
-    (cond [(or (equal? parts whole) (lone? parts)) parts]
+    (cond [(equal? parts whole) parts]
+          [(lone? parts) (if (negative-part? c (car parts)) (signed-parts c parts) parts)]
           [split? (signed-parts c parts)]
           [else (or (power-parts c parts) whole)]))
   (cond [(equal? signed whole)
@@ -79,6 +84,10 @@
 ;; A single part that is not negative if the argument is not.
 (define (lone? parts)
   (and (pair? parts) (null? (cdr parts)) (not (even? (numerator (caar parts))))))
+
+;; Then log x³ is 3 log x, but for a negative x: log -1 + 3 log(-x).
+(define (negative-part? c p)
+  (and (symbolic? (cdr p)) (eqv? -1 ((services-sign (collector-services c)) (cdr p)))))
 
 ;; The part of an even power of what has a known sign, or #f.
 (define (power-parts c parts)
@@ -178,7 +187,8 @@
 ;; Of what was factored already, so it is not visited again; but for exponentials.
 (define (part-logarithm c f)
   (cond [(headed? f op:exp) (car (node-args f))]
-        [(symbolic-power? f) (e:* (cadr (node-args f)) (make-node op:log (list (car (node-args f)))))]
+        [(symbolic-power? f)
+         (e:* (cadr (node-args f)) (make-node op:log (list (car (node-args f)))))]
         [else
          (define n (make-node op:log (list f)))
          (resolve! c n (intern-kernel! c n))
@@ -191,7 +201,9 @@
   (define s (collector-services c))
   (define u ((services-simplify s) (car (node-args n))))
   (define sign ((services-sign s) u))
-  (resolve-alias! c n (if sign (e:* sign u) (product-of-moduli c u))))
+  (cond [sign (resolve-alias! c n (e:* sign u))]
+        [((services-real? s) u) (resolve-alias! c n (product-of-moduli c u))]
+        [else (resolve! c n (intern-kernel! c (make-node op:abs (list u))))]))
 
 (define (product-of-moduli c u)
   (define-values (number factors) ((services-factors (collector-services c)) u))

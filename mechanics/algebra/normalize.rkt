@@ -9,6 +9,7 @@
 
 (require "operation.rkt" "expression.rkt" "kernel.rkt" "ledger.rkt" "services.rkt"
          "collect.rkt" "field.rkt" "align.rkt" "walk.rkt" "bounds.rkt" "present.rkt" "size.rkt"
+         (only-in "assumptions.rkt" plainly-real?)
          "order.rkt" "radicand.rkt" "rationalize.rkt"
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
@@ -118,14 +119,15 @@
   (define (factors e) (call fraction-factors e))
   (define (irreducible e) (call fraction-factors/irreducible e))
   (define (branch e) (services-branch services* e))
-  (define (split-root* e degree) (call split-root e degree branch))
+  (define (split-root* e degree) (call split-root e degree branch (plainly-real? e)))
   (define (sign e) (ledger-sign! ledger services* e))
-  (define (assume! e) (ledger-assume! ledger e))
+  (define (real? e) (ledger-real? ledger services* e))
+  (define (assume! e) (ledger-assume! ledger services* e))
   (define (leave-open! e) (ledger-leave-open! ledger e))
   (define (stuck! form nodes) (hash-set! stuck-at form nodes))
   (define services*
     (services simplify terms factors irreducible split-root*
-              sign assume! leave-open! stuck! fuel))
+              sign real? assume! leave-open! stuck! fuel))
   (define w (workspace services* normal simplify-anew ledger '()))
   w)
 

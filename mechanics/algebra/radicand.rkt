@@ -9,42 +9,52 @@
 ;; What is taken out, or to a lower root, must not be negative, but for an even
 ;; power.  The opposite of a factor known to be negative is put in its place, and a
 ;; minus sign under the root.  Where nothing is known and nothing may be assumed, an
-;; even number of factors under an even root is one of |g|.
+;; even number of factors under an even root is one of |g|.  Of factors that are not real
+;; all stay under one root: √(e^(2it)) is e^(it) or its opposite.
 
 (require "expression.rkt" "operation.rkt" "kernel.rkt" "field.rkt" "squares.rkt"
+         "services.rkt" (only-in "collect.rkt" atlas-services)
          "present.rkt" "exact.rkt"
          "polynomial/factor.rkt" "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide split-root fraction-factors fraction-factors/irreducible)
 
 ;; branch : expression -> 1 or -1, as its sign is known or taken to be, or #f
+;; all-real? : is all that f holds plainly real?
 ;; -> outer and ((inner . exponent) ...), expressions and rationals, with
 ;; f^(1/q) = outer ∏ inner^exponent.
-(define (split-root F f q branch)
+(define (split-root F f q branch all-real?)
+  (define (real? p)
+    (or all-real? ((services-real? (field-services F)) (present-poly F p))))
   (cond
     [(fraction-zero? f) (values 0 '())]
     [else
      (define-values (number factors) (value-parts F f))
-     (define-values (roots others) (partition-roots F factors))
-     (define-values (sign known unknown) (by-signs F others q branch))
+     (define-values (roots others) (partition-roots F factors real?))
+     (define-values (sign known unknown) (by-signs F others q branch real?))
      (define parts (append (number-parts (* sign number) q (field-inexact? F))
                            (for/list ([g (in-list known)]) (cons (car g) (/ (cdr g) q)))))
-     (define-values (outer lower kept) (careful-roots F unknown q))
+     (define-values (outer lower kept) (careful-roots F unknown q real?))
      (define rest (append (filter pair? (map fractional-part parts)) kept))
      (values (e:* (present F (power-product F (map whole-part parts))) outer)
              (append (for/list ([r (in-list roots)]) (lower-root (car r) (/ (cdr r) q)))
-                     (if (and (odd? q) (pair? kept))
+                     (if (and (pair? kept)
+                              (or (odd? q) (not (andmap real? (map car unknown)))))
                          (list (one-root F rest q))
                          (grouped-roots F rest))
                      lower))]))
 
 ;; Factors ((polynomial . integer) ...) by their signs, if these matter: -> 1 or -1 and
 ;; factors that together are those of known signs, and those of unknown sign.
-(define (by-signs F factors q branch)
+(define (by-signs F factors q branch real?)
   (for/fold ([sign 1] [known '()] [unknown '()]
              #:result (values sign (reverse known) (reverse unknown)))
             ([g (in-list factors)])
-    (define s (if (sign-matters? (cdr g) q) (branch (present-poly F (car g))) 1))
+    (define s
+      (cond [(sign-matters? (cdr g) q) (branch (present-poly F (car g)))]
+            [(not (real? (car g))) #f]
+            [(negative? (cdr g)) (known-sign F (car g))]
+            [else 1]))
     (cond [(eqv? s 1) (values sign (cons g known) unknown)]
           [s (values (* sign (expt -1 (cdr g)))
                      (cons (cons (poly-negate (field-ring F) (car g)) (cdr g)) known)
@@ -57,18 +67,24 @@
   (not (or (and (integer? e) (even? e))
            (and (odd? n) (even? (truncate e)) (eqv? q (denominator e))))))
 
+(define (field-services F) (atlas-services (field-atlas F)))
+
+;; 1/√x is √(1/x) unless x is negative.
+(define (known-sign F p) (or ((services-sign (field-services F)) (present-poly F p)) 1))
+
 (define (present-poly F p) (present F (fraction-from-poly (field-ring F) p)))
 
 ;; Factors of unknown sign: -> an expression outside, roots ((inner . exponent) ...),
 ;; and parts ((polynomial . exponent) ...) to be left under the root with others.
-(define (careful-roots F factors q)
+(define (careful-roots F factors q real?)
   (for/fold ([outer 1] [roots '()] [kept '()]) ([g (in-list factors)])
     (define x (present-poly F (car g)))
     (define size (make-node op:abs (list x)))
     (define e (/ (cdr g) q))
     (define k (truncate e))
     (define rest (- e k))
-    (cond [(even? (/ q (denominator e)))
+    (cond [(not (real? (car g))) (values outer roots (cons (cons (car g) e) kept))]
+          [(even? (/ q (denominator e)))
            (values (e:* outer (e:expt size k))
                    (if (eqv? rest 0) roots (cons (cons size rest) roots))
                    kept)]
@@ -83,10 +99,10 @@
         (/ 1 q)))
 
 ;; Factors that are roots or exponentials, as ((root . integer) ...), and the others.
-(define (partition-roots F factors)
+(define (partition-roots F factors real?)
   (for/fold ([roots '()] [others '()] #:result (values (reverse roots) (reverse others)))
             ([g (in-list factors)])
-    (define r (lone-root F (car g)))
+    (define r (and (real? (car g)) (lone-root F (car g))))
     (if r
         (values (cons (cons r (cdr g)) roots) others)
         (values roots (cons g others)))))

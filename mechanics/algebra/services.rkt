@@ -14,13 +14,14 @@
 ;;              outer ∏ inner^rational
 ;; sign       : expression -> 1 if it is known not to be negative, -1 if it is known
 ;;              not to be positive, else #f
+;; real?      : expression -> #f if a number in it, a root or a logarithm is not real
 ;; assume!    : expression -> 1, and it is taken not to be negative; or #f, where
 ;;              nothing may be taken for granted
 ;; leave-open! : expression -> #f, and its sign is left open
 ;; stuck!     : normal-form nodes -> void; at these it was left unexpanded
 ;; fuel       : what the work may cost altogether (bounds.rkt)
 (struct services (simplify terms factors irreducible split-root
-                           sign assume! leave-open! stuck! fuel)
+                           sign real? assume! leave-open! stuck! fuel)
   #:authentic)
 
 ;; The sign of e, known or taken for granted; #f if neither.
