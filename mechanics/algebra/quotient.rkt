@@ -12,8 +12,8 @@
          "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide together-expression numerator-and-denominator
-         quotient-form quotient-expression expression->form flatten-products polynomial-terms
-         inexact-field? all-negative?)
+         quotient-expression expression->form flatten-products polynomial-terms
+         inexact-field?)
 
 ;; -> expression and assumptions
 (define (together-expression e [A no-assumptions])

@@ -7,7 +7,7 @@
 (require "field.rkt" "polynomial/polynomial.rkt" "polynomial/fraction.rkt")
 
 (provide poly->univariate univariate->fraction
-         u:scale u:- u:* u:expt u:divide u:inverse)
+         u:scale u:* u:expt u:divide u:inverse)
 
 ;; The polynomial p of the field's ring, in variable i.
 (define (poly->univariate F i p)
@@ -69,13 +69,14 @@
 (define (u:divide F p q)
   (define n (length q))
   (define lead (last-of q))
+  (define (shifted k q) (append (for/list ([_ (in-range k)]) (zero F)) q))
   (let loop ([p p] [quotient '()])
     (define k (- (length p) n))
     (cond [(< k 0) (values (trim quotient) p)]
           [else
            (define c (over F (last-of p) lead))
-           (define multiple (append (for/list ([_ (in-range k)]) (zero F)) (u:scale F c q)))
-           (loop (u:- F p multiple) (add F quotient (append (for/list ([_ (in-range k)]) (zero F)) (list c))))])))
+           (loop (u:- F p (shifted k (u:scale F c q)))
+                 (add F quotient (shifted k (list c))))])))
 
 (define (last-of xs) (if (null? (cdr xs)) (car xs) (last-of (cdr xs))))
 

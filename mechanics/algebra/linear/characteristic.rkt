@@ -16,11 +16,7 @@
 
 (require "minors.rkt")
 
-(provide characteristic-coefficients characteristic-determinant adjugate-times
-         characteristic-cost)
-
-;; About how many products n rows take.
-(define (characteristic-cost n) (quotient (expt n 4) 4))
+(provide characteristic-coefficients characteristic-determinant adjugate-times)
 
 ;; (1 p₁ ... pₙ) with |x - A| = xⁿ + p₁ xⁿ⁻¹ + ... + pₙ.
 (define (characteristic-coefficients ops A)

@@ -8,8 +8,8 @@
 
 (provide
  prime-above symmetric-residue
- dense dense-degree dense-leading dense-zero? dense-one?
- dense+ dense- dense* dense-scale dense-monic dense-derivative
+ dense dense-degree dense-one?
+ dense+ dense- dense* dense-monic dense-derivative
  dense-divide dense-gcd dense-bezout dense-expt-modulo)
 
 (define mersenne-exponents '(31 61 89 107 127 521 607 1279 2203))

@@ -182,7 +182,8 @@
           (for/list ([k (in-range (length variables))])
             (point (lambda (j) (if (eqv? j k) 1 0))))
           (for/list ([k (in-range 1 9)])
-            (point (lambda (j) (- (modulo (* (+ j 3) (+ k 1) (+ k j 5)) (+ k 4)) (quotient k 3)))))))
+            (point (lambda (j)
+                     (- (modulo (* (+ j 3) (+ k 1) (+ k j 5)) (+ k 4)) (quotient k 3)))))))
 
 (define (image-at R q x point)
   (define image

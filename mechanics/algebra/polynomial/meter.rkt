@@ -6,7 +6,7 @@
 ;; within a small factor how long things took, and is the same every time.  While
 ;; an allowance is given, a charge beyond it raises `overspent`.
 
-(provide make-meter meter? meter-left
+(provide make-meter meter-left
          meter-charge! meter-allow! meter-allow-all!
          (struct-out overspent))
 

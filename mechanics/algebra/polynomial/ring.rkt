@@ -24,7 +24,7 @@
  check-degree check-monomial check-power
  ;; monomials from exponents
  variable-unit variable-monomial variable-power
- exponents->monomial factors->monomial
+ exponents->monomial
  ;; exponents of monomials
  monomial-degree monomial-exponent monomial-exponents
  monomial-factors monomial-fold
@@ -105,7 +105,8 @@
 
 (define (raise-degree-overflow R degree)
   (raise (exn:algebra:degree-overflow
-          (format "polynomial: the degree would pass the bound of the ring\n  degree: ~a\n  bound: ~a"
+          (format (string-append "polynomial: the degree would pass the bound of the ring\n"
+                                 "  degree: ~a\n  bound: ~a")
                   degree (ring-max-degree R))
           (current-continuation-marks)
           degree (ring-max-degree R))))

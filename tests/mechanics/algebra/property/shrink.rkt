@@ -57,7 +57,7 @@
 
 (define (fewer-operands e)
   (define args (node-args e))
-  (if (and (memq (node-head e) (list op:+ op:*)) (pair? args) (pair? (cdr args)) (pair? (cddr args)))
+  (if (and (memq (node-head e) (list op:+ op:*)) (> (length args) 2))
       (for/list ([i (in-range (length args))])
         (make-node (node-head e)
                    (for/list ([a (in-list args)] [j (in-naturals)] #:unless (eqv? i j)) a)))

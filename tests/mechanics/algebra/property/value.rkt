@@ -9,8 +9,9 @@
 ;; to where it is not that the error cannot tell, there is no value.
 ;;
 ;; A point is an integer.  It gives every symbol a number of a size between 0.3 and
-;; 2.3, positive if the point is odd, of either sign if it is even; and every literal function, and each of its derivatives, a smooth function
-;; of its own, so that equal arguments give equal values.
+;; 2.3, positive if the point is odd, of either sign if it is even; and every literal
+;; function, and each of its derivatives, a smooth function of its own, so that equal
+;; arguments give equal values.
 
 (require mechanics/algebra/expression mechanics/algebra/operation)
 
