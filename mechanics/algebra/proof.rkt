@@ -41,7 +41,8 @@
 ;; ---------------------------------------------------------------------------
 
 ;; The general case, and that parts taken for equal are.  What the general case
-;; takes for granted of parts would have to be checked, so it may not take any.
+;; takes for granted of parts would have to be checked, so it may not take any; and a
+;; symbol does not tell that its part is negative, which matters under roots.
 (define (prove-abstractly t A)
   (define-values (general differences) (abstract t))
   (define fuel (make-fuel))
@@ -49,6 +50,7 @@
     (and (not (fuel-empty? fuel))
          (or (prove-directly e A fuel) (prove-in-exponentials e A fuel))))
   (and general
+       (or (null? (assumptions-relations A)) (single-valued? general))
        (let ([assumptions (prove general)])
          (and assumptions
               (not (ormap mentions-part? assumptions))

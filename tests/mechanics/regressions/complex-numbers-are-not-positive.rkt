@@ -6,6 +6,7 @@
 (require rackunit
          mechanics/algebra/simplify mechanics/algebra/expression mechanics/algebra/assumptions
          mechanics/algebra/declare mechanics/algebra/evaluate
+         mechanics/algebra/proof mechanics/algebra/tape
          "../algebra/reading.rkt")
 
 (define negative-x (declare-relations no-assumptions '((< x 0))))
@@ -51,3 +52,9 @@
 
 (test-case "a root of what is 0 is 0 under assumptions too"
   (check-simplified '(sqrt (expt (- x x) 1/3)) 0 negative-x (hasheq 'x -1)))
+
+(test-case "a symbol for something negative proves nothing about its root"
+  (define (proof datum)
+    (prove-vanishing (expression->tape (datum->expression datum)) negative-x))
+  (check-false (proof '(- (sqrt (/ 1 (* x (+ 1 (expt y 2))))) (/ 1 (sqrt (* x (+ 1 (expt y 2))))))))
+  (check-equal? (proof '(- (expt (- x y) 2) (expt (- y x) 2))) '()))
