@@ -24,11 +24,24 @@
   (define candidates (vanishing-factors F (fraction-numerator f) may-vanish?))
   (define core (choose-core F candidates parameter?))
   (cond [core
-         (define p (presentable-sign F (fraction-from-poly (field-ring F) core)))
-         (values (present F (fraction/ (field-ring F) f p))
+         (define-values (factor p)
+           (with-flonums-in-core
+            F f (presentable-sign F (fraction-from-poly (field-ring F) core))))
+         (values (present F factor)
                  (present F p)
                  (conditions F core parameter? may-vanish?))]
         [else (values (present F f) 1 '())]))
+
+;; -> f/p and p, or multiples of them with the product f.  A flonum is a whole number
+;; over a power of 2, which the parts of f do not show: where there are flonums, their
+;; common content goes to the core, which gives its terms the numbers they have in f.
+(define (with-flonums-in-core F f p)
+  (define R (field-ring F))
+  (define factor (fraction/ R f p))
+  (define content (poly-content (fraction-numerator factor)))
+  (if (field-inexact? F)
+      (values (fraction-scale R (/ 1 content) factor) (fraction-scale R content p))
+      (values factor p)))
 
 ;; Parts of p with several terms that may be zero.
 (define (vanishing-factors F p may-vanish?)
