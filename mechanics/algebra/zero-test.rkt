@@ -21,7 +21,7 @@
          "polynomial/fraction.rkt")
 
 (provide zero-test
-         zero-test? zero-test-status zero-test-residual zero-test-witness zero-test-value
+         zero-test-status zero-test-residual zero-test-witness zero-test-value
          zero-test-bound zero-test-points zero-test-factor zero-test-core
          zero-test-conditions zero-test-assumptions zero-test-left-unexpanded)
 

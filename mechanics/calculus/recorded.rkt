@@ -18,7 +18,7 @@
 (#%declare #:unsafe)
 
 (provide recorded? on-tape? recorded-tape recorded-value
-         make-recording record-input record-sum recorded-increment
+         make-recording record-input record-sum
          derivatives value-and-derivatives)
 
 (define kind:recorded
@@ -163,10 +163,6 @@
     (if (and (recorded? sum) (eq? (recorded-tape sum) tape))
         (join tape (recorded-index sum) (recorded-factor sum) (recorded-index r) part value)
         (record tape (recorded-index r) part value))))
-
-;; The differential alone.
-(define (recorded-increment r)
-  (record (recorded-tape r) (recorded-index r) (recorded-factor r) 0))
 
 ;; ---------------------------------------------------------------------------
 ;; Derivatives

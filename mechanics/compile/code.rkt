@@ -13,7 +13,7 @@
 
 (require racket/linklet
          "../algebra/operation.rkt"
-         "../numeric/dense-system.rkt"
+         "../numeric/factored-system.rkt"
          "program.rkt")
 
 (provide program->procedure)
@@ -108,7 +108,7 @@
         (let ([instruction (instruction-at p k)])
           (with-loads (instruction-operands instruction)
             (lambda ()
-              (define code (instruction->form p instruction reference))
+              (define code (instruction->form instruction reference))
               `(let-values ([(,(bind! k)) ,code]) ,(body (+ k 1))))))))
   (define (with-loads operands inside)
     (cond [(null? operands) (inside)]
@@ -148,7 +148,7 @@
       (= first (section-start s))))
 
 ;; reference : operand -> form
-(define (instruction->form p instruction reference)
+(define (instruction->form instruction reference)
   (define operation (instruction-operation instruction))
   (define operands (instruction-operands instruction))
   (define forms (map reference operands))
@@ -156,22 +156,23 @@
   (cond [primitive `(,primitive ,@forms)]
         [(eq? operation 'negate) `(unsafe-fl* -1.0 ,@forms)]
         [(eq? operation 'solve) (solving forms)]
-        [(eq? operation 'component)
-         (define n (unknowns (instruction-at p (place-index (car operands)))))
-         (define k (cadr operands))
-         `(unsafe-flvector-ref ,(car forms) ,(+ (* k (+ n 1)) n))]
+        [(eq? operation 'component) `(unsafe-flvector-ref ,(car forms) ,(cadr operands))]
         [else `(,operation ,@forms)]))
 
-;; The value of a system is the flvector in which it was solved.
+;; The value of a system, given as rows of [A b], is the flvector of its solution.
 (define (solving entries)
-  `(let-values ([(system) (make-flvector ,(length entries))])
+  (define n (integer-sqrt (length entries)))
+  (define width (+ n 1))
+  `(let-values ([(A) (make-flvector ,(* n n))] [(b) (make-flvector ,n)])
      (begin
-       ,@(for/list ([x (in-list entries)] [i (in-naturals)])
-           `(unsafe-flvector-set! system ,i ,x))
-       (solve-dense! system ,(integer-sqrt (length entries)))
-       system)))
-
-(define (unknowns solve) (integer-sqrt (length (instruction-operands solve))))
+       ,@(for/list ([x (in-list entries)] [k (in-naturals)])
+           (define i (quotient k width))
+           (define j (remainder k width))
+           (if (= j n)
+               `(unsafe-flvector-set! b ,i ,x)
+               `(unsafe-flvector-set! A ,(+ (* i n) j) ,x)))
+       (solve-dense! A ,n b)
+       b)))
 
 (define (primitive-for operation arguments)
   (case operation

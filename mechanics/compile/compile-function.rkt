@@ -15,7 +15,7 @@
  compile-function
  compiled-function? compiled-function-reason compiled-function-operations
  ;; for the integrators
- compile-traced
+ compile-traced check-function
  compiled-function-run compiled-function-value-shape compiled-function-inputs
  compiled-function-outputs)
 
@@ -59,10 +59,11 @@
                      (program-inputs p) (shape-length shape) shape
                      (program-length p) #f (value->datum f)))
 
-(define (check-function who f)
+;; f takes one structure.
+(define (check-function who f [expected "a function of one structure"])
   (unless (and (procedure? f) (accepts? f 1))
-    (complain "~a: expected a function of one structure\n  given: ~a~a"
-              who (describe-with-value f)
+    (complain "~a: expected ~a\n  given: ~a~a"
+              who expected (describe-with-value f)
               (if (procedure? f)
                   (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
                           (arity->text f) (value->text f))

@@ -10,7 +10,7 @@
          "../compile/compile-function.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
          "../numeric/ode/differentiated.rkt" "../numeric/ode/stepper.rkt"
-         "../value/shape.rkt")
+         "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 
 (provide (struct-out system) make-system make-parametric-system check-maker
          system-right-hand-side system-state system-size state-vector)
@@ -61,9 +61,9 @@
     [(or (null? parameters) (not (andmap real? parameters))) (fixed)]
     [else
      (check-derivative who (derivative-for parameters) state)
-     (define (f s) ((derivative-for (structure->list (cadr-of s))) (car-of s)))
+     (define (f s) ((derivative-for (structure->list (ref s 1))) (ref s 0)))
      (define (slopes s)
-       (derivative-at (lambda (state) (f (up state (cadr-of s)))) (car-of s)))
+       (derivative-at (lambda (state) (f (up state (ref s 1)))) (ref s 0)))
      (define inputs (apply up parameters))
      (define example (up state inputs))
      (define code (compile-traced f example #:name who))
@@ -75,10 +75,6 @@
                  (lambda () (with-parameters code))
                  (lambda () (let ([c (force jacobian)]) (and c (with-parameters c)))))
          (fixed))]))
-
-(define (car-of s) (vector-ref (structure-elements s) 0))
-(define (cadr-of s) (vector-ref (structure-elements s) 1))
-(define (structure->list s) (vector->list (structure-elements s)))
 
 ;; The state derivative itself may stand for the procedure of no parameters that
 ;; makes it.
@@ -130,22 +126,13 @@
 
 (define (check-derivative who derivative state)
   (define y (state-vector who state))
-  (check-function-of-state who derivative)
+  (check-function who derivative "a state derivative, a function of the state")
   (define slope (derivative (flvector->structure state y)))
   (unless (same-shape? slope state)
     (raise-arguments-error
      who "the state derivative is of another shape than the state"
      "state" state
      "derivative" slope)))
-
-(define (check-function-of-state who derivative)
-  (unless (and (procedure? derivative) (accepts? derivative 1))
-    (complain "~a: expected a state derivative, a function of the state\n  given: ~a~a"
-              who (describe-with-value derivative)
-              (if (procedure? derivative)
-                  (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
-                          (arity->text derivative) (value->text derivative))
-                  ""))))
 
 ;; maker : what is to make a state derivative of that many parameters
 (define (check-maker who maker parameters)

@@ -1,5 +1,6 @@
 #lang racket/base
-;; Dense linear systems of flonums with one matrix and many right-hand sides.
+;; Dense linear systems of flonums, for the inner loops of integration: one matrix
+;; with many right-hand sides, or with one.
 ;;
 ;; Gaussian elimination with partial pivoting leaves A, row by row in an flvector, as
 ;; the product of a lower triangle with ones on the diagonal, below it, and an upper
@@ -8,7 +9,7 @@
 
 (require racket/fixnum racket/flonum racket/unsafe/ops)
 
-(provide factor! solve-factored!)
+(provide factor! solve-factored! solve-dense!)
 
 (define-syntax-rule (each (i from to) body ...)
   (let ([end to])
@@ -79,3 +80,10 @@
               (unsafe-flvector-set! b i (unsafe-fl/ sum (entry i i)))
               (loop (unsafe-fx+ j 1) (unsafe-fl- sum (term i j)))))
         (up (unsafe-fx- i 1))))))
+
+;; Both in one: b becomes the solution of m x = b, or nothing in it is a number.
+(define (solve-dense! m n b)
+  (define exchanges (make-fxvector n))
+  (if (factor! m n exchanges)
+      (solve-factored! m n exchanges b)
+      (each (k 0 n) (unsafe-flvector-set! b k +nan.0))))

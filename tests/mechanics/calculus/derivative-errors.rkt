@@ -4,21 +4,8 @@
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
          mechanics/value/matrix mechanics/value/signature
-         mechanics/calculus/derivative mechanics/calculus/literal-function)
-
-(define-check (check-message thunk expected)
-  (define message
-    (with-handlers ([exn:fail:contract? exn-message])
-      (thunk)
-      "no error"))
-  (with-check-info (['message message] ['expected expected])
-    (unless (equal? message expected) (fail-check))))
-
-(define-syntax-rule (says [expression message ...] ...)
-  (begin
-    (test-case (format "~s" 'expression)
-      (check-message (lambda () expression) (string-append message ...)))
-    ...))
+         mechanics/calculus/derivative mechanics/calculus/literal-function
+         "../runner/messages.rkt")
 
 (define (g x y) (g:* x y))
 (define (h s) (ref-0 s))

@@ -4,21 +4,8 @@
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/kind
          mechanics/generic/structure
-         mechanics/calculus/gradient)
-
-(define-check (check-message thunk expected)
-  (define message
-    (with-handlers ([exn:fail:contract? exn-message])
-      (thunk)
-      "no error"))
-  (with-check-info (['message message] ['expected expected])
-    (unless (equal? message expected) (fail-check))))
-
-(define-syntax-rule (says [expression message ...] ...)
-  (begin
-    (test-case (format "~s" 'expression)
-      (check-message (lambda () expression) (string-append message ...)))
-    ...))
+         mechanics/calculus/gradient
+         "../runner/messages.rkt")
 
 (define (g x y) (g:* x y))
 (define (pair s) (up (g:square (vector-ref (structure-elements s) 0)) 1))

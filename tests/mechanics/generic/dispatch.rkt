@@ -6,21 +6,8 @@
          mechanics/generic/structure
          mechanics/value/matrix mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         mechanics/lang/application)
-
-(define-check (check-message expression-thunk expected)
-  (define message
-    (with-handlers ([exn:fail:contract? exn-message])
-      (expression-thunk)
-      "no error"))
-  (with-check-info (['message message] ['expected expected])
-    (unless (equal? message expected) (fail-check))))
-
-(define-syntax-rule (says [expression message ...] ...)
-  (begin
-    (test-case (format "~s" 'expression)
-      (check-message (lambda () expression) (string-append message ...)))
-    ...))
+         mechanics/lang/application
+         "../runner/messages.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Kinds that do not combine

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Factors of matrices, used for several right-hand sides.
 
-(require racket/fixnum racket/flonum
+(require racket/fixnum racket/flonum racket/list
          rackunit
          mechanics/numeric/factored-system)
 
@@ -41,3 +41,34 @@
   (for ([m (in-list (list (flvector 1.0 2.0 2.0 4.0) (flvector 0.0 0.0 0.0 0.0)
                           (flvector +nan.0 0.0 0.0 1.0) (flvector +inf.0 0.0 0.0 1.0)))])
     (check-false (factor! m 2 (make-fxvector 2)))))
+
+;; ---------------------------------------------------------------------------
+;; One right-hand side
+
+;; The solution of A x = b, given as rows of [A b].
+(define (solution . rows)
+  (define n (length rows))
+  (define (entries select) (apply flvector (append* (map select rows))))
+  (define x (entries (lambda (row) (take-right row 1))))
+  (solve-dense! (entries (lambda (row) (drop-right row 1))) n x)
+  (for/list ([u (in-flvector x)]) u))
+
+(test-case "small systems"
+  (check-equal? (solution '(2.0 6.0)) '(3.0))
+  (check-equal? (solution '(1.0 1.0 3.0) '(1.0 -1.0 1.0)) '(2.0 1.0)))
+
+(test-case "nor is it for one right-hand side"
+  (check-equal? (solution '(0.0 1.0 5.0) '(2.0 0.0 6.0)) '(3.0 5.0)))
+
+(test-case "random systems with one right-hand side"
+  (for ([seed (in-range 1 40)])
+    (random-seed seed)
+    (define n (+ 1 (random 20)))
+    (define A (for/list ([i n]) (for/list ([j n]) (- (random) 0.5))))
+    (define x (for/list ([j n]) (- (random) 0.5)))
+    (define b (for/list ([row A]) (apply + (map * row x))))
+    (define found (apply solution (for/list ([row A] [c b]) (append row (list c)))))
+    (check-true (for/and ([u x] [v found]) (< (abs (- u v)) 1e-9)) (format "seed ~a" seed))))
+
+(test-case "of a singular matrix nothing is a number"
+  (check-equal? (solution '(1.0 2.0 1.0) '(2.0 4.0 1.0)) '(+nan.0 +nan.0)))
