@@ -4,11 +4,9 @@
 
 (require racket/match
          "base.rkt"
-         (only-in "compile/compile-function.rkt"
-                  compile-function compiled-function? compiled-function-reason
-                  compiled-function-operations)
-         "calculus/minimum.rkt" "calculus/root.rkt" "calculus/elliptic.rkt"
-          (only-in "calculus/integral.rkt" definite-integral)
+         "compile/on-demand.rkt"
+         "calculus/elliptic.rkt" (only-in "calculus/integral.rkt" definite-integral)
+         "calculus/on-demand.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/Lagrange-equations.rkt" "lagrangian/state-derivative.rkt"
          (except-in "lagrangian/local-tuple.rkt" path)
