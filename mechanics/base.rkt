@@ -7,7 +7,8 @@
          (except-in "value/assumptions.rkt" assumptions-in-force note-used! undeclared)
          "value/constants.rkt" "value/eigenvalues.rkt" "value/function.rkt"
          (except-in "value/linear.rkt" square-entries) "value/matrix.rkt"
-         "value/operator.rkt" "value/signature.rkt" "value/simplify.rkt" "value/forms.rkt"
+         "value/operator.rkt" "value/principal-value.rkt" "value/signature.rkt"
+         "value/simplify.rkt" "value/forms.rkt"
          (except-in "value/structure.rkt" up down)
          "value/vector.rkt"
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
@@ -32,7 +33,7 @@
              [g:asinh asinh] [g:acosh acosh] [g:atanh atanh] [g:sgn sgn]
              [g:exact->inexact exact->inexact] [g:magnitude magnitude]
              [g:floor floor] [g:ceiling ceiling] [g:truncate truncate] [g:round round])
- pi :pi :-pi :pi/2 :2pi
+ pi :pi :-pi :pi/2 :2pi principal-value
  ;; comparison
  (rename-out [g:= =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]
              [g:zero? zero?] [g:one? one?] [g:positive? positive?] [g:negative? negative?]

@@ -177,6 +177,19 @@ say.
 
 @sicm{1.4, p. 21, note}}
 
+@defproc[((principal-value [cut real?]) [x value]) value]{
+
+The angle that differs from @racket[x] by whole turns and is at least
+@racket[(- cut :2pi)] and below @racket[cut]: the same direction, drawn on one turn. Of
+a tuple of angles each is brought there. Its derivative is 1, away from the cut.
+
+@examples[#:eval session
+((principal-value :pi) 4)
+((principal-value :2pi) (up 1 -1 100))
+((D (principal-value :pi)) 4)]
+
+@sicm{1.7, p. 76}}
+
 @section{Numbers}
 
 @defproc[(exact->inexact [x value]) value]{

@@ -1,0 +1,36 @@
+#lang racket/base
+;; Angles brought back to one turn (SICM 1.7, p. 76).
+
+(require "constants.rkt"
+         "../algebra/expression.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/rounding.rkt" "../generic/structure.rkt")
+
+(provide principal-value)
+
+;; x ↦ the angle in [cut - 2π, cut) that differs from x by whole turns, for an angle
+;; or a tuple of them.  Whole turns are constant in between: the derivative is 1.
+(define (principal-value cut)
+  (unless (and (real? cut) (< (abs cut) +inf.0))
+    (raise-not-an-angle "expected a cut that is a real number" cut))
+  (define low (- cut :2pi))
+  (define (principal x)
+    (cond [(real? x) (within low x cut)]
+          [(tuple? x) (structure-map principal (adopt x))]
+          [(symbolic? x) (raise-not-an-angle "expected an angle that is a real number" x)]
+          [else (g:- x (g:* :2pi (g:floor (g:/ (g:- x low) :2pi))))]))
+  (make-function principal 2 (lambda () (list 'principal-value cut))))
+
+;; An angle already there is not touched; rounding does not lead out.
+(define (within low x cut)
+  (cond [(and (<= low x) (< x cut)) x]
+        [else
+         (define y (- x (* :2pi (floor (/ (- x low) :2pi)))))
+         (if (or (< y low) (>= y cut)) low y)]))
+
+(define (raise-not-an-angle what x)
+  (raise
+   (exn:fail:contract
+    (format "principal-value: ~a\n  given: ~a~a" what (describe-with-value x)
+            (if (symbolic? x) "\n  give its symbols values first" ""))
+    (current-continuation-marks))))
