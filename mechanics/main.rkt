@@ -8,7 +8,9 @@
          "calculus/elliptic.rkt" (only-in "calculus/integral.rkt" definite-integral)
          "calculus/on-demand.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
-         "lagrangian/Lagrange-equations.rkt" "lagrangian/state-derivative.rkt"
+         "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
+         "lagrangian/frames.rkt" "lagrangian/Lagrange-equations.rkt" "lagrangian/Noether.rkt"
+         "lagrangian/state-derivative.rkt"
          (except-in "lagrangian/local-tuple.rkt" path)
          "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
          "lagrangian/variation.rkt" "lagrangian/verify.rkt"
@@ -25,7 +27,7 @@
  Gamma path->state-path ->local ->state ->L-state
  time coordinate velocity acceleration
  coordinates velocities accelerations
- coordinate-tuple velocity-tuple acceleration-tuple
+ coordinate-tuple velocity-tuple acceleration-tuple momentum-tuple
  state->t state->q state->qdot state->qddot state->n-dof Q Qdot Qdotdot
  literal-Lagrangian-state
  ;; actions
@@ -40,7 +42,12 @@
  compile-function compiled-function? compiled-function-reason compiled-function-operations
  ;; equations of motion
  Lagrange-equations generalized-LE delta verify-solution
- Lagrangian->acceleration Lagrangian->state-derivative Lagrangian->energy
+ Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
+ Lagrange-equations-first-order Lagrange-equations-1 qv->state-path qv->local-path
+ make-Lagrangian Rayleigh-dissipation
+ ;; energies and other integrals of the motion
+ Lagrangian->energy Lagrangian->power-loss Noether-integral
+ ;; functions of local tuples
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
  derivation-steps show-derivation
  ;; motion
@@ -49,6 +56,8 @@
  F->C Gamma-bar osculating-path
  p->r r->p polar->rectangular rectangular->polar
  s->r r->s spherical->rectangular rectangular->spherical
+ Rx Ry Rz
+ rotating->inertial inertial->rotating accelerated->inertial inertial->accelerated
  ;; showing
  print-expression pe show-expression se series:print)
 

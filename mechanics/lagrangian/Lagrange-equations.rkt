@@ -8,9 +8,10 @@
 ;;
 ;;   Σ_{k=1..n} (−1)^{k+1} D^k(∂_{k+1}L ∘ Γ[q]) − ∂₁L ∘ Γ[q] − Q ∘ Γ[q]
 ;;
-;; (exercises 1.10 and 1.13).
+;; (exercises 1.10 and 1.13).  Q is the force outside L; a dissipation function F
+;; adds −∂₂F to it.
 
-(require "local-tuple.rkt"
+(require "external-force.rkt" "local-tuple.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/function.rkt"
          "../calculus/derivative.rkt"
@@ -19,7 +20,7 @@
 
 (provide Lagrange-equations generalized-LE
          equations? equations-Lagrangian equations-force equations-order
-         check-Lagrangian scalar-valued)
+         check-Lagrangian check-order scalar-valued)
 
 (define kind:equations
   (make-kind #:rank rank:function
@@ -44,13 +45,14 @@
           (if (= (equations-order e) 1) '() (list '#:order (equations-order e)))))
 
 ;; ((Lagrange-equations L) q) is the residual, a function of time.
-(define (Lagrange-equations L #:force [Q #f] #:order [n 1])
+(define (Lagrange-equations L [dissipation #f] #:force [Q #f] #:order [n 1])
   (check-Lagrangian 'Lagrange-equations L)
-  (unless (or (not Q) (procedure? Q))
-    (raise-argument-error 'Lagrange-equations "a force: a function of the local tuple" Q))
+  (check-order 'Lagrange-equations n)
+  (equations L (external-force 'Lagrange-equations Q dissipation) n))
+
+(define (check-order who n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error 'Lagrange-equations "an order, a positive integer" n))
-  (equations L Q n))
+    (raise-argument-error who "an order, a positive integer" n)))
 
 (define (generalized-LE L #:order [n 2]) (Lagrange-equations L #:order n))
 
@@ -62,7 +64,9 @@
   (unary-function (lambda () (list (value->datum e) (value->datum q))) (t)
     (define momenta (momentum-terms L local n t))
     (define residual (g:- momenta (((partial 1) L) (local t))))
-    (if force (g:- residual (force-like momenta (force (local t)))) residual)))
+    (if force
+        (g:- residual (force-like 'Lagrange-equations momenta (force (local t))))
+        residual)))
 
 ;; Σ_{k=1..n} (−1)^{k+1} D^k(∂_{k+1}L ∘ Γ[q]) at t
 (define (momentum-terms L local n t)
@@ -72,7 +76,7 @@
     (if (odd? k) (g:+ sum term) (g:- sum term))))
 
 ;; ---------------------------------------------------------------------------
-;; Bad paths and forces
+;; Bad paths
 
 (define (raise-one-path e arguments)
   (raise
@@ -88,17 +92,6 @@
 
 (define (argument->text x)
   (string-append (if (symbol? x) "'" "") (value->text x)))
-
-;; The force, known to have the shape of the rate of change of momentum; 0 is no
-;; force whatever the shape.
-(define (force-like momenta force)
-  (cond [(or (eqv? force 0) (same-shape? momenta force)) force]
-        [else
-         (raise
-          (exn:fail:contract
-           (format "Lagrange-equations: the force must be ~a, like the momenta; given ~a"
-                   (if (tuple? momenta) (describe momenta) "a number") (describe-with-value force))
-           (current-continuation-marks)))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Bad Lagrangians

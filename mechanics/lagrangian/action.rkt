@@ -1,13 +1,15 @@
 #lang racket/base
 ;; The action of a path: ∫ L ∘ Γ[q] from t₁ to t₂ (SICM 1.4, p. 17).
+;; Of a Lagrangian that depends on derivatives up to order n, ∫ L ∘ Γ[q; n + 2].
 
 (require "local-tuple.rkt" "Lagrange-equations.rkt"
          "../calculus/integral.rkt")
 
 (provide Lagrangian-action)
 
-(define (Lagrangian-action L q t1 t2 [tolerance 1e-10])
+(define (Lagrangian-action L q t1 t2 [tolerance 1e-10] #:order [n 1])
   (check-Lagrangian 'Lagrangian-action L)
-  (define along (Gamma (path 'Lagrangian-action q)))
+  (check-order 'Lagrangian-action n)
+  (define along (Gamma (path 'Lagrangian-action q) (+ n 2)))
   (define value (scalar-valued 'Lagrangian-action L))
   (integrate 'Lagrangian-action (lambda (t) (value (along t))) t1 t2 tolerance))

@@ -14,7 +14,7 @@
  ->local ->state ->L-state local-tuple?
  time coordinate velocity acceleration
  coordinates velocities accelerations
- coordinate-tuple velocity-tuple acceleration-tuple
+ coordinate-tuple velocity-tuple acceleration-tuple momentum-tuple
  state->t state->q state->qdot state->qddot state->n-dof
  Q Qdot Qdotdot
  literal-Lagrangian-state)
@@ -76,6 +76,12 @@
 (define (->state t q . derivatives) (apply up t q derivatives))
 (define (->L-state t q . derivatives) (apply up t q derivatives))
 
+;; Their parts: what multiplies a velocity is a down tuple.
+(define (coordinate-tuple . qs) (apply up qs))
+(define (velocity-tuple . vs) (apply up vs))
+(define (acceleration-tuple . as) (apply up as))
+(define (momentum-tuple . ps) (apply down ps))
+
 (define (local-tuple? x)
   (and (up? x) (>= (s:length x) 2)))
 
@@ -101,15 +107,12 @@
 (define-selector acceleration 3 "accelerations")
 
 (define coordinates coordinate)
-(define coordinate-tuple coordinate)
 (define state->q coordinate)
 (define Q coordinate)
 (define velocities velocity)
-(define velocity-tuple velocity)
 (define state->qdot velocity)
 (define Qdot velocity)
 (define accelerations acceleration)
-(define acceleration-tuple acceleration)
 (define state->qddot acceleration)
 (define Qdotdot acceleration)
 (define state->t time)

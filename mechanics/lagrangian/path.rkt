@@ -25,8 +25,13 @@
 
 ;; ((parametric-path-action L t0 q0 t1 q1) qs): the action of the path of
 ;; make-path, as a function of the intermediate coordinates.
-(define ((parametric-path-action L t0 q0 t1 q1) qs)
-  (Lagrangian-action L (make-path t0 q0 t1 q1 qs) t0 t1))
+;; observe : called with each path and its action
+(define (parametric-path-action L t0 q0 t1 q1 #:order [n 1] #:observe [observe void])
+  (lambda (qs)
+    (define path (make-path t0 q0 t1 q1 qs))
+    (define action (Lagrangian-action L path t0 t1 #:order n))
+    (observe path action)
+    action))
 
 ;; n values evenly spaced between x0 and x1, ends excluded, as a list.
 (define (linear-interpolants x0 x1 n)

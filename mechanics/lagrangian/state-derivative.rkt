@@ -1,36 +1,55 @@
 #lang racket/base
-;; From a Lagrangian to the motion of local states (SICM 1.7 and 1.8).
+;; From a Lagrangian to the motion of local states (SICM 1.7).
 ;;
-;; Lagrange's equations are linear in the accelerations: with P = ∂₂L,
+;; Lagrange's equations are linear in the accelerations: with P = ∂₂L and a force Q
+;; outside L,
 ;;
-;;     ∂₂P a = ∂₁L − ∂₀P − ∂₁P v,
+;;     ∂₂P a = ∂₁L + Q − ∂₀P − ∂₁P v,
 ;;
 ;; so the accelerations follow from the local state (t, q, v) wherever the mass
-;; matrix ∂₂∂₂L has an inverse.  The energy is E = P v − L.
+;; matrix ∂₂∂₂L has an inverse.
 
-(require "Lagrange-equations.rkt" "local-tuple.rkt"
+(require "external-force.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
          "../generic/structure.rkt" "../generic/arithmetic.rkt" "../generic/describe.rkt"
-         (only-in "../generic/function.rkt" unary-function)
+         "../generic/function.rkt"
          "../calculus/derivative.rkt" "../numeric/failure.rkt"
          "../value/function.rkt" "../value/linear.rkt")
 
-(provide Lagrangian->acceleration Lagrangian->state-derivative Lagrangian->energy)
+(provide Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
+         Lagrange-equations-first-order Lagrange-equations-1
+         qv->state-path qv->local-path)
 
 ;; (Lagrangian->acceleration L) : (t, q, v) ↦ a
-(define (Lagrangian->acceleration L)
-  (check-Lagrangian 'Lagrangian->acceleration L)
-  (define L-scalar (scalar-valued 'Lagrangian->acceleration L))
+(define (Lagrangian->acceleration L [dissipation #f] #:force [Q #f])
+  (acceleration-function 'Lagrangian->acceleration L dissipation Q))
+
+;; (Lagrangian->state-derivative L) : (t, q, v) ↦ (1, v, a)
+(define (Lagrangian->state-derivative L [dissipation #f] #:force [Q #f])
+  (define acceleration-at
+    (acceleration-function 'Lagrangian->state-derivative L dissipation Q))
+  (function-of-state
+   'Lagrangian->state-derivative L dissipation Q
+   (lambda (state) (up 1 (velocity state) (acceleration-at state)))))
+
+(define local-state-derivative Lagrangian->state-derivative)
+
+(define (acceleration-function who L dissipation Q)
+  (check-Lagrangian who L)
+  (define outside (external-force who Q dissipation))
+  (define L-scalar (scalar-valued who L))
   (define P ((partial 2) L-scalar))
   (define mass ((partial 2) P))
+  (define (force state)
+    (define inside
+      (g:- (((partial 1) L-scalar) state)
+           (g:+ (((partial 0) P) state)
+                (g:* (((partial 1) P) state) (velocity state)))))
+    (if outside (g:+ inside (force-like who inside (outside state))) inside))
   (function-of-state
-   'Lagrangian->acceleration L
+   who L dissipation Q
    (lambda (state)
-     (define force
-       (g:- (((partial 1) L-scalar) state)
-            (g:+ (((partial 0) P) state)
-                 (g:* (((partial 1) P) state) (velocity state)))))
      (with-handlers ([exn:fail:mechanics:singular:matrix? raise-no-inertia])
-       (solve-linear-left (mass state) force)))))
+       (solve-linear-left (mass state) (force state))))))
 
 ;; A null vector of the mass matrix is a direction in which a change of velocity
 ;; changes no momentum.
@@ -49,21 +68,36 @@
     (exn:fail:mechanics:singular-where e)
     directions)))
 
-;; (Lagrangian->state-derivative L) : (t, q, v) ↦ (1, v, a)
-(define (Lagrangian->state-derivative L)
-  (define acceleration-at (Lagrangian->acceleration L))
-  (function-of-state
-   'Lagrangian->state-derivative L
-   (lambda (state) (up 1 (velocity state) (acceleration-at state)))))
+;; ---------------------------------------------------------------------------
+;; Lagrange's equations of first order
 
-;; (Lagrangian->energy L) : (t, q, v) ↦ P v − L
-(define (Lagrangian->energy L)
-  (check-Lagrangian 'Lagrangian->energy L)
-  (define L-scalar (scalar-valued 'Lagrangian->energy L))
-  (define P ((partial 2) L-scalar))
-  (function-of-state
-   'Lagrangian->energy L
-   (lambda (state) (g:- (g:* (P state) (velocity state)) (L-scalar state)))))
+;; (((Lagrange-equations-first-order L) q v) t) : how far (t, q(t), v(t)) is from
+;; moving as the state derivative says.
+(define (Lagrange-equations-first-order L [dissipation #f] #:force [Q #f])
+  (define slope (Lagrangian->state-derivative L dissipation #:force Q))
+  (define (name) (made-from 'Lagrange-equations-first-order L dissipation Q))
+  (define (residual q v)
+    (define states (qv->state-path q v))
+    (g:- (D states) (compose slope states)))
+  (make-function residual 4 name))
 
-(define (function-of-state who L f)
-  (unary-function (lambda () (list who (value->datum L))) (state) (f state)))
+(define Lagrange-equations-1 Lagrange-equations-first-order)
+
+;; t ↦ (t, q(t), v(t)), whether v is the derivative of q or not.
+(define (qv->state-path given-q given-v)
+  (define q (path 'qv->state-path given-q))
+  (define v (path 'qv->state-path given-v))
+  (unary-function (lambda () (list 'qv->state-path (value->datum q) (value->datum v))) (t)
+    (up t (q t) (v t))))
+
+(define qv->local-path qv->state-path)
+
+;; ---------------------------------------------------------------------------
+
+(define (function-of-state who L dissipation Q f)
+  (unary-function (lambda () (made-from who L dissipation Q)) (state) (f state)))
+
+(define (made-from who L dissipation Q)
+  `(,who ,(value->datum L)
+         ,@(if dissipation (list (value->datum dissipation)) '())
+         ,@(if Q (list '#:force (value->datum Q)) '())))

@@ -7,10 +7,15 @@
 ;;   D_t F (t, q, v, a, ...) = ∂₀F + ∂₁F v + ∂₂F a + ...
 ;;
 ;; is the derivative of F in that direction.  It wants one component more than F.
+;; The Euler–Lagrange operator of an L of local tuples up to the n-th derivative is
+;;
+;;   E[L] = Σ_{k=1..n} (−1)^{k+1} D_t^k ∂_{k+1}L − ∂₁L,
+;;
+;; a function of local tuples up to the 2n-th.
 
 (require "local-tuple.rkt" "Lagrange-equations.rkt"
          "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/arithmetic.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          "../calculus/derivative.rkt"
          "../value/structure.rkt" "../value/operator.rkt" "../value/function.rkt")
 
@@ -37,12 +42,14 @@
 (define (drift local)
   (list->up (cons 1 (cddr (structure->list local)))))
 
-(define (check-local-tuple who local)
-  (unless (and (local-tuple? local) (>= (s:length local) 3))
+(define (check-local-tuple who local [least-length 3])
+  (unless (and (local-tuple? local) (>= (s:length local) least-length))
     (raise
      (exn:fail:contract
-      (format "~a: expected a local tuple (up t q v ...); given ~a"
-              who (describe-with-value local))
+      (format "~a: expected a local tuple (up t q v ...)~a; given ~a"
+              who
+              (if (= least-length 3) "" (format " of at least ~a components" least-length))
+              (describe-with-value local))
       (current-continuation-marks))))
   (for ([part (in-list (cddr (structure->list local)))])
     (unless (same-shape? part (coordinate local))
@@ -53,13 +60,19 @@
         (current-continuation-marks))))))
 
 ;; The residual of Lagrange's equations as a function of (t, q, v, a).
-(define (Euler-Lagrange-operator L)
+(define (Euler-Lagrange-operator L #:order [n 1])
   (check-Lagrangian 'Euler-Lagrange-operator L)
+  (check-order 'Euler-Lagrange-operator n)
   (define L-scalar (scalar-valued 'Euler-Lagrange-operator L))
-  (define residual
-    (g:- (Dt ((partial 2) L-scalar)) (compose ((partial 1) L-scalar) trim-last-argument)))
-  (unary-function (lambda () (list 'Euler-Lagrange-operator (value->datum L))) (local)
-    (residual local)))
+  (define (name)
+    `(Euler-Lagrange-operator ,(value->datum L) ,@(if (= n 1) '() (list '#:order n))))
+  (unary-function name (local)
+    (check-local-tuple 'Euler-Lagrange-operator local (+ (* 2 n) 2))
+    (define (at f length) (f ((clip-state length) local)))
+    (for/fold ([sum (g:negate (at ((partial 1) L-scalar) (+ n 2)))])
+              ([k (in-range 1 (add1 n))])
+      (define term (at ((g:expt Dt k) ((partial (add1 k)) L-scalar)) (+ n 2 k)))
+      (if (odd? k) (g:+ sum term) (g:- sum term)))))
 
 (define LE Euler-Lagrange-operator)
 (define Lagrange-equations-operator Euler-Lagrange-operator)

@@ -53,12 +53,17 @@ tuples longer by one that is the derivative of F by time along every path,
 
 @sicm{1.9, p. 97}}
 
-@deftogether[(@defproc[(Euler-Lagrange-operator [L Lagrangian]) procedure?]
-              @defproc[(LE [L Lagrangian]) procedure?]
-              @defproc[(Lagrange-equations-operator [L Lagrangian]) procedure?])]{
+@deftogether[(@defproc[(Euler-Lagrange-operator [L Lagrangian]
+                                                [#:order n exact-positive-integer? 1])
+                       procedure?]
+              @defproc[(LE [L Lagrangian] [#:order n exact-positive-integer? 1]) procedure?]
+              @defproc[(Lagrange-equations-operator [L Lagrangian]
+                                                    [#:order n exact-positive-integer? 1])
+                       procedure?])]{
 
 The residual of Lagrange's equations as a function of local tuples with
-accelerations, without any path.
+accelerations, without any path. If L depends on derivatives of the coordinates up to
+the order n, the local tuples have them up to 2n.
 
 @examples[#:eval session
 (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
@@ -121,5 +126,47 @@ From (x, y, z) to (r, θ, φ).
 
 @examples[#:eval session
 (r->s (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))]}
+
+@section{Rotations and frames}
+
+@deftogether[(@defproc[(Rx [angle scalar]) procedure?]
+              @defproc[(Ry [angle scalar]) procedure?]
+              @defproc[(Rz [angle scalar]) procedure?])]{
+
+The rotation of tuples of 3 coordinates about an axis, with the sense of the right hand.
+
+@examples[#:eval session
+((Rz 'a) (up 'x 'y 'z))
+((compose (Rx 'a) (Rx (- 'a))) (up 'x 'y 'z))]
+
+@sicm{1.8.5, p. 91}}
+
+@deftogether[(@defproc[(rotating->inertial [Omega scalar]) procedure?]
+              @defproc[(inertial->rotating [Omega scalar]) procedure?])]{
+
+Between rectangular coordinates on axes that turn at the rate @racket[Omega] and on axes
+that do not, which agree at the time 0; in space the z axis stays. They are inverse to
+each other, and are passed to @racket[F->C]. A free particle in rotating coordinates:
+
+@examples[#:eval session
+(define plane (up 't (up 'x 'y) (up 'vx 'vy)))
+(define L-rotating
+  (compose (L-free 'm) (F->C (rotating->inertial 'Omega))))
+(L-rotating plane)
+((Lagrangian->acceleration L-rotating) plane)]
+
+@sicm{1.6, p. 48}}
+
+@deftogether[(@defproc[(accelerated->inertial [a value]) procedure?]
+              @defproc[(inertial->accelerated [a value]) procedure?])]{
+
+Between the coordinates in a frame with the constant acceleration @racket[a], at rest and
+in place at the time 0, and those in a frame without: q = q' + a t²/2. In such a frame
+free particles fall:
+
+@examples[#:eval session
+(define L-lift
+  (compose (L-free 'm) (F->C (accelerated->inertial (up 0 'g)))))
+((Lagrangian->acceleration L-lift) plane)]}
 
 @(close-session session)

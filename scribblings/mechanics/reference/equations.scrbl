@@ -5,7 +5,10 @@
 
 @(define session (make-session))
 
+@section{Residuals}
+
 @defproc[(Lagrange-equations [L Lagrangian]
+                             [dissipation (or/c #f procedure?) #f]
                              [#:force force (or/c #f procedure?) #f]
                              [#:order n exact-positive-integer? 1])
          procedure?]{
@@ -21,6 +24,8 @@ unit is that of a generalized force: energy over coordinate.
 
 @racket[force] is a function of the local tuple that gives the external forces
 outside the potential, a scalar or a @racket[down]; it is subtracted.
+@racket[dissipation] is a function F of the local tuple from which such a force
+follows, −∂@subscript{2}F.
 
 With an order n above 1, L may depend on derivatives of the coordinates up to the
 n-th, its local tuple being @racket[(up t q v a ...)], and the residual is
@@ -54,15 +59,43 @@ an error that says what may have been forgotten.
 
 @sicm{1.5, exercises 1.10 and 1.13}}
 
-@deftogether[(@defproc[(Lagrangian->acceleration [L Lagrangian]) procedure?]
-              @defproc[(Lagrangian->state-derivative [L Lagrangian]) procedure?]
-              @defproc[(Lagrangian->energy [L Lagrangian]) procedure?])]{
+@defproc[(make-Lagrangian [T procedure?] [V procedure?]) procedure?]{
+
+The difference of a kinetic and a potential energy, both functions of the local tuple,
+or of parameters with such functions as values.
+
+@examples[#:eval session
+(define ((T m) local) (* 1/2 m (square (velocity local))))
+(define ((V m k) local) (* 1/2 k (square (coordinate local))))
+((make-Lagrangian (T 'm) (V 'm 'k)) (up 't 'x 'v))]}
+
+@defproc[(Rayleigh-dissipation [k scalar]) procedure?]{
+
+The dissipation function k v², of a drag −2 k v. It takes power at twice its value.
+
+@examples[#:eval session
+(((Lagrange-equations (L-harmonic 'm 'k) (Rayleigh-dissipation 'b)) x) 't)]}
+
+@section{State derivatives}
+
+@deftogether[(@defproc[(Lagrangian->acceleration [L Lagrangian]
+                                                 [dissipation (or/c #f procedure?) #f]
+                                                 [#:force force (or/c #f procedure?) #f])
+                       procedure?]
+              @defproc[(Lagrangian->state-derivative [L Lagrangian]
+                                                     [dissipation (or/c #f procedure?) #f]
+                                                     [#:force force (or/c #f procedure?) #f])
+                       procedure?]
+              @defproc[(local-state-derivative [L Lagrangian]
+                                               [dissipation (or/c #f procedure?) #f]
+                                               [#:force force (or/c #f procedure?) #f])
+                       procedure?])]{
 
 Functions of the local tuple @racket[(up t q v)]: the accelerations that Lagrange's
-equations determine; the state derivative @racket[(up 1 v a)]; and the energy
-∂@subscript{2}L v − L.
+equations determine, and the state derivative @racket[(up 1 v a)], by two names. Forces
+outside L are given as to @racket[Lagrange-equations].
 
-The accelerations solve (∂@subscript{2}∂@subscript{2}L) a = ∂@subscript{1}L −
+The accelerations solve (∂@subscript{2}∂@subscript{2}L) a = ∂@subscript{1}L + Q −
 ∂@subscript{0}∂@subscript{2}L − ∂@subscript{1}∂@subscript{2}L v. A Lagrangian that
 leaves a direction without inertia raises
 @racket[exn:fail:mechanics:singular].
@@ -73,11 +106,86 @@ leaves a direction without inertia raises
   (- (* 1/2 m (square v)) (* 1/2 (+ (* k1 (square x)) (* k2 (square y))))))
 ((Lagrangian->acceleration (L-anisotropic 'm 'k1 'k2)) state)
 ((Lagrangian->state-derivative (L-anisotropic 'm 'k1 'k2)) state)
-((Lagrangian->energy (L-anisotropic 'm 'k1 'k2)) state)
+((Lagrangian->acceleration (L-harmonic 'm 'k) (Rayleigh-dissipation 'b))
+ (up 't 'x 'v))
 (eval:error ((Lagrangian->acceleration (lambda (local) (coordinate local)))
              (up 't 'x 'v)))]
 
-@sicm{1.7, p. 71 and 1.8.1, p. 82}}
+@sicm{1.7, p. 71}}
+
+@deftogether[(@defproc[(Lagrange-equations-first-order
+                         [L Lagrangian]
+                         [dissipation (or/c #f procedure?) #f]
+                         [#:force force (or/c #f procedure?) #f])
+                       procedure?]
+              @defproc[(Lagrange-equations-1
+                         [L Lagrangian]
+                         [dissipation (or/c #f procedure?) #f]
+                         [#:force force (or/c #f procedure?) #f])
+                       procedure?])]{
+
+@racket[(((Lagrange-equations-first-order L) q v) t)] is the residual of the equations
+as a system of first order, for coordinates q and velocities v that are separate
+functions of time: the derivative of (t, q(t), v(t)) less the state derivative there.
+
+@examples[#:eval session
+(define LE1 (Lagrange-equations-first-order (L-harmonic 'm 'k)))
+((LE1 x (literal-function 'v)) 't)]
+
+@sicm{1.7, p. 72}}
+
+@deftogether[(@defproc[(qv->state-path [q path] [v path]) procedure?]
+              @defproc[(qv->local-path [q path] [v path]) procedure?])]{
+
+The function of time with the values @racket[(up t (q t) (v t))], by two names.
+
+@examples[#:eval session
+((qv->state-path x (literal-function 'v)) 't)]
+
+@sicm{1.7, p. 72}}
+
+@section{Energies and other integrals}
+
+@defproc[(Lagrangian->energy [L Lagrangian]) procedure?]{
+
+The energy ∂@subscript{2}L v − L, as a function of the local tuple.
+
+@examples[#:eval session
+((Lagrangian->energy (L-anisotropic 'm 'k1 'k2)) state)]
+
+@sicm{1.8.1, p. 82}}
+
+@defproc[(Lagrangian->power-loss [L Lagrangian]) procedure?]{
+
+@racket[(((Lagrangian->power-loss L) q) t)] is the rate at which the energy changes
+along the path q: the residual times the velocity, less ∂@subscript{0}L. So a motion
+without forces outside L keeps the energy of an L that does not depend on time.
+
+@examples[#:eval session
+(((Lagrangian->power-loss (L-harmonic 'm 'k)) x) 't)]}
+
+@defproc[(Noether-integral [L Lagrangian] [F-tilde procedure?]) procedure?]{
+
+What a family of symmetries of L conserves, as a function of the local tuple.
+@racket[F-tilde] is a function of one or several parameters; its values are coordinate
+transformations, as for @racket[F->C], and that at 0 is the identity. The integral is
+∂@subscript{2}L DF̃(0), a scalar for one parameter and a @racket[down] for several. That L
+is the same for all parameters is up to you.
+
+@examples[#:eval session
+(define ((L-central m U) (up t q v))
+  (- (* 1/2 m (square v)) (U (sqrt (square q)))))
+(define (rotations a b c)
+  (compose (Rx a) (Ry b) (Rz c) coordinate))
+((Noether-integral (L-central 'm (literal-function 'U)) rotations)
+ (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))]
+
+This is the angular momentum, with the sign it has as a product of position and
+momentum; the second edition prints the opposite one.
+
+@sicm{1.8.5, p. 91}}
+
+@section{Derivations}
 
 @deftogether[(@defproc[(derivation-steps [equations procedure?] [q path] [t scalar 't])
                        (listof pair?)]

@@ -30,6 +30,18 @@ A local tuple of these parts, by three names.
 
 @examples[#:eval session (->local 't (up 'x 'y) (up 'v_x 'v_y))]}
 
+@deftogether[(@defproc[(coordinate-tuple [q value] ...) structure?]
+              @defproc[(velocity-tuple [v value] ...) structure?]
+              @defproc[(acceleration-tuple [a value] ...) structure?]
+              @defproc[(momentum-tuple [p value] ...) structure?])]{
+
+The parts of local tuples: the first three are @racket[up] tuples, momenta are a
+@racket[down] tuple.
+
+@examples[#:eval session
+(->local 't (coordinate-tuple 'x 'y) (velocity-tuple 'v_x 'v_y))
+(* (momentum-tuple 'p_x 'p_y) (velocity-tuple 'v_x 'v_y))]}
+
 @defproc[(literal-Lagrangian-state [n exact-positive-integer?]) structure?]{
 
 A local tuple of unknowns with n coordinates.
@@ -53,7 +65,6 @@ The time.
 
 @deftogether[(@defproc[(coordinate [local local-tuple]) value]
               @defproc[(coordinates [local local-tuple]) value]
-              @defproc[(coordinate-tuple [local local-tuple]) value]
               @defproc[(state->q [local local-tuple]) value]
               @defproc[(Q [local local-tuple]) value])]{
 
@@ -65,7 +76,6 @@ The coordinates.
 
 @deftogether[(@defproc[(velocity [local local-tuple]) value]
               @defproc[(velocities [local local-tuple]) value]
-              @defproc[(velocity-tuple [local local-tuple]) value]
               @defproc[(state->qdot [local local-tuple]) value]
               @defproc[(Qdot [local local-tuple]) value])]{
 
@@ -79,7 +89,6 @@ The velocities.
 
 @deftogether[(@defproc[(acceleration [local local-tuple]) value]
               @defproc[(accelerations [local local-tuple]) value]
-              @defproc[(acceleration-tuple [local local-tuple]) value]
               @defproc[(state->qddot [local local-tuple]) value]
               @defproc[(Qdotdot [local local-tuple]) value])]{
 
@@ -99,16 +108,19 @@ These compute numbers. A symbol that is left in the integrand raises an error th
 shows where.
 
 @defproc[(Lagrangian-action [L Lagrangian] [q path] [t1 real?] [t2 real?]
-                            [tolerance real? 1e-10])
+                            [tolerance real? 1e-10]
+                            [#:order n exact-positive-integer? 1])
          real?]{
 
 The action of the path from @racket[t1] to @racket[t2]: the integral of L along it.
-Its unit is that of L times that of time.
+Its unit is that of L times that of time. With an order above 1, L may depend on
+derivatives of the coordinates up to that one, as in @racket[Lagrange-equations].
 
 @examples[#:eval session
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
 (define (straight t) (up (+ (* 4 t) 7) (+ (* 3 t) 5) (+ (* 2 t) 1)))
 (Lagrangian-action (L-free 3) straight 0 10)
+(Lagrangian-action (lambda (local) (square (acceleration local))) cube 0 1 #:order 2)
 (eval:error (Lagrangian-action (L-free 'm) straight 0 10))]
 
 @sicm{1.4, p. 17}}
@@ -301,18 +313,21 @@ least degree.
 
 @sicm{1.4, p. 20}}
 
-@defproc[(parametric-path-action [L Lagrangian] [t0 real?] [q0 value] [t1 real?] [q1 value])
+@defproc[(parametric-path-action [L Lagrangian] [t0 real?] [q0 value] [t1 real?] [q1 value]
+                                 [#:order n exact-positive-integer? 1]
+                                 [#:observe observe (-> path real? any) void])
          procedure?]{
 
 The action of the path of @racket[make-path], as a function of the list of
-intermediate coordinates.
+intermediate coordinates. @racket[observe] is called with each path and its action, so
+that a search for the least one can be watched.
 
 @examples[#:eval session
 (define action (parametric-path-action (L-free 2) 0 0 1 1))
 (action '(1/3 2/3))
 (action '(1/4 2/3))]
 
-@sicm{1.4, p. 21}}
+@sicm{1.4, p. 21, exercise 1.5}}
 
 @defproc[(linear-interpolants [x0 scalar] [x1 scalar] [n exact-nonnegative-integer?]) list?]{
 

@@ -5,7 +5,7 @@
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
          mechanics/value/structure
          mechanics/calculus/derivative mechanics/calculus/minimum
-         mechanics/lagrangian/action
+         mechanics/lagrangian/action mechanics/lagrangian/local-tuple
          "systems.rkt")
 
 (define (test-path t) (up (g:+ (g:* 4 t) 7) (g:+ (g:* 3 t) 5) (g:+ (g:* 2 t) 1)))
@@ -49,6 +49,15 @@
   (check-= ((D varied) 0) 0 1e-9)
   (check-= ((D (D varied)) 0) (* 2 1000000 18077/14000) 1e-3)
   (check-= ((D varied) 1/1000) (* 2 1000 18077/14000) 1e-6))
+
+(test-case "Lagrangians that depend on accelerations have actions too"
+  ;; on q = t³ from 0 to 1: ∫ q q̈ = ∫ 6 t⁴ = 6/5, by parts −∫ q̇² plus the ends, −9/5 + 3
+  (define (L local) (g:* (coordinate local) (acceleration local)))
+  (check-= (Lagrangian-action L g:cube 0 1 #:order 2) 6/5 1e-12)
+  (check-exn #rx"^acceleration: expected a local tuple .* with accelerations"
+             (lambda () (Lagrangian-action L g:cube 0 1)))
+  (check-exn #rx"^Lagrangian-action: .*an order, a positive integer"
+             (lambda () (Lagrangian-action L g:cube 0 1 #:order 0))))
 
 ;; ---------------------------------------------------------------------------
 ;; What is no number

@@ -68,14 +68,22 @@
 
 (test-case "every selector by each of its names"
   (for ([select (list time state->t)]) (check-equal? (select local) 't))
-  (for ([select (list coordinate coordinates coordinate-tuple state->q Q)])
+  (for ([select (list coordinate coordinates state->q Q)])
     (check-equal? (select local) (up 'x 'y)))
-  (for ([select (list velocity velocities velocity-tuple state->qdot Qdot)])
+  (for ([select (list velocity velocities state->qdot Qdot)])
     (check-equal? (select local) (up 'vx 'vy)))
-  (for ([select (list acceleration accelerations acceleration-tuple state->qddot Qdotdot)])
+  (for ([select (list acceleration accelerations state->qddot Qdotdot)])
     (check-equal? (select local) (up 'ax 'ay)))
   (check-equal? (state->n-dof local) 2)
   (check-equal? (state->n-dof (up 't 'q 'v)) 1))
+
+(test-case "the parts of local tuples have constructors; momenta are down"
+  (for ([make (list coordinate-tuple velocity-tuple acceleration-tuple)])
+    (check-equal? (make 'x 'y) (up 'x 'y))
+    (check-equal? (make 'x) (up 'x)))
+  (check-equal? (momentum-tuple 'p_x 'p_y) (down 'p_x 'p_y))
+  (check-true (same? (g:* (momentum-tuple 'p_x 'p_y) (velocity-tuple 'vx 'vy))
+                     (g:+ (g:* 'p_x 'vx) (g:* 'p_y 'vy)))))
 
 (test-case "selectors take part in the arithmetic of functions"
   (check-true (same? ((g:* 1/2 'm (g:square velocity)) local)

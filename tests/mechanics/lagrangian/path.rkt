@@ -4,7 +4,8 @@
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary
          mechanics/value/structure mechanics/calculus/derivative
-         mechanics/lagrangian/action mechanics/lagrangian/path
+         mechanics/lagrangian/action mechanics/lagrangian/local-tuple
+         mechanics/lagrangian/path
          "systems.rkt" "../laws/random.rkt" "../laws/same.rkt")
 
 (test-case "points evenly spaced between two others"
@@ -65,3 +66,17 @@
   (define exact-points (map cos (linear-interpolants 0 (acos 0.0) 3)))
   (check-true (< (error-with exact-points) 5e-4))
   (check-= (oscillator exact-points) 0 1e-5))
+
+(test-case "each path and its action can be observed (exercise 1.5)"
+  (define seen '())
+  (define (observe path action) (set! seen (cons (cons (path 1/2) action) seen)))
+  (define action (parametric-path-action (L-free 2) 0 0 1 1 #:observe observe))
+  (define values (map action '((1/2) (1/4))))
+  (check-equal? (reverse seen) (map cons '(1/2 1/4) values)))
+
+(test-case "of Lagrangians with accelerations as well"
+  (define (L local) (g:square (acceleration local)))
+  (define action (parametric-path-action L 0 0 1 1 #:order 2))
+  (check-= (action '(1/2)) 0 1e-12)
+  ;; the parabola through (0, 0), (1/2, 1/4), (1, 1) has the acceleration 2
+  (check-= (action '(1/4)) 4 1e-12))

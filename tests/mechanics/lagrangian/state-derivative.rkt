@@ -1,5 +1,5 @@
 #lang racket/base
-;; Accelerations, state derivatives and energies (SICM 1.7 and 1.8).
+;; Accelerations, state derivatives and equations of first order (SICM 1.7).
 
 (require rackunit mechanics)
 
@@ -53,6 +53,90 @@
 (test-case "a direction without inertia is singular"
   (check-exn exn:fail:mechanics:singular?
              (lambda () ((Lagrangian->acceleration (lambda (l) (ref (coordinate l) 0)))
-                         (up 't (up 'x 'y) (up 'vx 'vy)))))
-  (check-exn #rx"Lagrangian"
-             (lambda () (Lagrangian->energy 'L))))
+                         (up 't (up 'x 'y) (up 'vx 'vy))))))
+
+(test-case "the energy needs a Lagrangian"
+  (check-exn #rx"^Lagrangian->energy: a Lagrangian is a function" (lambda () (Lagrangian->energy 'L))))
+
+;; ---------------------------------------------------------------------------
+;; Forces outside L
+
+(define ((L-pendulum g m l) (up t theta thetadot))
+  (+ (* 1/2 m (square (* l thetadot))) (* g m l (cos theta))))
+(define pendulum (L-pendulum 'g 'm 'l))
+(define swinging (up 't 'theta 'thetadot))
+(define (drag local) (* -2 'k (velocity local)))
+
+(test-case "a damped pendulum, by a dissipation function or by its force"
+  (define expected
+    (up 1 'thetadot (- (/ (* -1 'g (sin 'theta)) 'l)
+                       (/ (* 2 'k 'thetadot) (* 'm (square 'l))))))
+  (for ([slope (list (Lagrangian->state-derivative pendulum (Rayleigh-dissipation 'k))
+                     (Lagrangian->state-derivative pendulum #:force drag)
+                     (local-state-derivative pendulum (Rayleigh-dissipation 'k)))])
+    (check-eq? (same (slope swinging) expected) 'proved))
+  (check-eq? (same ((Lagrangian->acceleration pendulum (Rayleigh-dissipation 'k)) swinging)
+                   (ref expected 2))
+             'proved))
+
+(test-case "the damped acceleration makes the damped residual vanish"
+  (define slope (Lagrangian->state-derivative pendulum (Rayleigh-dissipation 'k)))
+  (define q (osculating-path (up 't 'theta 'thetadot (ref (slope swinging) 2))))
+  (check-eq? (verdict-status
+              (prove-zero (((Lagrange-equations pendulum (Rayleigh-dissipation 'k)) q) 't)))
+             'proved))
+
+(test-case "a force and a dissipation function add up"
+  (define (push local) 'F)
+  (check-eq? (same ((Lagrangian->acceleration pendulum (Rayleigh-dissipation 'k) #:force push) swinging)
+                   (+ ((Lagrangian->acceleration pendulum (Rayleigh-dissipation 'k)) swinging)
+                      (/ 'F (* 'm (square 'l)))))
+             'proved))
+
+(test-case "a force of another shape than the momenta, or none at all"
+  (check-exn #rx"^Lagrangian->acceleration: the force must be a number, like the momenta; given [(]down 1 2[)]"
+             (lambda () ((Lagrangian->acceleration pendulum #:force (lambda (l) (down 1 2))) swinging)))
+  (check-exn #rx"^Lagrangian->state-derivative: .*a force: a function of the local tuple"
+             (lambda () (Lagrangian->state-derivative pendulum #:force 'F)))
+  (check-exn #rx"^Lagrange-equations: .*a dissipation function: a function of the local tuple"
+             (lambda () (Lagrange-equations pendulum 'k))))
+
+(test-case "they print with what they were made from"
+  (check-equal? (format "~a" (Lagrangian->acceleration pendulum (Rayleigh-dissipation 'k)))
+                "(Lagrangian->acceleration L-pendulum (Rayleigh-dissipation k))")
+  (check-equal? (format "~a" (Lagrangian->state-derivative pendulum #:force drag))
+                "(Lagrangian->state-derivative L-pendulum #:force drag)")
+  (check-equal? (format "~a" (Lagrange-equations pendulum (Rayleigh-dissipation 'k)))
+                "(Lagrange-equations L-pendulum #:force (- ((partial 2) (Rayleigh-dissipation k))))"))
+
+;; ---------------------------------------------------------------------------
+;; Equations of first order
+
+(test-case "the equations of first order of the harmonic oscillator (p. 72)"
+  (define residual
+    (((Lagrange-equations-first-order (L-harmonic 'm 'k))
+      (coordinate-tuple (literal-function 'x) (literal-function 'y))
+      (velocity-tuple (literal-function 'v_x) (literal-function 'v_y)))
+     't))
+  (define (f name) ((literal-function name) 't))
+  (define (df name) ((D (literal-function name)) 't))
+  (check-eq? (same residual
+                   (up 0
+                       (up (- (df 'x) (f 'v_x)) (- (df 'y) (f 'v_y)))
+                       (up (+ (df 'v_x) (/ (* 'k (f 'x)) 'm)) (+ (df 'v_y) (/ (* 'k (f 'y)) 'm)))))
+             'proved))
+
+(test-case "on a path and its derivative they say what the equations of second order say"
+  (define q (literal-function 'theta))
+  (define first-order (((Lagrange-equations-1 pendulum (Rayleigh-dissipation 'k)) q (D q)) 't))
+  (check-eq? (same (* 'm (square 'l) (ref first-order 2))
+                   (((Lagrange-equations pendulum (Rayleigh-dissipation 'k)) q) 't))
+             'proved))
+
+(test-case "a state path has the velocities that it is given"
+  (define path (qv->state-path (literal-function 'q) (literal-function 'v)))
+  (check-equal? (expression (path 't)) '(up t (q t) (v t)))
+  (check-equal? (expression ((D path) 't)) '(up 1 ((D q) t) ((D v) t)))
+  (check-equal? (format "~a" path) "(qv->state-path q v)")
+  (check-eq? qv->local-path qv->state-path)
+  (check-exn #rx"^qv->state-path: a path is a function of time" (lambda () (qv->state-path 'q 'v))))

@@ -63,6 +63,18 @@
   (define f (literal-function 'f (-> (UP Real Real) Real)))
   (check-same ((Euler-Lagrange-operator (Dt f)) local) 0))
 
+(test-case "of a Lagrangian with accelerations it is the residual of the same order"
+  (define (L local)
+    (g:- (g:* -1/2 'm (coordinate local) (acceleration local))
+         (g:* 1/2 'k (g:square (coordinate local)))))
+  (check-same ((Euler-Lagrange-operator L #:order 2) (up 't 'x 'v 'a 'j 's))
+              (g:+ (g:* 'm 'a) (g:* 'k 'x)))
+  (define any (literal-function 'L (-> (UP Real Real Real Real) Real)))
+  (check-same ((compose (Euler-Lagrange-operator any #:order 2) (Gamma q 6)) 't)
+              (((Lagrange-equations any #:order 2) q) 't))
+  (check-equal? (format "~a" (Euler-Lagrange-operator any #:order 2))
+                "(Euler-Lagrange-operator L #:order 2)"))
+
 (test-case "clipping local tuples"
   (check-equal? ((clip-state 3) local) (up 't 'x 'v))
   (check-equal? (trim-last-argument local) (up 't 'x 'v))
@@ -84,4 +96,8 @@
              (lambda () ((Dt F) (up 't 'q))))
   (check-exn #rx"^Dt: the parts of the local tuple differ in shape\n  coordinates: [(]up x y[)]\n  another: a$"
              (lambda () ((Dt velocity) (up 't (up 'x 'y) (up 'vx 'vy) 'a))))
+  (check-exn #rx"^Euler-Lagrange-operator: expected a local tuple [(]up t q v [.][.][.][)] of at least 4 components; given [(]up t q v[)], an up tuple of 3$"
+             (lambda () ((Euler-Lagrange-operator F) (up 't 'q 'v))))
+  (check-exn #rx"^Euler-Lagrange-operator: .*an order, a positive integer"
+             (lambda () (Euler-Lagrange-operator F #:order 0)))
   (check-exn #rx"^Euler-Lagrange-operator: a Lagrangian is a function" (lambda () (Euler-Lagrange-operator 3))))

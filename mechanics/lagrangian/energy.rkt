@@ -1,0 +1,38 @@
+#lang racket/base
+;; Lagrangians from energies, and energies from Lagrangians (SICM 1.5 and 1.8.1).
+;;
+;; With P = ∂₂L the energy is E = P v − L.  Along a path q,
+;;
+;;   D(E ∘ Γ[q]) = ((Lagrange-equations L) q) Dq − ∂₀L ∘ Γ[q],
+;;
+;; so that energy is lost to nothing but forces outside L and to the change of L
+;; itself in time.
+
+(require "Lagrange-equations.rkt" "local-tuple.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../calculus/derivative.rkt"
+         "../value/function.rkt")
+
+(provide make-Lagrangian Lagrangian->energy Lagrangian->power-loss)
+
+;; T and V are functions of the local tuple, or of parameters with such as values.
+(define (make-Lagrangian kinetic-energy potential-energy)
+  (for ([f (in-list (list kinetic-energy potential-energy))])
+    (unless (procedure? f)
+      (raise-argument-error 'make-Lagrangian "an energy: a function of the local tuple" f)))
+  (g:- kinetic-energy potential-energy))
+
+;; (Lagrangian->energy L) : (t, q, v) ↦ P v − L
+(define (Lagrangian->energy L)
+  (check-Lagrangian 'Lagrangian->energy L)
+  (define L-scalar (scalar-valued 'Lagrangian->energy L))
+  (define P ((partial 2) L-scalar))
+  (unary-function (lambda () (list 'Lagrangian->energy (value->datum L))) (state)
+    (g:- (g:* (P state) (velocity state)) (L-scalar state))))
+
+;; ((Lagrangian->power-loss L) q) : t ↦ the rate of change of the energy along q
+(define (Lagrangian->power-loss L)
+  (define energy (Lagrangian->energy L))
+  (define name (lambda () (list 'Lagrangian->power-loss (value->datum L))))
+  (unary-function name (q)
+    (D (compose energy (Gamma (path 'Lagrangian->power-loss q))))))

@@ -1,0 +1,38 @@
+#lang racket/base
+;; Forces outside the potential: given as they are, as a function Q of the local
+;; tuple, or by a dissipation function F whose derivative −∂₂F they are.
+;;
+;; Rayleigh's is F = k v², a drag proportional to the velocity.  Power is then lost
+;; at the rate ∂₂F v, which is 2F.
+
+(require "local-tuple.rkt"
+         "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
+         "../calculus/derivative.rkt")
+
+(provide Rayleigh-dissipation external-force force-like)
+
+(define (Rayleigh-dissipation k)
+  (unary-function (lambda () (list 'Rayleigh-dissipation (value->datum k))) (local)
+    (g:* k (g:square (velocity local)))))
+
+;; Q − ∂₂F, of which either may be #f; #f if both are.
+(define (external-force who Q F)
+  (unless (or (not Q) (procedure? Q))
+    (raise-argument-error who "a force: a function of the local tuple" Q))
+  (unless (or (not F) (and (procedure? F) (accepts? F 1)))
+    (raise-argument-error who "a dissipation function: a function of the local tuple" F))
+  (cond [(and Q F) (g:- Q ((partial 2) F))]
+        [F (g:negate ((partial 2) F))]
+        [else Q]))
+
+;; The force, known to have the shape of the momenta; 0 is no force whatever the shape.
+(define (force-like who momenta force)
+  (cond [(or (eqv? force 0) (same-shape? momenta force)) force]
+        [else
+         (raise
+          (exn:fail:contract
+           (format "~a: the force must be ~a, like the momenta; given ~a"
+                   who (if (tuple? momenta) (describe momenta) "a number")
+                   (describe-with-value force))
+           (current-continuation-marks)))]))
