@@ -6,7 +6,7 @@
 
 (require "program.rkt" "code.rkt")
 
-(provide compiled-program clear-compiled-programs)
+(provide compiled-program clear-compiled-programs compiled-program-count)
 
 (define capacity 32)
 
@@ -14,6 +14,9 @@
 (define cache (box '()))
 
 (define (clear-compiled-programs) (set-box! cache '()))
+
+;; How many are kept.
+(define (compiled-program-count) (length (unbox cache)))
 
 (define (compiled-program p)
   (define known (assoc p (unbox cache)))

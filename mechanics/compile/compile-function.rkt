@@ -33,22 +33,31 @@
   (lambda (c port mode)
     (write-value `(compile-function ,(compiled-function-datum c)) port)))
 
-(define (compile-function f example #:name [who 'compile-function])
-  (define-values (code reason) (code-or-reason who f example))
+;; value : that of f at the example, if known
+(define (compile-function f example #:name [who 'compile-function] #:value [value #f])
+  (check-function who f)
+  (define (value-at v) (f (flvector->structure example v)))
+  (define-values (code reason)
+    (code-or-reason who f example value-at (shape-length example) value))
   (or code (evaluate-generically who f example reason)))
 
-;; The same for a function that can be traced; of others #f.
-(define (compile-traced f example #:name who)
-  (define-values (code reason) (code-or-reason who f example))
+;; The same for a function that can be traced; of others #f.  The code is used only
+;; where the scalars of the argument after the first `varying` are those of the
+;; example; value-at : flvector -> what the value is there
+(define (compile-traced f example #:name who
+                        #:value-at [value-at (lambda (v) (f (flvector->structure example v)))]
+                        #:varying [varying (shape-length example)]
+                        #:value [value #f])
+  (check-function who f)
+  (define-values (code reason) (code-or-reason who f example value-at varying value))
   code)
 
-(define (code-or-reason who f example)
-  (check-function who f)
+(define (code-or-reason who f example value-at varying value)
   (define point (example->flvector who example))
   (define-values (p shape) (trace who f example))
   (define code (and (program? p) (compiled f p shape)))
   (cond [(not code) (values #f p)]
-        [(right-at-example? f example point code) (values code #f)]
+        [(right? code value-at point varying value) (values code #f)]
         [else (values #f "its value differs from that of its trace: it tells symbols from numbers")]))
 
 (define (example->flvector who example)
@@ -101,15 +110,31 @@
   (compiled-function run (flvector-length point) outputs shape #f reason (value->datum f)))
 
 ;; Racket's own tests, `number?` in a file that is not written in mechanics, say,
-;; take a placeholder for what it is; so the code is compared with the function
-;; once.
-(define (right-at-example? f example point c)
+;; take a placeholder for what it is.  So the code is compared with the function, at
+;; the example, beside it, and on the other side of zero.
+(define (right? code value-at point varying value)
+  (and (agree? code value-at point value)
+       (agree? code value-at (moved nearby point varying))
+       (agree? code value-at (moved opposite point varying))))
+
+;; Each scalar goes its own way, for equal ones to become different.
+(define (moved to v varying)
+  (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals)])
+    (if (< k varying)
+        (to x (+ 0.1 (* 0.3 (- (* k golden) (floor (* k golden))))))
+        x)))
+(define golden 0.6180339887498949)
+(define (opposite x d) (- (* -1.1 x) d))
+(define (nearby x d) (+ x (* 0.1 d (+ 1.0 (abs x)))))
+
+;; Where the function has no value, nothing is known.
+(define (agree? code value-at v [value #f])
   (define generic
     (with-handlers ([exn:fail? (lambda (x) #f)])
-      (structure->flvector (f (flvector->structure example point)) (lambda (x) +nan.0))))
+      (structure->flvector (or value (value-at v)) (lambda (x) +nan.0))))
   (or (not generic)
-      (and (= (flvector-length generic) (compiled-function-outputs c))
-           (for/and ([x (in-flvector generic)] [y (in-flvector (apply-to-flvector c point))])
+      (and (= (flvector-length generic) (compiled-function-outputs code))
+           (for/and ([x (in-flvector generic)] [y (in-flvector (apply-to-flvector code v))])
              (close? x y)))))
 
 ;; Up to what rounding does where the order of operations differs; numbers that

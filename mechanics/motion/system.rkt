@@ -42,8 +42,8 @@
 
 ;; derivative : state -> state
 (define (make-system who derivative state)
-  (check-derivative who derivative state)
-  (define code (compile-function derivative state #:name who))
+  (define slope (check-derivative who derivative state))
+  (define code (compile-function derivative state #:name who #:value slope))
   (define clock? (clock-first? code))
   (define run (compiled-function-run code))
   (define jacobian
@@ -60,16 +60,26 @@
   (cond
     [(or (null? parameters) (not (andmap real? parameters))) (fixed)]
     [else
-     (check-derivative who (derivative-for parameters) state)
+     (define derivative (derivative-for parameters))
+     (define slope (check-derivative who derivative state))
      (define (f s) ((derivative-for (structure->list (ref s 1))) (ref s 0)))
      (define (slopes s)
        (derivative-at (lambda (state) (f (up state (ref s 1)))) (ref s 0)))
      (define inputs (apply up parameters))
      (define example (up state inputs))
-     (define code (compile-traced f example #:name who))
-     (define jacobian (delay/sync (compile-jacobian who slopes example)))
+     (define n (shape-length state))
+     ;; The parameters are as they were given: an exact 2 may count or choose.
+     (define (at-state g) (lambda (v) (g (flvector->structure state v))))
+     (define code
+       (compile-traced f example #:name who
+                       #:value-at (at-state derivative) #:varying n #:value slope))
+     (define jacobian
+       (delay/sync
+        (compile-jacobian who slopes example
+                          #:value-at (at-state (lambda (s) (derivative-at derivative s)))
+                          #:varying n)))
      (define ps (structure->flvector inputs values))
-     (define (with-parameters c) (fix-parameters c (shape-length state) ps))
+     (define (with-parameters c) (fix-parameters c n ps))
      (if code
          (system state (clock-first? code)
                  (lambda () (with-parameters code))
@@ -95,9 +105,11 @@
 
 ;; The derivatives of a state derivative, compiled, or #f if they cannot be traced.
 ;; slopes : example -> the derivatives there
-(define (compile-jacobian who slopes example)
+(define (compile-jacobian who slopes example
+                          #:value-at [value-at (lambda (v) (slopes (flvector->structure example v)))]
+                          #:varying [varying (shape-length example)])
   (with-handlers ([exn:fail? (lambda (e) #f)])
-    (compile-traced slopes example #:name who)))
+    (compile-traced slopes example #:name who #:value-at value-at #:varying varying)))
 
 ;; ---------------------------------------------------------------------------
 ;; The clock
@@ -132,7 +144,8 @@
     (raise-arguments-error
      who "the state derivative is of another shape than the state"
      "state" state
-     "derivative" slope)))
+     "derivative" slope))
+  slope)
 
 ;; maker : what is to make a state derivative of that many parameters
 (define (check-maker who maker parameters)

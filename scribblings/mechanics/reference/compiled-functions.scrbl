@@ -35,9 +35,9 @@ A placeholder is not yet a number. When @racket[f] asks which one it is, by
 @racket[case] and the like, or by an operation that takes only numbers, a branch would be lost; then the
 generic arithmetic evaluates @racket[f] at each call, with the same values and less
 speed. A test that does not come from @racketmodname[mechanics] goes unseen, so
-the value at @racket[example] is compared with that of @racket[f], and should they
-differ, the generic arithmetic is used as well. In a @racket[match] on a number,
-write a test instead.
+values are compared with those of @racket[f] at @racket[example], beside it, and with
+all signs changed; should they differ anywhere, the generic arithmetic is used as well.
+In a @racket[match] on a number that is an argument, write a test instead.
 
 @examples[#:eval session
 (define g (compile-function (lambda (x) (if (< x 0) 0 (square x))) 1.0))
