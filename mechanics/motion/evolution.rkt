@@ -7,24 +7,33 @@
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt")
 
 (provide state-advancer evolve
-         ;; for trajectories
-         run-system start-time default-tolerance)
+         ;; for trajectories and single steps
+         run-system start-time default-tolerance system-by-shape raise-stuck made-by)
 
 (define default-tolerance 1e-10)
 
-;; (state-advancer sysder p ...) : state, duration, tolerance -> state
+;; (state-advancer sysder p ...) : state, duration, tolerance, continue -> state
+;; continue : state, duration, a length for the next step -> the result
 (define (state-advancer derivative-maker . parameters)
   (define system-for (system-by-shape 'state-advancer derivative-maker parameters))
-  (define (advance state duration [tolerance default-tolerance]
+  (define (advance state duration [tolerance default-tolerance] [continue state-alone]
                    #:method [method (ode-integration-method)])
     (check-real 'state-advancer "duration" duration)
     (check-tolerance 'state-advancer tolerance)
     (define s (system-for state))
     (define y (state-vector 'state-advancer state))
     (define start (start-time s y))
-    (run-system 'state-advancer s y start (fl+ start (real->double-flonum duration))
-                tolerance method (lambda (from to interpolant) #t)))
-  (make-function advance 12 (made-by 'state-advancer derivative-maker parameters)))
+    (define longest 0.0)
+    (define (visit from to interpolant)
+      (set! longest (flmax longest (flabs (fl- to from))))
+      #t)
+    (define last
+      (run-system 'state-advancer s y start (fl+ start (real->double-flonum duration))
+                  tolerance method visit))
+    (continue last duration (if (negative? duration) (fl- 0.0 longest) longest)))
+  (make-function advance 28 (made-by 'state-advancer derivative-maker parameters)))
+
+(define (state-alone state duration next) state)
 
 ;; (evolve sysder p ...) : state, monitor, time step, final time, tolerance -> state
 (define (evolve derivative-maker . parameters)
@@ -59,20 +68,21 @@
 
 ;; A failure carries (kept state), given the last state that was good.
 (define (run-system who s y start end tolerance method visit [kept values])
-  (define (stuck t y)
-    (define state (system-state s y))
-    (raise-singular who "the motion cannot be followed any further" (kept state)
-                    "time" t
-                    "last state" state))
   (define m (method-of who method))
   (define-values (t last)
     (integrate m (system-right-hand-side s m) y start end
                #:tolerance (real->double-flonum tolerance)
                #:clock (and (system-clock? s) 0)
                #:visit visit
-               #:stuck stuck
+               #:stuck (raise-stuck who s kept)
                #:name who))
   (system-state s last))
+
+(define ((raise-stuck who s [kept values]) t y)
+  (define state (system-state s y))
+  (raise-singular who "the motion cannot be followed any further" (kept state)
+                  "time" t
+                  "last state" state))
 
 ;; Shows the states at start + step, start + 2 step ... before the end.
 (define (sampler start end step n show)

@@ -6,6 +6,7 @@
 
 (lazy-require
  ["evolution.rkt" (state-advancer evolve)]
+ ["single-step.rkt" (free-run-state-advancer ode-advancer advance-beyond)]
  ["trajectory.rkt" (evolve-trajectory
                     trajectory? trajectory-start trajectory-end trajectory-final-state
                     trajectory-states trajectory-events)]
@@ -16,6 +17,7 @@
 
 (provide
  state-advancer evolve
+ free-run-state-advancer ode-advancer advance-beyond
  evolve-trajectory
  trajectory? trajectory-start trajectory-end trajectory-final-state
  trajectory-states trajectory-events

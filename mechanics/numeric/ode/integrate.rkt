@@ -12,7 +12,7 @@
 (require racket/flonum
          "../failure.rkt" "step-size.rkt" "stepper.rkt" "vectors.rkt")
 
-(provide integrate)
+(provide integrate integrate-step)
 
 ;; f!    : y dy -> void; stores f(y) in dy
 ;; visit : called after each step with the times before and after it and with a
@@ -46,6 +46,20 @@
        (if (visit t now (stepper-interpolant s))
            (loop now next (+ count 1))
            (values now (flvector-copy (stepper-state s))))])))
+
+;; One step of at most the length |h| in the direction of h.
+;; -> the time and the state after it and, with its sign, the length for the next one
+(define (integrate-step m f! y0 t h
+                        #:tolerance [tolerance 1e-10]
+                        #:clock [clock #f]
+                        #:stuck [stuck raise-stuck])
+  (define s ((method-start m) f! y0))
+  (define sign (if (fl< h 0.0) -1.0 1.0))
+  (define-values (now next)
+    (take-step m s (step-tolerance tolerance) t (fl+ t h) sign
+               (or (method-step m) (flabs h)) stuck))
+  (when clock (flvector-set! (stepper-state s) clock now))
+  (values now (flvector-copy (stepper-state s)) (fl* sign next)))
 
 ;; The errors of many steps add up: each may have a tenth of the tolerance, but
 ;; not less than rounding takes.

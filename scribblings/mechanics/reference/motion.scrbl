@@ -21,11 +21,14 @@ component; the steps are as long as it lets them be. It is a positive number not
 
 @defproc[(state-advancer [system-derivative (-> real? ... (-> value value))]
                          [parameter any/c] ...)
-         (->* (value real?) (real? #:method integration-method?) value)]{
+         (->* (value real?) (real? (-> value real? real? any) #:method integration-method?)
+              any)]{
 
 @racket[system-derivative] makes a state derivative from parameters. The result is a
 procedure of a state, a duration and perhaps a tolerance, whose value is the state
-after that duration, which may be negative.
+after that duration, which may be negative. A procedure after the tolerance is called with
+that state, the duration and the longest step of integration; what it returns is then the
+value.
 
 Parameters that are real numbers become inputs of the compiled code, so that the same
 system with other numbers is not compiled again; where the system counts or decides by
@@ -68,6 +71,44 @@ interpolated, as well as the tolerance demands. The final time is met exactly.
  (up 0 1 0) show-angle 0.5 2 1e-12)]
 
 @sicm{1.7, p. 75}}
+
+@deftogether[(@defproc[(free-run-state-advancer [system-derivative (-> real? ... (-> value value))]
+                                                [parameter any/c] ...)
+                       (->* (value real?)
+                            (real? (-> value real? real? any) #:method integration-method?)
+                            any)]
+              @defproc[(ode-advancer [derivative (-> value value)] [tolerance real? 1e-10]
+                                     [dimension (or/c exact-positive-integer? #f) #f])
+                       (->* (value real?)
+                            ((-> value real? real? any) #:method integration-method?)
+                            any)])]{
+
+Single steps of integration. The result is a procedure of a state, the length of a step,
+perhaps a tolerance, and perhaps a procedure that continues: it is called with the state
+reached, the step taken, which is shorter where the tolerance demands it, and a length for
+the next step. Unless given, these three are the values. A negative length goes back in
+time. @racket[ode-advancer] is given the state derivative itself, the tolerance, and
+perhaps how many scalars its states have.
+
+@examples[#:eval session
+((free-run-state-advancer harmonic-state-derivative 2 1)
+ (up 1 (up 1 2) (up 3 4)) 10 1e-10 list)]}
+
+@defproc[(advance-beyond [system-derivative (-> real? ... (-> value value))]
+                         [parameter any/c] ...)
+         (->* (value real? real? real?)
+              ((-> value real? real? any) #:method integration-method?)
+              any)]{
+
+The result is a procedure of a state with a time, the length of a first step, a tolerance,
+a time, and perhaps a procedure that continues as above. It takes steps until that time is
+reached or passed, in the direction of the first one.
+
+@examples[#:eval session
+(define-values (state taken next)
+  ((advance-beyond harmonic-state-derivative 2 1)
+   (up 1 (up 1 2) (up 3 4)) 0.1 1e-10 2))
+(time state)]}
 
 @section{Trajectories}
 
