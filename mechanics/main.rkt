@@ -17,12 +17,14 @@
          "motion/on-demand.rkt"
          "display/print-expression.rkt"
          "teach/derivation.rkt"
-         "lang/application.rkt" "lang/session.rkt")
+         "lang/application.rkt" "lang/Scheme.rkt" "lang/session.rkt")
 
 (provide
  (all-from-out racket/base racket/match "base.rkt")
  ;; the language
  #%app #%top #%module-begin #%top-interaction
+ ;; names of MIT Scheme
+ 1+ -1+ iota write-line pp runtime show-time
  ;; local tuples
  Gamma path->state-path ->local ->state ->L-state
  time coordinate velocity acceleration

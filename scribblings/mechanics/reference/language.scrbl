@@ -88,4 +88,44 @@ components.
 (for/sum ([m '(m1 m2)] [v (up 'v1 'v2)]) (* 1/2 m (square v)))
 (for/product ([k 4]) (+ 'x k))]}
 
+@section{Names of MIT Scheme}
+
+The book's programs are written in MIT Scheme, and use these.
+
+@deftogether[(@defproc[(1+ [x value]) value]
+              @defproc[(-1+ [x value]) value])]{
+
+x + 1 and x − 1.
+
+@examples[#:eval session (list (1+ 'n) (-1+ 3))]}
+
+@defproc[(iota [n exact-nonnegative-integer?] [start value 0] [step value 1]) list?]{
+
+The list of n values from @racket[start] on, each larger by @racket[step].
+
+@examples[#:eval session (iota 4) (iota 3 'a 'h)]}
+
+@deftogether[(@defproc[(write-line [x any/c] [port output-port? (current-output-port)]) void?]
+              @defproc[(pp [x any/c] [port output-port? (current-output-port)]) void?])]{
+
+Print a value as it stands, not simplified: on one line, or on as many as it takes.
+
+@examples[#:eval session
+(write-line (* 'x (+ 'x 1)))
+(pp (list "state" (up 0 1 2)))]
+
+@sicm{8, p. 505}}
+
+@deftogether[(@defproc[(runtime) real?]
+              @defproc[(show-time [thunk (-> any)]) any])]{
+
+@racket[runtime] is the time of the processor, in seconds, that the program has used,
+without that for reclaiming memory. @racket[show-time] calls the procedure, prints how long
+it took, and returns what it returned.
+
+@examples[#:eval session
+(eval:alts (show-time (lambda () (definite-integral sin 0 1)))
+           (begin (displayln "process time: 6 ms (6 run + 0 gc); real time: 6 ms")
+                  (definite-integral sin 0 1)))]}
+
 @(close-session session)

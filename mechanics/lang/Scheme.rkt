@@ -1,0 +1,57 @@
+#lang racket/base
+;; Procedures of MIT Scheme, the language of the book's programs, that Racket has
+;; under other names or not at all.
+
+(require racket/lazy-require
+         "../display/result.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt")
+
+(lazy-require [racket/pretty (pretty-write)])
+
+(provide iota (rename-out [successor 1+] [predecessor -1+])
+         write-line pp
+         runtime show-time)
+
+;; ---------------------------------------------------------------------------
+;; Numbers
+
+(define (successor x) (g:+ x 1))
+(define (predecessor x) (g:- x 1))
+
+;; The list start, start + step, ... of n values.
+(define (iota n [start 0] [step 1])
+  (unless (exact-nonnegative-integer? n)
+    (raise-argument-error 'iota "a length, a natural number" n))
+  (for/list ([i (in-range n)]) (g:+ start (g:* i step))))
+
+;; ---------------------------------------------------------------------------
+;; Output
+
+;; The value as it stands, on one line.
+(define (write-line x [port (current-output-port)])
+  (write x port)
+  (newline port))
+
+(define line-width 79)
+
+;; The value as it stands, on as many lines as it takes.
+(define (pp x [port (current-output-port)])
+  (define shown (plain-result x line-width))
+  (cond [(eq? shown x) (pretty-write x port)]
+        [else (write shown port) (newline port)]))
+
+;; ---------------------------------------------------------------------------
+;; Time
+
+;; Seconds of the processor's time that the program has used, without the time
+;; taken to reclaim memory.
+(define (runtime)
+  (/ (- (current-process-milliseconds) (current-gc-milliseconds)) 1000.0))
+
+;; The values of (thunk); how long it took is printed.
+(define (show-time thunk)
+  (unless (and (procedure? thunk) (procedure-arity-includes? thunk 0))
+    (raise-argument-error 'show-time "a procedure of no arguments" thunk))
+  (define-values (results cpu real gc) (time-apply thunk '()))
+  (printf "process time: ~a ms (~a run + ~a gc); real time: ~a ms\n" cpu (- cpu gc) gc real)
+  (apply values results))
