@@ -87,4 +87,6 @@
  exn:fail:mechanics:singular:matrix exn:fail:mechanics:singular:matrix?
  exn:fail:mechanics:singular:matrix-null-vectors
  exn:fail:mechanics:not-convergent exn:fail:mechanics:not-convergent?
- exn:fail:mechanics:not-convergent-value exn:fail:mechanics:not-convergent-error-estimate)
+ exn:fail:mechanics:not-convergent-value exn:fail:mechanics:not-convergent-error-estimate
+ exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:not-convergent:integral?
+ exn:fail:mechanics:not-convergent:integral-where)

@@ -5,7 +5,8 @@
 (require racket/match
          "base.rkt"
          "compile/on-demand.rkt"
-         "calculus/elliptic.rkt" (only-in "calculus/integral.rkt" definite-integral)
+         (only-in "compile/integral.rkt" definite-integral definite-integral-with-tolerance)
+         "calculus/elliptic.rkt"
          "calculus/on-demand.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
@@ -36,7 +37,7 @@
  Lagrangian-action make-path make-eta parametric-path-action
  linear-interpolants Lagrange-interpolation-function
  ;; integrals, minima and roots
- definite-integral minimize multidimensional-minimize find-root
+ definite-integral definite-integral-with-tolerance minimize multidimensional-minimize find-root
  ;; elliptic functions
  first-elliptic-integral second-elliptic-integral elliptic-integrals
  elliptic-integral-F elliptic-integral-E Jacobi-elliptic-functions

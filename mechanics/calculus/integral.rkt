@@ -12,20 +12,29 @@
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          "../numeric/improper-quadrature.rkt")
 
-(provide definite-integral integrate)
+(provide integrate)
+
+;; What one integral is asked, and what it has cost so far.
+;; compile : f x -> f as a function from flonum to flonum, or #f; x is an example
+;; bound   : the sum of the bounds of errors;  count : how often f was evaluated
+(struct task (who tolerance compile [bound #:mutable] [count #:mutable]) #:authentic)
 
 ;; The integral of a function of one variable, to a tolerance relative to the
-;; integral of its absolute value.
-(define (definite-integral f low high [tolerance 1e-10])
-  (check-function-of-one-variable 'definite-integral f)
-  (integrate 'definite-integral f low high tolerance))
+;; integral of its absolute value, as (report value bound count).
+(define (integrate who f low high tolerance
+                   #:compile [compile (lambda (f x) #f)]
+                   #:report [report (lambda (value bound count) value)])
+  (check-function-of-one-variable who f)
+  (define t (task who tolerance compile 0.0 0))
+  (define value (integral t f low high))
+  (report value (task-bound t) (task-count t)))
 
-;; The same on behalf of `who`.
-(define (integrate who f low high tolerance)
+(define (integral t f low high)
+  (define (end x) (number (task-who t) x))
   (cond
-    [(perturbed? low) (g:- (integrate who f (base low) high tolerance) (edge f low))]
-    [(perturbed? high) (g:+ (integrate who f low (base high) tolerance) (edge f high))]
-    [else (integrate-between who f (number who low) (number who high) tolerance)]))
+    [(perturbed? low) (g:- (integral t f (base low) high) (edge f low))]
+    [(perturbed? high) (g:+ (integral t f low (base high)) (edge f high))]
+    [else (integral-between t f (end low) (end high))]))
 
 (define (base limit) ((parts-value (parts-of limit)) limit))
 
@@ -41,20 +50,44 @@
 
 ;; Between numbers.  Where f turns out to be perturbed, its parts are integrated
 ;; one after the other.
-(define (integrate-between who f low high tolerance)
-  (define (integral g) (integrate-between who g low high tolerance))
+(define (integral-between t f low high)
+  (define (integral-of g) (integral-between t g low high))
   (define result
     (let/ec stop
       (define (sample x)
         (define y (f x))
         (cond [(real? y) y]
               [(perturbed? y) (stop y)]
-              [else (number who y)]))
-      (improper-quadrature sample low high #:tolerance tolerance #:name who)))
-  (cond [(recorded? result) (integral-recorded integral f (recorded-tape result))]
+              [else (number (task-who t) y)]))
+      (define-values (value bound)
+        (improper-quadrature (counted t (impatient t f sample)) low high
+                             #:tolerance (task-tolerance t) #:name (task-who t)))
+      (set-task-bound! t (+ bound (task-bound t)))
+      value))
+  (cond [(recorded? result) (integral-recorded integral-of f (recorded-tape result))]
         [(perturbed? result)
-         (integral-by-parts integral f (perturbed-tag result) (if (jet? result) (jet-order result) #f))]
+         (integral-by-parts integral-of f (perturbed-tag result)
+                            (and (jet? result) (jet-order result)))]
         [else result]))
+
+(define ((counted t f) x)
+  (set-task-count! t (+ 1 (task-count t)))
+  (f x))
+
+;; To compile a function takes as long as some hundred evaluations of it by the
+;; generic arithmetic, and most integrals need fewer.  So it is done after so many.
+(define patience 500)
+
+;; The compiled function serves where it gives a number; elsewhere `sample` says what
+;; is wrong.
+(define (impatient t f sample)
+  (define evaluations 0)
+  (define fast #f)
+  (lambda (x)
+    (set! evaluations (+ evaluations 1))
+    (when (= evaluations patience) (set! fast ((task-compile t) f x)))
+    (define y (and fast (fast x)))
+    (if (and y (< -inf.0 y +inf.0)) y (sample x))))
 
 ;; The derivatives by all variables of the tape come from the same runs of f.
 (define (integral-recorded integral f tape)

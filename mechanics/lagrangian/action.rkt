@@ -3,13 +3,16 @@
 ;; Of a Lagrangian that depends on derivatives up to order n, ∫ L ∘ Γ[q; n + 2].
 
 (require "local-tuple.rkt" "Lagrange-equations.rkt"
-         "../calculus/integral.rkt")
+         "../compile/integral.rkt")
 
 (provide Lagrangian-action)
 
-(define (Lagrangian-action L q t1 t2 [tolerance 1e-10] #:order [n 1])
+(define (Lagrangian-action L q t1 t2 [tolerance 1e-10]
+                           #:order [n 1]
+                           #:report [report (lambda (value bound count) value)])
   (check-Lagrangian 'Lagrangian-action L)
   (check-order 'Lagrangian-action n)
   (define along (Gamma (path 'Lagrangian-action q) (+ n 2)))
   (define value (scalar-valued 'Lagrangian-action L))
-  (integrate 'Lagrangian-action (lambda (t) (value (along t))) t1 t2 tolerance))
+  (integrate 'Lagrangian-action (lambda (t) (value (along t))) t1 t2 tolerance
+             #:report report))

@@ -9,8 +9,9 @@
  (struct-out exn:fail:mechanics:singular)
  (struct-out exn:fail:mechanics:singular:matrix)
  (struct-out exn:fail:mechanics:not-convergent)
+ (struct-out exn:fail:mechanics:not-convergent:integral)
  ;; raising them
- raise-singular raise-not-convergent)
+ raise-singular raise-not-convergent raise-divergent-integral)
 
 (struct exn:fail:mechanics exn:fail ())
 
@@ -24,6 +25,9 @@
 (struct exn:fail:mechanics:not-convergent exn:fail:mechanics
   (value error-estimate))
 
+;; where : the point near which an integrand is too much for the method.
+(struct exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:not-convergent (where))
+
 ;; who : symbol; fields : label value label value ...
 (define (raise-singular who what where . fields)
   (raise (exn:fail:mechanics:singular (failure-message who what fields)
@@ -32,13 +36,22 @@
 
 (define (raise-not-convergent who what value error-estimate . fields)
   (raise (exn:fail:mechanics:not-convergent
-          (failure-message who what
-                           (append fields
-                                   (list "best value" value
-                                         "error estimate" error-estimate)))
+          (failure-message who what (append fields (approximation value error-estimate)))
           (current-continuation-marks)
           value
           error-estimate)))
+
+(define (raise-divergent-integral who value bound where)
+  (raise (exn:fail:mechanics:not-convergent:integral
+          (failure-message who "the integral does not converge"
+                           (list* "trouble near" where (approximation value bound)))
+          (current-continuation-marks)
+          value
+          bound
+          where)))
+
+(define (approximation value error-estimate)
+  (list "best value" value "error estimate" error-estimate))
 
 (define (failure-message who what fields)
   (apply string-append (symbol->string who) ": " what

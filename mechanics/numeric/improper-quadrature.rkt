@@ -1,5 +1,5 @@
 #lang racket/base
-;; Definite integrals to infinity, and of functions that are singular at an end.
+;; Definite integrals to infinity, and of functions that are infinite at some points.
 ;;
 ;; An infinite range, but for a beginning of about the length of its distance from
 ;; zero, becomes [0, 1] by x = b + u (1 − t)/t, dx = −u dt/t².
@@ -16,10 +16,13 @@
 ;; have none, too, and know nothing of what happens closer to a.  Therefore the last
 ;; terms must fall, and what is left must agree roughly with what the rule of
 ;; quadrature.rkt makes of it.
+;;
+;; Where the function is infinite between the ends, halving finds the point to within
+;; rounding; there the interval is divided.
 
 (require "failure.rkt" "quadrature.rkt" "sample.rkt")
 
-(provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum
+(provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum, error bound
 
 ;; The tolerance is relative to ∫ |f|, over each half of an infinite range.
 (define (improper-quadrature f low high
@@ -28,43 +31,89 @@
   (check-limit who low)
   (check-limit who high)
   (check-tolerance who tolerance)
-  (define (g x) (sample who f x))
   (define a (real->double-flonum low))
   (define b (real->double-flonum high))
+  (define (between a b) (over-interval f a b tolerance who values))
   ;; direction : 1.0 or -1.0, by which the integral is not affected
   (define (to-infinity from direction)
     (define unit (max 1.0 (abs from)))
     (define near (+ from (* direction unit)))
     (define (x t) (+ near (* direction unit (/ (- 1.0 t) t))))
-    (define (h t) (/ (* unit (g (x t))) (* t t)))
-    (+ (over-interval g (min from near) (max from near) tolerance who values)
-       (over-interval h 0.0 1.0 tolerance who x)))
-  (cond [(= a b) 0.0]
-        [(> a b) (- (improper-quadrature f b a #:tolerance tolerance #:name who))]
-        [(and (= a -inf.0) (= b +inf.0)) (+ (to-infinity 0.0 -1.0) (to-infinity 0.0 1.0))]
+    (define (h t) (/ (* unit (sample who f (x t))) (* t t)))
+    (both (lambda () (between (min from near) (max from near)))
+          (lambda () (over-interval h 0.0 1.0 tolerance who x))))
+  (cond [(= a b) (values 0.0 0.0)]
+        [(> a b)
+         (define-values (value bound)
+           (improper-quadrature f b a #:tolerance tolerance #:name who))
+         (values (- value) bound)]
+        [(and (= a -inf.0) (= b +inf.0))
+         (both (lambda () (to-infinity 0.0 -1.0)) (lambda () (to-infinity 0.0 1.0)))]
         [(= b +inf.0) (to-infinity a 1.0)]
         [(= a -inf.0) (to-infinity b -1.0)]
-        [else (over-interval g a b tolerance who values)]))
+        [else (between a b)]))
+
+;; Two integrals and their bounds added.
+(define (both one other)
+  (define-values (value bound) (one))
+  (define-values (value* bound*) (other))
+  (values (+ value value*) (+ bound bound*)))
 
 (define (check-limit who x)
   (unless (and (real? x) (= x x))
     (raise-argument-error who "a real number, perhaps infinite, as limit of integration" x)))
 
-(define most-panels 200)
+(define most-panels-at-edge 200)
+(define most-divisions 6)          ; of an interval, of its parts, of theirs ...
 
 ;; place : what the user knows a point as
-(define (over-interval f a b tolerance who place)
-  (define (plain edge limit)
-    (define-values (value bound)
-      (quadrature/error f a b #:tolerance tolerance #:limit limit
-                        #:place place #:edge edge #:name who))
-    value)
-  (or (let/ec stop (plain (lambda () (stop #f)) 1000))
-      (let ([middle (+ a (* 0.5 (- b a)))])
-        (define left (towards f middle a tolerance))
-        (define right (and left (towards f middle b tolerance)))
-        (and right (- right left)))
-      (plain void most-panels)))
+(define (over-interval f a b tolerance who place [divisions most-divisions])
+  (define (plain edge divide)
+    (quadrature/error f a b #:tolerance tolerance #:place place #:edge edge #:name who
+                      #:stuck (lambda (value bound x) (when x (divide x)))))
+  (define (divided-at c return)
+    (when (and (< a c b) (> divisions 0))
+      (define (part a b) (over-interval f a b tolerance who place (- divisions 1)))
+      (call-with-values
+       (lambda ()
+         (or-failure (lambda () (both (lambda () (part a c)) (lambda () (part c b))))))
+       (case-lambda [(failed) (void)]
+                    [(value bound) (return value bound)]))))
+  (define (from-ends return)
+    (define middle (+ a (* 0.5 (- b a))))
+    (define-values (left left-bound) (towards f middle a tolerance))
+    (define-values (right right-bound)
+      (if left (towards f middle b tolerance) (values #f #f)))
+    (when right (return (- right left) (+ left-bound right-bound)))
+    (divided-at middle return)
+    (quadrature/error f a b #:tolerance tolerance #:limit most-panels-at-edge
+                      #:place place #:name who))
+  (let/ec return
+    (define (divide x) (divided-at (worst-near f x) return))
+    (define (divide-at-singularity failure)
+      (define c (exn:fail:mechanics:singular-where failure))
+      (when (and (eq? place values) (real? c)) (divided-at c return))
+      (raise failure))
+    (with-handlers* ([exn:fail:mechanics:singular? divide-at-singularity])
+      (let/ec at-edge
+        (call-with-values (lambda () (plain (lambda () (at-edge)) divide)) return))
+      (from-ends return))))
+
+;; The values of (f), or #f where there are none.
+(define (or-failure f)
+  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+    (f)))
+
+;; Of the numbers within rounding of x, the one where |f| is greatest.
+(define (worst-near f x)
+  (define unit (* 1e-16 (abs x)))
+  (define (size y)
+    (define z (abs (f y)))
+    (if (< z +inf.0) z +inf.0))
+  (for/fold ([best x] [most (size x)] #:result best) ([k (in-range -100 101)])
+    (define y (+ x (* k unit)))
+    (define here (size y))
+    (if (> here most) (values y here) (values best most))))
 
 ;; ---------------------------------------------------------------------------
 ;; Towards an end
@@ -77,8 +126,10 @@
 ;; diagonal : of the epsilon algorithm; agreed : how many limits in a row have
 (struct progress (sum size last falls? diagonal agreed) #:authentic)
 
-;; The integral from one point to an end, or #f if it is not found.
+;; The integral from one point to an end and a bound of its error; #f twice if it is
+;; not found.
 (define (towards f from end tolerance)
+  (define none (lambda () (values #f #f)))
   (define all (- end from))
   (define (point k) (- end (* all (expt 0.5 k))))
   (let loop ([k 0] [p (progress 0.0 0.0 +inf.0 #f '() 0)])
@@ -86,11 +137,11 @@
     (define y (point (+ k 1)))
     (cond
       [(and (>= k least-terms) (found? p (lambda () (rough-integral f x end)) tolerance))
-       (limit p)]
-      [(or (= k most-terms) (not (resolved? y end))) #f]
+       (values (limit p) (* tolerance (progress-size p)))]
+      [(or (= k most-terms) (not (resolved? y end))) (none)]
       [else
        (define part (integral f x y (max 1e-13 (* 1e-2 tolerance))))
-       (and part (loop (+ k 1) (advance p part (* 0.1 tolerance))))])))
+       (if part (loop (+ k 1) (advance p part (* 0.1 tolerance))) (none))])))
 
 (define (resolved? x end) (> (abs (- end x)) (* 1e-10 (abs end))))
 
@@ -123,7 +174,7 @@
 ;; To a tolerance, or #f.
 (define (integral f x y tolerance)
   (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) #f)])
-    (quadrature f x y #:tolerance tolerance)))
+    (quadrature f x y #:tolerance tolerance #:limit most-panels-at-edge)))
 
 ;; Any error is tolerated: the rule is used once.
 (define (rough-integral f x y) (quadrature f x y #:tolerance 10.0))

@@ -46,4 +46,15 @@ An approximation did not reach its tolerance. @racket[value] is the best found,
                  exn:fail:mechanics:not-convergent-value])
   (definite-integral (lambda (t) (/ 1 t)) 0 1))]}
 
+@defstruct*[(exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:not-convergent)
+            ([where real?])]{
+
+The same of an integral, with a number near the point at which the integrand defies the
+method: where it is infinite and the integral does not exist, as a rule.
+
+@examples[#:eval session
+(with-handlers ([exn:fail:mechanics:not-convergent:integral?
+                 exn:fail:mechanics:not-convergent:integral-where])
+  (definite-integral (lambda (x) (/ 1 (- (square x) 2))) 1 3))]}
+
 @(close-session session)

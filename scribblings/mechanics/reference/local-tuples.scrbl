@@ -109,12 +109,15 @@ shows where.
 
 @defproc[(Lagrangian-action [L Lagrangian] [q path] [t1 real?] [t2 real?]
                             [tolerance real? 1e-10]
-                            [#:order n exact-positive-integer? 1])
-         real?]{
+                            [#:order n exact-positive-integer? 1]
+                            [#:report report (-> real? real? exact-nonnegative-integer? any)
+                                      (lambda (value bound evaluations) value)])
+         any]{
 
 The action of the path from @racket[t1] to @racket[t2]: the integral of L along it.
 Its unit is that of L times that of time. With an order above 1, L may depend on
 derivatives of the coordinates up to that one, as in @racket[Lagrange-equations].
+@racket[tolerance] and @racket[report] are those of @racket[definite-integral].
 
 @examples[#:eval session
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
@@ -126,19 +129,46 @@ derivatives of the coordinates up to that one, as in @racket[Lagrange-equations]
 @sicm{1.4, p. 17}}
 
 @defproc[(definite-integral [f procedure?] [low real?] [high real?]
-                            [tolerance real? 1e-10])
-         real?]{
+                            [tolerance real? 1e-10]
+                            [#:report report (-> real? real? exact-nonnegative-integer? any)
+                                      (lambda (value bound evaluations) value)])
+         any]{
 
 The integral of a function of one variable. The ends may be infinite, @racket[+inf.0]
-and @racket[-inf.0], and f may be infinite at an end, as a power or a logarithm of the
-distance is. The tolerance is relative to the integral of |f|. If it cannot be met, the
-error @racket[exn:fail:mechanics:not-convergent] carries the best value found.
+and @racket[-inf.0], and f may be infinite at an end or at some points between, as a power
+or a logarithm of the distance is.
 
 @examples[#:eval session
 (definite-integral sin 0 pi)
 (definite-integral (lambda (x) (exp (- (square x)))) -inf.0 +inf.0)
 (definite-integral (lambda (x) (/ (log x) (sqrt x))) 0 1)
-(eval:error (definite-integral (lambda (x) (/ 1 x)) 1 +inf.0))]
+(definite-integral (lambda (x) (/ 1 (sqrt (abs (- x 0.3))))) 0 1)]
+
+The tolerance is relative to the integral of |f|. If it cannot be met,
+@racket[exn:fail:mechanics:not-convergent:integral] carries the best value found and the
+point that makes trouble.
+
+@examples[#:eval session
+(eval:error (definite-integral (lambda (x) (/ 1 x)) 1 +inf.0))
+(eval:error (definite-integral tan 0 3))]
+
+@racket[report] receives the value, a bound of its error, and how many values of f it took;
+what it returns is returned. The bound is estimated, as in all methods that know f by
+samples only: a peak much narrower than the distance between two of them is not seen.
+
+@examples[#:eval session
+(definite-integral sin 0 pi #:report list)
+(definite-integral (lambda (x) (/ 1 (sqrt x))) 0 1 #:report list)]
+
+An integral can be differentiated by its ends and by what f depends on. A function that
+needs many evaluations is compiled (@secref["compiled-functions"]) on the way, where that is
+possible.
+
+@examples[#:eval session
+(define (J0 z)
+  (/ (definite-integral (lambda (x) (cos (* z (sin x)))) 0 pi) pi))
+((D J0) 2)
+((D (lambda (b) (definite-integral exp 0 b))) 1)]
 
 A pendulum's period from its law of energy, infinitely slow at the ends of the swing:
 
@@ -148,6 +178,17 @@ A pendulum's period from its law of energy, infinitely slow at the ends of the s
 (definite-integral (slowness 9.8 1) -1 1)]
 
 @sicm{1.4, p. 17}}
+
+@defproc[(definite-integral-with-tolerance [f procedure?] [low real?] [high real?]
+                                           [tolerance real?]
+                                           [#:report report procedure?
+                                                     (lambda (value bound evaluations) value)])
+         any]{
+
+The same; here the tolerance must be given.
+
+@examples[#:eval session
+(definite-integral-with-tolerance exp 0 1 1e-14 #:report list)]}
 
 @defproc[(minimize [f procedure?] [low real?] [high real?]
                    [#:tolerance tolerance real? 1e-8])

@@ -4,6 +4,7 @@
 (require (prefix-in m: mechanics)
          ;; loaded before the clock starts
          (only-in mechanics/motion/evolution evolve state-advancer)
+         (only-in mechanics/compile/scalar compile-scalar)
          (only-in mechanics/motion/find-path find-path)
          "systems.rkt" "task.rkt")
 
@@ -47,6 +48,16 @@
 
 (define (harmonic-path n) ((find-path (L-harmonic 1.0 1.0) 0.0 1.0 (* 2.0 (atan 1.0)) 0.0 n) 0.5))
 
+;; ---------------------------------------------------------------------------
+;; The action of two links that follow a given path for 100 s: some 20 000 evaluations
+;; of the Lagrangian.  A test of the time keeps it from being compiled.
+
+(define (waving t) (m:up (m:sin (m:* 3 t)) (m:cos (m:* 7 t))))
+(define (waving/not-compiled t) (if (m:< t -1) (m:up 0 0) (waving t)))
+(define (action q) (m:Lagrangian-action (chain-Lagrangian/equal 2) q 0 100))
+
+;; ---------------------------------------------------------------------------
+
 (define motion-tasks
   (append
    (list (make-task 'D1 "driven pendulum to t = 100, 10 001 outputs, error 1e-13"
@@ -55,6 +66,9 @@
      (make-task (string->symbol (format "E~a" n))
                 (format "motion of ~a links from 1 rad to t = 1, error 1e-10" n)
                 (lambda () (released-chain n))))
+   (list (make-task 'A1 "action of 2 links along a given path, 100 s" (lambda () (action waving)))
+         (make-task 'A1g "the same by the generic arithmetic"
+                    (lambda () (action waving/not-compiled))))
    (for/list ([n (in-list '(3 10))])
      (make-task (string->symbol (format "P~a" n))
                 (format "find-path, harmonic oscillator, ~a points" n)

@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/calculus/derivative mechanics/calculus/elliptic mechanics/calculus/integral)
+         mechanics/calculus/derivative mechanics/calculus/elliptic mechanics/compile/integral)
 
 (define K first-elliptic-integral)
 (define E second-elliptic-integral)

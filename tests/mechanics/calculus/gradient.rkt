@@ -8,7 +8,8 @@
          mechanics/generic/structure
          mechanics/value/function mechanics/value/matrix mechanics/value/operator
          mechanics/value/signature mechanics/value/structure mechanics/value/simplify
-         mechanics/calculus/derivative mechanics/calculus/gradient mechanics/calculus/integral
+         mechanics/calculus/derivative mechanics/calculus/gradient
+         mechanics/compile/integral
          mechanics/calculus/literal-function
          mechanics/numeric/failure
          "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt"

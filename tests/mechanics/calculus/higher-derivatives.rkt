@@ -5,7 +5,7 @@
          mechanics/algebra/expression mechanics/algebra/simplify
          mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
          mechanics/generic/kind mechanics/generic/rounding mechanics/generic/structure
-         (only-in mechanics/calculus/integral definite-integral)
+         (only-in mechanics/compile/integral definite-integral)
          mechanics/calculus/derivative mechanics/calculus/literal-function
          mechanics/value/function mechanics/value/matrix mechanics/value/operator
          mechanics/value/signature

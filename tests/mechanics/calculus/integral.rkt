@@ -5,7 +5,8 @@
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
          mechanics/numeric/failure
          mechanics/value/function mechanics/value/structure
-         mechanics/calculus/derivative mechanics/calculus/integral
+         mechanics/calculus/derivative
+         mechanics/compile/integral
          mechanics/lagrangian/local-tuple)
 
 (test-case "definite integrals of functions made by arithmetic"
