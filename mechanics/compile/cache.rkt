@@ -10,7 +10,7 @@
 
 (define capacity 32)
 
-;; ((program . procedure) ...), the latest first
+;; ((program . maker) ...), the latest first
 (define cache (box '()))
 
 (define (clear-compiled-programs) (set-box! cache '()))
@@ -22,14 +22,14 @@
   (define known (assoc p (unbox cache)))
   (cond [known (cdr known)]
         [else
-         (define procedure (program->procedure p))
-         (remember p procedure)
-         procedure]))
+         (define maker (program->maker p))
+         (remember p maker)
+         maker]))
 
-(define (remember p procedure)
+(define (remember p maker)
   (define old (unbox cache))
-  (define new (cons (cons p procedure) (first-few old (- capacity 1))))
-  (unless (box-cas! cache old new) (remember p procedure)))
+  (define new (cons (cons p maker) (first-few old (- capacity 1))))
+  (unless (box-cas! cache old new) (remember p maker)))
 
 (define (first-few xs n)
   (if (or (null? xs) (eqv? n 0)) '() (cons (car xs) (first-few (cdr xs) (- n 1)))))

@@ -8,20 +8,22 @@
 ;;
 ;; It interprets, though, what is larger than a limit.  So the instructions are
 ;; divided into *sections*, each a closed procedure of its own; a value that a
-;; later section needs passes through a scratch vector, which belongs to the
-;; call: several threads may run the code at once.
+;; later section needs passes through a scratch vector.  Room for that, and for the
+;; systems of equations that are solved, is made once for many runs, one after the
+;; other; several threads may run the code at once, each with room of its own.
 
 (require racket/linklet
          "../algebra/operation.rkt"
          "../numeric/factored-system.rkt"
          "program.rkt")
 
-(provide program->procedure)
+(provide program->maker)
 
-;; -> (input output -> void): from one flvector into another.
-(define (program->procedure p)
+;; -> (-> (input output -> void)), which makes procedures from one flvector into
+;; another, to be used by one thread at a time each.
+(define (program->maker p)
   (define linklet (compile-linklet (program->form p) 'mechanics))
-  (instance-variable-value (instantiate-linklet linklet (list (functions))) 'run))
+  (instance-variable-value (instantiate-linklet linklet (list (functions))) 'make-run))
 
 ;; Every operation of the algebra, under its name, for where there is no primitive:
 ;; its numeric body, not a number where that is not real.
@@ -49,14 +51,35 @@
   (define names
     (for/list ([_ (in-list sections)] [k (in-naturals)])
       (string->symbol (format "section-~a" k))))
-  `(linklet (,(cons 'solve-dense! (functions-used p))) (run)
+  `(linklet (,(cons 'solve-dense! (functions-used p))) (make-run)
      ,@(for/list ([name (in-list names)] [s (in-list sections)])
          `(define-values (,name) ,(section->procedure p s scratch)))
-     (define-values (run)
-       (lambda (input output)
-         (let-values ([(scratch) (make-flvector ,(hash-count scratch))])
-           (begin ,@(for/list ([name (in-list names)]) `(,name input output scratch))
-                  (void)))))))
+     (define-values (make-run)
+       (lambda ()
+         (let-values ([(scratch) (make-flvector ,(hash-count scratch))]
+                      [(systems) (vector ,@(systems-room p))])
+           (lambda (input output)
+             (begin ,@(for/list ([name (in-list names)]) `(,name input output scratch systems))
+                    (void))))))))
+
+;; Where systems are solved: three vectors for a size, which systems of that size share.
+(define (systems-room p)
+  (apply append
+         (for/list ([n (in-list (system-sizes p))])
+           `((make-flvector ,(* n n)) (make-flvector ,n) (make-fxvector ,n)))))
+
+(define (system-sizes p)
+  (for/fold ([sizes '()]) ([i (in-vector (program-instructions p))]
+                           #:when (eq? (instruction-operation i) 'solve))
+    (define n (instruction-unknowns i))
+    (if (memv n sizes) sizes (cons n sizes))))
+
+;; Of a system: n rows of n + 1 entries.
+(define (instruction-unknowns i) (integer-sqrt (length (instruction-operands i))))
+
+(define (systems-place p system)
+  (define n (instruction-unknowns system))
+  (for/first ([size (in-list (system-sizes p))] [k (in-naturals)] #:when (= size n)) (* 3 k)))
 
 ;; Places from `start` on and before `end`.
 (struct section (start end) #:authentic)
@@ -108,7 +131,7 @@
         (let ([instruction (instruction-at p k)])
           (with-loads (instruction-operands instruction)
             (lambda ()
-              (define code (instruction->form instruction reference))
+              (define code (instruction->form p instruction reference))
               `(let-values ([(,(bind! k)) ,code]) ,(body (+ k 1))))))))
   (define (with-loads operands inside)
     (cond [(null? operands) (inside)]
@@ -117,7 +140,7 @@
            (define v (bind! i))
            `(let-values ([(,v) ,(load p scratch i)]) ,(with-loads (cdr operands) inside))]
           [else (with-loads (cdr operands) inside)]))
-  `(lambda (input output scratch) ,(body (section-start s))))
+  `(lambda (input output scratch systems) ,(body (section-start s))))
 
 (define (load p scratch i)
   (if (< i (program-inputs p))
@@ -148,22 +171,24 @@
       (= first (section-start s))))
 
 ;; reference : operand -> form
-(define (instruction->form instruction reference)
+(define (instruction->form p instruction reference)
   (define operation (instruction-operation instruction))
   (define operands (instruction-operands instruction))
   (define forms (map reference operands))
   (define primitive (primitive-for operation (length forms)))
   (cond [primitive `(,primitive ,@forms)]
         [(eq? operation 'negate) `(unsafe-fl* -1.0 ,@forms)]
-        [(eq? operation 'solve) (solving forms)]
+        [(eq? operation 'solve)
+         (solving forms (instruction-unknowns instruction) (systems-place p instruction))]
         [(eq? operation 'component) `(unsafe-flvector-ref ,(car forms) ,(cadr operands))]
         [else `(,operation ,@forms)]))
 
-;; The value of a system, given as rows of [A b], is the flvector of its solution.
-(define (solving entries)
-  (define n (integer-sqrt (length entries)))
+;; The value of a system of n unknowns, given as rows of [A b], is the flvector of its
+;; solution, good until the next system is solved.
+(define (solving entries n place)
   (define width (+ n 1))
-  `(let-values ([(A) (make-flvector ,(* n n))] [(b) (make-flvector ,n)])
+  `(let-values ([(A) (unsafe-vector-ref systems ,place)]
+                [(b) (unsafe-vector-ref systems ,(+ place 1))])
      (begin
        ,@(for/list ([x (in-list entries)] [k (in-naturals)])
            (define i (quotient k width))
@@ -171,7 +196,7 @@
            (if (= j n)
                `(unsafe-flvector-set! b ,i ,x)
                `(unsafe-flvector-set! A ,(+ (* i n) j) ,x)))
-       (solve-dense! A ,n b)
+       (solve-dense! A ,n (unsafe-vector-ref systems ,(+ place 2)) b)
        b)))
 
 (define (primitive-for operation arguments)

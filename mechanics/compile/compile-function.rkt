@@ -16,14 +16,14 @@
  compiled-function? compiled-function-reason compiled-function-operations
  ;; for the integrators
  compile-traced check-function
- compiled-function-run compiled-function-value-shape compiled-function-inputs
+ compiled-function-runner compiled-function-value-shape compiled-function-inputs
  compiled-function-outputs)
 
-;; run : input output -> void, between flvectors
+;; make-runner : -> (input output -> void), between flvectors
 ;; inputs, outputs : how many scalars; value-shape : a structure of that many
 ;; operations : how many flonum operations a call takes, or #f
 ;; reason : why there are none, or #f
-(struct compiled-function (run inputs outputs value-shape operations reason datum)
+(struct compiled-function (make-runner inputs outputs value-shape operations reason datum)
   #:authentic
   #:property prop:procedure (lambda (c input) (apply-to-flvector c input))
   #:property prop:object-name
@@ -32,6 +32,10 @@
   #:property prop:custom-write
   (lambda (c port mode)
     (write-value `(compile-function ,(compiled-function-datum c)) port)))
+
+;; A new procedure (input output -> void), for one thread at a time and as many runs as
+;; wanted: it has its room to work in, which a run does not have to make.
+(define (compiled-function-runner c) ((compiled-function-make-runner c)))
 
 ;; value : that of f at the example, if known
 (define (compile-function f example #:name [who 'compile-function] #:value [value #f])
@@ -89,7 +93,7 @@
                            "expected" (compiled-function-inputs c)
                            "given" (flvector-length input)))
   (define output (make-flvector (compiled-function-outputs c)))
-  ((compiled-function-run c) input output)
+  ((compiled-function-runner c) input output)
   output)
 
 ;; ---------------------------------------------------------------------------
@@ -107,7 +111,8 @@
       (raise-arguments-error who "the function's value has changed its shape"
                              "at the example" shape "now" value))
     (for ([x (in-flvector v)] [k (in-naturals)]) (flvector-set! output k x)))
-  (compiled-function run (flvector-length point) outputs shape #f reason (value->datum f)))
+  (compiled-function (lambda () run)
+                     (flvector-length point) outputs shape #f reason (value->datum f)))
 
 ;; Racket's own tests, `number?` in a file that is not written in mechanics, say,
 ;; take a placeholder for what it is.  So the code is compared with the function, at

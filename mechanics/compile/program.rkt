@@ -51,7 +51,13 @@
 
 (define (make-builder inputs) (builder inputs (make-hash) (make-hasheqv)))
 
-(define (do! b . instruction)
+;; Numbers that meet a value are flonums, so that 2 and 2.0 make one instruction.
+(define (do! b operation . operands)
+  (write! b (cons operation
+                  (for/list ([x (in-list operands)])
+                    (if (number? x) (real->double-flonum x) x)))))
+
+(define (write! b instruction)
   (define places (builder-places b))
   (or (hash-ref places instruction #f)
       (let ([p (place (+ (builder-inputs b) (hash-count places)))])
@@ -113,7 +119,7 @@
 (define (solve! b operands)
   (define n (count-unknowns (length operands)))
   (define system (apply do! b 'solve operands))
-  (for/list ([k (in-range n)]) (do! b 'component system k)))
+  (for/list ([k (in-range n)]) (write! b (list 'component system k))))
 
 ;; n (n + 1) -> n
 (define (count-unknowns entries) (integer-sqrt entries))
@@ -139,10 +145,10 @@
 (define (multiply! b x y)
   (cond [(and (number? x) (number? y)) (* x y)]
         [(or (eqv? x 0) (eqv? y 0)) 0]
-        [(eqv? x 1) y]
-        [(eqv? y 1) x]
-        [(eqv? x -1) (negate! b y)]
-        [(eqv? y -1) (negate! b x)]
+        [(number? y) (multiply! b y x)]
+        [(and (number? x) (= x 1)) y]
+        [(and (number? x) (= x -1)) (negate! b y)]
+        [(and (number? x) (scaled b x y)) => (lambda (factors) (apply multiply! b factors))]
         [(negated b x) => (lambda (z) (negate! b (multiply! b z y)))]
         [(negated b y) => (lambda (z) (negate! b (multiply! b x z)))]
         [else (do-in-order! b 'multiply x y)]))
@@ -166,6 +172,13 @@
   (and i
        (eq? (instruction-operation i) 'negate)
        (car (instruction-operands i))))
+
+;; (c z) if x y is c z with a number c; or #f.
+(define (scaled b x y)
+  (define i (hash-ref (builder-instructions b) (place-index y) #f))
+  (define factors (if (and i (eq? (instruction-operation i) 'multiply)) (cdr i) '(#f)))
+  (define c (and (number? (car factors)) (* x (car factors))))
+  (and c (< 1e-100 (abs c) 1e100) (cons c (cdr factors))))
 
 ;; x + y and y + x are one instruction.
 (define (do-in-order! b operation x y)

@@ -70,7 +70,7 @@
     (raise-arguments-error who "the value of an event's function is a real number"
                            "event" e
                            "value" (compiled-function-value-shape c)))
-  (compiled-function-run c))
+  (compiled-function-runner c))
 
 ;; Where a step is looked at.
 (define places '(0.0 0.125 0.25 0.375 0.5 0.625 0.75 0.875 1.0))

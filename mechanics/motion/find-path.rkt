@@ -51,7 +51,8 @@
   (for/and ([x (in-flvector v)] [y (in-flvector w)])
     (<= (abs (- x y)) (* 10 tolerance (+ 1.0 (abs x))))))
 
-;; (up t points) -> (up (L of the local tuple at t) (its derivatives by the points))
+;; From (t, points) to L of the local tuple at t and its derivatives by the points:
+;; (input output -> void)
 (define (compile-integrand L path-through points t0)
   (define value (scalar-valued 'find-path L))
   (define (L-at t points) (value ((Gamma (path-through points)) t)))
@@ -60,7 +61,7 @@
     (define points (vector-ref (structure-elements s) 1))
     (up (L-at t points)
         (derivative-at (lambda (points) (L-at t points)) points)))
-  (compile-function both (up t0 points) #:name 'find-path))
+  (compiled-function-runner (compile-function both (up t0 points) #:name 'find-path)))
 
 ;; points -> the action and its gradient, with that many nodes
 (define ((action-and-gradient integrand count t0 t1) x)
@@ -74,7 +75,7 @@
   (for ([i (in-range n)]) (flvector-set! input (+ i 1) (flvector-ref x i)))
   (for ([u (in-flvector nodes)] [w (in-flvector weights)])
     (flvector-set! input 0 (real->double-flonum (+ middle (* half u))))
-    ((compiled-function-run integrand) input output)
+    (integrand input output)
     (for ([k (in-range (+ n 1))])
       (flvector-set! sums k (+ (flvector-ref sums k) (* half w (flvector-ref output k))))))
   (values (flvector-ref sums 0)

@@ -5,7 +5,7 @@
 ;; state, so that another set of numbers uses the same code.  If the system
 ;; decides something by a parameter, it is compiled for that one.
 
-(require racket/flonum racket/promise
+(require racket/flonum racket/promise racket/unsafe/ops
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
@@ -45,12 +45,14 @@
   (define slope (check-derivative who derivative state))
   (define code (compile-function derivative state #:name who #:value slope))
   (define clock? (clock-first? code))
-  (define run (compiled-function-run code))
+  (define (slope!)
+    (define run (compiled-function-runner code))
+    (if (and clock? (compiled-function-reason code)) (on-time who run) run))
   (define jacobian
     (delay/sync (compile-jacobian who (lambda (s) (derivative-at derivative s)) state)))
   (system state clock?
-          (lambda () (if (and clock? (compiled-function-reason code)) (on-time who run) run))
-          (lambda () (let ([c (force jacobian)]) (and c (compiled-function-run c))))))
+          slope!
+          (lambda () (let ([c (force jacobian)]) (and c (compiled-function-runner c))))))
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
@@ -95,12 +97,12 @@
 (define (fix-parameters code n ps)
   (define input (make-flvector (compiled-function-inputs code)))
   (for ([p (in-flvector ps)] [k (in-naturals n)]) (flvector-set! input k p))
-  (define run (compiled-function-run code))
+  (define run (compiled-function-runner code))
   (lambda (y dy)
     (let loop ([i 0])
-      (when (< i n)
-        (flvector-set! input i (flvector-ref y i))
-        (loop (+ i 1))))
+      (when (unsafe-fx< i n)
+        (unsafe-flvector-set! input i (unsafe-flvector-ref y i))
+        (loop (unsafe-fx+ i 1))))
     (run input dy)))
 
 ;; The derivatives of a state derivative, compiled, or #f if they cannot be traced.

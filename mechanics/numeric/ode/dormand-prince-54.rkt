@@ -57,19 +57,18 @@
     (set! fresh? #t))
 
   (define (interpolant)
-    (define from (flvector-copy old))
-    (define-vectors n c0 c1 c2 c3)
-    (weighted-sum! n c0 [1.0 y] [-1.0 old])
-    (weighted-sum! n c1 [step k0] [-1.0 c0])
-    (weighted-sum! n c2 [2.0 c0] [(fl- 0.0 step) k0] [(fl- 0.0 step) k6])
-    (weighted-sum! n c3 [(fl/ -12715105075.0 11282082432.0) k0]
-                   [(fl/ 87487479700.0 32700410799.0) k2]
-                   [(fl/ -10690763975.0 1880347072.0) k3]
-                   [(fl/ 701980252875.0 199316789632.0) k4]
-                   [(fl/ -1453857185.0 822651844.0) k5]
-                   [(fl/ 69997945.0 29380423.0) k6])
-    (scale! c3 step)
-    (nested-polynomial n from c0 c1 c2 c3))
+    (define h step)
+    (nested-polynomial n i
+      [x (at old i)]
+      [c0 (fl- (at y i) x)]
+      [c1 (fl- (fl* h (at k0 i)) c0)]
+      [c2 (fl- (fl- (fl* 2.0 c0) (fl* h (at k0 i))) (fl* h (at k6 i)))]
+      [c3 (fl* h (weighted i [(fl/ -12715105075.0 11282082432.0) k0]
+                           [(fl/ 87487479700.0 32700410799.0) k2]
+                           [(fl/ -10690763975.0 1880347072.0) k3]
+                           [(fl/ 701980252875.0 199316789632.0) k4]
+                           [(fl/ -1453857185.0 822651844.0) k5]
+                           [(fl/ 69997945.0 29380423.0) k6]))]))
 
   (f! y k0)
   (stepper y slope try! accept! interpolant))

@@ -7,8 +7,9 @@
 
 (require racket/flonum racket/unsafe/ops)
 
-(provide define-vectors combine! weighted-sum! advance! scale! flvector-copy! exchange!
-         nested-polynomial root-mean-square flvector-finite?)
+(provide define-vectors combine! weighted-sum! weighted at advance! scale!
+         flvector-copy! exchange! nested-polynomial
+         root-mean-square root-mean-squares flvector-finite?)
 
 (define-syntax-rule (define-vectors n id ...)
   (begin (define id (make-flvector n)) ...))
@@ -24,17 +25,21 @@
     [(_ x) x]
     [(_ x y . more) (sum (unsafe-fl+ x y) . more)]))
 
+(define-syntax-rule (at k i) (unsafe-flvector-ref k i))
+
+;; a₁ k₁ + a₂ k₂ + ..., of the components of index i
+(define-syntax-rule (weighted i [a k] ...)
+  (sum (unsafe-fl* a (at k i)) ...))
+
 ;; out = y + h (a₁ k₁ + a₂ k₂ + ...)
 (define-syntax-rule (combine! n out y h [a k] ...)
   (for-each-index i n
-    (unsafe-flvector-set! out i
-      (unsafe-fl+ (unsafe-flvector-ref y i)
-                  (unsafe-fl* h (sum (unsafe-fl* a (unsafe-flvector-ref k i)) ...))))))
+    (unsafe-flvector-set! out i (unsafe-fl+ (at y i) (unsafe-fl* h (weighted i [a k] ...))))))
 
 ;; out = a₁ k₁ + a₂ k₂ + ...
 (define-syntax-rule (weighted-sum! n out [a k] ...)
   (for-each-index i n
-    (unsafe-flvector-set! out i (sum (unsafe-fl* a (unsafe-flvector-ref k i)) ...))))
+    (unsafe-flvector-set! out i (weighted i [a k] ...))))
 
 ;; v = v + h w, from one index to before another
 (define (advance! v w h from to)
@@ -56,13 +61,26 @@
 ;; The root of the mean of (xᵢ / (1 + max(|yᵢ|, |zᵢ|)))²: how large x is beside
 ;; y and z, numbers below 1 counting as 1.
 (define (root-mean-square x y z n)
-  (let loop ([i 0] [total 0.0])
+  (root-mean-squares n i y z [(at x i)]))
+
+;; The same of one or two x, whose components of index i are given by formulas, in one loop.
+(define-syntax root-mean-squares
+  (syntax-rules ()
+    [(_ n i y z [x]) (mean-squares n i y z ([x total]) (root-of-mean total n))]
+    [(_ n i y z [x0 x1])
+     (mean-squares n i y z ([x0 total0] [x1 total1])
+                   (values (root-of-mean total0 n) (root-of-mean total1 n)))]))
+
+(define-syntax-rule (mean-squares n i y z ([x total] ...) result)
+  (let loop ([i 0] [total 0.0] ...)
     (if (unsafe-fx< i n)
-        (let* ([scale (unsafe-fl+ 1.0 (unsafe-flmax (unsafe-flabs (unsafe-flvector-ref y i))
-                                                    (unsafe-flabs (unsafe-flvector-ref z i))))]
-               [q (unsafe-fl/ (unsafe-flvector-ref x i) scale)])
-          (loop (unsafe-fx+ i 1) (unsafe-fl+ total (unsafe-fl* q q))))
-        (flsqrt (fl/ total (->fl n))))))
+        (let ([scale (unsafe-fl+ 1.0 (unsafe-flmax (unsafe-flabs (at y i))
+                                                   (unsafe-flabs (at z i))))])
+          (loop (unsafe-fx+ i 1)
+                (let ([q (unsafe-fl/ x scale)]) (unsafe-fl+ total (unsafe-fl* q q))) ...))
+        result)))
+
+(define-syntax-rule (root-of-mean total n) (flsqrt (fl/ total (->fl n))))
 
 (define (flvector-finite? v)
   (for/and ([x (in-flvector v)]) (< (abs x) +inf.0)))
@@ -73,16 +91,31 @@
       (unsafe-flvector-set! v i (unsafe-flvector-ref w i))
       (unsafe-flvector-set! w i x))))
 
-;; -> (theta out -> void), which stores y + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + ...)))
-(define-syntax-rule (nested-polynomial n y c ...)
-  (lambda (theta out)
-    (let ([rest (unsafe-fl- 1.0 theta)])
-      (for-each-index i n
-        (unsafe-flvector-set! out i
-          (nested theta rest (unsafe-flvector-ref y i) (unsafe-flvector-ref c i) ...))))))
+;; -> (theta out -> void), which stores x + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + ...))).  The
+;; components of index i of x, c₀ ... are given by formulas, each of which may use those
+;; before it; they are reckoned now, and kept side by side in one vector.
+(define-syntax-rule (nested-polynomial n i [c value] ...)
+  (let* ([width (length '(c ...))]
+         [kept (make-flvector (* width n))])
+    (for-each-index i n
+      (let* ([c value] ...)
+        (store! kept (unsafe-fx* width i) c ...)))
+    (lambda (theta out)
+      (let ([rest (unsafe-fl- 1.0 theta)])
+        (for-each-index i n
+          (let ([place (unsafe-fx* width i)])
+            (unsafe-flvector-set! out i (nested theta rest kept place c ...))))))))
 
-;; x₀ + a (x₁ + b (x₂ + a (x₃ + ...)))
+(define-syntax store!
+  (syntax-rules ()
+    [(_ v place) (void)]
+    [(_ v place x . more)
+     (begin (unsafe-flvector-set! v place x)
+            (store! v (unsafe-fx+ place 1) . more))]))
+
+;; x₀ + a (x₁ + b (x₂ + a (x₃ + ...))), the x from v
 (define-syntax nested
   (syntax-rules ()
-    [(_ a b x) x]
-    [(_ a b x . more) (unsafe-fl+ x (unsafe-fl* a (nested b a . more)))]))
+    [(_ a b v place c) (at v place)]
+    [(_ a b v place c . more)
+     (unsafe-fl+ (at v place) (unsafe-fl* a (nested b a v (unsafe-fx+ place 1) . more)))]))

@@ -15,7 +15,7 @@
   (define p (expressions->program (map car point) es refuse))
   (define input (apply flvector (map cdr point)))
   (define output (make-flvector (length es)))
-  ((program->procedure p) input output)
+  (((program->maker p)) input output)
   (for/list ([x (in-flvector output)]) x))
 
 (define (close? x y)
@@ -91,14 +91,15 @@
 
 (test-case "several threads may run one program"
   (define e (for/fold ([e 'x]) ([k (in-range 700)]) (g:sin (g:+ e 'y))))
-  (define f (program->procedure (expressions->program '(x y) (list e) refuse)))
-  (define (at x) (let ([output (make-flvector 1)]) (f (flvector x 0.5) output) (flvector-ref output 0)))
-  (define expected (for/list ([k (in-range 4)]) (at (* 0.1 (+ k 1)))))
+  (define make-run (program->maker (expressions->program '(x y) (list e) refuse)))
+  (define ((at f) x) (let ([output (make-flvector 1)]) (f (flvector x 0.5) output) (flvector-ref output 0)))
+  (define expected (for/list ([k (in-range 4)]) ((at (make-run)) (* 0.1 (+ k 1)))))
   (define found (make-vector 4 #f))
   (define threads
     (for/list ([k (in-range 4)])
       (thread (lambda ()
+                (define f (make-run))
                 (vector-set! found k (for/and ([_ (in-range 2000)])
-                                       (= (at (* 0.1 (+ k 1))) (list-ref expected k))))))))
+                                       (= ((at f) (* 0.1 (+ k 1))) (list-ref expected k))))))))
   (for-each thread-wait threads)
   (check-equal? found (vector #t #t #t #t)))

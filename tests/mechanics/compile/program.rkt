@@ -20,6 +20,14 @@
   (check-equal? (program-of '(x) (g:* 1/3 3 'x)) (program 1 (vector) (vector (place 0))))
   (check-equal? (operations (program-of '(x) (g:+ (g:* 2 3 'x) (g:exp 0) -1))) '(multiply)))
 
+(test-case "exact and inexact numbers of one value make one instruction"
+  (check-equal? (operations (program-of '(x) (g:sin (g:* 3 'x)) (g:cos (g:* 3.0 'x))))
+                '(multiply sin cos)))
+
+(test-case "a product with a number takes in the number of another"
+  (define p (program-of '(x y) (g:* 1/2 (g:+ (g:* 2.0 (g:sin 'x)) 0)) (g:* 1.0 (g:cos 'y))))
+  (check-equal? (operations p) '(sin cos)))
+
 (test-case "signs become subtractions, and cancel"
   (check-equal? (operations (program-of '(x y) (g:+ 'x (g:* -1 'y)))) '(subtract))
   (check-equal? (operations (program-of '(x y) (g:* (g:negate 'x) (g:negate 'y)))) '(multiply)))

@@ -50,7 +50,7 @@
   (define n (length rows))
   (define (entries select) (apply flvector (append* (map select rows))))
   (define x (entries (lambda (row) (take-right row 1))))
-  (solve-dense! (entries (lambda (row) (drop-right row 1))) n x)
+  (solve-dense! (entries (lambda (row) (drop-right row 1))) n (make-fxvector n) x)
   (for/list ([u (in-flvector x)]) u))
 
 (test-case "small systems"
