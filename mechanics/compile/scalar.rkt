@@ -14,7 +14,7 @@
       (compile-traced f example #:name 'compile-scalar)))
   (and code
        (= 1 (compiled-function-outputs code))
-       (flonum-function (compiled-function-run code))))
+       (flonum-function (compiled-function-runner code))))
 
 (define (flonum-function run)
   (define input (make-flvector 1))
