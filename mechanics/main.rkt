@@ -37,7 +37,8 @@
  Lagrangian-action make-path make-eta parametric-path-action
  linear-interpolants Lagrange-interpolation-function
  ;; integrals, minima and roots
- definite-integral definite-integral-with-tolerance minimize multidimensional-minimize find-root
+ definite-integral definite-integral-with-tolerance minimize multidimensional-minimize
+ find-root newton-search bisect zbrent
  ;; elliptic functions
  first-elliptic-integral second-elliptic-integral elliptic-integrals
  elliptic-integral-F elliptic-integral-E Jacobi-elliptic-functions

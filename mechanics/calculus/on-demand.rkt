@@ -5,6 +5,6 @@
 
 (lazy-require
  ["minimum.rkt" (minimize multidimensional-minimize)]
- ["root.rkt" (find-root)])
+ ["root.rkt" (find-root newton-search bisect zbrent)])
 
-(provide minimize multidimensional-minimize find-root)
+(provide minimize multidimensional-minimize find-root newton-search bisect zbrent)

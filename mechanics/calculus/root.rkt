@@ -8,42 +8,73 @@
 ;; error, where what the formula and what rounding do wrong balance.
 
 (require racket/flonum
-         "derivative.rkt" "number.rkt"
-         "../numeric/newton.rkt" "../numeric/root.rkt"
+         "derivative.rkt" "implicit.rkt" "number.rkt" "perturbed.rkt"
+         "../generic/function.rkt"
+         "../numeric/failure.rkt" "../numeric/newton.rkt" "../numeric/root.rkt"
          "../value/shape.rkt")
 
-(provide find-root)
+(provide find-root newton-search bisect zbrent)
 
-(define who 'find-root)
+;; report : receives the root, how far off it may be, and the evaluations of f
+(define (the-root x error count) x)
 
 ;; (find-root f low high), or (find-root f start) for a start of any shape.
-(define (find-root f start [high #f] #:tolerance [tolerance 1e-12] #:observe [observe void])
-  (check-function-of-one-variable who f)
+(define (find-root f start [high #f]
+                   #:tolerance [tolerance 1e-12] #:observe [observe void] #:report [report the-root])
+  (check-function-of-one-variable 'find-root f)
   (if high
-      (bracketed-root (lambda (x) (number who (f x))) (number who start) (number who high)
-                      #:tolerance tolerance #:observe observe)
-      (root-near f start tolerance observe)))
+      (root-between 'find-root bracketed-root f start high tolerance observe report)
+      (root-near 'find-root f start tolerance observe report)))
 
-(define (root-near f start tolerance observe)
+;; Where f changes its sign, by halving the interval (SICM p. 321).
+(define (bisect f low high [tolerance 1e-15] #:observe [observe void] #:report [report the-root])
+  (check-function-of-one-variable 'bisect f)
+  (root-between 'bisect bisected-root f low high tolerance observe report))
+
+(define (newton-search f start [tolerance 1e-12] #:observe [observe void] #:report [report the-root])
+  (check-function-of-one-variable 'newton-search f)
+  (root-near 'newton-search f start tolerance observe report))
+
+;; (list found? root evaluations)
+(define (zbrent f low high [tolerance 1e-15] [limit 100])
+  (check-function-of-one-variable 'zbrent f)
+  (define (method f low high #:tolerance tolerance #:observe observe #:name who)
+    (bracketed-root f low high #:tolerance tolerance #:limit limit #:name who))
+  (with-handlers ([exn:fail:mechanics:not-convergent?
+                   (lambda (e) (list #f (exn:fail:mechanics:not-convergent-value e) limit))])
+    (root-between 'zbrent method f low high tolerance void
+                  (lambda (x error count) (list #t x count)))))
+
+;; ---------------------------------------------------------------------------
+
+(define (root-between who method f low high tolerance observe report)
+  (define (end x) (number who (innermost x)))
+  (define (value x) (number who (innermost (f x))))
+  (define-values (x error count)
+    (method value (end low) (end high) #:tolerance tolerance #:observe observe #:name who))
+  (report (varying-root who f x (lambda () (jacobian-at f (lambda (v) (flvector (value (flvector-ref v 0))))
+                                                        x (flvector x))))
+          error count))
+
+(define (root-near who f start tolerance observe report)
   (define (complain x) (number who x))
-  (define x (structure->flvector start complain))
-  (define (argument x) (flvector->structure start x))
+  (define from (plain start))
+  (define x (structure->flvector from complain))
+  (define (argument x) (flvector->structure from x))
+  (define evaluations 0)
   (define (value x)
-    (define y (structure->flvector (f (argument x)) complain))
-    (check-count start y)
+    (set! evaluations (+ evaluations 1))
+    (define y (structure->flvector (plain (f (argument x))) complain))
+    (check-count who from y)
     y)
-  (define (exact-jacobian x)
-    (columns->rows (flvector-length x)
-                   (structure->flvector (derivative-at f (argument x)) complain)))
+  (define (jacobian x) (jacobian-at f value (argument x) x))
   (value x)                             ; a mistake of the function's own is seen here
-  (argument (newton value
-                    (if (succeeds? (lambda () (exact-jacobian x)))
-                        exact-jacobian
-                        (difference-jacobian value))
-                    x
-                    #:tolerance tolerance #:observe observe #:argument argument)))
+  (define-values (root error)
+    (newton value jacobian x
+            #:tolerance tolerance #:observe observe #:argument argument #:name who))
+  (report (varying-root who f (argument root) (lambda () (jacobian root))) error evaluations))
 
-(define (check-count start y)
+(define (check-count who start y)
   (define n (shape-length start))
   (unless (= (flvector-length y) n)
     (raise-arguments-error
@@ -52,13 +83,16 @@
      "expected" n
      "start" start)))
 
-(define (succeeds? thunk)
-  (with-handlers ([exn:fail? (lambda (e) #f)])
-    (thunk)
-    #t))
-
 ;; ---------------------------------------------------------------------------
 ;; Matrices of derivatives
+
+;; Of f at an argument; value : the same from flvector x to flvector
+(define (jacobian-at f value argument x)
+  (with-handlers ([exn:fail? (lambda (e) ((difference-jacobian value) x))])
+    (define slopes (plain (derivative-at f argument)))
+    (columns->rows (flvector-length x) (structure->flvector slopes raise-not-a-number))))
+
+(define (raise-not-a-number x) (number 'derivative x))
 
 ;; v : the derivatives by the first variable, by the second, ...
 (define (columns->rows n v)

@@ -24,6 +24,7 @@
 ;; jacobian : x -> vector of rows, the derivatives of each component of f
 ;; observe  : called with each point reached and the value there
 ;; argument : what a point is to the user
+;; -> the point and the last step, which is about how far off it was before
 (define (newton value jacobian start
                 #:tolerance [tolerance 1e-12]
                 #:limit [limit 100]
@@ -41,8 +42,8 @@
     (define J (and (> (greatest f) 0.0) (jacobian x)))
     (define p (and J (or (solution J f) (raise-no-step who no-inverse (argument x) f))))
     (cond
-      [(not p) x]
-      [(short? p x tolerance) (along x 1.0 p)]
+      [(not p) (values x 0.0)]
+      [(short? p x tolerance) (values (along x 1.0 p) (greatest p))]
       [(>= count limit) (not-found "too many steps" x p f count)]
       [else
        (define-values (next f*) (descend value J x p))

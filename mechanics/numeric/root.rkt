@@ -18,7 +18,8 @@
 
 (require "failure.rkt" "sample.rkt")
 
-(provide bracketed-root)     ; (bracketed-root f low high) -> flonum
+;; (method f low high) -> root, how far off it may be, evaluations
+(provide bracketed-root bisected-root)
 
 (struct point (x y) #:authentic)
 
@@ -32,17 +33,24 @@
   (check-finite who low "end of the interval")
   (check-finite who high "end of the interval")
   (check-tolerance who tolerance)
-  (define (at x)
-    (define p (point x (sample who f x)))
-    (observe x (point-y p))
-    p)
+  (define at (observed who f observe))
+  (define-values (a b) (ends low high at who))
+  (define-values (root half count)
+    (narrow a b a (resolution tolerance (- (point-x b) (point-x a))) at limit who))
+  (check-not-pole who root a b)
+  (values (point-x root) (if (= (point-y root) 0.0) 0.0 (abs half)) count))
+
+;; x -> point
+(define ((observed who f observe) x)
+  (define p (point x (sample who f x)))
+  (observe x (point-y p))
+  p)
+
+(define (ends low high at who)
   (define a (at (real->double-flonum low)))
   (define b (at (real->double-flonum high)))
   (when (same-side? a b) (raise-no-change who a b))
-  (define root
-    (narrow a b a (resolution tolerance (- (point-x b) (point-x a))) at limit who))
-  (check-not-pole who root a b)
-  (point-x root))
+  (values a b))
 
 (define (same-side? p q)
   (or (< 0.0 (min (point-y p) (point-y q))) (> 0.0 (max (point-y p) (point-y q)))))
@@ -53,7 +61,7 @@
        (* 4.5e-16 (abs x))
        1e-300))
 
-;; -> the best point
+;; -> the best point, half of the bracket, evaluations
 (define (narrow a b c nearest at limit who)
   (define all (- (point-x c) (point-x b)))
   (let loop ([a a] [b b] [c c] [last all] [before all] [count 2])
@@ -61,7 +69,7 @@
     (define half (* 0.5 (- (point-x c) (point-x b))))
     (cond
       [(< (abs (point-y c)) (abs (point-y b))) (loop b c b last before count)]
-      [(or (= (point-y b) 0.0) (<= (abs half) near)) b]
+      [(or (= (point-y b) 0.0) (<= (abs half) near)) (values b half count)]
       [(>= count limit)
        (raise-not-convergent who "no root found" (point-x b) (abs (* 2.0 half))
                              "evaluations" count)]
@@ -101,6 +109,32 @@
   (define u (/ (point-y q) (point-y p)))
   (define v (/ (point-y r) (point-y p)))
   (/ (* u v) (* (- 1.0 u) (- 1.0 v))))
+
+;; ---------------------------------------------------------------------------
+;; Bisection: where the sign changes, at a jump too.
+
+;; The tolerance is that of `bracketed-root`, down to numbers side by side.
+(define (bisected-root f low high
+                       #:tolerance [tolerance 1e-15]
+                       #:observe [observe void]
+                       #:name [who 'bisect])
+  (check-finite who low "end of the interval")
+  (check-finite who high "end of the interval")
+  (check-tolerance who tolerance)
+  (define at (observed who f observe))
+  (define-values (a b) (ends low high at who))
+  (define nearest (resolution tolerance (- (point-x b) (point-x a))))
+  (let loop ([a a] [b b] [count 2])
+    (define x (* 0.5 (+ (point-x a) (point-x b))))
+    (define half (* 0.5 (abs (- (point-x b) (point-x a)))))
+    (cond [(= (point-y a) 0.0) (values (point-x a) 0.0 count)]
+          [(= (point-y b) 0.0) (values (point-x b) 0.0 count)]
+          [(<= half (nearest x)) (values x half count)]
+          [else
+           (define middle (at x))
+           (if (same-side? a middle)
+               (loop middle b (+ count 1))
+               (loop a middle (+ count 1)))])))
 
 ;; ---------------------------------------------------------------------------
 

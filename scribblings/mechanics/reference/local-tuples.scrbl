@@ -229,8 +229,10 @@ point.
 
 @defproc[(find-root [f procedure?] [start value] [high real? _none]
                     [#:tolerance tolerance real? 1e-12]
-                    [#:observe observe (-> any/c any/c any) void])
-         value]{
+                    [#:observe observe (-> any/c any/c any) void]
+                    [#:report report (-> value real? exact-nonnegative-integer? any)
+                                     (lambda (root error evaluations) root)])
+         any]{
 
 An argument at which f is zero. Between two numbers at which f has different signs
 it is found by Brent's method; a sign that changes at a pole or at a jump is told from a
@@ -253,15 +255,62 @@ The height and the time at which a free fall meets a rising piston:
                  (- h (* 2 (sin t)))))
            (up 1 1))]
 
+A root can be differentiated by what f depends on: the derivative is that of the implicit
+function theorem. The eccentric anomaly at mean anomaly 1, and how it changes with the
+eccentricity:
+
+@examples[#:eval session
+(define (anomaly e) (find-root (lambda (E) (- E (* e (sin E)) 1)) 0 3))
+(anomaly 0.3)
+((D anomaly) 0.3)]
+
 The tolerance is relative to the size of the root or, near zero, to a hundredth of the
 width of the interval, and in Newton's method to 1 plus the size of each component.
 @racket[observe] is called with each argument tried and the value there; by Newton's
-method, with each one reached and a list of the scalars of the value. If derivatives have no
+method, with each one reached and a list of the scalars of the value.
+@racket[report] receives the root, how far off it may be, and how many values of f it took;
+by Newton's method the error is that before the last step. If derivatives have no
 inverse at a point, @racket[exn:fail:mechanics:singular] carries it; if no root is found,
 @racket[exn:fail:mechanics:not-convergent] carries the best argument.
 
 @examples[#:eval session
+(find-root cos 1 2 #:report list)
 (eval:error (find-root (lambda (x) (+ 1 (square x))) 1/3))]}
+
+@defproc[(bisect [f procedure?] [low real?] [high real?] [tolerance real? 1e-15]
+                 [#:observe observe (-> real? real? any) void]
+                 [#:report report procedure? (lambda (root error evaluations) root)])
+         any]{
+
+A number between @racket[low] and @racket[high] where f changes its sign, at a zero or at
+a jump, by halving the interval: slow and sure.
+
+@examples[#:eval session
+(bisect (lambda (x) (- (square x) 2)) 0 2)
+(bisect floor -1/2 1/2 #:report list)]
+
+@sicm{4.5, p. 321}}
+
+@defproc[(newton-search [f procedure?] [start value] [tolerance real? 1e-12]
+                        [#:observe observe (-> any/c any/c any) void]
+                        [#:report report procedure? (lambda (root error evaluations) root)])
+         any]{
+
+Newton's method: @racket[find-root] from one start.
+
+@examples[#:eval session
+(newton-search (lambda (x) (- (square x) 2)) 1)]}
+
+@defproc[(zbrent [f procedure?] [low real?] [high real?]
+                 [tolerance real? 1e-15] [limit exact-positive-integer? 100])
+         list?]{
+
+Brent's method as it is called elsewhere: a list of whether a root was found within
+@racket[limit] evaluations, the root or the best argument, and the evaluations.
+
+@examples[#:eval session
+(zbrent cos 1 2)
+(zbrent cos 1 2 1e-15 4)]}
 
 @section{Elliptic functions}
 

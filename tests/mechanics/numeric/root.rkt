@@ -7,9 +7,12 @@
 
 ;; -> root and number of evaluations
 (define (root+count f low high)
-  (define count 0)
-  (values (bracketed-root f low high #:observe (lambda (x y) (set! count (+ count 1))))
-          count))
+  (define-values (x error count) (bracketed-root f low high))
+  (values x count))
+
+(define (root f low high)
+  (define-values (x error count) (bracketed-root f low high))
+  x)
 
 (define (within x low high) (* 1e-14 (max (abs x) (* 1e-2 (- high low)))))
 
@@ -38,11 +41,11 @@
 
 (test-case "scales of values do not matter"
   (for ([c (in-list '(1e-200 1 1e200))])
-    (check-= (bracketed-root (lambda (x) (* c (- (* x x x) 2))) 0 3) (expt 2.0 (/ 1.0 3.0)) 1e-15)))
+    (check-= (root (lambda (x) (* c (- (* x x x) 2))) 0 3) (expt 2.0 (/ 1.0 3.0)) 1e-15)))
 
 (test-case "a zero at an end is the root"
-  (check-equal? (bracketed-root values 0 1) 0.0)
-  (check-equal? (bracketed-root (lambda (x) (- x 1)) 0 1) 1.0))
+  (check-equal? (root values 0 1) 0.0)
+  (check-equal? (root (lambda (x) (- x 1)) 0 1) 1.0))
 
 (test-case "what is no root is told by name"
   (check-exn #rx"^find-root: the function has the same sign at both ends of the interval"
@@ -58,6 +61,27 @@
              (lambda () (bracketed-root cos 0 +inf.0)))
   (check-exn #rx"positive tolerance" (lambda () (bracketed-root cos 0 2 #:tolerance 0))))
 
+(test-case "the evaluations are counted, and the error is bounded"
+  (for ([method (list bracketed-root bisected-root)])
+    (for ([tolerance '(1e-3 1e-8 1e-13)])
+      (define seen 0)
+      (define-values (x error count)
+        (method cos 1 2 #:tolerance tolerance #:observe (lambda (x y) (set! seen (+ seen 1)))))
+      (check-equal? count seen)
+      (check-true (<= (abs (- x (* 2 (atan 1.0)))) (+ error 1e-15)))
+      (check-true (<= error (* tolerance 1.6))))))
+
+(test-case "bisection: a digit in three or four evaluations, to rounding, at jumps too"
+  (define-values (x error count) (bisected-root cos 1 2))
+  (check-= x (* 2 (atan 1.0)) 1e-15)
+  (check-true (<= 48 count 56))
+  (define-values (jump error* count*) (bisected-root (lambda (x) (if (< x 1/3) -1 1)) 0 1))
+  (check-= jump 1/3 1e-15)
+  (define-values (end error** count**) (bisected-root values 0 1))
+  (check-equal? (list end error** count**) '(0.0 0.0 2))
+  (check-exn #rx"^bisect: the function has the same sign at both ends"
+             (lambda () (bisected-root cos 0 1))))
+
 ;; ---------------------------------------------------------------------------
 ;; Newton's method
 
@@ -72,7 +96,7 @@
           (vector (- (exp (- (x 0 v)))) (- (exp (- (x 1 v)))))))
 
 (test-case "a badly scaled system, from afar"
-  (define v (newton powell powell-rows (flvector 0.0 1.0)))
+  (define-values (v step) (newton powell powell-rows (flvector 0.0 1.0)))
   (check-= (x 0 v) 1.098159e-5 1e-11)
   (check-= (x 1 v) 9.106146739867 1e-10))
 
@@ -84,7 +108,7 @@
 
 (test-case "each step squares the error"
   (define distances '())
-  (define v
+  (define-values (v step)
     (newton circle-and-line circle-and-line-rows (flvector 5.0 2.0)
             #:observe (lambda (v f) (set! distances (cons (abs (- (car v) 4.0)) distances)))))
   (check-equal? (fl->exact-integer (flround (x 0 v))) 4)
