@@ -15,6 +15,7 @@
          (except-in "lagrangian/local-tuple.rkt" path)
          "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
          "lagrangian/variation.rkt" "lagrangian/verify.rkt"
+         "map/on-demand.rkt"
          "motion/on-demand.rkt"
          "display/print-expression.rkt"
          "teach/derivation.rkt"
@@ -56,6 +57,8 @@
  derivation-steps show-derivation
  ;; motion
  (all-from-out "motion/on-demand.rkt")
+ ;; maps of the plane
+ iterated-map
  ;; coordinates
  F->C Gamma-bar osculating-path
  p->r r->p polar->rectangular rectangular->polar

@@ -18,7 +18,7 @@
  op:+ op:* op:- op:/ op:expt op:sqrt op:exp op:log
  op:sin op:cos op:tan op:asin op:acos op:atan
  op:sinh op:cosh op:tanh op:asinh op:acosh op:atanh op:abs op:sgn
- op:up op:down op:solution op:component
+ op:up op:down op:solution op:component op:wrapped wrap
  operations          ; those of the table, in its order
  ;; literal heads
  (struct-out literal-head)
@@ -61,6 +61,16 @@
 ;; only in graphs that are about to be compiled.
 (define op:solution (operation 'solution #f))
 (define op:component (operation 'component #f))
+
+;; x brought into [low, cut), whose length is `period`, by whole periods: as it is where it
+;; is already there, and never led out by rounding.  It, too, is for graphs to be compiled.
+(define (wrap x low cut period)
+  (cond [(and (<= low x) (< x cut)) x]
+        [else
+         (define y (- x (* period (floor (/ (- x low) period)))))
+         (if (or (< y low) (>= y cut)) low y)]))
+
+(define op:wrapped (operation 'wrapped wrap))
 
 ;; ---------------------------------------------------------------------------
 ;; Literal heads

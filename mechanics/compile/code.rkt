@@ -181,6 +181,7 @@
         [(eq? operation 'solve)
          (solving forms (instruction-unknowns instruction) (systems-place p instruction))]
         [(eq? operation 'component) `(unsafe-flvector-ref ,(car forms) ,(cadr operands))]
+        [(eq? operation 'wrapped) (apply wrapping forms)]
         [else `(,operation ,@forms)]))
 
 ;; The value of a system of n unknowns, given as rows of [A b], is the flvector of its
@@ -198,6 +199,14 @@
                `(unsafe-flvector-set! A ,(+ (* i n) j) ,x)))
        (solve-dense! A ,n (unsafe-vector-ref systems ,(+ place 2)) b)
        b)))
+
+;; As `wrap` of algebra/operation.rkt has it.  What is not a number stays so.
+(define (wrapping x low cut period)
+  (define turns `(unsafe-flfloor (unsafe-fl/ (unsafe-fl- ,x ,low) ,period)))
+  `(if (if (unsafe-fl<= ,low ,x) (unsafe-fl< ,x ,cut) #f)
+       ,x
+       (let-values ([(y) (unsafe-fl- ,x (unsafe-fl* ,period ,turns))])
+         (if (unsafe-fl< y ,low) ,low (if (unsafe-fl>= y ,cut) ,low y)))))
 
 (define (primitive-for operation arguments)
   (case operation
@@ -222,7 +231,7 @@
 (define (functions-used p)
   (for/fold ([names '()]) ([i (in-vector (program-instructions p))])
     (define name (instruction-operation i))
-    (if (or (memq name '(negate solve component)) (memq name names)
+    (if (or (memq name '(negate solve component wrapped)) (memq name names)
             (primitive-for name (length (instruction-operands i))))
         names
         (cons name names))))

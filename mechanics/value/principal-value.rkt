@@ -2,9 +2,9 @@
 ;; Angles brought back to one turn (SICM 1.7, p. 76).
 
 (require "constants.rkt"
-         "../algebra/expression.rkt"
+         "../algebra/expression.rkt" "../algebra/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/rounding.rkt" "../generic/structure.rkt")
+         "../generic/rounding.rkt" "../generic/structure.rkt" "../generic/tracing.rkt")
 
 (provide principal-value)
 
@@ -15,18 +15,12 @@
     (raise-not-an-angle "expected a cut that is a real number" cut))
   (define low (- cut :2pi))
   (define (principal x)
-    (cond [(real? x) (within low x cut)]
+    (cond [(real? x) (wrap x low cut :2pi)]
           [(tuple? x) (structure-map principal (adopt x))]
+          [(and (being-traced?) (open-leaf? x)) (make-node op:wrapped (list x low cut :2pi))]
           [(symbolic? x) (raise-not-an-angle "expected an angle that is a real number" x)]
           [else (g:- x (g:* :2pi (g:floor (g:/ (g:- x low) :2pi))))]))
   (make-function principal 2 (lambda () (list 'principal-value cut))))
-
-;; An angle already there is not touched; rounding does not lead out.
-(define (within low x cut)
-  (cond [(and (<= low x) (< x cut)) x]
-        [else
-         (define y (- x (* :2pi (floor (/ (- x low) :2pi)))))
-         (if (or (< y low) (>= y cut)) low y)]))
 
 (define (raise-not-an-angle what x)
   (raise

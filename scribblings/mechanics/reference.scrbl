@@ -54,5 +54,6 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/equations.scrbl"]
 @include-section["reference/coordinates.scrbl"]
 @include-section["reference/motion.scrbl"]
+@include-section["reference/maps.scrbl"]
 @include-section["reference/compiled-functions.scrbl"]
 @include-section["reference/base.scrbl"]

@@ -1,0 +1,78 @@
+#lang racket/base
+;; A map of the plane, done again and again (SICM 4.3, p. 308).
+;;
+;; A *map* takes a point by its two coordinates, and two procedures: it calls the first
+;; with the coordinates of the image, or the second, without arguments, where there is
+;; none (SICM 3.6.1).
+;;
+;; What is done often is compiled, if that is possible: a map that takes no decision is
+;; arithmetic on two numbers.  Otherwise, and where the numbers stop being real, the map
+;; itself is called.
+
+(require racket/flonum racket/unsafe/ops
+         "../compile/compile-function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         (only-in "../value/structure.rkt" ref))
+
+(provide iterated-map)
+
+;; From so many times on compilation, a few milliseconds, does not matter.
+(define worthwhile 10000)
+
+(define (iterated-map map n)
+  (check-map 'iterated-map map)
+  (unless (exact-nonnegative-integer? n)
+    (raise-argument-error 'iterated-map "how many times, a natural number" n))
+  (define step #f)                      ; compiled, or 'none if it cannot be
+  (define (compiled-step x y)
+    (unless step (set! step (or (compile-step map x y) 'none)))
+    (and (compiled-function? step) step))
+  (define (iterated x y return fail)
+    (define code
+      (and (>= n worthwhile) (real? x) (real? y) (compiled-step x y)))
+    (define image (and code (compiled-image code n x y)))
+    (if image
+        (return (flvector-ref image 0) (flvector-ref image 1))
+        (image-by-calls map n x y return fail)))
+  (make-function iterated 16 (lambda () (list 'iterated-map (value->datum map) n))))
+
+(define (image-by-calls map n x y return fail)
+  (let loop ([n n] [x x] [y y])
+    (if (eqv? n 0)
+        (return x y)
+        (map x y (lambda (x y) (loop (- n 1) x y)) fail))))
+
+;; -> an flvector, or #f if a coordinate is not a number
+(define (compiled-image code n x y)
+  (define run! (compiled-function-runner code))
+  (let loop ([n n]
+             [from (flvector (real->double-flonum x) (real->double-flonum y))]
+             [to (make-flvector 2)])
+    (cond [(eqv? n 0) (and (finite? from) from)]
+          [else
+           (run! from to)
+           (loop (- n 1) to from)])))
+
+(define (finite? v)
+  (for/and ([x (in-flvector v)]) (< (abs x) +inf.0)))
+
+;; -> the map as a compiled function from (up x y) to (up x y), or #f
+(define (compile-step map x y)
+  (define (image point)
+    (map (ref point 0) (ref point 1)
+         (lambda (x y) (up x y))
+         (lambda () (raise (exn:fail "no image" (current-continuation-marks))))))
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (compile-traced image (up x y) #:name 'iterated-map)))
+
+(define (check-map who map)
+  (unless (and (procedure? map) (accepts? map 4))
+    (raise
+     (exn:fail:contract
+      (format
+       "~a: expected a map, a procedure of two coordinates and of two procedures\n  given: ~a~a"
+       who (describe-with-value map)
+       (if (and (procedure? map) (accepts? map 2))
+           "\n  its image goes to the third argument: (define (map x y return fail) ...)"
+           ""))
+      (current-continuation-marks)))))
