@@ -7,7 +7,8 @@
 (require racket/cmdline
          racket/file
          racket/runtime-path
-         "derivatives.rkt" "gradients.rkt" "measure.rkt" "peers.rkt" "table.rkt" "task.rkt" "tasks.rkt")
+         "derivatives.rkt" "gradients.rkt" "maps.rkt" "measure.rkt" "native.rkt" "peers.rkt"
+         "table.rkt" "task.rkt" "tasks.rkt")
 
 (define-runtime-path build "../../../build")
 
@@ -69,26 +70,26 @@
 ;; ---------------------------------------------------------------------------
 ;; Growth
 
-(define chains-heading '("n" "CPU ms, best" "nodes"))
+(define sizes-heading '("n" "CPU ms, best" "nodes"))
 
-;; Time against size, and the exponent of the power of n that fits it from
-;; `fit-from` on.
-(define (print-growth heading ts runs table)
-  (define results (for/list ([t (in-list ts)]) (measure (task-name t) (max 1 (quotient runs 2)))))
+;; Time against size, and the exponent of the power of n that fits it.
+(define (print-growth g runs table)
+  (define sizes (scaling-sizes g))
+  (define results
+    (for/list ([t (in-list (scaling-tasks g))])
+      (measure (task-name t) (max 1 (quotient runs 2)))))
   (define times (for/list ([rs (in-list results)]) (best (map car (filter pair? rs)))))
-  (displayln heading)
-  (table chains-heading
-         (for/list ([rs (in-list results)] [time (in-list times)] [n (in-naturals 1)])
+  (displayln (scaling-heading g))
+  (table sizes-heading
+         (for/list ([rs (in-list results)] [time (in-list times)] [n (in-list sizes)])
            (list (number->string n) (milliseconds time) (size-text (cadr (car rs))))))
   (printf "grows as n^~a from n = ~a on\n\n"
-          (decimal (exponent times fit-from)) fit-from))
-
-(define fit-from 3)
+          (decimal (exponent sizes times (scaling-fit-from g))) (scaling-fit-from g)))
 
 ;; The slope of log time against log n, by least squares.
-(define (exponent times from)
+(define (exponent sizes times from)
   (define points
-    (for/list ([time (in-list times)] [n (in-naturals 1)] #:when (>= n from))
+    (for/list ([time (in-list times)] [n (in-list sizes)] #:when (>= n from))
       (cons (log n) (log time))))
   (define (mean f) (/ (for/sum ([p (in-list points)]) (f p)) (length points)))
   (define x (mean car))
@@ -145,16 +146,21 @@
   (when (wanted? 'gradients)
     (table gradient-heading (gradient-rows)))
   (when (wanted? 'chains)
-    (for ([g (in-list growths)]) (print-growth (car g) (cdr g) runs table)))
+    (for ([g (in-list growths)]) (print-growth g runs table)))
+  (when (wanted? 'native)
+    (table native-heading (native-rows)))
+  (when (wanted? 'maps)
+    (table maps-heading (maps-rows)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
+(define further-tables '(growth orders gradients chains native maps load))
+
 (define (check-names names)
   (for ([name (in-list names)])
-    (unless (or (find-task name) (find-micro name) (memq name '(growth orders gradients chains load)))
+    (unless (or (find-task name) (find-micro name) (memq name further-tables))
       (raise-user-error 'bench "no task ~a; there are ~a" name
-                        (append (map task-name tasks) (map micro-name micros)
-                                '(growth orders gradients chains load))))))
+                        (append (map task-name tasks) (map micro-name micros) further-tables)))))
 
 (module+ main
   (define runs 7)

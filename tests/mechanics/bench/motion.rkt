@@ -3,43 +3,38 @@
 
 (require (prefix-in m: mechanics)
          ;; loaded before the clock starts
+         (only-in mechanics/map/iterated-map iterated-map)
+         (only-in mechanics/motion/event event)
          (only-in mechanics/motion/evolution evolve state-advancer)
-         (only-in mechanics/compile/scalar compile-scalar)
          (only-in mechanics/motion/find-path find-path)
-         "systems.rkt" "task.rkt")
+         (only-in mechanics/motion/trajectory evolve-trajectory trajectory-events)
+         "motion-systems.rkt" "task.rkt")
 
-(provide motion-tasks)
-
-;; ---------------------------------------------------------------------------
-;; The driven pendulum: m = l = 1, g = 9.8, a pivot moved by 0.1 cos 2√9.8 t.
-
-(define ((L-driven-pendulum m l g ys) local)
-  (define t (m:time local))
-  (define angle (m:coordinate local))
-  (define v (m:velocity local))
-  (define pivot ((m:D ys) t))
-  (m:+ (m:* 1/2 m (m:+ (m:square (m:* l v)) (m:square pivot) (m:* 2 l v pivot (m:sin angle))))
-       (m:* m g (m:- (m:* l (m:cos angle)) (ys t)))))
-
-(define ((drive amplitude frequency) t) (m:* amplitude (m:cos (m:* frequency t))))
-
-(define (driven-pendulum m l g amplitude frequency)
-  (m:Lagrangian->state-derivative (L-driven-pendulum m l g (drive amplitude frequency))))
+(provide motion-tasks motion-growth-sizes motion-growth-tasks)
 
 ;; -> how many states were shown
 (define (driven-outputs)
   (define count 0)
-  ((evolve driven-pendulum 1.0 1.0 9.8 0.1 (* 2.0 (sqrt 9.8)))
+  ((apply evolve driven-pendulum driven-parameters)
    (m:up 0.0 1.0 0.0) (lambda (state) (set! count (+ count 1))) 0.01 100.0 1e-13)
   count)
 
-;; ---------------------------------------------------------------------------
-;; Equal links, m = l = 1, g = 9.8, released at 1 rad
+(define (released n)
+  ((state-advancer (released-chain n)) (released-chain-start n) 1.0 1e-10))
 
-(define (released-chain n)
-  (define angles (m:vector->up (make-vector n 1.0)))
-  ((state-advancer (m:Lagrangian->state-derivative (chain-Lagrangian/equal n)))
-   (m:up 0.0 angles (m:* 0.0 angles)) 1.0 1e-10))
+(define (turned-body)
+  ((state-advancer (rigid-body)) rigid-body-start 100.0 1e-13))
+
+;; About 6.3 units of time from one crossing of x = 0 with p_x > 0 to the next
+;; -> how many there were
+(define (Henon-Heiles-crossings)
+  (define crossing (event (lambda (s) (m:ref s 1 0)) #:direction 'rising))
+  (length
+   (trajectory-events
+    (evolve-trajectory Henon-Heiles (Henon-Heiles-start 1/12 0.1 0.0) 62500.0
+                       #:tolerance 1e-12 #:events crossing))))
+
+(define (standard-map-orbit) ((iterated-map (standard-map 0.6) 20000000) 1.0 1.0 list void))
 
 ;; ---------------------------------------------------------------------------
 
@@ -49,27 +44,25 @@
 (define (harmonic-path n) ((find-path (L-harmonic 1.0 1.0) 0.0 1.0 (* 2.0 (atan 1.0)) 0.0 n) 0.5))
 
 ;; ---------------------------------------------------------------------------
-;; The action of two links that follow a given path for 100 s: some 20 000 evaluations
-;; of the Lagrangian.  A test of the time keeps it from being compiled.
 
-(define (waving t) (m:up (m:sin (m:* 3 t)) (m:cos (m:* 7 t))))
-(define (waving/not-compiled t) (if (m:< t -1) (m:up 0 0) (waving t)))
-(define (action q) (m:Lagrangian-action (chain-Lagrangian/equal 2) q 0 100))
-
-;; ---------------------------------------------------------------------------
+(define (chain-task n)
+  (make-task (string->symbol (format "E~a" n))
+             (format "motion of ~a links from 1 rad to t = 1, error 1e-10" n)
+             (lambda () (released n))))
 
 (define motion-tasks
   (append
    (list (make-task 'D1 "driven pendulum to t = 100, 10 001 outputs, error 1e-13"
-                    driven-outputs #:size values))
-   (for/list ([n (in-list '(2 3 4 20))])
-     (make-task (string->symbol (format "E~a" n))
-                (format "motion of ~a links from 1 rad to t = 1, error 1e-10" n)
-                (lambda () (released-chain n))))
-   (list (make-task 'A1 "action of 2 links along a given path, 100 s" (lambda () (action waving)))
-         (make-task 'A1g "the same by the generic arithmetic"
-                    (lambda () (action waving/not-compiled))))
+                    driven-outputs #:size values)
+         (make-task 'B1 "free rigid body in Euler angles to t = 100, error 1e-13" turned-body)
+         (make-task 'H1 "crossings of a section by Hénon and Heiles's motion, to t = 62 500"
+                    Henon-Heiles-crossings #:size values)
+         (make-task 'M1 "standard map, 20 million times" standard-map-orbit))
+   (map chain-task '(2 3 4 20))
    (for/list ([n (in-list '(3 10))])
      (make-task (string->symbol (format "P~a" n))
                 (format "find-path, harmonic oscillator, ~a points" n)
                 (lambda () (harmonic-path n))))))
+
+(define motion-growth-sizes '(2 3 4 6 8 10 15 20 30 40 50))
+(define motion-growth-tasks (map chain-task motion-growth-sizes))

@@ -41,7 +41,8 @@
            (E2 . (10 70 14 92 #f #f))
            (E3 . (15 890 160 #f #f #f))
            (E4 . (25 44800 4730 #f #f #f))
-           (E20 . (2000 #f #f #f #f #f))))
+           (E20 . (2000 #f #f #f #f #f))
+           (M1 . (1000 #f #f #f #f #f))))
 
 (define unknown (cons #f (map (lambda (_) #f) peer-names)))
 

@@ -12,7 +12,7 @@
          "systems.rkt"
          "task.rkt")
 
-(provide tasks micros growths find-task find-micro)
+(provide tasks micros growths (struct-out scaling) find-task find-micro)
 
 ;; ---------------------------------------------------------------------------
 ;; Lagrange equations on literal paths, simplified
@@ -199,13 +199,19 @@
 
 (define (numbered-name base n) (string->symbol (format "~a~a" base n)))
 
-;; ((heading . tasks) ...): tasks of ascending size, from 1 on.
+;; Tasks of ascending size, and from which size on a power of it is fitted.
+(struct scaling (heading sizes tasks fit-from))
+
+(define (chain-growth heading task name sizes)
+  (scaling heading sizes (for/list ([n (in-list sizes)]) (task (numbered-name name n) n)) 3))
+
 (define growths
-  (list (cons "Lagrange equations of a chain of n links"
-              (for/list ([n (in-range 1 13)]) (chain-task (numbered-name "chains-L" n) n)))
-        (cons "state derivative of a chain of n links"
-              (for/list ([n (in-range 1 6)])
-                (chain-derivative-task (numbered-name "chains-S" n) n)))))
+  (list (chain-growth "Lagrange equations of a chain of n links" chain-task 'chains-L
+                      (for/list ([n (in-range 1 13)]) n))
+        (chain-growth "state derivative of a chain of n links" chain-derivative-task 'chains-S
+                      '(1 2 3 4 5))
+        (scaling "motion of a chain of n links from 1 rad to t = 1, error 1e-10"
+                 motion-growth-sizes motion-growth-tasks 8)))
 
 ;; ---------------------------------------------------------------------------
 ;; Operations
@@ -245,7 +251,7 @@
 ;; ---------------------------------------------------------------------------
 
 (define (find-task name)
-  (find name (apply append tasks (map cdr growths)) task-name))
+  (find name (apply append tasks (map scaling-tasks growths)) task-name))
 (define (find-micro name) (find name micros micro-name))
 
 (define (find name entries entry-name)

@@ -1,0 +1,139 @@
+#lang racket/base
+;; The integrator beside itself in C, and beside SciPy's.
+;;
+;; dop853.c is our method of order 8 with the same control of steps; a C compiler, where
+;; there is one, makes a program of it and of a right-hand side in C.  That is one of
+;; two: the operations our compiler found, one after the other, so that what is compared
+;; is the machine code; and formulas a programmer would have written down.  Steps and
+;; evaluations are counted on both sides: they are to be the same.
+
+(require racket/flonum racket/runtime-path racket/string
+         (only-in mechanics/compile/trace trace)
+         (only-in mechanics/motion/system make-system state-vector system-make-slope!)
+         mechanics/numeric/ode/dormand-prince-853 mechanics/numeric/ode/integrate
+         "C.rkt" "clock.rkt" "motion-systems.rkt" "program-text.rkt" "python.rkt"
+         "table.rkt")
+
+(provide native-heading native-rows)
+
+(define-runtime-path dop853.c "dop853.c")
+
+(define native-heading
+  '("integration, CPU ms" "ours" "steps, evaluations" "C" "steps, evaluations" "ours : C"
+    "C by hand" "ours : it" "SciPy"))
+
+(define (native-rows)
+  (for/list ([s (in-list (motions))])
+    (define-values (ours count) (our-figures s))
+    (define same (c-figures s (program->C (traced s))))
+    (define by-hand (c-figures s (motion-by-hand s)))
+    (list (motion-name s)
+          (milliseconds ours)
+          count
+          (c-time same) (c-count same) (c-ratio ours same)
+          (c-time by-hand) (c-ratio ours by-hand)
+          (python (SciPy-program s)))))
+
+;; ---------------------------------------------------------------------------
+;; Ours
+
+(define repetitions 15)
+
+(define (our-figures s)
+  (define y (state-vector 'bench (motion-start s)))
+  (define f! ((system-make-slope! (make-system 'bench (motion-derivative s)
+                                               (motion-start s)))))
+  (define steps 0)
+  (define evaluations 0)
+  (define (counted-f! y dy)
+    (set! evaluations (+ evaluations 1))
+    (f! y dy))
+  (define (counted-step show)
+    (lambda (from to interpolant)
+      (set! steps (+ steps 1))
+      (show from to interpolant)))
+  (define (run f! count-steps)
+    (define-values (end last)
+      (integrate dormand-prince-853 f! y 0.0 (motion-end s)
+                 #:tolerance (motion-tolerance s) #:clock 0
+                 #:visit (count-steps (sampler (motion-output-step s) (flvector-length y)))))
+    last)
+  (run counted-f! counted-step)
+  (define times
+    (for/list ([_ (in-range repetitions)])
+      (define-values (_ ms) (call/cpu (lambda () (run f! values))))
+      ms))
+  (values (apply min times) (format "~a, ~a" steps evaluations)))
+
+;; Interpolates the state every `step`, or never if that is 0.
+(define (sampler step n)
+  (define out (make-flvector n))
+  (define shown 1)
+  (define sum 0.0)
+  (define (next) (fl* (->fl shown) step))
+  (define (show from to interpolant)
+    (when (fl<= (next) to)
+      (define at (interpolant))
+      (let loop ()
+        (when (fl<= (next) to)
+          (at (fl/ (fl- (next) from) (fl- to from)) out)
+          (set! sum (fl+ sum (flvector-ref out 1)))
+          (set! shown (+ shown 1))
+          (loop))))
+    #t)
+  (if (fl> step 0.0) show (lambda (from to interpolant) #t)))
+
+;; ---------------------------------------------------------------------------
+;; In C
+
+(define (traced s)
+  (define-values (program _) (trace 'bench (motion-derivative s) (motion-start s)))
+  program)
+
+;; body : of a function (y, dy), or #f
+;; -> (steps evaluations milliseconds state ...), or why there is none, a string
+(define (c-figures s body)
+  (if body
+      (run-C (list dop853.c) (system-in-C s body)
+             (map number->string (list (motion-tolerance s) (motion-end s)
+                                       (motion-output-step s) repetitions)))
+      "–"))
+
+(define (system-in-C s body)
+  (define y (state-vector 'bench (motion-start s)))
+  (string-append
+   "#include <math.h>\n" solve-in-C
+   (format "const int size = ~a;\n" (flvector-length y))
+   (format "const double initial[] = {~a};\n" (flvector->text y))
+   "void slope(const double *y, double *dy)\n{\n" body "}\n"))
+
+(define (flvector->text v)
+  (string-join (for/list ([x (in-flvector v)]) (number->string x)) ", "))
+
+(define (c-time figures) (if (pair? figures) (milliseconds (caddr figures)) figures))
+(define (c-count figures)
+  (if (pair? figures) (format "~a, ~a" (car figures) (cadr figures)) "–"))
+(define (c-ratio ours figures) (if (pair? figures) (ratio ours (caddr figures)) "–"))
+
+;; ---------------------------------------------------------------------------
+;; In SciPy, from the same operations
+
+(define (SciPy-program s)
+  (define y (state-vector 'bench (motion-start s)))
+  (format #<<PYTHON
+import time
+from math import *
+from numpy.linalg import solve
+from scipy.integrate import solve_ivp
+def slope(t, y):
+    dy = [0.0]*len(y)
+~a    return dy
+start = time.process_time()
+solve_ivp(slope, (0, ~a), [~a], method="DOP853", rtol=~a, atol=~a, dense_output=~a)
+print(round(1e3*(time.process_time() - start)))
+PYTHON
+          (program->Python (traced s))
+          (motion-end s)
+          (flvector->text y)
+          (motion-tolerance s) (motion-tolerance s)
+          (if (> (motion-output-step s) 0) "True" "False")))
