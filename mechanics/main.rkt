@@ -38,7 +38,8 @@
  Lagrangian-action make-path make-eta parametric-path-action
  linear-interpolants Lagrange-interpolation-function
  ;; integrals, minima and roots
- definite-integral definite-integral-with-tolerance minimize multidimensional-minimize
+ definite-integral definite-integral-with-tolerance
+ minimize brent-min golden-section-min multidimensional-minimize nelder-mead
  find-root newton-search bisect zbrent
  ;; elliptic functions
  first-elliptic-integral second-elliptic-integral elliptic-integrals

@@ -6,53 +6,101 @@
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
          "../value/shape.rkt"
          (prefix-in numeric: "../numeric/minimize.rkt")
-         "../numeric/failure.rkt" "../numeric/nelder-mead.rkt" "../numeric/quasi-newton.rkt")
+         (prefix-in numeric: "../numeric/nelder-mead.rkt")
+         "../numeric/failure.rkt" "../numeric/golden-section.rkt" "../numeric/quasi-newton.rkt"
+         "../numeric/sample.rkt")
 
-(provide minimize multidimensional-minimize)
+(provide minimize brent-min golden-section-min
+         multidimensional-minimize nelder-mead)
 
-;; (argument value steps) of a minimum of f between low and high.
-(define (minimize f low high #:tolerance [tolerance 1e-8])
-  (check-function-of-one-variable 'minimize f)
-  (numeric:minimize (lambda (x) (number 'minimize (f x)))
-                    (number 'minimize low) (number 'minimize high)
-                    #:tolerance tolerance))
+;; ---------------------------------------------------------------------------
+;; In one variable: (argument value steps) of a minimum of f between low and high
+
+(define (minimize f low high #:tolerance [tolerance 1e-8] #:observe [observe void])
+  (minimum-between 'minimize f low high tolerance observe))
+
+(define (brent-min f low high [tolerance 1e-8] #:observe [observe void])
+  (minimum-between 'brent-min f low high tolerance observe))
+
+(define (minimum-between who f low high tolerance observe)
+  (check-function-of-one-variable who f)
+  (numeric:minimize (lambda (x) (number who (f x))) (number who low) (number who high)
+                    #:tolerance tolerance #:observe observe #:name who))
+
+;; done? : a tolerance, or a predicate of low, best and high argument, the values there
+;; and the count of steps
+(define (golden-section-min f low high [done? 1e-8] #:observe [observe void])
+  (define who 'golden-section-min)
+  (check-function-of-one-variable who f)
+  (unless (procedure? done?) (check-tolerance who done?))
+  (golden-section (lambda (x) (number who (f x))) (number who low) (number who high)
+                  #:done? (if (procedure? done?) done? (width-at-most done?))
+                  #:observe observe))
 
 ;; ---------------------------------------------------------------------------
 ;; In several variables: from the gradient, or, of a function that has none
 ;; everywhere or does not say in which direction it falls, from values alone
 
-(define who 'multidimensional-minimize)
-
-;; The argument, of the shape of `start`, at which f has a minimum.
+;; The argument, of the shape of `start`, at which f has a minimum; report : receives
+;; it, the value there, the size of the gradient, #f where it is not known, and the
+;; evaluations of f.
 (define (multidimensional-minimize f start
                                    #:tolerance [tolerance 1e-8]
                                    #:method [method #f]
-                                   #:observe [observe void])
+                                   #:observe [observe void]
+                                   #:report [report (lambda (x y size count) x)])
+  (define who 'multidimensional-minimize)
   (check-function-of-one-variable who f)
-  (check-method method)
-  (define s (list->tuple start))
-  (define x (structure->flvector s (lambda (x) (number who x))))
-  (define (argument x) (tuple-like start (flvector->structure s x)))
+  (check-tolerance who tolerance)
+  (check-method who method)
+  (define-values (x argument) (point-and-argument who start))
   (define (watch x y) (observe (argument x) y))
-  (define gradient (value-and-gradient f start s))
-  (define (from-gradient)
+  ;; -> argument, value, size of the gradient, evaluations
+  (define (from-gradient [stuck void])
+    (define-values (found y slope count)
+      (quasi-newton (value-and-gradient who f argument) x #:tolerance tolerance #:name who
+                    #:observe watch #:argument argument #:stuck stuck))
+    (values (argument found) y (size slope) count))
+  (define (from-values x)
     (define-values (found y count)
-      (quasi-newton gradient x #:tolerance tolerance #:name who #:observe watch))
-    found)
-  (define (from-values)
-    (define-values (found y count)
-      (nelder-mead (lambda (x) (value-or-nan (f (argument x)))) x
-                   #:tolerance tolerance #:name who #:observe watch))
-    found)
-  (argument
-   (case method
-     [(quasi-newton) (from-gradient)]
-     [(nelder-mead) (from-values)]
-     [else (if (slopes? gradient x) (unless-kinked from-gradient from-values) (from-values))])))
+      (numeric:nelder-mead (value-at who f argument) x #:tolerance tolerance #:name who
+                           #:observe watch #:argument argument))
+    (values (argument found) y #f count))
+  (define (from-either)
+    (let/ec return
+      (define stuck-at
+        (with-handlers ([exn:fail:mechanics:singular? (lambda (e) x)])
+          (let/ec stuck
+            (call-with-values (lambda () (from-gradient stuck)) return))))
+      (from-values stuck-at)))
+  (call-with-values
+   (lambda ()
+     (case method
+       [(quasi-newton) (from-gradient)]
+       [(nelder-mead) (from-values x)]
+       [else (if (slopes? (value-and-gradient who f argument) x) (from-either) (from-values x))]))
+   report))
 
-(define (check-method m)
+;; (argument value evaluations)
+(define (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000] #:observe [observe void])
+  (define who 'nelder-mead)
+  (check-function-of-one-variable who f)
+  (when step (check-step who step))
+  (check-tolerance who tolerance)
+  (define-values (x argument) (point-and-argument who start))
+  (define-values (found y count)
+    (numeric:nelder-mead (value-at who f argument) x
+                         #:step step #:tolerance tolerance #:limit limit #:name who
+                         #:observe (lambda (x y) (observe (argument x) y)) #:argument argument))
+  (list (argument found) y count))
+
+(define (check-method who m)
   (unless (memq m '(quasi-newton nelder-mead #f))
     (raise-argument-error who "'quasi-newton or 'nelder-mead" m)))
+
+(define (check-step who step)
+  (unless (and (real? step) (< 0 step +inf.0))
+    (raise-argument-error who "a positive step" step)))
 
 ;; Can the function be differentiated at x, and does it fall from there?  Where the
 ;; gradient vanishes may be a maximum.
@@ -63,28 +111,32 @@
       slope))
   (and slope (for/or ([g (in-flvector slope)]) (not (fl= g 0.0)))))
 
-;; The search may come to a point where there is no derivative.
-(define (unless-kinked search otherwise)
-  (define found
-    (with-handlers ([exn:fail:mechanics:singular? (lambda (e) #f)])
-      (search)))
-  (or found (otherwise)))
+;; Where to start, as an flvector, and what an flvector is to the user.
+(define (point-and-argument who start)
+  (define s (list->tuple who start))
+  (values (structure->flvector s (lambda (x) (number who x)))
+          (lambda (x) (tuple-like start (flvector->structure s x)))))
 
 ;; flvector -> value and gradient
-(define ((value-and-gradient f start s) x)
+(define ((value-and-gradient who f argument) x)
+  (define s (argument x))
   (define-values (y slope)
-    (value-and-derivatives-at who (lambda (t) (f (tuple-like start t))) (flvector->structure s x)))
-  (values (value-or-nan y)
+    (value-and-derivatives-at who (lambda (t) (f (tuple-like s t))) (list->tuple who s)))
+  (values (value-or-nan who y)
           (for/flvector #:length (flvector-length x) ([i (in-range (flvector-length x))])
-            (value-or-nan (slope i)))))
+            (value-or-nan who (slope i)))))
+
+(define ((value-at who f argument) x) (value-or-nan who (f (argument x))))
 
 ;; Outside of its domain a function may be complex.
-(define (value-or-nan y)
+(define (value-or-nan who y)
   (if (and (number? y) (not (real? y))) +nan.0 (real->double-flonum (number who y))))
 
+(define (size v) (flsqrt (for/fold ([sum 0.0]) ([x (in-flvector v)]) (fl+ sum (fl* x x)))))
+
 ;; A list, as the book gives coordinates at several times, is a tuple meanwhile.
-(define (list->tuple x)
-  (cond [(list? x) (apply up (map list->tuple x))]
+(define (list->tuple who x)
+  (cond [(list? x) (apply up (for/list ([y (in-list x)]) (list->tuple who y)))]
         [(or (tuple? x) (real? x)) x]
         [else
          (raise

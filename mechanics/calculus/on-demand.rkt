@@ -4,7 +4,9 @@
 (require racket/lazy-require)
 
 (lazy-require
- ["minimum.rkt" (minimize multidimensional-minimize)]
+ ["minimum.rkt" (minimize brent-min golden-section-min
+                 multidimensional-minimize nelder-mead)]
  ["root.rkt" (find-root newton-search bisect zbrent)])
 
-(provide minimize multidimensional-minimize find-root newton-search bisect zbrent)
+(provide minimize brent-min golden-section-min multidimensional-minimize nelder-mead
+         find-root newton-search bisect zbrent)

@@ -34,7 +34,7 @@
   (define (path x) (path-through (flvector->structure start x)))
   (define integrand (compile-integrand L path-through start t0))
   (define (minimum x nodes)
-    (define-values (found action count)
+    (define-values (found action slope count)
       (quasi-newton (action-and-gradient integrand nodes t0 t1) x
                     #:tolerance tolerance #:name 'find-path
                     #:observe (lambda (x action) (observe (path x) action))))

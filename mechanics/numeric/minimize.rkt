@@ -31,17 +31,22 @@
 ;; The part of the bracket a golden step takes: (3 − √5)/2.
 (define golden 0.3819660112501051)
 
+;; (observe x y) is called for each point tried.
 ;; The argument is right to `tolerance` times its own size or, near zero, times
 ;; the width of the interval.  A function without a minimum inside gives a point
 ;; as near to the lower end as the tolerance.
 (define (minimize f low high
                   #:tolerance [tolerance 1e-8]
                   #:limit [limit 200]
+                  #:observe [observe void]
                   #:name [who 'minimize])
   (check-finite who low "end of the interval")
   (check-finite who high "end of the interval")
   (check-tolerance who tolerance)
-  (define (at x) (point x (sample who f x)))
+  (define (at x)
+    (define p (point x (sample who f x)))
+    (observe x (point-y p))
+    p)
   (define a (real->double-flonum (min low high)))
   (define b (real->double-flonum (max low high)))
   (define start (at (+ a (* golden (- b a)))))

@@ -14,26 +14,35 @@
 
 (provide nelder-mead)
 
-;; f : flvector -> flonum.  -> point, value, evaluations
+;; f        : flvector -> flonum
+;; step     : how far the first points are from each other, or #f for a tenth of the
+;;            size of the start
+;; argument : what a point is to the user
+;; -> point, value, evaluations
 (define (nelder-mead f start
+                     #:step [step #f]
                      #:tolerance [tolerance 1e-8]
                      #:limit [limit 20000]
                      #:observe [observe void]
+                     #:argument [argument flvector->list]
                      #:name [who 'minimize])
   (define count 0)
   (define (vertex-at x)
     (set! count (+ count 1))
     (define y (f x))
     (vertex x (if (< y +inf.0) y +inf.0)))
+  (define (not-found what best [error +inf.0])
+    (raise-not-convergent who (string-append "no minimum found: " what)
+                          (argument (vertex-x best)) error
+                          "value there" (vertex-y best)
+                          "evaluations" count))
   (define (search start)
-    (let loop ([simplex (sorted (initial-simplex vertex-at start))])
+    (let loop ([simplex (sorted (initial-simplex vertex-at start step))])
       (define best (car simplex))
       (observe (vertex-x best) (vertex-y best))
-      (cond [(<= (size simplex) (* tolerance (+ 1.0 (greatest (vertex-x best))))) best]
-            [(>= count limit)
-             (raise-not-convergent who "no minimum found"
-                                   (for/list ([u (in-flvector (vertex-x best))]) u)
-                                   (size simplex) "evaluations" count)]
+      (cond [(= (vertex-y best) -inf.0) (not-found "the function falls without end" best)]
+            [(<= (size simplex) (* tolerance (+ 1.0 (greatest (vertex-x best))))) best]
+            [(>= count limit) (not-found "too many evaluations" best (size simplex))]
             [else (loop (move simplex vertex-at))])))
   (define found (search (vertex-x (search start))))
   (values (vertex-x found) (vertex-y found) count))
@@ -42,9 +51,9 @@
 
 (define (sorted vertices) (sort vertices < #:key vertex-y))
 
-;; The point and others a tenth of its size away along each axis.
-(define (initial-simplex vertex-at x)
-  (define reach (* 0.1 (max 1.0 (greatest x))))
+;; The point and others away along each axis.
+(define (initial-simplex vertex-at x step)
+  (define reach (or step (* 0.1 (max 1.0 (greatest x)))))
   (cons (vertex-at x)
         (for/list ([i (in-range (flvector-length x))])
           (define moved (flvector-copy x))
@@ -102,4 +111,5 @@
   (for*/fold ([m 0.0]) ([v (in-list (cdr simplex))] [i (in-range (flvector-length best))])
     (max m (abs (- (flvector-ref (vertex-x v) i) (flvector-ref best i))))))
 
+(define (flvector->list v) (for/list ([x (in-flvector v)]) x))
 (define (greatest v) (for/fold ([m 0.0]) ([x (in-flvector v)]) (max m (abs x))))

@@ -12,41 +12,63 @@
 ;;
 ;; where y·s is positive.  The search ends when p is shorter than the tolerance.  On
 ;; a quadratic function of n variables that takes about n steps.
+;;
+;; Near a minimum the function's values differ by the square of the distance, and
+;; rounding hides that before it hides the gradient.  Where no part of a step lowers
+;; the function, one is taken that flattens it along p and does not raise it by more
+;; than rounding may (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005, 170).  If there
+;; is none the search is stuck: at a kink, or where the gradient is not that of the
+;; function; unless what is left to gain, p·g/2, is itself no more than rounding.
 
 (require racket/flonum
          "failure.rkt")
 
-(provide quasi-newton)
+(provide quasi-newton flvector->list)
 
 ;; value-and-gradient : x -> value, gradient; flvectors and a flonum
 ;; observe            : called with each point reached and the value there
-;; -> point, value, steps
+;; argument           : what a point is to the user
+;; stuck              : called with such a point, to return one or to raise
+;; -> point, value, gradient, evaluations
 (define (quasi-newton value-and-gradient start
                       #:tolerance [tolerance 1e-8]
                       #:limit [limit 1000]
                       #:observe [observe void]
+                      #:argument [argument flvector->list]
+                      #:stuck [stuck void]
                       #:name [who 'minimize])
   (define n (flvector-length start))
-  (let loop ([x start] [H (unit n)] [count 0] [known #f])
-    (define-values (f g) (if known (values (car known) (cdr known)) (value-and-gradient x)))
+  (define evaluations 0)
+  (define (at x)
+    (set! evaluations (+ evaluations 1))
+    (value-and-gradient x))
+  (define (not-found what x f g p)
+    (raise-not-convergent who (string-append "no minimum found: " what) (argument x) (greatest p)
+                          "value there" f
+                          "size of the gradient there" (size g)
+                          "evaluations" evaluations))
+  (define-values (f0 g0) (at start))
+  (let loop ([x start] [f f0] [g g0] [H (unit n)] [scale (flabs f0)] [steps 0] [gain +inf.0])
     (observe x f)
     (define p (negative-product H g))
+    (define slope (dot g p))
+    (define noise (+ (* 1e-6 (flabs f)) (* 1e-14 scale)))
     (cond
-      [(not (and (finite? f) (finite? (dot g p)))) (raise-not-found who x p count)]
-      [(<= (greatest p) (* tolerance (+ 1.0 (greatest x)))) (values x f count)]
-      [(>= count limit) (raise-not-found who x p count)]
+      [(not (and (finite? f) (finite? slope)))
+       (not-found "the function is not finite, or its gradient" x f g p)]
+      [(<= (greatest p) (* tolerance (+ 1.0 (greatest x)))) (values x f g evaluations)]
+      [(>= steps limit) (not-found "too many steps" x f g p)]
       [else
-       (define-values (next f* g*) (line-search value-and-gradient x f g p))
+       (define-values (next f* g*) (line-search at x f g p noise))
        (cond
-         [next (loop next (corrected H (difference next x) (difference g* g) (= count 0))
-                     (+ count 1) (cons f* g*))]
-         ;; no descent: either H has gone wrong, or rounding hides what is left
-         [(not (unit? H)) (loop x (unit n) (+ count 1) (cons f g))]
-         [else (values x f count)])])))
-
-(define (raise-not-found who x p count)
-  (raise-not-convergent who "no minimum found" (for/list ([u (in-flvector x)]) u) (greatest p)
-                        "steps" count))
+         [next (loop next f* g* (corrected H (difference next x) (difference g* g) (= steps 0))
+                     (max scale (flabs f*)) (+ steps 1) +inf.0)]
+         ;; H may have gone wrong
+         [(not (unit? H)) (loop x f g (unit n) scale (+ steps 1) (* -0.5 slope))]
+         [(<= (min gain (* -0.5 slope)) (* 1e-14 (+ scale (flabs f)))) (values x f g evaluations)]
+         [else
+          (stuck x)
+          (not-found "the gradient does not vanish, yet nothing near is lower" x f g p)])])))
 
 ;; ---------------------------------------------------------------------------
 ;; The line
@@ -54,14 +76,23 @@
 (define fair-part 1e-4)
 (define halvings 40)
 
-;; -> point, value and gradient where f has fallen enough, or #f three times
-(define (line-search value-and-gradient x f g p)
+;; -> point, value and gradient, or #f three times
+(define (line-search at x f g p noise)
   (define slope (dot g p))
+  (define (lower? a f* g*) (<= f* (+ f (* fair-part a slope))))
+  (define (flatter? a f* g*)
+    (and (<= f* (+ f noise)) (<= (flabs (dot g* p)) (* 0.9 (flabs slope)))))
+  (if (< slope 0.0)
+      (let-values ([(next f* g*) (first-part at x p lower?)])
+        (if next (values next f* g*) (first-part at x p flatter?)))
+      (values #f #f #f)))
+
+;; At the first of x + p, x + p/2, … that is good.
+(define (first-part at x p good?)
   (let loop ([a 1.0] [left halvings])
     (define next (along x a p))
-    (define-values (f* g*) (value-and-gradient next))
-    (cond [(and (finite? f*) (<= f* (+ f (* fair-part a slope))) (< slope 0.0))
-           (values next f* g*)]
+    (define-values (f* g*) (at next))
+    (cond [(and (finite? f*) (good? a f* g*)) (values next f* g*)]
           [(= left 0) (values #f #f #f)]
           [else (loop (* 0.5 a) (- left 1))])))
 
@@ -113,4 +144,6 @@
   (for/flvector #:length (flvector-length x) ([u (in-flvector x)] [v (in-flvector p)])
     (fl+ u (fl* a v))))
 (define (difference v w) (along v -1.0 w))
+(define (size v) (flsqrt (dot v v)))
+(define (flvector->list v) (for/list ([x (in-flvector v)]) x))
 (define (greatest v) (for/fold ([m 0.0]) ([x (in-flvector v)]) (max m (abs x))))

@@ -191,29 +191,60 @@ The same; here the tolerance must be given.
 (definite-integral-with-tolerance exp 0 1 1e-14 #:report list)]}
 
 @defproc[(minimize [f procedure?] [low real?] [high real?]
-                   [#:tolerance tolerance real? 1e-8])
+                   [#:tolerance tolerance real? 1e-8]
+                   [#:observe observe (-> real? real? any) void])
          list?]{
 
 A list of the argument at which f is least between @racket[low] and @racket[high],
-its value there, and the number of steps taken. f should have one minimum between
-the two.
+its value there, and the number of steps taken, by Brent's method. f should have one
+minimum between the two. @racket[observe] is called with each argument tried and the value
+there.
 
 @examples[#:eval session
 (minimize (lambda (x) (+ 1 (square (- x 2)))) 0 5)]
 
 @sicm{1.4, p. 19}}
 
+@defproc[(brent-min [f procedure?] [low real?] [high real?] [tolerance real? 1e-8]
+                    [#:observe observe (-> real? real? any) void])
+         list?]{
+
+The same, with a tolerance among the arguments.
+
+@examples[#:eval session
+(brent-min cos 2 4 1e-3)]}
+
+@defproc[(golden-section-min [f procedure?] [low real?] [high real?]
+                             [done (or/c real? procedure?) 1e-8]
+                             [#:observe observe (-> real? real? any) void])
+         list?]{
+
+The same by golden sections: each step takes one value of f and leaves 0.618 of the
+interval. The search ends at a tolerance, or when @racket[done] says so, which is called
+with the lower end, the best argument and the upper end, the values at these, and the
+number of steps.
+
+@examples[#:eval session
+(golden-section-min cos 2 4)
+(golden-section-min cos 2 4 (lambda (low x high f-low f-x f-high count)
+                              (< (- high low) 0.1)))]}
+
 @defproc[(multidimensional-minimize [f procedure?] [start (or/c value list?)]
                                     [#:tolerance tolerance real? 1e-8]
                                     [#:method method (or/c 'quasi-newton 'nelder-mead #f) #f]
-                                    [#:observe observe (-> any/c real? any) void])
-         (or/c value list?)]{
+                                    [#:observe observe (-> any/c real? any) void]
+                                    [#:report report procedure?
+                                              (lambda (argument value gradient evaluations)
+                                                argument)])
+         any]{
 
 The argument, near @racket[start] and of its shape, at which f is least. f is a
 function of a number, a tuple, or a list of these, with real values.
 @racket['quasi-newton], the method of Broyden, Fletcher, Goldfarb and Shanno, uses the
 gradient of f; @racket['nelder-mead], the downhill simplex method, its values alone.
-Unless told, the first one is used if f can be differentiated at @racket[start].
+Unless told, the first one is used if f can be differentiated at @racket[start], and the
+second one from where the first one meets a kink. The tolerance is that of the last step,
+relative to 1 plus the size of the argument.
 @racket[observe] is called with each point reached and the value there.
 
 @examples[#:eval session
@@ -222,10 +253,37 @@ Unless told, the first one is used if f can be differentiated at @racket[start].
      (* 100 (square (- (ref v 1) (square (ref v 0)))))))
 (multidimensional-minimize valley (up -1.2 1))]
 
+@racket[report] receives the argument, the value there, the size of the gradient there,
+which is @racket[#f] if it was not used, and how many values of f it took.
+
+@examples[#:eval session
+(multidimensional-minimize valley (up -1.2 1) #:report list)
+(multidimensional-minimize (lambda (v) (+ (abs (ref v 0)) (abs (- (ref v 1) 1))))
+                           (up 2 3) #:report list)]
+
 Where no minimum is found, @racket[exn:fail:mechanics:not-convergent] carries the best
 point.
 
+@examples[#:eval session
+(eval:error (multidimensional-minimize (lambda (x) (- x (exp x))) 1))]
+
 @sicm{1.4, p. 22}}
+
+@defproc[(nelder-mead [f procedure?] [start (or/c value list?)]
+                      [step (or/c real? #f) #f] [tolerance real? 1e-8]
+                      [limit exact-positive-integer? 20000]
+                      [#:observe observe (-> any/c real? any) void])
+         list?]{
+
+The downhill simplex method: a list of the argument, the value there, and the
+evaluations. The first simplex has edges of length @racket[step], or of a tenth of the size
+of the start; the last one is smaller than the tolerance. More than @racket[limit]
+evaluations are a failure that carries the best point.
+
+@examples[#:eval session
+(nelder-mead valley (up -1.2 1))]
+
+@sicm{1.4, p. 21}}
 
 @defproc[(find-root [f procedure?] [start value] [high real? _none]
                     [#:tolerance tolerance real? 1e-12]
@@ -287,7 +345,7 @@ a jump, by halving the interval: slow and sure.
 
 @examples[#:eval session
 (bisect (lambda (x) (- (square x) 2)) 0 2)
-(bisect floor -1/2 1/2 #:report list)]
+(bisect (lambda (x) (if (< x 1/3) -1 1)) 0 1 #:report list)]
 
 @sicm{4.5, p. 321}}
 

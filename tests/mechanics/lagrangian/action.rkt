@@ -29,7 +29,7 @@
   (define minimum (minimize varied -2 1))
   (check-= (car minimum) 0 1e-5)
   (check-= (cadr minimum) 435 1e-9)
-  (check-pred exact-positive-integer? (caddr minimum)))
+  (check-true (<= 4 (caddr minimum) 6)))
 
 (test-case "exercise 1.4: the action of a free particle is m (Δx)²/(2 Δt)"
   (for ([m '(1 5/2)] [xa '(0 3)] [xb '(4 -1)] [t1 '(0 1)] [t2 '(2 5)])

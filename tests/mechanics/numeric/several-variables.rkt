@@ -18,7 +18,7 @@
 (define (far v w) (for/fold ([m 0.0]) ([a (in-flvector v)] [b (in-list w)]) (max m (abs (- a b)))))
 
 (test-case "Rosenbrock's valley"
-  (define-values (with-gradient f steps) (quasi-newton valley+gradient (flvector -1.2 1.0)))
+  (define-values (with-gradient f slope steps) (quasi-newton valley+gradient (flvector -1.2 1.0)))
   (check-true (< (far with-gradient '(1.0 1.0)) 1e-7))
   (check-true (< steps 60))
   (define-values (without g count) (nelder-mead valley (flvector -1.2 1.0)))
@@ -29,7 +29,7 @@
   (define (f v)
     (values (for/sum ([u (in-flvector v)] [k (in-naturals 1)]) (* k (expt (- u k) 2)))
             (for/flvector #:length n ([u (in-flvector v)] [k (in-naturals 1)]) (* 2.0 k (- u k)))))
-  (define-values (found least steps) (quasi-newton f (make-flvector n 0.0)))
+  (define-values (found least slope steps) (quasi-newton f (make-flvector n 0.0)))
   (check-true (< (far found '(1.0 2.0 3.0 4.0 5.0 6.0 7.0 8.0)) 1e-7))
   (check-true (< steps (* 3 n))))
 
