@@ -128,7 +128,8 @@
 ;; x such that (* A x) is b.
 (define (solve-linear-left A b)
   (define who 'solve-linear-left)
-  (cond [(matrix? A)
+  (cond [(or (pointwise? A) (pointwise? b)) (combine-functions generic:solve-left A b)]
+        [(matrix? A)
          (define rows (square-rows who A))
          (cond [(and (up? b) (= (s:length b) (m:num-rows A)))
                 (structure 'up (rows-solve who A rows (structure-elements (adopt b))))]
@@ -142,7 +143,8 @@
 ;; x such that (* x A) is b.
 (define (solve-linear-right b A)
   (define who 'solve-linear-right)
-  (cond [(matrix? A)
+  (cond [(or (pointwise? A) (pointwise? b)) (combine-functions generic:solve-right b A)]
+        [(matrix? A)
          (define rows (rows-transpose (square-rows who A)))
          (cond [(and (down? b) (= (s:length b) (m:num-cols A)))
                 (down (rows-solve who A rows (structure-elements b) down))]
@@ -152,6 +154,10 @@
         [(not (tuple? A)) (solve-one who A b)]
         [(eq? (s:same A) (innermost-orientation A)) (solve-by-outer-index who (adopt A) b)]
         [else (solve-by-inner-index who (adopt A) b)]))
+
+;; Functions are solved for by their values (SICM p. 71).
+(define generic:solve-left (generic-of-matrices 'solve-linear-left solve-linear-left))
+(define generic:solve-right (generic-of-matrices 'solve-linear-right solve-linear-right))
 
 (define (solve-one who A b)
   (define (only v) (vector-ref v 0))

@@ -56,4 +56,5 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/motion.scrbl"]
 @include-section["reference/maps.scrbl"]
 @include-section["reference/compiled-functions.scrbl"]
+@include-section["reference/book.scrbl"]
 @include-section["reference/base.scrbl"]

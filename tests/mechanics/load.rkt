@@ -4,7 +4,7 @@
 ;; that prints or sets parameters is a nuisance in a program.
 
 ;; for-label: compiled with this file.  What an expansion loads would be counted.
-(require (for-label mechanics mechanics/base)
+(require (for-label mechanics mechanics/base mechanics/book)
          racket/list
          racket/path
          racket/runtime-path
@@ -104,7 +104,7 @@
   (check-equal? printed "hello\n")
   (check-false same?))
 
-(for ([module-path '(mechanics mechanics/base)])
+(for ([module-path '(mechanics mechanics/base mechanics/book)])
   (test-case (format "requiring ~a loads nothing heavy" module-path)
     (check-equal? (unwanted (loaded module-path)) '()))
   (test-case (format "requiring ~a prints nothing and sets nothing" module-path)

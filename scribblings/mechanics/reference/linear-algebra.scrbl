@@ -133,6 +133,7 @@ zero.
 The x for which @racket[(* A x)], or @racket[(* x A)], is b. For a matrix A, b is
 an up tuple on the left and a down tuple on the right, or a matrix, which is
 solved for column by column, or row by row. Tuples may be nested to any depth.
+Functions, either or both, give the function of the solutions for their values.
 
 @examples[#:eval session
 (solve-linear-left (down (down 'a 0) (down 0 'b)) (down 'p 'q))

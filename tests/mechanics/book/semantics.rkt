@@ -74,3 +74,48 @@
                    (up 't (square 'q) (* 2 'q 'v) (+ (* 2 'a 'q) (* 2 (square 'v)))))
                 '(up 0 0 0 0))
   (check-equal? (vector-length (up 't 'q 'v 'a)) 4))
+
+(test-case "10. minimize returns a list of three, find-path takes six, integrals a tolerance"
+  (define (L local) (* 1/2 (- (square (velocity local)) (square (coordinate local)))))
+  (define found (minimize (lambda (x) (+ 3 (square (- x 1)))) -2.0 4.0))
+  (check-equal? (length found) 3)
+  (check-close (list->up (list (car found) (cadr found))) '(1 3) 1e-7)
+  (check-pred exact-positive-integer? (caddr found))
+  (check-= ((find-path L 0. 1. :pi/2 0. 2) 0.5) (cos 0.5) 3e-3)
+  (check-= (definite-integral sin 0 :pi 1e-3) 2 1e-3)
+  (check-= (Lagrangian-action L sin 0 :pi/2 1e-3) 0 1e-3))
+
+(test-case "11. evolve and state-advancer take parameters, then states"
+  (define (oscillator m k)
+    (lambda (state) (up 1 (velocity state) (* -1 (/ k m) (coordinate state)))))
+  (define seen '())
+  (define last
+    ((evolve oscillator 1 4) (up 0 1 0) (lambda (s) (set! seen (cons (time s) seen))) 0.25 1 1e-12))
+  (check-equal? (reverse seen) '(0.0 0.25 0.5 0.75 1.0))
+  (check-close last (list 1 (cos 2) (* -2 (sin 2))) 1e-11)
+  (check-close ((state-advancer oscillator 1 4) (up 0 1 0) 1 1e-12)
+               (list 1 (cos 2) (* -2 (sin 2))) 1e-11)
+  (define method (ode-integration-method))
+  (set-ode-integration-method! 'qcrk4)
+  (check-eq? (ode-integration-method) 'qcrk4)
+  (set-ode-integration-method! method))
+
+(test-case "13. series of functions, with operators and structures"
+  (define s (series (lambda (q) (up q 0)) (* 'epsilon (lambda (q) (up 0 (square q))))))
+  (check-prints (series:sum (s 'q) 1) '(up q (* epsilon (expt q 2))))
+  (define shown '())
+  (series:for-each (lambda (term) (set! shown (cons (simplify term) shown)))
+                   (((exp (* 'h D)) (literal-function 'f)) 'x) 3)
+  (check-equal? (map expression (reverse shown))
+                '((f x) (* h ((D f) x)) (* 1/2 (expt h 2) (((expt D 2) f) x))))
+  (check-prints (series:sum (((exp (* 'h D)) cube) 'x) 3)
+                '(+ (expt h 3) (* 3 (expt h 2) x) (* 3 h (expt x 2)) (expt x 3))))
+
+(test-case "14. constants"
+  (check-= :pi (* 2 (asin 1.0)) 1e-15)
+  (check-equal? (list :-pi :pi/2 :2pi) (list (- :pi) (/ :pi 2) (* 2 :pi))))
+
+(test-case "p. 71: functions with structures as values are solved for"
+  (define (M local) (down (down 'a 0) (down 0 (velocity local))))
+  (check-prints ((solve-linear-left M (lambda (local) (down (coordinate local) 1))) (up 't 'q 'v))
+                '(up (/ q a) (/ 1 v))))

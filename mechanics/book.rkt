@@ -1,0 +1,25 @@
+#lang racket/base
+;; The particular Lagrangians and other objects that the text of the book defines, by
+;; section.  What works on any of them is in `mechanics`.
+
+(require "book/section-1-4.rkt" "book/section-1-5.rkt" "book/section-1-6.rkt"
+         "book/section-1-7.rkt" "book/section-1-8.rkt")
+
+(provide
+ ;; 1.4
+ L-free-particle test-path varied-free-particle-action L-harmonic
+ ;; 1.5
+ proposed-solution L-central-polar gravitational-energy L-Kepler-polar
+ ;; 1.6
+ L-uniform-acceleration L-central-rectangular
+ L-free-rectangular L-free-polar L-rotating-polar L-rotating-rectangular
+ T-pend V-pend L-pend dp-coordinates L-pendulum
+ F-sliding-pend L-sliding-pend
+ L-two-particle L-coupled-harmonic
+ ;; 1.7
+ harmonic-state-derivative
+ periodic-drive L-periodically-driven-pendulum pend-state-derivative
+ ;; 1.8
+ T3-spherical L3-central ang-mom-z
+ L0 restricted-three-body-potential LR3B LR3B1
+ F-tilde the-Noether-integral)

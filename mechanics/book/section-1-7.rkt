@@ -1,0 +1,22 @@
+#lang racket/base
+;; SICM 1.7, Evolution of Dynamical State (pp. 68–78), in the reader's own language.
+
+(require mechanics
+         (only-in "section-1-4.rkt" L-harmonic)
+         (only-in "section-1-6.rkt" L-pend))
+
+(provide harmonic-state-derivative
+         periodic-drive L-periodically-driven-pendulum pend-state-derivative)
+
+(define (harmonic-state-derivative m k) ; p. 72
+  (Lagrangian->state-derivative (L-harmonic m k)))
+
+;; The height of a pivot that is shaken (p. 74).
+(define ((periodic-drive amplitude frequency phase) t)
+  (* amplitude (cos (+ (* frequency t) phase))))
+
+(define (L-periodically-driven-pendulum m l g A omega)
+  (L-pend m l g (periodic-drive A omega 0)))
+
+(define (pend-state-derivative m l g A omega) ; p. 75
+  (Lagrangian->state-derivative (L-periodically-driven-pendulum m l g A omega)))

@@ -1,0 +1,95 @@
+#lang racket/base
+;; The names of the book, by section: those that its text defines, those that it takes
+;; for granted, and those that users of such systems expect beside them.  Each is there
+;; for whoever requires the library's modules.
+
+(require racket/list
+         rackunit
+         syntax/modresolve)
+
+;; Where the names are.  Those of `mechanics` and `mechanics/book` may be required
+;; together; `mechanics/plot` draws.
+(define modules '(mechanics mechanics/book mechanics/plot))
+
+(define sections
+  '(("1.4 Computing actions (pp. 14-23)"
+     L-free-particle Lagrangian-action test-path make-eta varied-free-particle-action make-path
+     parametric-path-action find-path L-harmonic
+     literal-function up time coordinate velocity compose D Gamma dot-product square cube
+     definite-integral minimize linear-interpolants Lagrange-interpolation-function
+     multidimensional-minimize :pi :-pi :pi/2 :2pi
+     show-expression print-expression simplify coordinates velocities accelerations
+     pe se coordinate-tuple velocity-tuple acceleration-tuple momentum-tuple
+     ->local ->state ->L-state state->t state->q state->qdot state->qddot state->n-dof
+     Q Qdot Qdotdot literal-Lagrangian-state path->state-path L-Kepler-polar show-time)
+    ("1.5 The Euler-Lagrange equations (pp. 23-37)"
+     delta Lagrange-equations proposed-solution L-central-polar gravitational-energy
+     partial Lagrangian Real UP UP* DOWN DOWN* X X* ->
+     generalized-LE make-Lagrangian)
+    ("1.6 How to find Lagrangians (pp. 37-68)"
+     L-uniform-acceleration L-central-rectangular F->C p->r L-free-rectangular L-free-polar
+     L-rotating-polar L-rotating-rectangular T-pend V-pend L-pend dp-coordinates Dt
+     r->p s->r rectangular->polar polar->rectangular r->s spherical->rectangular
+     rectangular->spherical L-sliding-pend F-sliding-pend L-two-particle L-coupled-harmonic
+     L-pendulum)
+    ("1.7 Evolution of dynamical state (pp. 68-78)"
+     Lagrangian->acceleration Lagrangian->state-derivative harmonic-state-derivative
+     Lagrange-equations-first-order qv->state-path periodic-drive
+     L-periodically-driven-pendulum pend-state-derivative
+     solve-linear-left state-advancer evolve set-ode-integration-method!
+     qv->local-path local-state-derivative Lagrange-equations-1 Rayleigh-dissipation
+     Lagrangian->power-loss ode-advancer free-run-state-advancer advance-beyond)
+    ("1.8 Conserved quantities (pp. 78-91)"
+     Lagrangian->energy T3-spherical L3-central ang-mom-z L0 LR3B LR3B1 F-tilde
+     the-Noether-integral cross-product Rx Ry Rz Noether-integral)
+    ("1.9 Abstraction of path functions (pp. 91-99)"
+     Gamma-bar F->C Dt Euler-Lagrange-operator osculating-path acceleration
+     LE Lagrange-equations-operator trim-last-argument clip-state)
+    ("8 Scheme, as far as the programs of chapter 1 use it"
+     write-line pp 1+ -1+ iota runtime exact->inexact)))
+
+;; Two names for one thing.
+(define synonyms
+  '((qv->state-path qv->local-path)
+    (Lagrange-equations-first-order Lagrange-equations-1)
+    (Lagrangian->state-derivative local-state-derivative)
+    (print-expression pe) (show-expression se)
+    (Euler-Lagrange-operator LE Lagrange-equations-operator)
+    (coordinate coordinates state->q Q) (velocity velocities state->qdot Qdot)
+    (acceleration accelerations state->qddot Qdotdot) (time state->t)
+    (p->r polar->rectangular) (r->p rectangular->polar)
+    (s->r spherical->rectangular) (r->s rectangular->spherical)))
+
+;; ---------------------------------------------------------------------------
+
+(define (there? module-path)
+  (file-exists? (resolve-module-path module-path #f)))
+
+(define provided-by
+  (for/hash ([m (in-list modules)] #:when (there? m))
+    (define-values (variables syntaxes)
+      (begin (dynamic-require m (void))
+             (module->exports m)))
+    (values m (for*/list ([phase (in-list (append variables syntaxes))]
+                          #:when (eqv? (car phase) 0)
+                          [export (in-list (cdr phase))])
+                (car export)))))
+
+(define provided (append* (hash-values provided-by)))
+
+(for ([section (in-list sections)])
+  (test-case (car section)
+    (check-equal? (remove* provided (cdr section)) '())))
+
+(test-case "a name that is not there is missed"
+  (check-equal? (remove* provided '(L-harmonic L-anharmonic)) '(L-anharmonic)))
+
+(test-case "two names for one thing are one thing"
+  (for ([names (in-list synonyms)])
+    (define values (for/list ([n (in-list names)]) (dynamic-require 'mechanics n)))
+    (check-true (andmap (lambda (v) (eq? v (car values))) (cdr values)) (format "~a" names))))
+
+(test-case "the book's objects share no name with the library"
+  (check-equal? (filter (lambda (n) (memq n (hash-ref provided-by 'mechanics)))
+                        (hash-ref provided-by 'mechanics/book))
+                '()))
