@@ -19,7 +19,7 @@
          "motion/on-demand.rkt"
          "display/print-expression.rkt"
          "teach/derivation.rkt"
-         "lang/application.rkt" "lang/Scheme.rkt" "lang/session.rkt")
+         "lang/application.rkt" "lang/module.rkt" "lang/Scheme.rkt" "lang/session.rkt")
 
 (provide
  (all-from-out racket/base racket/match "base.rkt")

@@ -49,7 +49,7 @@
   (check-head stx)
   (syntax-case stx ()
     [(_ (name . formals) body ...)
-     (and (identifier? #'name) (has-pattern? #'formals))
+     (and (identifier? #'name) (has-pattern? #'formals) (not (as-variable? stx)))
      (let-values ([(formals body bounds)
                    (rewrite-procedure #'formals (syntax->list #'(body ...))
                                       (syntax-e #'name) stx)])
@@ -57,7 +57,8 @@
         (quasisyntax/loc stx (define (name . #,formals) #,@body))
         bounds))]
     [(_ (head . formals) body ...)
-     (head-name #'head)
+     (and (head-name #'head)
+          (or (as-variable? stx) (not (identifier? #'head))))
      (let ([procedure (quasisyntax/loc stx (lambda/pattern formals body ...))])
        (check-body (syntax->list #'(body ...)) stx)
        (quasisyntax/loc stx
@@ -67,6 +68,10 @@
     [_ (as #'define stx)]))
 
 (begin-for-syntax
+  ;; Must what is defined be a variable?  Racket's `define` makes a macro of a
+  ;; function with keywords.
+  (define (as-variable? stx) (syntax-property stx 'as-variable))
+
   ;; The arguments of every procedure that a head makes.
   (define (check-head stx)
     (syntax-case stx ()
@@ -79,12 +84,11 @@
            [_ (void)]))]
       [_ (void)]))
 
-  ;; The name that a curried head defines, or #f.
+  ;; The name that a head defines, or #f.
   (define (head-name head)
     (syntax-case head ()
-      [(inner . formals)
-       (if (identifier? #'inner) #'inner (head-name #'inner))]
-      [_ #f])))
+      [(inner . formals) (head-name #'inner)]
+      [_ (and (identifier? head) head)])))
 
 ;; ---------------------------------------------------------------------------
 ;; lambda

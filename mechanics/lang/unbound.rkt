@@ -57,15 +57,27 @@
   (unless (hinting-display? display)
     (error-display-handler (hinting-display display))))
 
-;; Names that the prompt knows nothing of, not those that a module uses too
-;; early: they need no quote.
 (define (hint-for message e)
   (and (exn:fail:contract:variable? e)
-       (regexp-match? #rx"cannot reference an identifier before its definition" message)
        (let ([id (exn:fail:contract:variable-id e)])
-         (and (or (regexp-match? #rx"in module: top-level$" message)
-                  (unknown-in-module? id))
-              (format "~a\n  as a symbol it is written '~s" (meant-instead id) id)))))
+         (cond [(regexp-match? #rx"cannot reference an identifier before its definition" message)
+                (hint-for-unknown id message)]
+               [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
+               [else #f]))))
+
+;; Names that the prompt knows nothing of, not those that a module uses too
+;; early: they need no quote.
+(define (hint-for-unknown id message)
+  (and (or (regexp-match? #rx"in module: top-level$" message)
+           (unknown-in-module? id))
+       (format "~a\n  as a symbol it is written '~s" (meant-instead id) id)))
+
+;; What a module defines once is built into what it defines besides.
+(define (hint-for-constant id)
+  (format (string-append
+           "\n  the module was compiled with ~s as it is: change it there and run it again, or"
+           "\n  in DrRacket switch off \"Enforce constant definitions\" in Choose Language, Show Details")
+          id))
 
 (define (meant-instead id)
   (define names (likely-names id (namespace-mapped-symbols)))

@@ -76,8 +76,10 @@ Results are printed as they were computed; @racket[simplify] and
 @item{@exec{racket -I mechanics} for a prompt. (Not @exec{racket -i -l
 mechanics}: that provides the names, but not the printing.)}]
 
-In a file, a name is defined once. At a prompt a new definition replaces the
-old one.
+At the prompt and in a @hash-lang[] @racketmodname[mechanics] file a new definition
+replaces the old one, so that the programs of a chapter can be typed one after
+another into one file: see @secref["redefinition"]. In a module of another language a
+name is defined once.
 
 @section[#:tag "clashes"]{Names shared with other libraries}
 

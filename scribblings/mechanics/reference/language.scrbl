@@ -17,8 +17,8 @@ prompt and an application of this language.
 
 @defform[(#%module-begin form ...)]{
 
-The body of a module. A second @racket[define] of a name is an error that says
-where the first one is.}
+The body of a module. It may be written as one would write at the prompt: see
+@secref["redefinition"].}
 
 @defform[(#%top-interaction . form)]{
 
@@ -39,6 +39,61 @@ that it stands for.
 A name without a definition. The error says how it is written as a symbol, for
 what is missing most often is a quote; before that it gives known names that are
 spelt nearly so.}
+
+@section[#:tag "redefinition"]{Definitions that replace others}
+
+A chapter of a textbook defines a path, a Lagrangian or an operator, improves it a
+few pages later, and keeps the name. A module in @hash-lang[]
+@racketmodname[mechanics] can be written in the same way. It is read from top to
+bottom, as a session at the prompt:
+
+@codeblock|{
+#lang mechanics
+(define (test-path t) (up (* 4 t) (* 3 t)))
+(define (speed t) (magnitude ((D test-path) t)))
+(speed 't)
+(define (test-path t) (up (* 5 t) (* 12 t)))
+(speed 't)
+}|
+
+prints @racketresult[5], then @racketresult[13]: functions that were defined
+before see the new definition. The rules are these.
+
+@itemlist[
+@item{A variable or a function may be defined any number of times, as different
+things, by @racket[define] or by any other form, and under its old value:
+@racket[(define x (+ x 1))] is allowed. A structure type or a macro is defined
+once.}
+@item{A name that the language exports has the language's meaning until the module
+replaces it. After
+
+@racketblock[(define (pendulum-path q0 q1)
+               (find-path (L-pendulum 1 9.8) 0 q0 1 q1 3))]
+
+a call of @racket[pendulum-path] finds the path with @racket[find-path] of this
+library if a definition of @racketid[find-path] is further down, and with that
+definition if it is further up. The new definition may use the old meaning, as in
+@racket[(define sin (compose square sin))].}
+@item{A name of a library that was required is treated likewise; Racket's own
+languages refuse to define it.}
+@item{Any other name has no value before its definition. The error says on which line
+that is.}]
+
+What is defined once, and not used before as something else, is defined as in any
+module of Racket, and is as fast. A name that is defined several times is a variable
+that is assigned, as by @racket[set!]; modules that require this one see its last
+value. Definitions that a macro makes may replace others, but the imported meaning
+of a name that a macro defines is not kept for what was written above.
+
+These rules belong to @hash-lang[] @racketmodname[mechanics]. A module of another
+language that requires the library follows its own language, which as a rule lets a
+module define a name once, and not at all if it was required.
+
+A prompt inside a module, which is DrRacket's lower window, or one that @racket[enter!]
+opens, may define the module's names again, unless the module was compiled with its
+definitions fixed, which makes it faster: by @exec{raco make}, or in DrRacket where
+@onscreen{Enforce constant definitions} is on (@onscreen{Choose Language}, @onscreen{Show
+Details}). There, change the definition in the module, and run it again.
 
 @section{Binding with patterns}
 

@@ -20,14 +20,17 @@
    "(let* ([(up pp qq) (up 1 2)] [rr pp]) (list qq rr))\n"
    "(match (up 1 2) [(up uu vv) (uu vv)])\n"))
 
-;; The arrows of a program: (list from position to position).
-(define (arrows text)
+;; What Check Syntax finds in a program.
+(define (findings text)
   (define file (make-temporary-file "mechanics-~a.rkt"))
   (display-to-file text file #:exists 'truncate)
-  (define content (show-content file))
-  (delete-file file)
+  (begin0 (show-content file)
+          (delete-file file)))
+
+;; The arrows of a program: (list from position to position).
+(define (arrows text)
   (remove-duplicates
-   (for*/list ([item (in-list content)]
+   (for*/list ([item (in-list (findings text))]
                [arrow (in-value (arrow-ends item))]
                #:when arrow)
      (match-define (list from-start from-end to-start to-end) arrow)
@@ -70,6 +73,60 @@
     (check-not-false (member (list "mechanics" 6 keyword (car (places keyword program)))
                              program-arrows)
                      keyword)))
+
+;; ---------------------------------------------------------------------------
+;; Arrows where a name is defined again
+
+(define listing
+  (string-append
+   "#lang mechanics\n"
+   "(require racket/list)\n"
+   "(define (show1) (mass1 (square (first '(1)))))\n"
+   "(define (mass1 x) x)\n"
+   "(show1)\n"
+   "(define ((mass1 aa) (up bb _)) (aa bb))\n"
+   "(define (square x) (mass1 x))\n"
+   "(define first square)\n"
+   "(list (second '(1 2)))\n"))
+
+(define listing-arrows (arrows listing))
+
+;; The arrows from a name to itself: (list from to).
+(define (arrows-of name)
+  (for/list ([a listing-arrows] #:when (equal? (list name name) (list (first a) (third a))))
+    (list (second a) (fourth a))))
+
+(test-case "every occurrence of a name has an arrow from its first definition"
+  (for ([name '("mass1" "square" "first")] [definition '(1 1 1)])
+    (define all (places name listing))
+    (define from (list-ref all definition))
+    (check-equal? (sort (arrows-of name) < #:key second)
+                  (for/list ([to all] #:unless (= to from)) (list from to))
+                  name)))
+
+(test-case "nothing else has an arrow to it, and what is imported keeps its own"
+  (for ([a listing-arrows] #:when (member (third a) '("mass1" "square" "first")))
+    (check-equal? (first a) (third a)))
+  (check-not-false (member (list "racket/list" (car (places "racket/list" listing))
+                                 "second" (car (places "second" listing)))
+                           listing-arrows))
+  (for ([place (places "define" listing)])
+    (check-not-false (member (list "mechanics" 6 "define" place) listing-arrows)))
+  (for ([name '("aa" "bb")])
+    (check-equal? (arrows-of name) (list (places name listing)))))
+
+;; The libraries that a program requires and does not use.
+(define (unused text)
+  (for/list ([item (findings text)]
+             #:when (eq? (vector-ref item 0) 'syncheck:add-unused-require))
+    (substring text (vector-ref item 1) (vector-ref item 2))))
+
+(test-case "a library is used if a name of it is, whatever the module defines"
+  (check-equal? (unused listing) '())
+  (check-equal? (unused "#lang mechanics\n(require racket/list)\n(first '(1))\n(define (first x) x)\n")
+                '())
+  (check-equal? (unused "#lang mechanics\n(require racket/list)\n(define (first x) x)\n")
+                '("racket/list")))
 
 ;; ---------------------------------------------------------------------------
 ;; Colours and indentation

@@ -1,0 +1,94 @@
+#lang racket/base
+;; The definitions of one module, while its forms are expanded one after another.
+
+(require "module-listing.rkt")
+
+(provide make-definitions
+         defined? add-variable! add-macro! later-definitions
+         defining-occurrence used-early? mark-variable)
+
+;; shown : symbol -> names that the text of the module defines; repeated : those
+;; it defines more than once; early : those it uses before; met : symbol ->
+;; definitions expanded so far.  A name is an identifier as its definition binds
+;; it, without the scopes of the expansion that goes on.
+(struct definitions (shown repeated early met))
+
+(struct definition (name macro?))
+
+(define (make-definitions l)
+  (definitions (by-symbol (map plain (listing-defined l)))
+               (map plain (listing-repeated l))
+               (map plain (listing-early l))
+               (make-hasheq)))
+
+(define (by-symbol names)
+  (for/fold ([table (hasheq)]) ([name (in-list names)])
+    (hash-update table (syntax-e name) (lambda (others) (cons name others)) '())))
+
+(define (plain id)
+  (syntax-local-identifier-as-binding (syntax-local-introduce id)))
+
+(define (find good? xs)
+  (for/first ([x (in-list xs)] #:when (good? x)) x))
+
+;; ---------------------------------------------------------------------------
+;; Definitions met so far
+
+(define (defined? ds id) (and (definition-of ds (plain id)) #t))
+
+(define (definition-of ds name)
+  (find (lambda (d) (bound-identifier=? name (definition-name d)))
+        (hash-ref (definitions-met ds) (syntax-e name) '())))
+
+;; A variable may be defined again, a macro may not, nor a variable as a macro.
+(define (add-variable! ds id)
+  (define name (plain id))
+  (define before (definition-of ds name))
+  (cond [(not before) (add! ds name #f)]
+        [(definition-macro? before) (raise-defined-again before id)]))
+
+(define (add-macro! ds id)
+  (define name (plain id))
+  (define before (definition-of ds name))
+  (when before (raise-defined-again before id))
+  (add! ds name #t))
+
+(define (add! ds name macro?)
+  (hash-update! (definitions-met ds) (syntax-e name)
+                (lambda (others) (cons (definition name macro?) others)) '()))
+
+(define (raise-defined-again before id)
+  (define line (syntax-line (definition-name before)))
+  (raise-syntax-error
+   #f
+   (format "already defined~a; in a module only variables and functions may be defined again, not macros or structure types"
+           (if line (format ", on line ~a" line) ""))
+   id))
+
+;; The variables used before their definition and not met yet: ((symbol . line) ...).
+(define (later-definitions ds)
+  (for/list ([name (in-list (definitions-early ds))] #:unless (definition-of ds name))
+    (cons (syntax-e name) (syntax-line name))))
+
+;; ---------------------------------------------------------------------------
+;; Definitions in the text
+
+;; Where the text of the module defines this name first, or #f.
+(define (defining-occurrence ds id)
+  (define others (hash-ref (definitions-shown ds) (syntax-e id) '()))
+  (define name (and (pair? others) (find (same-name? (plain id)) others)))
+  (and name (syntax-local-introduce name)))
+
+;; Is it used before its definition?
+(define (used-early? ds id)
+  (and (find (same-name? (plain id)) (definitions-early ds)) #t))
+
+;; The form, marked if it is one of several definitions of a name: that is to be
+;; a variable, while Racket makes a macro of a function with keywords.
+(define (mark-variable ds form)
+  (define id (defined-by-define form))
+  (define name (and id (plain id)))
+  (if (and name
+           (or (find (same-name? name) (definitions-repeated ds)) (definition-of ds name)))
+      (syntax-property form 'as-variable #t)
+      form))

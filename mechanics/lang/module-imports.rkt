@@ -1,0 +1,69 @@
+#lang racket/base
+;; Names that a module both imports and defines.
+
+(require racket/require-transform
+         "module-definitions.rkt"
+         (for-template racket/base "start-with.rkt"))
+
+(provide starts-outside require-without-clashes)
+
+(define (append-map f . xss) (apply append (apply map f xss)))
+
+;; ---------------------------------------------------------------------------
+;; From the language, or from the module around a submodule
+
+;; Forms that define these names as what they mean outside the module, if anything.
+(define (starts-outside ids)
+  (append-map
+   (lambda (id)
+     (define binding (identifier-binding id))
+     (if (and (pair? binding) (outside? (car binding)))
+         (list #`(start-with #,id #,(bound-as (syntax-e id) binding)))
+         '()))
+   ids))
+
+(define (outside? index)
+  (define-values (path base) (module-path-index-split index))
+  (and path #t))
+
+;; An identifier with this binding, whatever else its name may mean.
+(define (bound-as name binding)
+  (syntax-binding-set->syntax
+   (syntax-binding-set-extend (syntax-binding-set) name 0 (car binding)
+                              #:source-symbol (cadr binding))
+   name))
+
+;; ---------------------------------------------------------------------------
+;; By `require`
+
+;; Forms for a `require` of names that the module defines: they are not imported,
+;; but those used or defined before get the values that would be.  #f for all
+;; other forms.
+(define (require-without-clashes ds form)
+  (syntax-case form (require)
+    [(require spec ...)
+     (let* ([specs (syntax->list #'(spec ...))]
+            [clashes (for/list ([spec (in-list specs)]) (clashing-names ds spec))])
+       (and (ormap pair? clashes)
+            (append-map (lambda (spec ids) (without-clashes ds spec ids)) specs clashes)))]
+    [_ #f]))
+
+(define (clashing-names ds spec)
+  (define-values (imports sources) (expand-import spec))
+  (for/list ([i (in-list imports)]
+             #:when (and (eqv? (import-mode i) 0)
+                         (defining-occurrence ds (import-local-id i))))
+    (import-local-id i)))
+
+(define (without-clashes ds spec ids)
+  (define wanted (filter (lambda (id) (or (used-early? ds id) (defined? ds id))) ids))
+  (define hidden (for/list ([id (in-list wanted)]) (datum->syntax #'here (syntax-e id))))
+  (append
+   (list (if (null? ids) #`(require #,spec) #`(require (except-in #,spec #,@ids))))
+   (if (null? wanted) '() (list #`(require (only-in #,spec #,@(map list wanted hidden)))))
+   (for/list ([id (in-list wanted)] [h (in-list hidden)])
+     #`(start-with #,(defining-occurrence ds id) #,(as-if-written h)))))
+
+;; For editors, which tell a library that is not used by what is written.
+(define (as-if-written id)
+  (syntax-property id 'original-for-check-syntax #t))

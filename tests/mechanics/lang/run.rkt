@@ -1,0 +1,85 @@
+#lang racket/base
+;; Running modules that are given as text, and prompts.
+
+(require (only-in mechanics)
+         racket/port
+         racket/string)
+
+(provide lines run-module run-submodule declare instantiate namespace syntax-message
+         session answers)
+
+(define-namespace-anchor here)
+
+(define (lines . ls) (string-append* (map (lambda (l) (string-append l "\n")) ls)))
+
+;; What a module given as text prints when it is run.
+(define (run-module . text)
+  (with-output-to-string (lambda () (instantiate (declare (apply lines text))))))
+
+;; The name under which the module is declared.
+(define (declare text)
+  (define port (open-input-string text))
+  (port-count-lines! port)
+  (define name (string->uninterned-symbol "example"))
+  (parameterize ([read-accept-reader #t]
+                 [read-accept-lang #t]
+                 [current-namespace (namespace)]
+                 [current-module-declare-name (make-resolved-module-path name)])
+    (eval (read-syntax 'example port)))
+  name)
+
+(define namespace
+  (let ([n #f])
+    (lambda ()
+      (unless n
+        (set! n (namespace-anchor->empty-namespace here))
+        (parameterize ([current-namespace n]) (namespace-require 'racket/base)))
+      n)))
+
+(define (instantiate name)
+  (parameterize ([current-namespace (namespace)])
+    (dynamic-require (make-resolved-module-path name) #f)))
+
+;; What the submodule `name` of a module given as text prints when it is run, the
+;; module before it.
+(define (run-submodule name . text)
+  (with-output-to-string
+    (lambda ()
+      (define enclosing (declare (apply lines text)))
+      (parameterize ([current-namespace (namespace)])
+        (dynamic-require `(submod ',enclosing ,name) #f)))))
+
+(define (syntax-message . text)
+  (with-handlers ([exn:fail:syntax? exn-message])
+    (declare (apply lines text))
+    "no error"))
+
+(define racket (find-system-path 'exec-file))
+
+(define racket-program
+  (if (absolute-path? racket) racket (or (find-executable-path racket) racket)))
+
+;; What `racket argument ...` writes, given these lines as input: the output
+;; without prompts, and the errors.
+(define (session arguments . input)
+  (define-values (process out in err)
+    (apply subprocess #f #f #f racket-program (append arguments '("-q"))))
+  (write-string (apply lines input) in)
+  (close-output-port in)
+  (define errors (port->string err))
+  (define output (port->string out))
+  (close-input-port out)
+  (close-input-port err)
+  (subprocess-wait process)
+  (values (without-prompts output) errors))
+
+(define (without-prompts text)
+  (for/list ([line (string-split text "\n")]
+             #:unless (regexp-match? #rx"^Welcome" line)
+             [answer (in-value (regexp-replace #rx"^(> )*" line ""))]
+             #:unless (equal? answer ""))
+    answer))
+
+(define (answers . input)
+  (define-values (output errors) (apply session '("-I" "mechanics") input))
+  output)
