@@ -9,6 +9,7 @@
 (require racket/flonum
          "cache.rkt" "program.rkt" "trace.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
+         "../numeric/failure.rkt"
          "../value/shape.rkt")
 
 (provide
@@ -105,7 +106,7 @@
   (define (complain x) (raise-not-a-number who "value" x))
   (define outputs (flvector-length (structure->flvector shape complain)))
   (define (run input output)
-    (define value (f (flvector->structure example input)))
+    (define value (value-or-nan f (flvector->structure example input) shape))
     (define v (structure->flvector value (lambda (x) (if (number? x) +nan.0 (complain x)))))
     (unless (= (flvector-length v) outputs)
       (raise-arguments-error who "the function's value has changed its shape"
@@ -113,6 +114,13 @@
     (for ([x (in-flvector v)] [k (in-naturals)]) (flvector-set! output k x)))
   (compiled-function (lambda () run)
                      (flvector-length point) outputs shape #f reason (value->datum f)))
+
+;; As compiled code does, where a matrix has no inverse or an exact zero divides.
+(define (value-or-nan f x shape)
+  (define (nan e) (scalars->structure shape (lambda (k) +nan.0)))
+  (with-handlers ([exn:fail:mechanics:singular? nan]
+                  [exn:fail:contract:divide-by-zero? nan])
+    (f x)))
 
 ;; Racket's own tests, `number?` in a file that is not written in mechanics, say,
 ;; take a placeholder for what it is.  So the code is compared with the function, at

@@ -48,8 +48,20 @@
   (function-of-state
    who L dissipation Q
    (lambda (state)
+     (check-velocity who state)
      (with-handlers ([exn:fail:mechanics:singular:matrix? raise-no-inertia])
        (solve-linear-left (mass state) (force state))))))
+
+;; Differences show late otherwise, as parts of equations that cannot be added.
+(define (check-velocity who state)
+  (define-values (q v) (values (coordinate state) (velocity state)))
+  (unless (same-shape? q v)
+    (raise
+     (exn:fail:contract
+      (format "~a: the velocities are of another shape than the coordinates~a~a" who
+              (format "\n  coordinates: ~a" (value->text q))
+              (format "\n  velocities: ~a" (value->text v)))
+      (current-continuation-marks)))))
 
 ;; A null vector of the mass matrix is a direction in which a change of velocity
 ;; changes no momentum.

@@ -1,19 +1,33 @@
 #lang racket/base
 ;; What integration is asked, checked once, at the edge.
 
-(require "../generic/describe.rkt" "../generic/function.rkt"
-         "../algebra/expression.rkt")
+(require racket/flonum
+         "../algebra/expression.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         "../value/shape.rkt")
 
-(provide check-real check-positive check-tolerance check-monitor check-clock)
+(provide
+ ;; numbers
+ check-real check-positive check-tolerance check-longest check-most
+ ;; procedures
+ check-monitor check-maker takes-state-only? raise-arguments
+ ;; states and their derivatives
+ state-vector check-derivative check-clock)
+
+(define (complain text . parts)
+  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))
+
+;; ---------------------------------------------------------------------------
+;; Numbers
 
 (define (check-real who what x)
   (unless (and (real? x) (< (abs x) +inf.0))
-    (complain who (format "expected a ~a that is a real number" what) x)))
+    (complain-of who (format "expected a ~a that is a real number" what) x)))
 
-(define (check-positive who what x)
+(define (check-positive who what x [hint ""])
   (check-real who what x)
   (unless (positive? x)
-    (complain who (format "expected a positive ~a" what) x)))
+    (complain-of who (format "expected a positive ~a" what) x hint)))
 
 ;; The least that is told apart from rounding.
 (define least-tolerance 1e-15)
@@ -21,19 +35,120 @@
 (define (check-tolerance who x)
   (check-positive who "tolerance" x)
   (unless (>= x least-tolerance)
-    (complain who "the tolerance is below the rounding error of flonums, about 1e-15" x)))
+    (complain-of who "the tolerance is below the rounding error of flonums, about 1e-15" x)))
+
+(define (check-longest who x)
+  (unless (eqv? x +inf.0) (check-positive who "longest step" x)))
+
+(define (check-most who x)
+  (unless (or (eqv? x +inf.0) (exact-positive-integer? x))
+    (complain-of who "expected the most steps to take, a positive integer" x)))
+
+(define (complain-of who what x [hint ""])
+  (complain "~a: ~a\n  given: ~a~a" who what (describe-with-value x)
+            (if (symbolic? x) "\n  give its symbols values first" hint)))
+
+;; ---------------------------------------------------------------------------
+;; Procedures
 
 (define (check-monitor who f)
   (unless (and (procedure? f) (accepts? f 1))
-    (complain who "expected a monitor, a procedure of one state" f)))
+    (complain "~a: expected a monitor, a procedure of one state\n  given: ~a~a" who
+              (describe-with-value f)
+              (if (procedure? f) (format ", which takes ~a" (arity->text f)) ""))))
+
+;; maker : what is to make a state derivative of that many parameters
+(define (check-maker who maker parameters)
+  (unless (procedure? maker)
+    (complain "~a: expected a procedure that makes a state derivative\n  given: ~a"
+              who (describe-with-value maker)))
+  (unless (or (accepts? maker (length parameters)) (takes-state-only? maker parameters))
+    (complain
+     (string-append
+      "~a: expected as many parameters as the maker of the state derivative takes"
+      "\n  maker: ~a, which takes ~a\n  parameters: ~a~a")
+     who (describe-with-value maker) (arity->text maker)
+     (if (null? parameters) "none" (value->text parameters))
+     (if (takes-state-only? maker '())
+         "\n  a state derivative itself is given without parameters"
+         ""))))
+
+;; The state derivative itself may stand for the procedure of no parameters that
+;; makes it.
+(define (takes-state-only? f ps)
+  (and (null? ps) (accepts? f 1) (not (accepts? f 0))))
+
+;; datum : what the procedure prints as; takes : what it takes, in words
+(define (raise-arguments datum takes arguments)
+  (define n (length arguments))
+  (raise
+   (exn:fail:contract:arity
+    (format "~a: takes ~a\n  given: ~a" (value->text datum) takes
+            (cond [(= n 0) "no arguments"]
+                  [(= n 1) (describe-with-value (car arguments))]
+                  [else (format "~a arguments" n)]))
+    (current-continuation-marks))))
+
+;; ---------------------------------------------------------------------------
+;; States and their derivatives
+
+(define (state-vector who state)
+  (define (fail x) (raise-no-state who state x))
+  (define y (structure->flvector state fail))
+  (when (eqv? (flvector-length y) 0)
+    (raise-arguments-error who "a state without components has no motion" "state" state))
+  (for ([x (in-flvector y)])
+    (unless (< (abs x) +inf.0) (fail x)))
+  y)
+
+(define (raise-no-state who state x)
+  (complain "~a: expected a state of real numbers; ~a is none\n  state: ~a~a"
+            who (describe-with-value x) (value->text state)
+            (cond [(pair? x) "\n  a list is not a tuple; use (up x y ...)"]
+                  [(symbolic? x) "\n  give its symbols values first"]
+                  [else ""])))
+
+;; -> the value of the derivative at the state
+(define (check-derivative who derivative state)
+  (define y (state-vector who state))
+  (unless (and (procedure? derivative) (accepts? derivative 1))
+    (complain "~a: expected a state derivative, a function of the state\n  given: ~a~a"
+              who (describe-with-value derivative)
+              (if (procedure? derivative)
+                  (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
+                          (arity->text derivative) (value->text derivative))
+                  "")))
+  (define slope (derivative (flvector->structure state y)))
+  (unless (same-shape? slope state)
+    (complain "~a: the state derivative is of another shape than the state~a~a~a"
+              who
+              (field "state" state) (field "derivative" slope)
+              (if (and (tuple? state) (real? slope))
+                  "\n  (Lagrangian->state-derivative L) makes a state derivative of a Lagrangian"
+                  "")))
+  (for ([x (in-list (scalars slope))])
+    (unless (number? x) (raise-no-derivative who slope x)))
+  slope)
+
+(define (raise-no-derivative who slope x)
+  (define symbols (if (symbolic? x) (free-symbols x) '()))
+  (cond [(pair? symbols)
+         (complain "~a: the symbol ~a is left in the state derivative~a\n  ~a"
+                   who (car symbols) (field "state derivative" slope)
+                   "give it as a parameter, or substitute a number for it")]
+        [else
+         (complain "~a: the state derivative holds ~a; expected real numbers~a"
+                   who (describe-with-value x) (field "state derivative" slope))]))
+
+;; The symbols in e that are not heads, in alphabetical order.
+(define (free-symbols e)
+  (define found (make-hasheq))
+  (node-fold e (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t))) void)
+  (sort (hash-keys found) symbol<?))
+
+(define (field label x) (format "\n  ~a: ~a" label (value->text x)))
 
 (define (check-clock who state clock?)
   (unless clock?
-    (complain who "the first component of the state is not the time: its derivative is not 1" state)))
-
-(define (complain who what x)
-  (raise
-   (exn:fail:contract
-    (format "~a: ~a\n  given: ~a~a" who what (describe-with-value x)
-            (if (symbolic? x) "\n  give its symbols values first" ""))
-    (current-continuation-marks))))
+    (complain-of who "the first component of the state is not the time: its derivative is not 1"
+                 state)))

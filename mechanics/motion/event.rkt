@@ -8,6 +8,7 @@
 ;; Jarratt 1971), false position in which the weight of an end that stays too long
 ;; is halved.  The value where a step begins is the one where the last step ended:
 ;; computed again it may differ by rounding, and a zero in between would be missed.
+;; A pole changes the sign as well, and is no zero.
 
 (require racket/flonum
          "../compile/compile-function.rkt"
@@ -15,7 +16,7 @@
 
 (provide event event? event-terminal?
          (struct-out occurrence)
-         watch-for)
+         watch-for (struct-out undefined))
 
 ;; f : state -> real; direction : 'rising, 'falling or 'both
 (struct event (f name direction terminal?)
@@ -29,7 +30,11 @@
 (define (event f #:name [name (procedure-datum f)]
                #:direction [direction 'both] #:terminal? [terminal? #f])
   (unless (and (procedure? f) (accepts? f 1))
-    (raise-argument-error 'event "a function of one state" f))
+    (raise
+     (exn:fail:contract
+      (format "event: expected a function of one state\n  given: ~a~a" (describe-with-value f)
+              (if (procedure? f) (format ", which takes ~a" (arity->text f)) ""))
+      (current-continuation-marks))))
   (unless (memq direction '(rising falling both))
     (raise-argument-error 'event "'rising, 'falling or 'both" direction))
   (make-event f name direction terminal?))
@@ -48,7 +53,10 @@
 ;; code : flvector flvector -> void; last : its value where the last step ended, or #f
 (struct watched (event code [last #:mutable]) #:authentic)
 
-;; -> (at -> ((theta . event) ...)): the events within a step, in their order, from
+;; An event whose function has no real value.
+(struct undefined (event) #:authentic)
+
+;; -> (at -> ((theta . event or undefined) ...)): what is within a step, in order, from
 ;; its interpolant; to be asked of each step in turn
 (define (watch-for who events state n)
   (define all (for/list ([e (in-list events)]) (watched e (event-code who e state) #f)))
@@ -60,8 +68,8 @@
     (flvector-ref value 0))
   (lambda (at)
     (sort (for*/list ([w (in-list all)]
-                      [theta (in-list (crossings! w (along at (watched-code w))))])
-            (cons theta (watched-event w)))
+                      [found (in-list (crossings! w (along at (watched-code w))))])
+            found)
           < #:key car)))
 
 (define (event-code who e state)
@@ -75,31 +83,36 @@
 ;; Where a step is looked at.
 (define places '(0.0 0.125 0.25 0.375 0.5 0.625 0.75 0.875 1.0))
 
-;; The zeros of g in (0, 1]; one at 0 belongs to the step before.
+;; The zeros of g in (0, 1], up to where it is undefined; one at 0 belongs to the step
+;; before.
 (define (crossings! w g)
-  (define direction (event-direction (watched-event w)))
+  (define e (watched-event w))
   (let loop ([a 0.0] [ga (or (watched-last w) (g 0.0))] [places (cdr places)])
-    (cond [(null? places)
+    (cond [(not (fl= ga ga)) (list (cons a (undefined e)))]
+          [(null? places)
            (set-watched-last! w ga)
            '()]
           [else
            (define b (car places))
            (define gb (g b))
            (define (rest) (loop b gb (cdr places)))
-           (if (crosses? ga gb direction)
-               (cons (zero-between g a ga b gb) (rest))
-               (rest))])))
+           (define zero
+             (and (crosses? ga gb (event-direction e)) (zero-between g a ga b gb)))
+           (if zero (cons (cons zero e) (rest)) (rest))])))
 
 ;; From a sign to the other or to zero; from zero to a sign is no crossing.
 (define (crosses? ga gb direction)
   (or (and (fl< ga 0.0) (fl>= gb 0.0) (not (eq? direction 'falling)))
       (and (fl> ga 0.0) (fl<= gb 0.0) (not (eq? direction 'rising)))))
 
+;; -> a place, or #f if there is a pole instead
 (define (zero-between g a ga b gb)
+  (define least (flmin (flabs ga) (flabs gb)))
+  (define (unless-pole x gx) (and (fl<= (flabs gx) least) x))
   (let loop ([a a] [ga ga] [b b] [gb gb] [count 0])
     (define c (fl- b (fl/ (fl* gb (fl- b a)) (fl- gb ga))))
-    (cond [(or (fl= gb 0.0) (fl= c b) (= count 100)) b]
-          [(fl<= (flabs (fl- b a)) 1e-15) b]
+    (cond [(or (fl= gb 0.0) (fl= c b) (= count 100) (fl<= (flabs (fl- b a)) 1e-15))
+           (unless-pole b gb)]
           [else
            (define gc (g c))
            (if (fl< (fl* gc gb) 0.0)

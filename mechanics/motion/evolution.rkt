@@ -2,13 +2,14 @@
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
 (require racket/flonum
-         "check.rkt" "choice.rkt" "method.rkt" "system.rkt"
-         "../numeric/failure.rkt" "../numeric/ode/integrate.rkt"
+         "check.rkt" "choice.rkt" "method.rkt" "separable.rkt" "stuck.rkt" "system.rkt"
+         "../numeric/ode/integrate.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt")
 
 (provide state-advancer evolve
          ;; for trajectories and single steps
-         run-system start-time default-tolerance system-by-shape raise-stuck made-by)
+         (struct-out plan) make-plan run-system stuck-in start-time default-tolerance
+         system-by-shape made-by)
 
 (define default-tolerance 1e-10)
 
@@ -16,10 +17,11 @@
 ;; continue : state, duration, a length for the next step -> the result
 (define (state-advancer derivative-maker . parameters)
   (define system-for (system-by-shape 'state-advancer derivative-maker parameters))
-  (define (advance state duration [tolerance default-tolerance] [continue state-alone]
-                   #:method [method (ode-integration-method)])
+  (define datum (made-by 'state-advancer derivative-maker parameters))
+  (define (advance plan-with state duration
+                   [tolerance default-tolerance] [continue state-alone])
+    (define p (plan-with tolerance))
     (check-real 'state-advancer "duration" duration)
-    (check-tolerance 'state-advancer tolerance)
     (define s (system-for state))
     (define y (state-vector 'state-advancer state))
     (define start (start-time s y))
@@ -28,22 +30,27 @@
       (set! longest (flmax longest (flabs (fl- to from))))
       #t)
     (define last
-      (run-system 'state-advancer s y start (fl+ start (real->double-flonum duration))
-                  tolerance method visit))
+      (run-system p s y start (fl+ start (real->double-flonum duration)) visit))
     (continue last duration (if (negative? duration) (fl- 0.0 longest) longest)))
-  (make-function advance 28 (made-by 'state-advancer derivative-maker parameters)))
+  (define (advance/keywords #:method [method (ode-integration-method)]
+                            #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
+                            . arguments)
+    (unless (<= 2 (length arguments) 4)
+      (raise-arguments (datum) "a state, a duration and perhaps a tolerance" arguments))
+    (apply advance (planning 'state-advancer method longest most) arguments))
+  (make-function advance/keywords 28 datum))
 
 (define (state-alone state duration next) state)
 
 ;; (evolve sysder p ...) : state, monitor, time step, final time, tolerance -> state
 (define (evolve derivative-maker . parameters)
   (define system-for (system-by-shape 'evolve derivative-maker parameters))
-  (define (follow state monitor step final [tolerance default-tolerance]
-                  #:method [method (ode-integration-method)])
+  (define datum (made-by 'evolve derivative-maker parameters))
+  (define (follow plan-with state monitor step final [tolerance default-tolerance])
+    (define p (plan-with tolerance))
     (check-monitor 'evolve monitor)
-    (check-positive 'evolve "time step" step)
+    (check-positive 'evolve "time step" step "\n  the final time says whether to go forwards or back")
     (check-real 'evolve "final time" final)
-    (check-tolerance 'evolve tolerance)
     (define s (system-for state))
     (check-clock 'evolve state (system-clock? s))
     (define y (state-vector 'evolve state))
@@ -52,37 +59,59 @@
     (define (show y) (monitor (system-state s y)))
     (show y)
     (define last
-      (run-system 'evolve s y start end tolerance method
+      (run-system p s y start end
                   (sampler start end (real->double-flonum step) (flvector-length y) show)))
     (unless (fl= start end) (monitor last))
     last)
-  (make-function follow 48 (made-by 'evolve derivative-maker parameters)))
+  (define (follow/keywords #:method [method (ode-integration-method)]
+                           #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
+                           . arguments)
+    (unless (<= 4 (length arguments) 5)
+      (raise-arguments (datum) evolve-takes arguments))
+    (apply follow (planning 'evolve method longest most) arguments))
+  (make-function follow/keywords 48 datum))
+
+(define evolve-takes "a state, a monitor, a time step, a final time and perhaps a tolerance")
 
 (define ((made-by who derivative-maker parameters))
   (cons who (map value->datum (cons derivative-maker parameters))))
 
 ;; ---------------------------------------------------------------------------
+;; How to integrate
+
+;; who : on whose behalf; longest, most : of steps
+(struct plan (who tolerance method longest most) #:authentic)
+
+(define (make-plan who tolerance method [longest +inf.0] [most +inf.0])
+  (check-tolerance who tolerance)
+  (check-longest who longest)
+  (check-most who most)
+  (plan who (real->double-flonum tolerance) (method-of who method)
+        (real->double-flonum longest) most))
+
+(define ((planning who method longest most) tolerance)
+  (make-plan who tolerance method longest most))
 
 ;; A state without a clock starts at 0.
 (define (start-time s y) (if (system-clock? s) (flvector-ref y 0) 0.0))
 
-;; A failure carries (kept state), given the last state that was good.
-(define (run-system who s y start end tolerance method visit [kept values])
-  (define m (method-of who method))
+;; visit : as in integrate; a failure carries (kept state), given the last state that
+;; was good
+(define (run-system p s y start end visit [kept values])
+  (define m (plan-method p))
+  (check-separable (plan-who p) m s y)
   (define-values (t last)
     (integrate m (system-right-hand-side s m) y start end
-               #:tolerance (real->double-flonum tolerance)
+               #:tolerance (plan-tolerance p)
+               #:longest (plan-longest p)
+               #:limit (plan-most p)
                #:clock (and (system-clock? s) 0)
                #:visit visit
-               #:stuck (raise-stuck who s kept)
-               #:name who))
+               #:stuck (stuck-in p s kept)))
   (system-state s last))
 
-(define ((raise-stuck who s [kept values]) t y)
-  (define state (system-state s y))
-  (raise-singular who "the motion cannot be followed any further" (kept state)
-                  "time" t
-                  "last state" state))
+(define ((stuck-in p s [kept values]) t y why)
+  (raise-stuck (plan-who p) s (plan-method p) t y why (kept (system-state s y))))
 
 ;; Shows the states at start + step, start + 2 step ... before the end.
 (define (sampler start end step n show)

@@ -6,20 +6,22 @@
 ;; decides something by a parameter, it is compiled for that one.
 
 (require racket/flonum racket/promise racket/unsafe/ops
+         "check.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/structure.rkt"
          "../numeric/ode/differentiated.rkt" "../numeric/ode/stepper.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 
-(provide (struct-out system) make-system make-parametric-system check-maker
-         system-right-hand-side system-state system-size state-vector)
+(provide (struct-out system) make-system make-parametric-system
+         system-right-hand-side system-state system-size)
 
 ;; shape : a state; clock? : is its first scalar the time, with derivative 1?
+;; derivative     : state -> state
 ;; make-slope!    : -> (y dy -> void), for one integration
 ;; make-jacobian! : -> (y J -> void), for one integration, or #f if the derivative
 ;;                  cannot be differentiated; compiled when first asked for
-(struct system (shape clock? make-slope! make-jacobian!) #:authentic)
+(struct system (shape clock? derivative make-slope! make-jacobian!) #:authentic)
 
 ;; What a method integrates.
 (define (system-right-hand-side s m)
@@ -31,15 +33,6 @@
 
 (define (system-size s) (shape-length (system-shape s)))
 
-(define (state-vector who state)
-  (define (complain x) (raise-not-a-number who state x))
-  (define y (structure->flvector state complain))
-  (when (eqv? (flvector-length y) 0)
-    (raise-arguments-error who "a state without components has no motion" "state" state))
-  (for ([x (in-flvector y)])
-    (unless (< (abs x) +inf.0) (complain x)))
-  y)
-
 ;; derivative : state -> state
 (define (make-system who derivative state)
   (define slope (check-derivative who derivative state))
@@ -50,7 +43,7 @@
     (if (and clock? (compiled-function-reason code)) (on-time who run) run))
   (define jacobian
     (delay/sync (compile-jacobian who (lambda (s) (derivative-at derivative s)) state)))
-  (system state clock?
+  (system state clock? derivative
           slope!
           (lambda () (let ([c (force jacobian)]) (and c (compiled-function-runner c))))))
 
@@ -83,15 +76,10 @@
      (define ps (structure->flvector inputs values))
      (define (with-parameters c) (fix-parameters c n ps))
      (if code
-         (system state (clock-first? code)
+         (system state (clock-first? code) derivative
                  (lambda () (with-parameters code))
                  (lambda () (let ([c (force jacobian)]) (and c (with-parameters c)))))
          (fixed))]))
-
-;; The state derivative itself may stand for the procedure of no parameters that
-;; makes it.
-(define (takes-state-only? f ps)
-  (and (null? ps) (accepts? f 1) (not (accepts? f 0))))
 
 ;; n : how many scalars a state has
 (define (fix-parameters code n ps)
@@ -128,47 +116,9 @@
 (define ((on-time who run) y dy)
   (run y dy)
   (define rate (flvector-ref dy 0))
-  (unless (fl= rate 1.0)
+  (unless (or (fl= rate 1.0) (not (fl= rate rate)))
     (raise-arguments-error
      who "the first component of the state was taken for the time, but its derivative varies"
      "at the start" 1
      "now" rate
      "if it is not the time" (unquoted-printing-string "let its derivative be 1.0 at the start"))))
-
-;; ---------------------------------------------------------------------------
-;; Checks
-
-(define (check-derivative who derivative state)
-  (define y (state-vector who state))
-  (check-function who derivative "a state derivative, a function of the state")
-  (define slope (derivative (flvector->structure state y)))
-  (unless (same-shape? slope state)
-    (raise-arguments-error
-     who "the state derivative is of another shape than the state"
-     "state" state
-     "derivative" slope))
-  slope)
-
-;; maker : what is to make a state derivative of that many parameters
-(define (check-maker who maker parameters)
-  (unless (procedure? maker)
-    (complain "~a: expected a procedure that makes a state derivative\n  given: ~a"
-              who (describe-with-value maker)))
-  (unless (or (accepts? maker (length parameters)) (takes-state-only? maker parameters))
-    (complain
-     (string-append
-      "~a: expected as many parameters as the maker of the state derivative takes"
-      "\n  maker: ~a, which takes ~a\n  parameters: ~a~a")
-     who (describe-with-value maker) (arity->text maker)
-     (if (null? parameters) "none" (value->text parameters))
-     (if (takes-state-only? maker '())
-         "\n  a state derivative itself is given without parameters"
-         ""))))
-
-(define (raise-not-a-number who state x)
-  (complain "~a: expected a state of real numbers; ~a is none\n  state: ~a~a"
-            who (describe-with-value x) (value->text state)
-            (if (pair? x) "\n  a list is not a tuple; use (up x y ...)" "")))
-
-(define (complain text . parts)
-  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))

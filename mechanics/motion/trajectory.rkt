@@ -7,7 +7,7 @@
 
 (require racket/flonum
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "system.rkt"
-         "../generic/describe.rkt" "../numeric/ode/vectors.rkt")
+         "../generic/describe.rkt" "../numeric/failure.rkt" "../numeric/ode/vectors.rkt")
 
 (provide evolve-trajectory
          trajectory? trajectory-start trajectory-end trajectory-final-state
@@ -43,6 +43,11 @@
 ;; The states at the given times, or at the ends of the steps.
 (define (trajectory-states tr [times #f])
   (check-trajectory 'trajectory-states tr)
+  (unless (or (not times) (list? times))
+    (raise (exn:fail:contract
+            (format "trajectory-states: expected a list of times\n  given: ~a"
+                    (describe-with-value times))
+            (current-continuation-marks))))
   (for/list ([t (or times (step-times tr))]) (state-at tr t)))
 
 (define (check-trajectory who tr)
@@ -58,9 +63,11 @@
 (define (evolve-trajectory derivative state end
                            #:tolerance [tolerance default-tolerance]
                            #:events [events '()]
-                           #:method [method (ode-integration-method)])
+                           #:method [method (ode-integration-method)]
+                           #:longest-step [longest +inf.0]
+                           #:most-steps [most +inf.0])
   (check-real 'evolve-trajectory "final time" end)
-  (check-tolerance 'evolve-trajectory tolerance)
+  (define p (make-plan 'evolve-trajectory tolerance method longest most))
   (define all-events (check-events events))
   (define s (make-system 'evolve-trajectory derivative state))
   (define y (state-vector 'evolve-trajectory state))
@@ -76,8 +83,11 @@
             [else
              (define e (cdar found))
              (define t (time-within from to (caar found)))
-             (set! occurrences
-                   (cons (occurrence e t (state-within s (step from to to at) t)) occurrences))
+             (define there (state-within s (step from to to at) t))
+             (when (undefined? e)
+               (record! from t to at)
+               (raise-undefined (undefined-event e) t there (so-far)))
+             (set! occurrences (cons (occurrence e t there) occurrences))
              (cond [(event-terminal? e) (record! from t to at) #f]
                    [else (loop (cdr found))])])))
   (define start (start-time s y))
@@ -85,9 +95,15 @@
   (define (so-far)
     (when (null? steps) (record! start start start stay))
     (trajectory (list->vector (reverse steps)) s (reverse occurrences)))
-  (run-system 'evolve-trajectory s y start (real->double-flonum end) tolerance method visit
-              (lambda (state) (so-far)))
+  (run-system p s y start (real->double-flonum end) visit (lambda (state) (so-far)))
   (so-far))
+
+;; so-far : the trajectory up to there
+(define (raise-undefined e t state so-far)
+  (raise-singular 'evolve-trajectory "the function of an event has no real value" so-far
+                  "event" e
+                  "time" t
+                  "state" state))
 
 ;; Reckoned from the nearer end, so that rounding does not lead beyond.
 (define (time-within from to theta)

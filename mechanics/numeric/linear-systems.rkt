@@ -177,7 +177,7 @@
     (define row (vector-ref rows k))
     (define j (vector-ref columns k))
     (define known (for/fold ([s 0.0]) ([a (in-vector row)] [y (in-vector x)]) (+ s (* a y))))
-    (vector-set! x j (- (/ known (vector-ref row j)))))
+    (vector-set! x j (- 0.0 (/ known (vector-ref row j)))))
   (define greatest
     (for/fold ([best 0.0]) ([y (in-vector x)]) (if (> (magnitude y) (magnitude best)) y best)))
   (for/vector #:length (vector-length x) ([y (in-vector x)]) (/ y greatest)))

@@ -19,8 +19,14 @@
 ;;         thunk that makes its interpolant (stepper.rkt); the integration ends
 ;;         there if it returns #f
 ;; clock : index of the component of y that is the time, to be kept exact, or #f
-;; stuck : called with a time and a copy of the state there if no step is short
-;;         enough to go on; it does not return
+;; stuck : called with a time, a copy of the state there and the reason why the
+;;         integration cannot go on from there; it does not return.  Reasons:
+;;         'no-slope     f is not finite there
+;;         'step-fails   a step of the length that the method always takes fails
+;;         'step-too-short   the error demands steps too short to change the time, or
+;;                       steps are of such a length
+;;         'boundary     f is not finite beyond
+;;         'too-many-steps   as many were taken as allowed
 ;; -> the time reached and the state there, an flvector
 (define (integrate m f! y0 start end
                    #:tolerance [tolerance 1e-10]
@@ -28,23 +34,25 @@
                    #:limit [limit +inf.0]
                    #:clock [clock #f]
                    #:visit [visit (lambda (from to interpolant) #t)]
-                   #:stuck [stuck raise-stuck]
-                   #:name [who 'integrate])
+                   #:stuck [stuck raise-stuck])
   (define s ((method-start m) f! y0))
+  (define give-up (giving-up f! s stuck))
   (define sign (if (fl< end start) -1.0 1.0))
   (define tolerated (step-tolerance tolerance))
   (define first
     (or (method-step m)
         (flmin longest (first-length m s f! tolerated sign (flabs (fl- end start))))))
-  (let loop ([t start] [h first] [count 0])
+  (let loop ([t start] [h first] [count 0] [failures 0])
     (cond
       [(fl= t end) (values t (flvector-copy (stepper-state s)))]
-      [(>= count limit) (raise-too-many who limit t s)]
+      [(>= count limit) (give-up t 'too-many-steps)]
+      [(= failures most-failures) (give-up t 'boundary)]
       [else
-       (define-values (now next) (take-step m s tolerated t end sign (flmin longest h) stuck))
+       (define-values (now next finite?)
+         (take-step m s tolerated t end sign (flmin longest h) give-up))
        (when clock (flvector-set! (stepper-state s) clock now))
        (if (visit t now (stepper-interpolant s))
-           (loop now next (+ count 1))
+           (loop now next (+ count 1) (if finite? 0 (+ failures 1)))
            (values now (flvector-copy (stepper-state s))))])))
 
 ;; One step of at most the length |h| in the direction of h.
@@ -55,9 +63,9 @@
                         #:stuck [stuck raise-stuck])
   (define s ((method-start m) f! y0))
   (define sign (if (fl< h 0.0) -1.0 1.0))
-  (define-values (now next)
+  (define-values (now next finite?)
     (take-step m s (step-tolerance tolerance) t (fl+ t h) sign
-               (or (method-step m) (flabs h)) stuck))
+               (or (method-step m) (flabs h)) (giving-up f! s stuck)))
   (when clock (flvector-set! (stepper-state s) clock now))
   (values now (flvector-copy (stepper-state s)) (fl* sign next)))
 
@@ -65,10 +73,16 @@
 ;; not less than rounding takes.
 (define (step-tolerance tolerance) (flmax 4e-16 (fl* 0.1 tolerance)))
 
-;; -> the time after the step and the length of the next one
-(define (take-step m s tolerance t end sign h stuck)
+;; Towards a place beyond which f is not finite, steps are taken that cover a part of
+;; the rest of the way, after others that failed.  A few tens of them lead to where
+;; rounding ends it, unless it is the state that no longer changes, and not the time.
+(define most-failures 100)
+
+;; -> the time after the step, the length of the next one, and whether no step was
+;; tried whose error is not finite
+(define (take-step m s tolerance t end sign h give-up)
   (define remaining (flabs (fl- end t)))
-  (let try ([h h])
+  (let try ([h h] [finite? #t])
     (define last? (fl>= h (fl* (fl- 1.0 1e-7) remaining)))
     (define length (if last? remaining h))
     (define error (fl/ ((stepper-try! s) (fl* sign length)) tolerance))
@@ -77,20 +91,28 @@
        (define now (if last? end (fl+ t (fl* sign length))))
        (define next (if (method-step m) h (next-length m length error)))
        (when (and (fl= now t) (fl<= next length)) ; time stands still
-         (stuck t (flvector-copy (stepper-state s))))
+         (give-up t 'step-too-short))
        ((stepper-accept! s))
-       (values now next)]
-      [(or (method-step m) (fl= (fl+ t (fl* 0.125 length)) t))
-       (stuck t (flvector-copy (stepper-state s)))]
-      [else (try (next-length m length error))])))
+       (values now next finite?)]
+      [(method-step m) (give-up t 'step-fails)]
+      [(fl= (fl+ t (fl* 0.125 length)) t) (give-up t 'step-too-short)]
+      [else (try (next-length m length error) (and finite? (fl< error +inf.0)))])))
 
 ;; ---------------------------------------------------------------------------
 
-(define (raise-stuck t y)
-  (raise-singular 'integrate "the motion cannot be followed any further" y
-                  "time" t
-                  "last state" y))
+(define ((giving-up f! s stuck) t why)
+  (define y (flvector-copy (stepper-state s)))
+  (stuck t y (if (or (eq? why 'too-many-steps) (finite-slope? f! y)) why 'no-slope)))
 
-(define (raise-too-many who limit t s)
-  (raise-not-convergent who "more steps than allowed" (flvector-copy (stepper-state s)) t
-                        "limit" limit))
+(define (finite-slope? f! y)
+  (define slope (make-flvector (flvector-length y)))
+  (f! y slope)
+  (flvector-finite? slope))
+
+(define (raise-stuck t y why)
+  (if (eq? why 'too-many-steps)
+      (raise-not-convergent 'integrate "more steps than allowed" y #f "time" t)
+      (raise-singular 'integrate "the motion cannot be followed any further" y
+                      "time" t
+                      "last state" y
+                      "reason" why)))

@@ -14,7 +14,9 @@
 ;; step  : the length of all steps, or #f if they follow the error
 ;; start : (f! y0) -> stepper; (f! y dy) stores f(y) in dy
 ;; jacobian? : does it ask for the derivatives of f (differentiated.rkt)?
-(struct method (name order step start jacobian?)
+;; alternative : of a method for separable systems alone (symplectic.rkt), what makes one
+;;         for all systems, h -> method; or #f
+(struct method (name order step start jacobian? alternative)
   #:authentic
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write
@@ -22,8 +24,9 @@
     (write (if (method-step m) (list (method-name m) (method-step m)) (method-name m)) port)))
 
 (define (adaptive-method name order start #:jacobian? [jacobian? #f])
-  (method name order #f start jacobian?))
-(define (fixed-step-method name order step start) (method name order step start #f))
+  (method name order #f start jacobian? #f))
+(define (fixed-step-method name order step start #:alternative [alternative #f])
+  (method name order step start #f alternative))
 
 ;; state       : the flvector of the present state, which steps overwrite
 ;; slope       : -> the flvector f(state), good until a step is tried

@@ -12,7 +12,7 @@
 ;; drift.  That takes steps of one length.
 
 (require racket/flonum
-         "shorter-step.rkt" "stepper.rkt" "vectors.rkt")
+         "gauss-legendre.rkt" "shorter-step.rkt" "stepper.rkt" "vectors.rkt")
 
 (provide leapfrog yoshida-4 yoshida-6 yoshida-8)
 
@@ -66,9 +66,10 @@
              -1.44485223686048 0.253693336566229 0.914844246229740))
 
 ;; Methods with steps of length h.
-(define ((composition name order weights) h) (fixed-step-method name order h (start weights)))
+(define ((composition name order weights alternative) h)
+  (fixed-step-method name order h (start weights) #:alternative alternative))
 
-(define leapfrog (composition 'leapfrog 2 '(1.0)))
-(define yoshida-4 (composition 'Yoshida-4 4 weights-4))
-(define yoshida-6 (composition 'Yoshida-6 6 weights-6))
-(define yoshida-8 (composition 'Yoshida-8 8 weights-8))
+(define leapfrog (composition 'leapfrog 2 '(1.0) gauss-legendre-2))
+(define yoshida-4 (composition 'Yoshida-4 4 weights-4 gauss-legendre-4))
+(define yoshida-6 (composition 'Yoshida-6 6 weights-6 gauss-legendre-6))
+(define yoshida-8 (composition 'Yoshida-8 8 weights-8 gauss-legendre-6))

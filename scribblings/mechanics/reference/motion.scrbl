@@ -17,11 +17,17 @@ The tolerance bounds the error of each step, relative to 1 plus the size of each
 component; the steps are as long as it lets them be. It is a positive number not below
 @racket[1e-15], and @racket[1e-10] unless given. Units are any consistent ones.
 
+Two keywords bound the steps of integration: @racket[#:longest-step], for what is so short
+that a long step would miss it, and @racket[#:most-steps], a number of steps after which
+@racket[exn:fail:mechanics:not-convergent] is raised. Neither has a bound unless given.
+
 @section{Advancing}
 
 @defproc[(state-advancer [system-derivative (-> real? ... (-> value value))]
                          [parameter any/c] ...)
-         (->* (value real?) (real? (-> value real? real? any) #:method integration-method?)
+         (->* (value real?)
+              (real? (-> value real? real? any) #:method integration-method?
+               #:longest-step real? #:most-steps exact-positive-integer?)
               any)]{
 
 @racket[system-derivative] makes a state derivative from parameters. The result is a
@@ -45,7 +51,8 @@ for a procedure of no parameters that makes it.
 
 A state whose derivative has another shape is an error that shows both. Where the
 motion cannot be followed any further, @racket[exn:fail:mechanics:singular] is raised,
-with the time and the last good state, which the exception carries.
+with the time, the reason as far as it is known, and the last good state, which the
+exception carries.
 
 @examples[#:eval session
 (define ((falling-in) (up t x v)) (up 1 v (/ -1 (square x))))
@@ -55,7 +62,10 @@ with the time and the last good state, which the exception carries.
 
 @defproc[(evolve [system-derivative (-> real? ... (-> value value))]
                  [parameter any/c] ...)
-         (->* (value (-> value any) real? real?) (real? #:method integration-method?) value)]{
+         (->* (value (-> value any) real? real?)
+              (real? #:method integration-method?
+               #:longest-step real? #:most-steps exact-positive-integer?)
+              value)]{
 
 The result is a procedure of a state with a time, a monitor, a time step, a final
 time, and perhaps a tolerance. It calls the monitor with the state at the start, after
@@ -115,12 +125,15 @@ reached or passed, in the direction of the first one.
 @defproc[(evolve-trajectory [derivative (-> value value)] [state value] [end real?]
                             [#:tolerance tolerance real? 1e-10]
                             [#:events events (or/c event? (listof event?)) '()]
-                            [#:method method integration-method? (ode-integration-method)])
+                            [#:method method integration-method? (ode-integration-method)]
+                            [#:longest-step longest real? +inf.0]
+                            [#:most-steps most (or/c exact-positive-integer? +inf.0) +inf.0])
          trajectory?]{
 
 The motion from @racket[state] to the time @racket[end] as a function of time. A state
 without a time begins at 0. If the motion cannot be followed to the end, the
-exception @racket[exn:fail:mechanics:singular] carries the trajectory so far.
+exception @racket[exn:fail:mechanics:singular] carries the trajectory so far, and so does
+@racket[exn:fail:mechanics:not-convergent] after too many steps.
 
 @examples[#:eval session
 (define pendulum (Lagrangian->state-derivative (L-pendulum 1 1 9.8)))
@@ -157,8 +170,10 @@ of the steps of integration, and the events found, in the order of time.
 
 An event happens when @racket[f], a function of the state, passes through zero: while
 it grows, falls, or either. Its time is found to the accuracy of the trajectory. A
-terminal event ends the trajectory. A zero at the start is no event; two zeros much
-closer than an eighth of a step of integration can be missed.
+terminal event ends the trajectory. A zero at the start is no event, and neither is a
+pole; two zeros much closer than an eighth of a step of integration can be missed. Where
+@racket[f] has no real value, @racket[exn:fail:mechanics:singular] carries the trajectory
+so far.
 
 @examples[#:eval session
 (define bottom (event coordinate #:name 'bottom #:direction 'falling))
@@ -234,14 +249,16 @@ Symplectic methods of orders 2, 4, 6 and 8 with steps of the length @racket[step
 energy of a conservative system does not drift, however long it is followed. They
 are for states of a time, @italic{n} coordinates and @italic{n} velocities or momenta,
 or without the time, in which the rates of the coordinates depend on the latter alone
-and those of the velocities do not depend on them. The tolerance has no effect. (H.
-Yoshida 1990.)
+and those of the velocities do not depend on them; other systems are refused. The tolerance
+has no effect. (H. Yoshida 1990.)
 
 @examples[#:eval session
 (define E (Lagrangian->energy (L-pendulum 1 1 9.8)))
 (define long
   (evolve-trajectory pendulum (up 0 1 0) 1000 #:method (leapfrog 0.02)))
-(map (lambda (t) (E (long t))) '(0 10 100 1000))]}
+(map (lambda (t) (E (long t))) '(0 10 100 1000))
+(define ((damped c) (up t θ v)) (up 1 v (- (* -9.8 (sin θ)) (* c v))))
+(eval:error (evolve-trajectory (damped 0.1) (up 0 1 0) 10 #:method (leapfrog 0.02)))]}
 
 @deftogether[(@defproc[(Gauss-Legendre-2 [step real?]) integration-method?]
               @defproc[(Gauss-Legendre-4 [step real?]) integration-method?]
@@ -250,6 +267,11 @@ Yoshida 1990.)
 Implicit methods of orders 2, 4 and 6 with steps of the length @racket[step],
 symplectic for Hamilton's equations of any Hamiltonian. The first one is the implicit
 midpoint rule. Where a step is too long to be solved for,
-@racket[exn:fail:mechanics:singular] is raised. (Hairer, Lubich and Wanner 2006.)}
+@racket[exn:fail:mechanics:singular] is raised. (Hairer, Lubich and Wanner 2006.)
+
+@examples[#:eval session
+(define ((stiff) (up t x v)) (up 1 v (* -1e4 x)))
+(eval:error
+ (evolve-trajectory (stiff) (up 0 1 0) 10 #:method (Gauss-Legendre-4 0.1)))]}
 
 @(close-session session)

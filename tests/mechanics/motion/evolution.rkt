@@ -158,7 +158,7 @@
              (lambda () ((evolve harmonic-state-derivative 2 1) (up 0 1 0) 3 0.1 1)))
   (check-exn #rx"of another shape than the state"
              (lambda () ((state-advancer (lambda () (lambda (s) (up 1 2)))) (up 0 1 0) 1)))
-  (check-exn #rx"symbol m is left in the function's value"
+  (check-exn #rx"symbol m is left in the state derivative"
              (lambda () ((state-advancer (lambda () (harmonic-state-derivative 1 'm))) (up 0 1 0) 1)))
   (check-exn #rx"evolve: expected a procedure that makes a state derivative\n  given: the number 3"
              (lambda () (evolve 3))))

@@ -134,7 +134,7 @@
   (check-equal? (format "~a" (leapfrog 0.5)) "(leapfrog 0.5)"))
 
 (test-case "mistakes about methods"
-  (check-exn #rx"expected a method of integration or the name of one.*given: 'unheard-of.*qcrk4"
+  (check-exn #rx"expected a method of integration or the name of one.*given: the symbol unheard-of.*qcrk4"
              (lambda () (set-ode-integration-method! 'unheard-of)))
   (check-exn #rx"evolve-trajectory: expected a method"
              (lambda () (evolve-trajectory oscillator (up 0 1 0) 1 #:method 4)))

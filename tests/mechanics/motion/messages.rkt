@@ -1,0 +1,127 @@
+#lang racket/base
+;; What integration says to what it was asked wrongly.
+
+(require mechanics
+         tests/mechanics/runner/messages)
+
+(define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))
+(define oscillator (harmonic 1 1))
+(define start (up 0 1 0))
+(define advance (state-advancer harmonic 1 1))
+(define follow (evolve harmonic 1 1))
+(define (until end #:tolerance [tolerance 1e-10] #:events [events '()]
+               #:method [method 'Dormand-Prince-853])
+  (evolve-trajectory oscillator start end #:tolerance tolerance #:events events #:method method))
+
+;; ---------------------------------------------------------------------------
+;; Arguments
+
+(says
+ [(advance start)
+  "(state-advancer harmonic 1 1): takes a state, a duration and perhaps a tolerance\n"
+  "  given: (up 0 1 0), an up tuple of 3"]
+ [(advance)
+  "(state-advancer harmonic 1 1): takes a state, a duration and perhaps a tolerance\n"
+  "  given: no arguments"]
+ [(advance start 1 1e-10 list 5)
+  "(state-advancer harmonic 1 1): takes a state, a duration and perhaps a tolerance\n"
+  "  given: 5 arguments"]
+ [(follow start void)
+  "(evolve harmonic 1 1): takes a state, a monitor, a time step, a final time and perhaps"
+  " a tolerance\n  given: 2 arguments"]
+ [(advance start 'T)
+  "state-advancer: expected a duration that is a real number\n  given: the symbol T\n"
+  "  give its symbols values first"]
+ [(advance start +inf.0)
+  "state-advancer: expected a duration that is a real number\n  given: the number +inf.0"]
+ [(advance start +nan.0)
+  "state-advancer: expected a duration that is a real number\n  given: the number +nan.0"]
+ [(advance start 1 -1)
+  "state-advancer: expected a positive tolerance\n  given: the number -1"]
+ [(advance start 1 0)
+  "state-advancer: expected a positive tolerance\n  given: the number 0"]
+ [(advance start 1 +nan.0)
+  "state-advancer: expected a tolerance that is a real number\n  given: the number +nan.0"]
+ [(advance start 1 +inf.0)
+  "state-advancer: expected a tolerance that is a real number\n  given: the number +inf.0"]
+ [(advance start 1 1e-16)
+  "state-advancer: the tolerance is below the rounding error of flonums, about 1e-15\n"
+  "  given: the number 1e-16"]
+ [(advance start 1 "1e-3")
+  "state-advancer: expected a tolerance that is a real number\n  given: \"1e-3\", a string"]
+ [(advance start 1 1e-10 #:longest-step 0)
+  "state-advancer: expected a positive longest step\n  given: the number 0"]
+ [(advance start 1 1e-10 #:most-steps 2.5)
+  "state-advancer: expected the most steps to take, a positive integer\n  given: the number 2.5"]
+ [(follow start void -0.1 1)
+  "evolve: expected a positive time step\n  given: the number -0.1\n"
+  "  the final time says whether to go forwards or back"]
+ [(follow start void +nan.0 1)
+  "evolve: expected a time step that is a real number\n  given: the number +nan.0"]
+ [(follow start void 0.1 +inf.0)
+  "evolve: expected a final time that is a real number\n  given: the number +inf.0"]
+ [(follow start (lambda (t s) s) 0.1 1)
+  "evolve: expected a monitor, a procedure of one state\n"
+  "  given: a function without a name, which takes 2 arguments"]
+ [(follow start 'print 0.1 1)
+  "evolve: expected a monitor, a procedure of one state\n  given: the symbol print"]
+ [(until 'T)
+  "evolve-trajectory: expected a final time that is a real number\n  given: the symbol T\n"
+  "  give its symbols values first"]
+ [(until 1 #:tolerance -1e-9)
+  "evolve-trajectory: expected a positive tolerance\n  given: the number -1e-9"])
+
+;; ---------------------------------------------------------------------------
+;; States, derivatives and parameters
+
+(says
+ [(advance (up 0 1 'v) 1)
+  "state-advancer: expected a state of real numbers; the symbol v is none\n  state: (up 0 1 v)\n"
+  "  give its symbols values first"]
+ [(advance (up 0 1+i 0) 1)
+  "state-advancer: expected a state of real numbers; the number 1+1i is none\n"
+  "  state: (up 0 1+1i 0)"]
+ [(advance (up 0 (up 1 2) (up 1 2 3)) 1)
+  "Lagrangian->state-derivative: the velocities are of another shape than the coordinates\n"
+  "  coordinates: (up 1.0 2.0)\n  velocities: (up 1.0 2.0 3.0)"]
+ [((state-advancer harmonic 1 'k) start 1)
+  "state-advancer: the symbol k is left in the state derivative\n"
+  "  state derivative: (up 1 0.0 (* -1.0 k))\n"
+  "  give it as a parameter, or substitute a number for it"]
+ [(evolve-trajectory (lambda (s) (up 1 (velocity s) (* 'g (coordinate s)))) start 1)
+  "evolve-trajectory: the symbol g is left in the state derivative\n"
+  "  state derivative: (up 1 0.0 (* 1.0 g))\n"
+  "  give it as a parameter, or substitute a number for it"]
+ [((state-advancer L-harmonic 1 1) start 1)
+  "state-advancer: the state derivative is of another shape than the state\n"
+  "  state: (up 0 1 0)\n  derivative: -0.5\n"
+  "  (Lagrangian->state-derivative L) makes a state derivative of a Lagrangian"]
+ [((state-advancer (lambda (k) (lambda (s) (up 1 k))) 2) start 1)
+  "state-advancer: the state derivative is of another shape than the state\n"
+  "  state: (up 0 1 0)\n  derivative: (up 1 2)"]
+ [(evolve-trajectory (lambda (s) (up 1 0 "fast")) start 1)
+  "evolve-trajectory: the state derivative holds \"fast\", a string; expected real numbers\n"
+  "  state derivative: (up 1 0 \"fast\")"]
+ [((state-advancer (lambda (k) k) 2) start 1)
+  "state-advancer: expected a state derivative, a function of the state\n  given: the number 2"])
+
+;; ---------------------------------------------------------------------------
+;; Methods and events
+
+(says
+ [(until 1 #:method leapfrog)
+  "evolve-trajectory: expected a method of integration or the name of one\n"
+  "  given: the procedure `leapfrog`\n"
+  "  a method with a fixed step is made of the step: (leapfrog 0.01)"]
+ [(until 1 #:method 'euler)
+  "evolve-trajectory: expected a method of integration or the name of one\n"
+  "  given: the symbol euler\n"
+  "  names: (Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5)"]
+ [(leapfrog -1) "leapfrog: expected a positive time step\n  given: the number -1"]
+ [(event harmonic)
+  "event: expected a function of one state\n"
+  "  given: the procedure `harmonic`, which takes 2 arguments"]
+ [(event 0) "event: expected a function of one state\n  given: the number 0"]
+ [(trajectory-states (until 1) 0.5)
+  "trajectory-states: expected a list of times\n  given: the number 0.5"])
