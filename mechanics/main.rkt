@@ -41,6 +41,7 @@
  definite-integral definite-integral-with-tolerance
  minimize brent-min golden-section-min multidimensional-minimize nelder-mead
  find-root newton-search bisect zbrent
+ D-numeric richardson-derivative
  ;; elliptic functions
  first-elliptic-integral second-elliptic-integral elliptic-integrals
  elliptic-integral-F elliptic-integral-E Jacobi-elliptic-functions

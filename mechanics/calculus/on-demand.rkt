@@ -1,12 +1,14 @@
 #lang racket/base
-;; Minima and roots, loaded when they are first looked for.
+;; Minima, roots and derivatives from values, loaded when they are first looked for.
 
 (require racket/lazy-require)
 
 (lazy-require
  ["minimum.rkt" (minimize brent-min golden-section-min
                  multidimensional-minimize nelder-mead)]
+ ["numeric-derivative.rkt" (D-numeric richardson-derivative)]
  ["root.rkt" (find-root newton-search bisect zbrent)])
 
 (provide minimize brent-min golden-section-min multidimensional-minimize nelder-mead
-         find-root newton-search bisect zbrent)
+         find-root newton-search bisect zbrent
+         D-numeric richardson-derivative)

@@ -370,6 +370,34 @@ Brent's method as it is called elsewhere: a list of whether a root was found wit
 (zbrent cos 1 2)
 (zbrent cos 1 2 1e-15 4)]}
 
+@deftogether[(@defproc[(D-numeric [f procedure?] [tolerance real? 1e-8]
+                                  [#:report report procedure?
+                                            (lambda (derivative error evaluations) derivative)])
+                       procedure?]
+              @defproc[(richardson-derivative [f procedure?] [tolerance real?]
+                                              [step (or/c real? #f) #f]
+                                              [#:report report procedure?
+                                                        (lambda (derivative error evaluations)
+                                                          derivative)])
+                       procedure?])]{
+
+The derivative of a function of a number from its values, by difference quotients
+extrapolated to small distances: for functions that compute with plain numbers. Of all
+others @racket[D] gives the exact one. The value of f may be a tuple. @racket[step] is the
+greatest distance at which f is called, a tenth of the argument, or of 1, unless told.
+
+@examples[#:eval session
+((D-numeric (lambda (t) (up (cos t) (sin t)))) 1)
+((richardson-derivative exp 1e-10 0.01 #:report list) 1)]
+
+The tolerance is relative to the derivative, or to the values of f over the first step.
+If it cannot be met, @racket[exn:fail:mechanics:not-convergent] carries the best value; at a
+kink, and where f has no values on both sides, there is no derivative.
+
+@examples[#:eval session
+(eval:error ((D-numeric abs) 0))
+(eval:error ((D-numeric (lambda (x) (if (< x 1) 0 1))) 1))]}
+
 @section{Elliptic functions}
 
 Of a modulus k between −1 and 1, its square being the parameter of some tables. They can be
