@@ -1,6 +1,7 @@
 #lang racket/base
 ;; The first definition of a variable that will be replaced: as what is imported
-;; under its name, unless that is a macro, which has no value.
+;; under its name, unless that is a macro without a value.  (A function with
+;; keywords is a macro with a value.)
 
 (require (for-syntax racket/base))
 
@@ -9,6 +10,12 @@
 (define-syntax (start-with stx)
   (syntax-case stx ()
     [(_ id imported)
-     (if (syntax-local-value #'imported (lambda () #f))
-         #'(begin)
-         #'(define-values (id) imported))]))
+     (if (expression? #'imported)
+         #'(define-values (id) imported)
+         #'(begin))]))
+
+(define-for-syntax (expression? id)
+  (or (not (syntax-local-value id (lambda () #f)))
+      (with-handlers ([exn:fail:syntax? (lambda (e) #f)])
+        (local-expand id 'expression '())
+        #t)))

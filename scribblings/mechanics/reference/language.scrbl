@@ -50,7 +50,7 @@ bottom, as a session at the prompt:
 @codeblock|{
 #lang mechanics
 (define (test-path t) (up (* 4 t) (* 3 t)))
-(define (speed t) (magnitude ((D test-path) t)))
+(define (speed t) (sqrt (square ((D test-path) t))))
 (speed 't)
 (define (test-path t) (up (* 5 t) (* 12 t)))
 (speed 't)

@@ -178,6 +178,14 @@
                         "square")
                 (lines "9" "'(mine 3)" "'(again 3)" "square")))
 
+(test-case "so may a function with keywords, which is a macro with a value"
+  (check-equal? (prints "(define ((L m) (up t q v)) (* 1/2 m (square v)))"
+                        "(define (residual) (((Lagrange-equations (L 'm)) cube) 't))"
+                        "(residual)"
+                        "(define (((Lagrange-equations L) q) t) 'mine)"
+                        "(residual)")
+                (lines "(* 6 m t)" "mine")))
+
 (test-case "a definition may wrap what the language exports"
   (check-equal? (prints "(define sin (compose square sin))" "(sin 't)" "(cos 't)")
                 (lines "(expt (sin t) 2)" "(cos t)"))
