@@ -37,7 +37,8 @@
   (unless (procedure? F)
     (raise
      (exn:fail:contract
-      (format "Noether-integral: the family ~a gives no coordinate transformation, a function of the local tuple, but ~a"
+      (format (string-append "Noether-integral: the family ~a gives no coordinate "
+                             "transformation, a function of the local tuple, but ~a")
               (value->text F-tilde) (describe-with-value F))
       (current-continuation-marks))))
   (define q (F local))

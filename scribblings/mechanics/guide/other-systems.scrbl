@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics mechanics/book) "../eval.rkt")
 
 @title[#:tag "other-systems"]{Coming from scmutils, Emmy, or a formula manipulator}
 
@@ -33,9 +33,14 @@ back.}
 @item{@racket[(* A B)] of structures contracts or is an outer product by the
 rules of the book; lengths that differ do not contract
 (@secref["contraction"]).}
-@item{@racket[Lagrange-equations] takes external forces as a keyword argument,
-@racket[#:force], and the order of the highest derivative in the Lagrangian as
-@racket[#:order].}
+@item{@racket[Lagrange-equations] takes a dissipation function after the Lagrangian, as
+there, external forces as a keyword argument, @racket[#:force], and the order of the highest
+derivative in the Lagrangian as @racket[#:order].}
+@item{What works on any system is in @racketmodname[mechanics]. The particular Lagrangians
+of the book, and those that scmutils has beside them, are in @racketmodname[mechanics/book]
+(@secref["reference-book"]).}
+@item{@racket[1+], @racket[iota], @racket[write-line], @racket[pp], @racket[runtime] and
+@racket[show-time] are there under MIT Scheme's names.}
 @item{@racket[minimize] returns a list of argument, value and number of steps, as
 in the book.}
 @item{Derivatives of functions that return functions are right in all cases; see

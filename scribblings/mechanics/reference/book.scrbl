@@ -21,3 +21,4 @@ Parameters are scalars in any consistent system of units, local tuples are
 @include-section["book/section-1-6.scrbl"]
 @include-section["book/section-1-7.scrbl"]
 @include-section["book/section-1-8.scrbl"]
+@include-section["book/editions.scrbl"]
