@@ -8,7 +8,8 @@
 (require "local-tuple.rkt"
          "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../calculus/derivative.rkt")
+         "../calculus/derivative.rkt"
+         (only-in "../value/signature.rkt" scalar?))
 
 (provide Rayleigh-dissipation external-force force-like)
 
@@ -22,9 +23,23 @@
     (raise-argument-error who "a force: a function of the local tuple" Q))
   (unless (or (not F) (and (procedure? F) (accepts? F 1)))
     (raise-argument-error who "a dissipation function: a function of the local tuple" F))
-  (cond [(and Q F) (g:- Q ((partial 2) F))]
-        [F (g:negate ((partial 2) F))]
+  (define slope (and F ((partial 2) (scalar-dissipation who F))))
+  (cond [(and Q F) (g:- Q slope)]
+        [F (g:negate slope)]
         [else Q]))
+
+;; F, refusing to go on when its value is a tuple, as that of a force is.
+(define (scalar-dissipation who F)
+  (unary-function (lambda () (value->datum F)) (local)
+    (define value (F local))
+    (unless (scalar? value)
+      (raise
+       (exn:fail:contract
+        (format (string-append "~a: the value of a dissipation function is a number, "
+                               "but that of ~a is ~a\n  a force is given as #:force ~a")
+                who (value->text F) (describe-with-value value) (value->text F))
+        (current-continuation-marks))))
+    value))
 
 ;; The force, known to have the shape of the momenta; 0 is no force whatever the shape.
 (define (force-like who momenta force)

@@ -17,7 +17,7 @@
      parametric-path-action find-path L-harmonic
      literal-function up time coordinate velocity compose D Gamma dot-product square cube
      definite-integral minimize linear-interpolants Lagrange-interpolation-function
-     multidimensional-minimize :pi :-pi :pi/2 :2pi
+     multidimensional-minimize nelder-mead :pi :-pi :pi/2 :2pi
      show-expression print-expression simplify coordinates velocities accelerations
      pe se coordinate-tuple velocity-tuple acceleration-tuple momentum-tuple
      ->local ->state ->L-state state->t state->q state->qdot state->qddot state->n-dof
@@ -36,7 +36,7 @@
      Lagrangian->acceleration Lagrangian->state-derivative harmonic-state-derivative
      Lagrange-equations-first-order qv->state-path periodic-drive
      L-periodically-driven-pendulum pend-state-derivative
-     solve-linear-left state-advancer evolve set-ode-integration-method!
+     solve-linear-left state-advancer evolve principal-value set-ode-integration-method!
      qv->local-path local-state-derivative Lagrange-equations-1 Rayleigh-dissipation
      Lagrangian->power-loss ode-advancer free-run-state-advancer advance-beyond)
     ("1.8 Conserved quantities (pp. 78-91)"

@@ -101,6 +101,14 @@
   (check-exn #rx"^Lagrange-equations: .*a dissipation function: a function of the local tuple"
              (lambda () (Lagrange-equations pendulum 'k))))
 
+(test-case "a force in the place of a dissipation function"
+  (define (drag local) (* -1 'b (velocity local)))
+  (check-exn #rx"^Lagrange-equations: the value of a dissipation function is a number, but that of drag is .*\n  a force is given as #:force drag$"
+             (lambda ()
+               (((Lagrange-equations (L-harmonic 'm 'k) drag)
+                 (up (literal-function 'x) (literal-function 'y)))
+                't))))
+
 (test-case "they print with what they were made from"
   (check-equal? (format "~a" (Lagrangian->acceleration pendulum (Rayleigh-dissipation 'k)))
                 "(Lagrangian->acceleration L-pendulum (Rayleigh-dissipation k))")
