@@ -1,0 +1,15 @@
+#lang racket/base
+;; Pictures: frames as in the book, and what is drawn in them.
+
+(require "plot/contour.rkt" "plot/draw.rkt" "plot/frame.rkt" "plot/motion.rkt"
+         "plot/save.rkt" "plot/show.rkt")
+
+(provide
+ ;; frames
+ frame frame? graphics-clear graphics-close
+ ;; drawing
+ plot-point plot-line plot-function plot-parametric plot-parametric-fill
+ plot-trajectory plot-contours
+ ;; what was drawn
+ frame-points frame-curves
+ graphics-save graphics-show)

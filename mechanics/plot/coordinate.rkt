@@ -1,0 +1,77 @@
+#lang racket/base
+;; Numbers to be drawn, as flonums.
+;;
+;; What has no place in the plane, as the logarithm of a negative number has none, is
+;; left out of the picture: it becomes a NaN.  What is no number is an error.
+
+(require racket/string
+         "../algebra/expression.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt")
+
+(provide coordinate-of plane-point check-number check-function parameters)
+
+;; what : -> string, such as "y" or "the value at 0.5"
+(define (coordinate-of who what x)
+  (cond [(flonum? x) x]
+        [(real? x) (real->double-flonum x)]
+        [(number? x) +nan.0]
+        [else
+         (raise
+          (exn:fail:contract
+           (format "~a: ~a is no number\n  given: ~a~a"
+                   who (what) (describe-with-value x) (advice x))
+           (current-continuation-marks)))]))
+
+(define (advice x)
+  (cond [(symbolic? x)
+         (define symbols (map symbol->string (symbols-in x)))
+         (if (null? symbols)
+             ""
+             (format "\n  without a number: ~a\n  give its symbols values first"
+                     (string-join symbols ", ")))]
+        [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
+        [else ""]))
+
+;; In the order of the alphabet.
+(define (symbols-in e)
+  (define found (make-hasheq))
+  (node-fold e (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t))) void)
+  (sort (hash-keys found) symbol<?))
+
+;; Of a tuple of two, or as the book makes it by cons.
+(define (plane-point who what p)
+  (define-values (x y)
+    (cond [(and (tuple? p) (= (structure-length (adopt p)) 2))
+           (define v (structure-elements (adopt p)))
+           (values (vector-ref v 0) (vector-ref v 1))]
+          [(and (pair? p) (not (list? p))) (values (car p) (cdr p))]
+          [else
+           (raise
+            (exn:fail:contract
+             (format "~a: ~a is no point of the plane, such as (up x y) or (cons x y)\n  given: ~a"
+                     who (what) (describe-with-value p))
+             (current-continuation-marks)))]))
+  (values (coordinate-of who (lambda () (string-append (what) ", its first component,")) x)
+          (coordinate-of who (lambda () (string-append (what) ", its second component,")) y)))
+
+;; An argument that must be a finite number.
+(define (check-number who what x)
+  (define number (coordinate-of who (lambda () what) x))
+  (unless (< (abs number) +inf.0)
+    (raise-argument-error who (format "a finite number as ~a" what) x))
+  number)
+
+(define (check-function who f count)
+  (unless (and (procedure? f) (accepts? f count))
+    (raise-argument-error
+     who (if (= count 1) "a function of one number" "a function of two numbers") f)))
+
+;; From one number to another in steps; the last may be shorter.
+(define (parameters who from to step)
+  (unless (> step 0.0)
+    (raise-argument-error who "a positive step" step))
+  (define span (- to from))
+  (define count (max 1 (inexact->exact (ceiling (- (/ (abs span) step) 1e-6)))))
+  (define signed (if (< span 0.0) (- step) step))
+  (for/list ([k (in-range (+ count 1))])
+    (if (= k count) to (+ from (* k signed)))))

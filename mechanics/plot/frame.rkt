@@ -1,0 +1,142 @@
+#lang racket/base
+;; Frames: windows of the plane that hold what was drawn in them (SICM 1.4, p. 23).
+;;
+;; Drawing only records; a picture is made when one is asked for, as where a frame is
+;; printed in DrRacket.  So a monitor may draw ten thousand points without a delay, on
+;; a machine without a display.  Whoever changes a frame holds its lock, and breaks wait
+;; until the change is complete; user's code is never called meanwhile.
+
+(require file/convertible
+         "layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt")
+
+(provide
+ frame frame?
+ frame-points frame-curves
+ graphics-clear graphics-close
+ ;; for drawing
+ check-frame check-open frame-bounds add-dot! add-line! add-layer!
+ ;; for showing
+ frame-view frame-now frame-version frame-on-close set-frame-on-close! frame->pict frame->bytes)
+
+;; layers : latest first; version : number of changes; on-close : -> any, or #f
+(struct frame (view lock [layers #:mutable] [closed? #:mutable]
+                    [version #:mutable] [on-close #:mutable])
+  #:authentic
+  #:constructor-name new-frame
+  #:omit-define-syntaxes
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (f port mode) (write-string (frame->text f) port))
+  #:property prop:convertible
+  (lambda (f request default)
+    (cond [(eq? request 'text) (frame->text f)]
+          [(can-draw?) (frame->bytes f request default)]
+          [else default])))
+
+(define (frame x-min x-max y-min y-max
+               #:title [title #f] #:x-label [x-label #f] #:y-label [y-label #f]
+               #:width [width 400] #:height [height 400] #:aspect-ratio [aspect-ratio #f])
+  (new-frame (make-view (list x-min x-max y-min y-max) title x-label y-label
+                        width height aspect-ratio)
+             (make-semaphore 1) '() #f 0 #f))
+
+(define (check-frame who f)
+  (unless (frame? f)
+    (raise-argument-error who "a frame, such as (frame 0 1 -1 1)" f)))
+
+;; Complains before anything is computed for a frame that is closed.
+(define (check-open who f)
+  (check-frame who f)
+  (when (frame-closed? f) (raise-closed who f)))
+
+(define (raise-closed who f)
+  (raise-arguments-error who "the frame is closed; make a new one to draw in" "frame" f))
+
+(define (frame-bounds f) (view-bounds (frame-view f)))
+
+;; ---------------------------------------------------------------------------
+;; Changes
+
+(define-syntax-rule (change! who f body ...)
+  (begin
+    (check-frame who f)
+    (unless (parameterize-break #f
+              (call-with-semaphore
+               (frame-lock f)
+               (lambda ()
+                 (cond [(frame-closed? f) #f]
+                       [else
+                        body ...
+                        (set-frame-version! f (+ 1 (frame-version f)))
+                        #t]))))
+      (raise-closed who f))))
+
+(define (graphics-clear f)
+  (change! 'graphics-clear f (set-frame-layers! f '())))
+
+;; What was drawn stays; nothing more can be.
+(define (graphics-close f)
+  (check-frame 'graphics-close f)
+  (set-frame-closed?! f #t)
+  (define on-close (frame-on-close f))
+  (set-frame-on-close! f #f)
+  (when on-close (on-close)))
+
+(define (add-layer! who f style data)
+  (change! who f (set-frame-layers! f (cons (layer style data) (frame-layers f)))))
+
+;; Points of one style are one layer, and so are lines.  What lies outside is no dot.
+(define (add-dot! who f color size label x y)
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (change! who f
+           (define points (layer-points! who f 'points color size 'solid label))
+           (when (and (<= x-min x x-max) (<= y-min y y-max))
+             (add-point! points x y))))
+
+(define (add-line! who f color width dash label x1 y1 x2 y2)
+  (change! who f
+           (define points (layer-points! who f 'lines color width dash label))
+           (add-point! points x1 y1)
+           (add-point! points x2 y2)
+           (add-point! points +nan.0 +nan.0)))
+
+(define (layer-points! who f kind color size dash label)
+  (define found
+    (for/first ([l (in-list (frame-layers f))]
+               #:when (style-is? (layer-style l) kind color size dash label))
+      l))
+  (layer-data
+   (or found
+       (let ([l (layer (make-style who kind color size dash label) (make-points))])
+         (set-frame-layers! f (cons l (frame-layers f)))
+         l))))
+
+;; ---------------------------------------------------------------------------
+;; The present picture
+
+;; Layers from below to above, which later drawing does not change.  No lock is needed.
+(define (frame-now f) (layers-now (reverse (frame-layers f))))
+
+(define (frame-points f)
+  (check-frame 'frame-points f)
+  (for*/list ([l (in-list (frame-now f))] #:when (eq? (layer-kind l) 'points)
+              [v (in-list (snapshot->vectors (layer-data l)))])
+    v))
+
+(define (frame-curves f)
+  (check-frame 'frame-curves f)
+  (for*/list ([l (in-list (frame-now f))] #:when (memq (layer-kind l) '(curve lines))
+              [c (in-list (snapshot->curves (layer-data l)))])
+    c))
+
+(define (frame->text f)
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (format "(frame x from ~a to ~a, y from ~a to ~a: ~a)"
+          x-min x-max y-min y-max (layers->text (frame-now f))))
+
+;; In another size, for a window that has one.
+(define (frame->pict f width height)
+  (make-picture (struct-copy view (frame-view f) [width width] [height height]) (frame-now f)))
+
+(define (frame->bytes f format [default #f])
+  (picture-bytes (frame-view f) (frame-now f) format default))

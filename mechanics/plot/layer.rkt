@@ -1,0 +1,51 @@
+#lang racket/base
+;; What a picture is made of: layers, one above the other, each drawn in one style.
+
+(require "points.rkt")
+
+(provide (struct-out style) (struct-out layer) (struct-out field)
+         layer-kind layers-now layers->text)
+
+;; kind : 'points, 'lines (segments apart), 'curve or 'level
+;; size : diameter of points or width of lines, in pixels
+;; dash, label : of a line, as plot has them; what the legend says, or #f
+(struct style (kind color size dash label))
+
+;; data : points; a snapshot of them where the layer may not change any more; of a
+;; 'level a field
+(struct layer (style data))
+
+;; A function of the plane at the nodes of a grid from end to end of the view, as
+;; `count` rows of y with as many values each, and the level that is drawn of it.
+(struct field (rows count level))
+
+(define (layer-kind l) (style-kind (layer-style l)))
+
+;; The layers as they are now.
+(define (layers-now layers)
+  (for/list ([l (in-list layers)])
+    (define data (layer-data l))
+    (layer (layer-style l) (if (points? data) (take-snapshot data) data))))
+
+;; Layers that stay -> "2 curves, 1 line, 100 points"
+(define (layers->text layers)
+  (define (total count kinds)
+    (for/sum ([l (in-list layers)] #:when (memq (layer-kind l) kinds))
+      (count (layer-data l))))
+  (define parts
+    (list (counted (total (lambda (data) 1) '(curve level)) "curve")
+          (counted (total line-count '(lines)) "line")
+          (counted (total snapshot-count '(points)) "point")))
+  (separated (filter values parts)))
+
+;; Two points, and what separates them from the next line.
+(define (line-count s) (quotient (snapshot-count s) 3))
+
+(define (counted n noun)
+  (and (> n 0) (format "~a ~a~a" n noun (if (= n 1) "" "s"))))
+
+(define (separated parts)
+  (if (null? parts)
+      "empty"
+      (for/fold ([text (car parts)]) ([p (in-list (cdr parts))])
+        (string-append text ", " p))))

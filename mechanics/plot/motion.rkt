@@ -1,0 +1,40 @@
+#lang racket/base
+;; Motions drawn: one function of the state against another, or against the time.
+
+(require "coordinate.rkt" "draw.rkt" "frame.rkt" "style.rkt"
+         "../motion/on-demand.rkt")
+
+(provide plot-trajectory)
+
+;; Points for each step of the integration, which is itself as long as the motion is
+;; smooth; and their least and greatest number.
+(define points-per-step 16)
+(define least-points 200)
+(define most-points 50000)
+
+;; (plot-trajectory f tr y) or (plot-trajectory f tr x y), x and y functions of the state
+(define (plot-trajectory f tr a [b #f]
+                         #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                         #:label [label #f])
+  (define who 'plot-trajectory)
+  (check-frame who f)
+  (unless (trajectory? tr) (raise-argument-error who "a trajectory" tr))
+  (check-function who a 1)
+  (when b (check-function who b 1))
+  (define x (if b (lambda (t state) (a state)) (lambda (t state) t)))
+  (define y (or b a))
+  (draw-curve who f (make-style who 'curve color width dash label) (sample-times tr)
+              (lambda (t what)
+                (define state (tr t))
+                (values (coordinate-of who (lambda () (component "x" t)) (x t state))
+                        (coordinate-of who (lambda () (component "y" t)) (y state))))))
+
+(define (component name t) (format "~a at the time ~a" name t))
+
+(define (sample-times tr)
+  (define start (trajectory-start tr))
+  (define end (trajectory-end tr))
+  (define steps (- (length (trajectory-states tr)) 1))
+  (define count (max least-points (min most-points (* points-per-step steps))))
+  (for/list ([k (in-range (+ count 1))])
+    (if (= k count) end (+ start (* (- end start) (/ k count 1.0))))))

@@ -1,0 +1,17 @@
+#lang racket/base
+;; The drawing library, loaded when the first picture is made.
+
+(require racket/lazy-require)
+
+(lazy-require ["picture.rkt" (loaded? color-name? make-picture picture-bytes)])
+
+(provide can-draw? why-not color-name? make-picture picture-bytes)
+
+;; Are the shared libraries there that racket/draw calls?
+(define (can-draw?) (not (why-not)))
+
+;; -> string or #f
+(define (why-not)
+  (with-handlers ([exn:fail? exn-message])
+    (loaded?)
+    #f))

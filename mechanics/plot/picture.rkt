@@ -1,0 +1,61 @@
+#lang racket/base
+;; Layers turned into a picture by Racket's plot library.  This is the part that takes
+;; a second to load, and that needs the libraries of racket/draw.
+
+(require file/convertible
+         plot/no-gui plot/utils
+         "layer.rkt" "points.rkt" "view.rkt")
+
+(provide loaded? color-name? renderers make-picture picture-bytes)
+
+;; For those who load this module lazily and want to know whether they can.
+(define (loaded?) #t)
+
+(define (color-name? name)
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (->pen-color name)
+    #t))
+
+;; -> pict
+(define (make-picture v layers)
+  (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
+  (plot-pict (renderers v layers)
+             #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
+             #:width (view-width v) #:height (view-height v)
+             #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
+             #:aspect-ratio (view-aspect-ratio v)))
+
+;; format : as `convert` names it, 'png-bytes and so on
+(define (picture-bytes v layers format [default #f])
+  (convert (make-picture v layers) format default))
+
+(define (renderers v layers)
+  (for/list ([l (in-list layers)]) (layer->renderer l (view-bounds v))))
+
+(define (layer->renderer l bounds)
+  (define s (layer-style l))
+  (define data (layer-data l))
+  (case (layer-kind l)
+    [(points)
+     ;; plot's dots are half as wide as their size says
+     (points (snapshot->vectors data)
+             #:sym 'dot #:size (* 2 (style-size s)) #:color (style-color s)
+             #:label (style-label s))]
+    [(level)
+     (define-values (x-min x-max y-min y-max) (apply values bounds))
+     (isoline (field-function data bounds) (field-level data) x-min x-max y-min y-max
+              #:samples (field-count data)
+              #:color (style-color s) #:width (style-size s) #:style (style-dash s)
+              #:label (style-label s))]
+    [else
+     (lines (snapshot->vectors data)
+            #:color (style-color s) #:width (style-size s) #:style (style-dash s)
+            #:label (style-label s))]))
+
+;; The sampled function at the nodes, where the library asks for it again.
+(define ((field-function f bounds) x y)
+  (define-values (x-min x-max y-min y-max) (apply values bounds))
+  (define last (- (field-count f) 1))
+  (define (index x low high)
+    (max 0 (min last (inexact->exact (round (* last (/ (- x low) (- high low))))))))
+  (vector-ref (vector-ref (field-rows f) (index y y-min y-max)) (index x x-min x-max)))

@@ -1,0 +1,80 @@
+#lang racket/base
+;; A window that shows a picture while it is being drawn.
+;;
+;; The window looks for changes by itself, from time to time, so that drawing does not
+;; wait for it; the longer a picture takes, the longer it waits before the next.  It
+;; lives in an eventspace of its own: events are handled whatever the prompt or the
+;; program is doing, and the program may end without it.
+
+(require racket/class
+         racket/gui/base
+         (only-in pict draw-pict))
+
+(provide open-window)
+
+(define least-pause 40)          ; milliseconds between two looks
+
+;; version : -> number, of changes; picture : width height -> pict, of that size
+;; closed : -> any, called when the reader closes the window.
+;; -> a procedure that closes it
+(define (open-window title width height version picture closed)
+  (define space (make-eventspace))
+  (parameterize ([current-eventspace space])
+    (define window
+      (new (class frame%
+             (super-new [label title])
+             (define/augment (on-close)
+               (send timer stop)
+               (closed)))))
+    (define canvas (new picture-canvas% [parent window] [picture picture]))
+    (define shown #f)
+    (define (look)
+      (define now (version))
+      (define pause (if (equal? now shown) least-pause (send canvas renew)))
+      (set! shown now)
+      (send timer start pause #t))
+    (define timer (new timer% [notify-callback look]))
+    (show-at-size window canvas width height)
+    (queue-callback look)
+    (lambda ()
+      (parameterize ([current-eventspace space])
+        (queue-callback
+         (lambda ()
+           (send timer stop)
+           (send window show #f)))))))
+
+;; The picture as large as asked for at first; the reader may change that.
+(define (show-at-size window canvas width height)
+  (send canvas min-client-width width)
+  (send canvas min-client-height height)
+  (send window show #t)
+  (send canvas min-client-width 100)
+  (send canvas min-client-height 100))
+
+(define picture-canvas%
+  (class canvas%
+    (init-field picture)
+    (inherit get-client-size refresh-now get-dc)
+    (define bitmap #f)
+    (super-new)
+
+    ;; -> milliseconds to wait before the next
+    (define/public (renew)
+      (define start (current-inexact-milliseconds))
+      (define-values (width height) (get-client-size))
+      (set! bitmap (render (max 50 width) (max 50 height)))
+      (refresh-now)
+      (max least-pause
+           (inexact->exact (round (* 4 (- (current-inexact-milliseconds) start))))))
+
+    (define (render width height)
+      (define target (make-screen-bitmap width height))
+      (define dc (new bitmap-dc% [bitmap target]))
+      (draw-pict (picture width height) dc 0 0)
+      target)
+
+    (define/override (on-paint)
+      (when bitmap (send (get-dc) draw-bitmap bitmap 0 0)))
+
+    (define/override (on-size width height)
+      (when bitmap (renew)))))

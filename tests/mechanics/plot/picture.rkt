@@ -1,0 +1,179 @@
+#lang racket/base
+;; Pictures of frames, in the formats that editors and documents ask for, and in files.
+
+(require file/convertible
+         mechanics/plot
+         (only-in mechanics/plot/on-demand why-not)
+         racket/file
+         racket/list
+         racket/string
+         rackunit
+         syntax/modresolve
+         "../runner/messages.rkt" "../runner/skip.rkt")
+
+(define drawable? (not (why-not)))
+(define no-drawing "the shared libraries of racket/draw are not installed: no pictures")
+
+(define (drawn)
+  (define f
+    (frame 0 1 -1 1 #:title "A title" #:x-label "x" #:y-label "y" #:width 300 #:height 200))
+  (plot-function f (lambda (x) (- 1 x)) 0 1 #:color '(10 20 200) #:label "falling")
+  (plot-line f 0 0 1 1 #:color "red" #:style 'dot)
+  (for ([i (in-range 20)]) (plot-point f (/ i 20) 0 #:color 'green))
+  f)
+
+;; ---------------------------------------------------------------------------
+;; PNG, by the book: a signature, then the header chunk with width and height
+
+(define (png-size bytes)
+  (check-equal? (subbytes bytes 0 8) #"\211PNG\r\n\32\n")
+  (check-equal? (subbytes bytes 12 16) #"IHDR")
+  (list (integer-bytes->integer bytes #f #t 16 20) (integer-bytes->integer bytes #f #t 20 24)))
+
+;; The subpaths that an SVG picture strokes in a color: numbers of points.
+(define (strokes svg color)
+  (for/list ([path (in-list (regexp-match* #px"<path [^>]*>" svg))]
+             #:when (regexp-match? (regexp-quote (string-append "stroke:" color)) path))
+    (length (regexp-match* #px"[MLC] " path))))
+
+(skip-unless drawable? no-drawing
+
+  (test-case "formats"
+    (define f (drawn))
+    (check-equal? (png-size (convert f 'png-bytes)) '(300 200))
+    (check-equal? (png-size (convert f 'png@2x-bytes)) '(600 400))
+    (check-true (string-prefix? (bytes->string/latin-1 (convert f 'pdf-bytes)) "%PDF-"))
+    (check-regexp-match #rx"^<[?]xml.*<svg " (bytes->string/utf-8 (convert f 'svg-bytes)))
+    (check-false (convert f 'no-such-format))
+    (check-equal? (convert f 'no-such-format 'default) 'default))
+
+  (test-case "a picture holds the curve, the line and the points"
+    (define svg (bytes->string/utf-8 (convert (drawn) 'svg-bytes)))
+    (check-not-equal? (strokes svg "rgb(3.921569%,7.843137%,78.431373%)") '())
+    (check-not-equal? (strokes svg "rgb(100%,0%,0%)") '())
+    (check-equal? (length (strokes svg "rgb(0%,100%,0%)")) 20)
+    (check-equal? (strokes svg "rgb(100%,100%,0%)") '()))
+
+  (test-case "nothing is drawn outside"
+    (define (count-blue f)
+      (length (strokes (bytes->string/utf-8 (convert f 'svg-bytes)) "rgb(0%,0%,100%)")))
+    (define f (frame 0 1 0 1))
+    (plot-line f 2 2 3 3 #:color 'blue)
+    (plot-function f (lambda (x) 5) 0 1 #:color 'blue)
+    (check-equal? (count-blue f) 0)
+    (plot-line f 0 0 3 3 #:color 'blue)
+    (check-equal? (count-blue f) 1))
+
+  (test-case "levels are drawn where the function has them, and its poles are no trouble"
+    (define f (frame -1 1 -1 1 #:aspect-ratio 'equal))
+    (define (well x y) (- (/ (sqrt (+ (* x x) (* y y))))))
+    (define (blue)
+      (apply + (strokes (bytes->string/utf-8 (convert f 'svg-bytes)) "rgb(0%,0%,100%)")))
+    (plot-contours f well '(-0.1) #:color 'blue)
+    (check-equal? (blue) 0)
+    (plot-contours f well '(-2 -3) #:color 'blue #:samples 51)
+    (check-true (> (blue) 100)))
+
+  (test-case "the picture is the present one"
+    (define f (drawn))
+    (define before (convert f 'png-bytes))
+    (check-equal? (convert f 'png-bytes) before)
+    (plot-line f 0 1 1 0)
+    (check-not-equal? (convert f 'png-bytes) before)
+    (graphics-clear f)
+    (check-true (< (bytes-length (convert f 'png-bytes)) (bytes-length before))))
+
+  (test-case "an empty frame, and one with nothing in sight, have pictures"
+    (define f (frame 0 1 0 1))
+    (check-equal? (png-size (convert f 'png-bytes)) '(400 400))
+    (plot-point f 2 2)
+    (plot-function f (lambda (x) +nan.0) 0 1)
+    (check-equal? (png-size (convert f 'png-bytes)) '(400 400)))
+
+  (test-case "a hundred thousand points"
+    (define f (frame 0 1 0 1))
+    (for ([i (in-range 100000)])
+      (plot-point f (/ (modulo (* i 7919) 100003) 100003.0)
+                  (/ (modulo (* i 104729) 100019) 100019.0)))
+    (check-equal? (png-size (convert f 'png-bytes)) '(400 400)))
+
+  (test-case "names of colors are those of the drawing library"
+    (define f (frame 0 1 0 1))
+    (plot-point f 0 0 #:color "Steel Blue")
+    (plot-point f 0 0 #:color 'steelblue)
+    (check-exn #rx"expected: a color: .*\n  given: 'bleu"
+               (lambda () (plot-point f 0 0 #:color 'bleu)))
+    (check-equal? (length (frame-points f)) 2)))
+
+;; ---------------------------------------------------------------------------
+;; Files
+
+(define-syntax-rule (with-folder (folder) body ...)
+  (let ([folder (make-temporary-file "figures~a" 'directory)])
+    (dynamic-wind void (lambda () body ...) (lambda () (delete-directory/files folder)))))
+
+(skip-unless drawable? no-drawing
+
+  (test-case "the name of the file says the format; what was there is replaced"
+    (with-folder (folder)
+      (define (save name) (graphics-save (drawn) (build-path folder name)))
+      (for ([name '("a.png" "b.svg" "c.pdf" "D.PNG" "a.png")]) (save name))
+      (check-equal? (map path->string (directory-list folder)) '("D.PNG" "a.png" "b.svg" "c.pdf"))
+      (check-equal? (png-size (file->bytes (build-path folder "a.png"))) '(300 200))
+      (check-true (regexp-match? #rx"<svg " (file->string (build-path folder "b.svg"))))
+      (check-true (regexp-match? #rx"^%PDF-" (file->bytes (build-path folder "c.pdf"))))
+      (parameterize ([current-directory folder])
+        (graphics-save (drawn) "e.png"))
+      (check-true (file-exists? (build-path folder "e.png")))))
+
+  (test-case "where nothing can be written, nothing is left, and what was there stays"
+    (with-folder (folder)
+      (define (save . names) (graphics-save (drawn) (apply build-path folder names)))
+      (check-exn #rx"graphics-save: there is no such folder\n  file: .*a.png\n  reason: .*nowhere"
+                 (lambda () (save "nowhere" "a.png")))
+      (make-directory (build-path folder "b.png"))
+      (check-exn #rx"graphics-save: there is a folder of that name\n  file: .*b.png$"
+                 (lambda () (save "b.png")))
+      (check-equal? (map path->string (directory-list folder)) '("b.png")))))
+
+(test-case "a name that says no format"
+  (for ([name '("figure" "figure.gif" "png")])
+    (check-message
+     (lambda () (graphics-save (drawn) name))
+     (format "graphics-save: the name of the file says no format; it ends in ~a\n  file: ~s"
+             ".png, .svg or .pdf" name)))
+  (check-exn #rx"expected: the name of a file\n  given: 3" (lambda () (graphics-save (drawn) 3)))
+  (check-exn #rx"expected: a frame" (lambda () (graphics-save 3 "a.png"))))
+
+;; ---------------------------------------------------------------------------
+;; Without the drawing library
+
+;; (f) in a namespace of its own, where the drawing library cannot be loaded.
+(define (without-drawing f)
+  (define missing (resolve-module-path 'racket/draw #f))
+  (define load (current-load/use-compiled))
+  (parameterize ([current-namespace (make-base-empty-namespace)]
+                 [current-load/use-compiled
+                  (lambda (path name)
+                    (when (equal? path missing) (raise-user-error "libcairo.so.2 is missing"))
+                    (load path name))])
+    (f (lambda (name) (dynamic-require 'mechanics/plot name))
+       (lambda (name) (dynamic-require 'file/convertible name)))))
+
+(test-case "frames work where pictures cannot be made, and say so when asked for one"
+  (without-drawing
+   (lambda (plot convertible)
+     (define f ((plot 'frame) 0 1 0 1))
+     ((plot 'plot-point) f 0.5 0.5 #:color 'red)
+     (check-equal? ((plot 'frame-points) f) '(#(0.5 0.5)))
+     (check-equal? ((convertible 'convert) f 'png-bytes) #f)
+     (check-equal? ((convertible 'convert) f 'text)
+                   "(frame x from 0.0 to 1.0, y from 0.0 to 1.0: 1 point)")
+     (with-folder (folder)
+       (define file (build-path folder "a.png"))
+       (define message
+         (with-handlers ([exn:fail? exn-message]) ((plot 'graphics-save) f file)))
+       (check-equal? message
+                     (format "graphics-save: pictures cannot be drawn on this machine\n~a~a~a"
+                             "  file: " file "\n  reason: libcairo.so.2 is missing"))
+       (check-equal? (directory-list folder) '())))))

@@ -1,0 +1,60 @@
+#lang racket/base
+;; Windows, where there is a display or a program, Xvfb, that stands for one.
+;;
+;; They are tested in a process of its own, which has that display.
+
+(require compiler/find-exe
+         mechanics/plot
+         racket/port
+         racket/runtime-path
+         rackunit
+         "../runner/skip.rkt")
+
+(define-runtime-path program "../runner/fixture/window.rkt")
+
+(define (run-program environment)
+  (parameterize ([current-environment-variables environment]
+                 [current-subprocess-custodian-mode 'kill])
+    (define-values (process out in err)
+      (subprocess #f #f 'stdout (find-exe) (path->string program)))
+    (close-output-port in)
+    (begin0 (port->string out)
+            (subprocess-wait process)
+            (close-input-port out))))
+
+(define (environment-with display)
+  (define copy (environment-variables-copy (current-environment-variables)))
+  (environment-variables-set! copy #"DISPLAY" display)
+  copy)
+
+;; ---------------------------------------------------------------------------
+
+(test-case "without a display there is a message, and no window"
+  (define output (run-program (environment-with #"nowhere:99")))
+  (check-regexp-match #rx"^graphics-show: no window can be opened here\n  reason: " output)
+  (check-regexp-match #rx"\n  to a file it goes with \\(graphics-save frame \"picture.png\"\\)\n$"
+                      output))
+
+;; Xvfb chooses a number that is free and writes it, with a newline, to port 1.
+(define (call-with-display use)
+  (define-values (server out in err)
+    (parameterize ([current-subprocess-custodian-mode 'kill])
+      (subprocess #f #f #f (find-executable-path "Xvfb")
+                  "-displayfd" "1" "-screen" "0" "800x600x24" "-nolisten" "tcp")))
+  (dynamic-wind
+   void
+   (lambda ()
+     (define number (sync/timeout 20 (read-line-evt out)))
+     (use (string->bytes/utf-8 (format ":~a" number))))
+   (lambda ()
+     (subprocess-kill server #t)
+     (for-each close-input-port (list out err))
+     (close-output-port in))))
+
+(skip-unless (find-executable-path "Xvfb") "Xvfb is not installed: windows are not opened"
+  (test-case "a window follows what is drawn, and is closed with its frame"
+    (call-with-display
+     (lambda (display)
+       (check-equal? (run-program (environment-with display))
+                     (string-append "shown, drawn in and closed\n(0 300 200)\nfollows\nrests\n"
+                                   "looks no more\n"))))))
