@@ -4,7 +4,10 @@
 (define license 'MIT)
 (define pkg-desc "Classical mechanics in the language of SICM: Lagrangians, Hamiltonians, and solutions checked as residuals")
 (define pkg-authors '("the mechanics authors"))
-(define deps '(("base" #:version "8.7")))
+(define deps '(("base" #:version "8.7")
+               "gui-lib"
+               "pict-lib"
+               "plot-lib"))
 (define build-deps '("drracket-tool-text-lib"
                      "math-lib"
                      "racket-doc"
