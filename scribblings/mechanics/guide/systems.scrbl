@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../citation.rkt" "../program.rkt")
+@(require (for-label mechanics mechanics/book) "../citation.rkt" "../program.rkt")
 
 @title[#:tag "systems"]{Worked systems}
 
@@ -57,3 +57,35 @@ even if one of them contains the acceleration
 (@sicm{1.5, exercises 1.10 and 1.13}).
 
 @(program "variational/higher-derivatives.rkt" #'here)
+
+@section{Turning axes}
+
+A frame is a coordinate transformation. Coriolis and centrifugal forces come out of it, and a
+straight line remains a motion when it is seen from there (@sicm{1.6, p. 48}).
+
+@(program "chapter-1/rotating-axes.rkt" #'here)
+
+@section{A pendulum with a moving pivot}
+
+Its Lagrangian is found twice, from energies and from a constraint built into the
+coordinates; then it is followed in time (@sicm{1.6, pp. 52 and 61, and 1.7, p. 76}).
+
+@(program "chapter-1/driven-pendulum.rkt" #'here)
+
+@section{Central forces and Noether's theorem}
+
+Angular momentum is conserved, as the momentum of an angle that does not occur in the
+Lagrangian, and as what belongs to the symmetry under rotations (@sicm{1.8, pp. 84, 85 and
+91}).
+
+@(program "chapter-1/angular-momentum.rkt" #'here)
+
+@section{A third body among two that circle}
+
+In the restricted three-body problem, on axes that turn with the two bodies, the motion of
+the third has a constant, Jacobi's (@sicm{1.8, pp. 86–88}).
+
+@(program "chapter-1/three-bodies.rkt" #'here)
+
+The last digits of the constant move where the path comes close to the heavier body and has
+to be followed in short steps.
