@@ -16,7 +16,8 @@
          "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
          "lagrangian/variation.rkt" "lagrangian/verify.rkt"
          "map/on-demand.rkt"
-         "motion/on-demand.rkt"
+         "motion/on-demand.rkt" (only-in "numeric/progress.rkt" report-progress)
+         "value/on-demand.rkt"
          "display/print-expression.rkt"
          "teach/derivation.rkt"
          "lang/application.rkt" "lang/module.rkt" "lang/Scheme.rkt" "lang/session.rkt")
@@ -57,8 +58,10 @@
  ;; functions of local tuples
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
  derivation-steps show-derivation
+ ;; numbers of higher precision
+ (all-from-out "value/on-demand.rkt")
  ;; motion
- (all-from-out "motion/on-demand.rkt")
+ (all-from-out "motion/on-demand.rkt") report-progress
  ;; maps of the plane
  iterated-map
  ;; coordinates

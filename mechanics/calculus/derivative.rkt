@@ -7,8 +7,8 @@
 ;; are taken together as one up tuple (SICM p. 516).
 
 (require "perturbed.rkt" "dual.rkt" "jet.rkt" "extract.rkt" "derivative-errors.rkt"
-         "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt"
+         "../generic/kind.rkt" "../generic/structure.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/arithmetic.rkt"
          "../value/matrix.rkt" "../value/operator.rkt"
          "../value/series/series.rkt" "../value/series/calculus.rkt"
          "../algebra/expression.rkt" "../numeric/failure.rkt")
@@ -172,7 +172,7 @@
     [(f) (differentiate f)]
     [fs (raise-takes-only-function name fs)]))
 
-(define (scalar? x) (or (expression? x) (perturbed? x)))
+(define (scalar? x) (or (expression? x) (perturbed? x) (other-number? x)))
 
 ;; The derivative of order n along the path, as a function.
 (define (derivative-of name path n f)

@@ -22,11 +22,11 @@
 (define (extract operator tag pick x)
   (define (from x)
     (cond [(perturbed? x) (from-perturbed x)]
-          [(expression? x) 0]
+          [(constant? x) 0]
           [else (map-leaves from-leaf x)]))
   (define (from-leaf x)
     (cond [(perturbed? x) (from-perturbed x)]
-          [(expression? x) 0]
+          [(constant? x) 0]
           [(procedure? x) (shielding tag x from (lambda () (list operator (value->datum x))))]
           [else (raise-no-derivative x)]))
   (define (from-perturbed x)
@@ -35,6 +35,8 @@
           [(< t tag) 0]
           [else ((parts-map (parts-of x)) from x)]))
   (from x))
+
+(define (constant? x) (or (expression? x) (other-number? x)))
 
 (define (raise-no-derivative x)
   (raise
@@ -51,7 +53,7 @@
 (define (rename-tag old new x)
   (define (rename x)
     (cond [(perturbed? x) (rename-perturbed x)]
-          [(expression? x) x]
+          [(constant? x) x]
           [(pair? x) (cons (rename (car x)) (rename (cdr x)))]
           [else (map-leaves rename-leaf x)]))
   (define (rename-leaf x)

@@ -7,8 +7,8 @@
          "../value/shape.rkt"
          (prefix-in numeric: "../numeric/minimize.rkt")
          (prefix-in numeric: "../numeric/nelder-mead.rkt")
-         "../numeric/failure.rkt" "../numeric/golden-section.rkt" "../numeric/quasi-newton.rkt"
-         "../numeric/sample.rkt")
+         "../numeric/failure.rkt" "../numeric/golden-section.rkt" "../numeric/progress.rkt"
+         "../numeric/quasi-newton.rkt" "../numeric/sample.rkt")
 
 (provide minimize brent-min golden-section-min
          multidimensional-minimize nelder-mead)
@@ -16,26 +16,39 @@
 ;; ---------------------------------------------------------------------------
 ;; In one variable: (argument value steps) of a minimum of f between low and high
 
-(define (minimize f low high #:tolerance [tolerance 1e-8] #:observe [observe void])
-  (minimum-between 'minimize f low high tolerance observe))
+(define (minimize f low high #:tolerance [tolerance 1e-8] #:observe [observe void]
+                  #:progress [progress? (report-progress)])
+  (minimum-between 'minimize f low high tolerance observe progress?))
 
-(define (brent-min f low high [tolerance 1e-8] #:observe [observe void])
-  (minimum-between 'brent-min f low high tolerance observe))
+(define (brent-min f low high [tolerance 1e-8] #:observe [observe void]
+                   #:progress [progress? (report-progress)])
+  (minimum-between 'brent-min f low high tolerance observe progress?))
 
-(define (minimum-between who f low high tolerance observe)
+(define (minimum-between who f low high tolerance observe progress?)
   (check-function-of-one-variable who f)
-  (numeric:minimize (lambda (x) (number who (f x))) (number who low) (number who high)
-                    #:tolerance tolerance #:observe observe #:name who))
+  (define a (number who low))
+  (define b (number who high))
+  (call-with-progress
+   progress?
+   (lambda (note!)
+     (numeric:minimize (counted-values note! who (lambda (x) (number who (f x)))) a b
+                       #:tolerance tolerance #:observe observe #:name who))))
 
 ;; done? : a tolerance, or a predicate of low, best and high argument, the values there
 ;; and the count of steps
-(define (golden-section-min f low high [done? 1e-8] #:observe [observe void])
+(define (golden-section-min f low high [done? 1e-8] #:observe [observe void]
+                            #:progress [progress? (report-progress)])
   (define who 'golden-section-min)
   (check-function-of-one-variable who f)
   (unless (procedure? done?) (check-tolerance who done?))
-  (golden-section (lambda (x) (number who (f x))) (number who low) (number who high)
-                  #:done? (if (procedure? done?) done? (width-at-most done?))
-                  #:observe observe))
+  (define a (number who low))
+  (define b (number who high))
+  (call-with-progress
+   progress?
+   (lambda (note!)
+     (golden-section (counted-values note! who (lambda (x) (number who (f x)))) a b
+                     #:done? (if (procedure? done?) done? (width-at-most done?))
+                     #:observe observe))))
 
 ;; ---------------------------------------------------------------------------
 ;; In several variables: from the gradient, or, of a function that has none
@@ -48,14 +61,20 @@
                                    #:tolerance [tolerance 1e-8]
                                    #:method [method #f]
                                    #:observe [observe void]
-                                   #:report [report (lambda (x y size count) x)])
+                                   #:report [report (lambda (x y size count) x)]
+                                   #:progress [progress? (report-progress)])
   (define who 'multidimensional-minimize)
   (check-function-of-one-variable who f)
   (check-tolerance who tolerance)
   (check-method who method)
   (define-values (x argument) (point-and-argument who start))
-  (define (watch x y) (observe (argument x) y))
-  ;; -> argument, value, size of the gradient, evaluations
+  (define (search note!)
+    (define watch (counting-search note! who (lambda (x y) (observe (argument x) y))))
+    (search-by method who f x argument tolerance watch))
+  (call-with-values (lambda () (call-with-progress progress? search)) report))
+
+;; -> argument, value, size of the gradient or #f, evaluations
+(define (search-by method who f x argument tolerance watch)
   (define (from-gradient [stuck void])
     (define-values (found y slope count)
       (quasi-newton (value-and-gradient who f argument) x #:tolerance tolerance #:name who
@@ -73,25 +92,25 @@
           (let/ec stuck
             (call-with-values (lambda () (from-gradient stuck)) return))))
       (from-values stuck-at)))
-  (call-with-values
-   (lambda ()
-     (case method
-       [(quasi-newton) (from-gradient)]
-       [(nelder-mead) (from-values x)]
-       [else (if (slopes? (value-and-gradient who f argument) x) (from-either) (from-values x))]))
-   report))
+  (case method
+    [(quasi-newton) (from-gradient)]
+    [(nelder-mead) (from-values x)]
+    [else (if (slopes? (value-and-gradient who f argument) x) (from-either) (from-values x))]))
 
 ;; (argument value evaluations)
-(define (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000] #:observe [observe void])
+(define (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000] #:observe [observe void]
+                     #:progress [progress? (report-progress)])
   (define who 'nelder-mead)
   (check-function-of-one-variable who f)
   (when step (check-step who step))
   (check-tolerance who tolerance)
   (define-values (x argument) (point-and-argument who start))
-  (define-values (found y count)
+  (define (search note!)
+    (define watch (counting-search note! who (lambda (x y) (observe (argument x) y))))
     (numeric:nelder-mead (value-at who f argument) x
                          #:step step #:tolerance tolerance #:limit limit #:name who
-                         #:observe (lambda (x y) (observe (argument x) y)) #:argument argument))
+                         #:observe watch #:argument argument))
+  (define-values (found y count) (call-with-progress progress? search))
   (list (argument found) y count))
 
 (define (check-method who m)

@@ -36,8 +36,9 @@
 
 ;; inputs : symbols; es : expressions.  (fail e) is called, not to return, with
 ;; an expression that has no value: another symbol, an unknown function.
-(define (expressions->program inputs es fail)
-  (define b (make-builder (length inputs)))
+;; as-constant : real -> what stands for it in an instruction
+(define (expressions->program inputs es fail #:constants [as-constant real->double-flonum])
+  (define b (make-builder (length inputs) as-constant))
   (define leaves
     (for/hasheq ([s (in-list inputs)] [i (in-naturals)]) (values s (place i))))
   (define outputs (translate b (expressions->tape es) leaves fail))
@@ -47,15 +48,16 @@
 ;; Building
 
 ;; places : instruction -> place; instructions : index -> instruction
-(struct builder (inputs places instructions) #:authentic)
+(struct builder (inputs as-constant places instructions) #:authentic)
 
-(define (make-builder inputs) (builder inputs (make-hash) (make-hasheqv)))
+(define (make-builder inputs as-constant)
+  (builder inputs as-constant (make-hash) (make-hasheqv)))
 
-;; Numbers that meet a value are flonums, so that 2 and 2.0 make one instruction.
+;; Numbers that meet a value are constants, so that 2 and 2.0 make one instruction.
 (define (do! b operation . operands)
   (write! b (cons operation
                   (for/list ([x (in-list operands)])
-                    (if (number? x) (real->double-flonum x) x)))))
+                    (if (number? x) ((builder-as-constant b) x) x)))))
 
 (define (write! b instruction)
   (define places (builder-places b))

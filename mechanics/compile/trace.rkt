@@ -16,8 +16,8 @@
 
 ;; f : a procedure of one structure of the shape of `example`
 ;; -> program and the shape of f's value there; or the reason why there is none,
-;; a string, and #f.
-(define (trace who f example)
+;; a string, and #f.  as-constant : what numbers in the program become
+(define (trace who f example #:constants [as-constant real->double-flonum])
   (define placeholders
     (for/list ([k (in-range (shape-length example))])
       (make-placeholder (format "x~a" k))))
@@ -26,14 +26,14 @@
   (define result (value-or-reason run))
   (if (string? result)
       (values result #f)
-      (make-program who placeholders (unbox result))))
+      (make-program who placeholders (unbox result) as-constant)))
 
 (define (value-or-reason run)
   (with-handlers ([exn:fail? exn-message])
     (call-traced (lambda () (box (run)))
                  (lambda (test) (format "it takes a decision by `~a`" test)))))
 
-(define (make-program who placeholders value)
+(define (make-program who placeholders value as-constant)
   (define es (scalars value))
   (define odd (for/first ([e (in-list es)] #:unless (expression? e)) e))
   (if odd
@@ -42,7 +42,7 @@
         (define (fail e)
           (when (unknown? e) (raise-no-value who e))
           (return (format "~a is not a real number" (value->text e)) #f))
-        (values (expressions->program placeholders es fail) value))))
+        (values (expressions->program placeholders es fail #:constants as-constant) value))))
 
 (define (unknown? e)
   (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))

@@ -144,7 +144,10 @@
 (define (identical? a b)
   (cond [(same-kind a b)
          => (lambda (k) (if (kind-same? k) ((kind-same? k) identical? a b) (equal? a b)))]
-        [else (or (eq? a b) (and (number? a) (number? b) (= a b)))]))
+        [else (or (eq? a b) (and (plain? a) (plain? b) (equal-values? a b)))]))
+
+;; A number without derivatives.
+(define (plain? x) (or (number? x) (other-number? x)))
 
 (define-extreme g:max max max >)
 (define-extreme g:min min min <)

@@ -10,7 +10,8 @@
 (provide
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)
  (struct-out generic-op)
- rank:scalar rank:dual rank:structure rank:matrix rank:function rank:operator rank:series)
+ other-number?
+ rank:scalar rank:number rank:dual rank:structure rank:matrix rank:function rank:operator rank:series)
 
 ;; rank      : where it stands when kinds meet
 ;; describe  : value -> string, as error messages name it ("an up tuple of 2")
@@ -41,12 +42,18 @@
   #:authentic)
 
 (define rank:scalar 0)
-(define rank:dual 1)
-(define rank:structure 2)
-(define rank:matrix 3)
-(define rank:function 4)
-(define rank:operator 5)
-(define rank:series 6)
+(define rank:number 1)
+(define rank:dual 2)
+(define rank:structure 3)
+(define rank:matrix 4)
+(define rank:function 5)
+(define rank:operator 6)
+(define rank:series 7)
+
+;; Is x a real number that is none of Racket's?  Its comparand is one of Racket's of
+;; the same value.
+(define (other-number? x)
+  (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:number)))
 
 ;; A generic operation as kinds see it: its name, the operation that heads
 ;; symbolic expressions, the generic procedure itself, its partial derivatives,

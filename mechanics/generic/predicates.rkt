@@ -2,9 +2,10 @@
 ;; Racket's tests of what a value is, for programs that are traced.
 ;;
 ;; They answer what Racket's do, but a placeholder for a number is neither a
-;; number nor a symbol: to ask is to look inside.
+;; number nor a symbol: to ask is to look inside.  A number of higher precision than
+;; Racket's is an inexact one.
 
-(require "naming.rkt" "tracing.rkt")
+(require "compare.rkt" "kind.rkt" "naming.rkt" "tracing.rkt")
 
 (provide g:number? g:real? g:rational? g:integer? g:exact? g:inexact? g:symbol?
          g:equal? g:eqv? g:memv g:member g:case)
@@ -14,7 +15,13 @@
     (define-named id name
       (lambda (x)
         (when (open-leaf? x) (look-inside 'name))
-        (name x))) ...))
+        (if (other-number? x) (of-other-number 'name name x) (name x)))) ...))
+
+(define (of-other-number name test x)
+  (case name
+    [(exact?) #f]
+    [(inexact?) #t]
+    [else (test (comparand x))]))
 
 (define-tests
   [g:number? number?] [g:real? real?] [g:rational? rational?] [g:integer? integer?]

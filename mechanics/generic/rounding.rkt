@@ -32,6 +32,7 @@
       (lambda (x)
         (define c (comparand x))
         (cond [(real? x) (numeric x)]
+              [(other-number? x) (numeric c)]
               [(real? c)                        ; x, of value c, is being differentiated
                (define value (numeric c))
                (if (g:zero? (jump c value)) (raise-at-jump 'name x) value)]

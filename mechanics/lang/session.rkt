@@ -2,6 +2,7 @@
 ;; The prompt.
 
 (require "printer.rkt" "unbound.rkt"
+         (only-in "../numeric/progress.rkt" current-reporter terminal-reporter)
          (for-syntax racket/base))
 
 (provide (rename-out [top-interaction #%top-interaction])
@@ -17,4 +18,5 @@
 
 (define (install-session!)
   (install-printer!)
-  (install-hints!))
+  (install-hints!)
+  (current-reporter (terminal-reporter)))

@@ -3,12 +3,13 @@
 
 (require racket/flonum
          "../algebra/expression.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/structure.rkt"
          "../value/shape.rkt")
 
 (provide
  ;; numbers
- check-real check-positive check-tolerance check-longest check-most
+ check-real check-positive check-tolerance check-longest check-most real-number
  ;; procedures
  check-monitor check-maker takes-state-only? raise-arguments
  ;; states and their derivatives
@@ -20,22 +21,32 @@
 ;; ---------------------------------------------------------------------------
 ;; Numbers
 
+;; x, if it is a number of higher precision than flonums as one of Racket's, exact.
+(define (real-number x) (if (other-number? x) (comparand x) x))
+
 (define (check-real who what x)
-  (unless (and (real? x) (< (abs x) +inf.0))
+  (define r (real-number x))
+  (unless (and (real? r) (< (abs r) +inf.0))
     (complain-of who (format "expected a ~a that is a real number" what) x)))
 
 (define (check-positive who what x [hint ""])
   (check-real who what x)
-  (unless (positive? x)
+  (unless (positive? (real-number x))
     (complain-of who (format "expected a positive ~a" what) x hint)))
 
 ;; The least that is told apart from rounding.
 (define least-tolerance 1e-15)
 
-(define (check-tolerance who x)
+;; bits : of numbers of higher precision than flonums, or #f
+(define (check-tolerance who x [bits #f])
   (check-positive who "tolerance" x)
-  (unless (>= x least-tolerance)
-    (complain-of who "the tolerance is below the rounding error of flonums, about 1e-15" x)))
+  (unless (>= (real-number x) (if bits (expt 2 (- 3 bits)) least-tolerance))
+    (complain-of who
+                 (if bits
+                     (format "the tolerance is below the rounding error of ~a bits, about 1e-~a"
+                             bits (quotient (* bits 30103) 100000))
+                     "the tolerance is below the rounding error of flonums, about 1e-15")
+                 x)))
 
 (define (check-longest who x)
   (unless (eqv? x +inf.0) (check-positive who "longest step" x)))
@@ -127,7 +138,7 @@
                   "\n  (Lagrangian->state-derivative L) makes a state derivative of a Lagrangian"
                   "")))
   (for ([x (in-list (scalars slope))])
-    (unless (number? x) (raise-no-derivative who slope x)))
+    (unless (or (number? x) (other-number? x)) (raise-no-derivative who slope x)))
   slope)
 
 (define (raise-no-derivative who slope x)

@@ -1,13 +1,14 @@
 #lang racket/base
 ;; Which method integrates: the name of an adaptive one, as the book gives it, or a
-;; method made with a fixed step.
+;; method made with a fixed step; and in numbers of how many bits.
 ;;
 ;; The names are here, the methods are loaded when one is used.
 
 (require "../generic/describe.rkt" "../numeric/ode/stepper.rkt")
 
 (provide ode-integration-method set-ode-integration-method! integration-method?
-         check-method)
+         check-method
+         ode-precision check-precision)
 
 (define names '(Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5))
 
@@ -30,3 +31,17 @@
 
 (define (set-ode-integration-method! m)
   (ode-integration-method (check-method 'set-ode-integration-method! m)))
+
+;; ---------------------------------------------------------------------------
+;; Precision
+
+(define most-bits 100000)
+
+;; A number of bits, more than those of flonums, or #f for flonums.
+(define (check-precision who bits)
+  (unless (or (not bits) (and (exact-integer? bits) (< 53 bits most-bits)))
+    (raise-argument-error who "a number of bits from 54 on, or #f for flonums" bits))
+  bits)
+
+(define ode-precision
+  (make-parameter #f (lambda (bits) (check-precision 'ode-precision bits))))

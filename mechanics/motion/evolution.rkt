@@ -1,97 +1,101 @@
 #lang racket/base
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
-(require racket/flonum
-         "check.rkt" "choice.rkt" "method.rkt" "separable.rkt" "stuck.rkt" "system.rkt"
-         "../numeric/ode/integrate.rkt"
+(require racket/flonum racket/lazy-require
+         "check.rkt" "choice.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt" "stuck.rkt"
+         "system.rkt"
+         "../numeric/ode/integrate.rkt" "../numeric/progress.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt")
+
+(lazy-require
+ ["precise.rkt" (advance-precisely follow-precisely)])
 
 (provide state-advancer evolve
          ;; for trajectories and single steps
-         (struct-out plan) make-plan run-system stuck-in start-time default-tolerance
-         system-by-shape made-by)
-
-(define default-tolerance 1e-10)
+         run-system stuck-in start-time system-by-shape made-by)
 
 ;; (state-advancer sysder p ...) : state, duration, tolerance, continue -> state
 ;; continue : state, duration, a length for the next step -> the result
 (define (state-advancer derivative-maker . parameters)
   (define system-for (system-by-shape 'state-advancer derivative-maker parameters))
   (define datum (made-by 'state-advancer derivative-maker parameters))
-  (define (advance plan-with state duration
-                   [tolerance default-tolerance] [continue state-alone])
+  (define (advance plan-with state duration [tolerance #f] [continue state-alone])
     (define p (plan-with tolerance))
     (check-real 'state-advancer "duration" duration)
-    (define s (system-for state))
-    (define y (state-vector 'state-advancer state))
-    (define start (start-time s y))
-    (define longest 0.0)
-    (define (visit from to interpolant)
-      (set! longest (flmax longest (flabs (fl- to from))))
-      #t)
-    (define last
-      (run-system p s y start (fl+ start (real->double-flonum duration)) visit))
-    (continue last duration (if (negative? duration) (fl- 0.0 longest) longest)))
-  (define (advance/keywords #:method [method (ode-integration-method)]
+    (define-values (last longest)
+      (if (plan-bits p)
+          (advance-precisely p (derivative-for derivative-maker parameters) state
+                             (real-number duration))
+          (advance-flonums p (system-for state) state (->flonum duration))))
+    (continue last duration (if (negative? (real-number duration)) (fl- 0.0 longest) longest)))
+  (define (advance/keywords #:method [method #f]
                             #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
+                            #:precision [bits (ode-precision)]
+                            #:progress [progress? (report-progress)]
                             . arguments)
     (unless (<= 2 (length arguments) 4)
       (raise-arguments (datum) "a state, a duration and perhaps a tolerance" arguments))
-    (apply advance (planning 'state-advancer method longest most) arguments))
+    (apply advance (planning 'state-advancer method longest most bits progress?) arguments))
   (make-function advance/keywords 28 datum))
 
 (define (state-alone state duration next) state)
+
+;; -> the state reached and the length of the longest step
+(define (advance-flonums p s state duration)
+  (define y (state-vector 'state-advancer state))
+  (define start (start-time s y))
+  (define longest 0.0)
+  (define (visit from to interpolant)
+    (set! longest (flmax longest (flabs (fl- to from))))
+    #t)
+  (define last (run-system p s y start (fl+ start duration) visit))
+  (values last longest))
 
 ;; (evolve sysder p ...) : state, monitor, time step, final time, tolerance -> state
 (define (evolve derivative-maker . parameters)
   (define system-for (system-by-shape 'evolve derivative-maker parameters))
   (define datum (made-by 'evolve derivative-maker parameters))
-  (define (follow plan-with state monitor step final [tolerance default-tolerance])
+  (define (follow plan-with state monitor step final [tolerance #f])
     (define p (plan-with tolerance))
     (check-monitor 'evolve monitor)
     (check-positive 'evolve "time step" step "\n  the final time says whether to go forwards or back")
     (check-real 'evolve "final time" final)
-    (define s (system-for state))
-    (check-clock 'evolve state (system-clock? s))
-    (define y (state-vector 'evolve state))
-    (define start (start-time s y))
-    (define end (real->double-flonum final))
-    (define (show y) (monitor (system-state s y)))
-    (show y)
-    (define last
-      (run-system p s y start end
-                  (sampler start end (real->double-flonum step) (flvector-length y) show)))
-    (unless (fl= start end) (monitor last))
-    last)
-  (define (follow/keywords #:method [method (ode-integration-method)]
+    (if (plan-bits p)
+        (follow-precisely p (derivative-for derivative-maker parameters) state monitor
+                          (real-number step) (real-number final))
+        (follow-flonums p (system-for state) state monitor (->flonum step) (->flonum final))))
+  (define (follow/keywords #:method [method #f]
                            #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
+                           #:precision [bits (ode-precision)]
+                           #:progress [progress? (report-progress)]
                            . arguments)
     (unless (<= 4 (length arguments) 5)
       (raise-arguments (datum) evolve-takes arguments))
-    (apply follow (planning 'evolve method longest most) arguments))
+    (apply follow (planning 'evolve method longest most bits progress?) arguments))
   (make-function follow/keywords 48 datum))
 
 (define evolve-takes "a state, a monitor, a time step, a final time and perhaps a tolerance")
+
+(define (follow-flonums p s state monitor step end)
+  (check-clock 'evolve state (system-clock? s))
+  (define y (state-vector 'evolve state))
+  (define start (start-time s y))
+  (define (show y) (monitor (system-state s y)))
+  (show y)
+  (define last
+    (run-system p s y start end (sampler start end step (flvector-length y) show)))
+  (unless (fl= start end) (monitor last))
+  last)
+
+(define (->flonum x) (real->double-flonum (real-number x)))
+
+(define ((planning who method longest most bits progress?) tolerance)
+  (make-plan who tolerance method longest most #:precision bits #:progress progress?))
 
 (define ((made-by who derivative-maker parameters))
   (cons who (map value->datum (cons derivative-maker parameters))))
 
 ;; ---------------------------------------------------------------------------
-;; How to integrate
-
-;; who : on whose behalf; longest, most : of steps
-(struct plan (who tolerance method longest most) #:authentic)
-
-(define (make-plan who tolerance method [longest +inf.0] [most +inf.0])
-  (check-tolerance who tolerance)
-  (check-longest who longest)
-  (check-most who most)
-  (plan who (real->double-flonum tolerance) (method-of who method)
-        (real->double-flonum longest) most))
-
-(define ((planning who method longest most) tolerance)
-  (make-plan who tolerance method longest most))
-
 ;; A state without a clock starts at 0.
 (define (start-time s y) (if (system-clock? s) (flvector-ref y 0) 0.0))
 
@@ -100,15 +104,20 @@
 (define (run-system p s y start end visit [kept values])
   (define m (plan-method p))
   (check-separable (plan-who p) m s y)
-  (define-values (t last)
-    (integrate m (system-right-hand-side s m) y start end
-               #:tolerance (plan-tolerance p)
-               #:longest (plan-longest p)
-               #:limit (plan-most p)
-               #:clock (and (system-clock? s) 0)
-               #:visit visit
-               #:stuck (stuck-in p s kept)))
-  (system-state s last))
+  (define (run note!)
+    (define (watched from to interpolant)
+      (note-progress note! (progress-text (plan-who p) to end))
+      (visit from to interpolant))
+    (define-values (t last)
+      (integrate m (system-right-hand-side s m) y start end
+                 #:tolerance (plan-tolerance p)
+                 #:longest (plan-longest p)
+                 #:limit (plan-most p)
+                 #:clock (and (system-clock? s) 0)
+                 #:visit (if note! watched visit)
+                 #:stuck (stuck-in p s kept)))
+    (system-state s last))
+  (call-with-progress (plan-progress? p) run))
 
 (define ((stuck-in p s [kept values]) t y why)
   (raise-stuck (plan-who p) s (plan-method p) t y why (kept (system-state s y))))
@@ -133,10 +142,6 @@
           (set! k (+ k 1))
           (loop))))
     #t))
-
-;; How many steps it takes to cover the span; a last one that is tiny is rounding.
-(define (sample-count span step)
-  (inexact->exact (ceiling (- (/ span step) 1e-6))))
 
 ;; A system is compiled once for an advancer and each shape of state it meets.
 (define (system-by-shape who derivative-maker parameters)

@@ -14,13 +14,14 @@
          "../compile/compile-function.rkt"
          "../generic/structure.rkt" "../generic/arithmetic.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt" "../lagrangian/path.rkt"
-         "../numeric/gauss-legendre.rkt" "../numeric/quasi-newton.rkt"
+         "../numeric/gauss-legendre.rkt" "../numeric/progress.rkt" "../numeric/quasi-newton.rkt"
          "../value/shape.rkt")
 
 (provide find-path)
 
 ;; observe : called with each path tried and its action
-(define (find-path L t0 q0 t1 q1 n #:tolerance [tolerance 1e-8] #:observe [observe void])
+(define (find-path L t0 q0 t1 q1 n #:tolerance [tolerance 1e-8] #:observe [observe void]
+                   #:progress [progress? (report-progress)])
   (check-Lagrangian 'find-path L)
   (check-real 'find-path "initial time" t0)
   (check-real 'find-path "final time" t1)
@@ -33,19 +34,21 @@
   (define x (structure->flvector start (lambda (x) (check-real 'find-path "coordinate" x))))
   (define (path x) (path-through (flvector->structure start x)))
   (define integrand (compile-integrand L path-through start t0))
-  (define (minimum x nodes)
-    (define-values (found action slope count)
-      (quasi-newton (action-and-gradient integrand nodes t0 t1) x
-                    #:tolerance tolerance #:name 'find-path
-                    #:observe (lambda (x action) (observe (path x) action))))
-    found)
+  (define (search note!)
+    (define watch (counting-search note! 'find-path (lambda (x action) (observe (path x) action))))
+    (define (minimum x nodes)
+      (define-values (found action slope count)
+        (quasi-newton (action-and-gradient integrand nodes t0 t1) x
+                      #:tolerance tolerance #:name 'find-path #:observe watch))
+      found)
+    (let refine ([before (minimum x (* 2 (+ n 4)))] [nodes (* 4 (+ n 4))])
+      (define after (minimum before nodes))
+      (if (or (close? before after tolerance) (> nodes 1000))
+          (path after)
+          (refine after (* 2 nodes)))))
   (if (zero? n)
       (path x)
-      (let refine ([before (minimum x (* 2 (+ n 4)))] [nodes (* 4 (+ n 4))])
-        (define after (minimum before nodes))
-        (if (or (close? before after tolerance) (> nodes 1000))
-            (path after)
-            (refine after (* 2 nodes))))))
+      (call-with-progress progress? search)))
 
 (define (close? v w tolerance)
   (for/and ([x (in-flvector v)] [y (in-flvector w)])

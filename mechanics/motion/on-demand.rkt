@@ -23,6 +23,6 @@
  trajectory-states trajectory-events
  event event? occurrence? occurrence-event occurrence-time occurrence-state
  find-path
- set-ode-integration-method! ode-integration-method integration-method?
+ set-ode-integration-method! ode-integration-method integration-method? ode-precision
  leapfrog Yoshida-4 Yoshida-6 Yoshida-8
  Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)

@@ -7,7 +7,8 @@
 ;; values.
 
 (require racket/flonum
-         "check.rkt" "choice.rkt" "evolution.rkt" "separable.rkt" "system.rkt"
+         "check.rkt" "choice.rkt" "evolution.rkt" "plan.rkt" "separable.rkt"
+         "system.rkt"
          "../compile/compile-function.rkt" "../numeric/ode/integrate.rkt"
          "../generic/function.rkt" "../generic/structure.rkt")
 

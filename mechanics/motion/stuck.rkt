@@ -2,7 +2,7 @@
 ;; Why a motion cannot be followed any further, in words, and what may help.
 
 (require racket/flonum
-         "system.rkt"
+         "check.rkt" "system.rkt"
          "../generic/describe.rkt"
          "../numeric/failure.rkt" "../numeric/ode/stepper.rkt"
          "../value/shape.rkt")
@@ -51,7 +51,9 @@
     (and (not (andmap finite? (scalars slope)))
          (format "\n  state derivative ~a: ~a" where (value->text slope)))))
 
-(define (finite? x) (and (real? x) (< (abs x) +inf.0)))
+(define (finite? given)
+  (define x (real-number given))
+  (and (real? x) (< (abs x) +inf.0)))
 
 ;; The same a little further, on either side.
 (define (beyond-text s y)
@@ -60,7 +62,7 @@
     (slope-text s
                 (for/flvector #:length (flvector-length y)
                               ([x (in-flvector y)] [v (in-list slope)])
-                  (+ x (* h (real->double-flonum v))))
+                  (+ x (* h (real->double-flonum (real-number v)))))
                 "beyond"))
   (for/or ([h (in-list '(1e-9 -1e-9 1e-6 -1e-6))]) (text h)))
 

@@ -14,7 +14,8 @@
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 
 (provide (struct-out system) make-system make-parametric-system
-         system-right-hand-side system-state system-size)
+         system-right-hand-side system-state system-size
+         derivative-for constant-rate? raise-rate-varies)
 
 ;; shape : a state; clock? : is its first scalar the time, with derivative 1?
 ;; derivative     : state -> state
@@ -49,15 +50,14 @@
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
-  (define (derivative-for ps)
-    (if (takes-state-only? derivative-maker ps) derivative-maker (apply derivative-maker ps)))
-  (define (fixed) (make-system who (derivative-for parameters) state))
+  (define (derivative-of ps) (derivative-for derivative-maker ps))
+  (define (fixed) (make-system who (derivative-of parameters) state))
   (cond
     [(or (null? parameters) (not (andmap real? parameters))) (fixed)]
     [else
-     (define derivative (derivative-for parameters))
+     (define derivative (derivative-of parameters))
      (define slope (check-derivative who derivative state))
-     (define (f s) ((derivative-for (structure->list (ref s 1))) (ref s 0)))
+     (define (f s) ((derivative-of (structure->list (ref s 1))) (ref s 0)))
      (define (slopes s)
        (derivative-at (lambda (state) (f (up state (ref s 1)))) (ref s 0)))
      (define inputs (apply up parameters))
@@ -80,6 +80,9 @@
                  (lambda () (with-parameters code))
                  (lambda () (let ([c (force jacobian)]) (and c (with-parameters c)))))
          (fixed))]))
+
+(define (derivative-for derivative-maker ps)
+  (if (takes-state-only? derivative-maker ps) derivative-maker (apply derivative-maker ps)))
 
 ;; n : how many scalars a state has
 (define (fix-parameters code n ps)
@@ -107,18 +110,23 @@
 ;; Is the rate of the first scalar the constant 1?  A trace tells.  Without one it
 ;; is taken for constant if it is exact, for states are flonums.
 (define (clock-first? code)
-  (define rate (car (scalars (compiled-function-value-shape code))))
-  (if (compiled-function-reason code)
-      (eqv? rate 1)
-      (and (number? rate) (= rate 1))))
+  (constant-rate? (compiled-function-value-shape code) (not (compiled-function-reason code))))
+
+(define (constant-rate? slope traced?)
+  (define rate (car (scalars slope)))
+  (if traced?
+      (and (number? rate) (= rate 1))
+      (eqv? rate 1)))
 
 ;; It may be exact and not constant, 1 or 2 by a decision.
 (define ((on-time who run) y dy)
   (run y dy)
   (define rate (flvector-ref dy 0))
-  (unless (or (fl= rate 1.0) (not (fl= rate rate)))
-    (raise-arguments-error
-     who "the first component of the state was taken for the time, but its derivative varies"
-     "at the start" 1
-     "now" rate
-     "if it is not the time" (unquoted-printing-string "let its derivative be 1.0 at the start"))))
+  (unless (or (fl= rate 1.0) (not (fl= rate rate))) (raise-rate-varies who rate)))
+
+(define (raise-rate-varies who rate)
+  (raise-arguments-error
+   who "the first component of the state was taken for the time, but its derivative varies"
+   "at the start" 1
+   "now" rate
+   "if it is not the time" (unquoted-printing-string "let its derivative be 1.0 at the start")))

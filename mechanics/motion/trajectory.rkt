@@ -5,17 +5,21 @@
 ;; state at any time from the first to the last, about as well as the steps
 ;; themselves do.
 
-(require racket/flonum
-         "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "system.rkt"
-         "../generic/describe.rkt" "../numeric/failure.rkt" "../numeric/ode/vectors.rkt")
+(require racket/flonum racket/lazy-require
+         "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "system.rkt"
+         "../generic/describe.rkt" "../numeric/failure.rkt" "../numeric/ode/vectors.rkt"
+         "../numeric/progress.rkt")
+
+(lazy-require
+ ["precise.rkt" (follow-precise-trajectory)])
 
 (provide evolve-trajectory
          trajectory? trajectory-start trajectory-end trajectory-final-state
          trajectory-states trajectory-events)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
-;; system : what makes states of flvectors
-(struct trajectory (steps system events)
+;; reading : what makes states of steps
+(struct trajectory (steps events reading)
   #:authentic
   #:property prop:procedure (lambda (tr t) (state-at tr t))
   #:property prop:custom-print-quotable 'never
@@ -23,22 +27,30 @@
   (lambda (tr port mode)
     (write-value `(trajectory from ,(trajectory-start tr) to ,(trajectory-end tr)) port)))
 
-;; From one time to another.  The step was taken to `full`, beyond `to` if an event
-;; ended the trajectory; (at theta out) is its interpolant.
-(struct step (from to full at) #:authentic)
+;; From one time to another, and what leads to the states between.
+(struct step (from to inside) #:authentic)
+
+;; exactly : real -> the same as times of steps are; shown : back
+;; state   : step time -> state
+(struct reading (exactly shown state) #:authentic)
 
 (define (trajectory-start tr)
   (check-trajectory 'trajectory-start tr)
-  (step-from (vector-ref (trajectory-steps tr) 0)))
+  (shown-time tr (first-time tr)))
 
 (define (trajectory-end tr)
   (check-trajectory 'trajectory-end tr)
+  (shown-time tr (last-time tr)))
+
+(define (first-time tr) (step-from (vector-ref (trajectory-steps tr) 0)))
+(define (last-time tr)
   (define steps (trajectory-steps tr))
   (step-to (vector-ref steps (- (vector-length steps) 1))))
+(define (shown-time tr t) ((reading-shown (trajectory-reading tr)) t))
 
 (define (trajectory-final-state tr)
   (check-trajectory 'trajectory-final-state tr)
-  (state-at tr (trajectory-end tr)))
+  (state-at tr (last-time tr)))
 
 ;; The states at the given times, or at the ends of the steps.
 (define (trajectory-states tr [times #f])
@@ -54,27 +66,50 @@
   (unless (trajectory? tr) (raise-argument-error who "trajectory?" tr)))
 
 (define (step-times tr)
-  (cons (trajectory-start tr)
+  (cons (first-time tr)
         (for/list ([s (in-vector (trajectory-steps tr))]) (step-to s))))
 
 ;; ---------------------------------------------------------------------------
 ;; Making one
 
 (define (evolve-trajectory derivative state end
-                           #:tolerance [tolerance default-tolerance]
+                           #:tolerance [tolerance #f]
                            #:events [events '()]
-                           #:method [method (ode-integration-method)]
+                           #:method [method #f]
                            #:longest-step [longest +inf.0]
-                           #:most-steps [most +inf.0])
+                           #:most-steps [most +inf.0]
+                           #:precision [bits (ode-precision)]
+                           #:progress [progress? (report-progress)])
   (check-real 'evolve-trajectory "final time" end)
-  (define p (make-plan 'evolve-trajectory tolerance method longest most))
+  (define p
+    (make-plan 'evolve-trajectory tolerance method longest most
+               #:precision bits #:progress progress?))
   (define all-events (check-events events))
+  (if bits
+      (precise-trajectory p derivative state (real-number end) all-events)
+      (flonum-trajectory p derivative state (real->double-flonum (real-number end)) all-events)))
+
+(define (precise-trajectory p derivative state end events)
+  (unless (null? events)
+    (raise-arguments-error 'evolve-trajectory "events are found in flonums, not with a precision"
+                           "events" events
+                           "precision" (plan-bits p)))
+  (define (make steps exactly shown state)
+    (trajectory (for/vector ([s (in-list steps)]) (apply step s))
+                '()
+                (reading exactly shown
+                         (lambda (s t) (state (step-inside s) t)))))
+  (follow-precise-trajectory p derivative state end make))
+
+;; In flonums, the inside of a step is the time to which it was taken, beyond its end if
+;; an event ended the trajectory, and its interpolant.
+(define (flonum-trajectory p derivative state end events)
   (define s (make-system 'evolve-trajectory derivative state))
   (define y (state-vector 'evolve-trajectory state))
-  (define events-in (watch-for 'evolve-trajectory all-events state (flvector-length y)))
+  (define events-in (watch-for 'evolve-trajectory events state (flvector-length y)))
   (define steps '())
   (define occurrences '())
-  (define (record! from to full at) (set! steps (cons (step from to full at) steps)))
+  (define (record! from to full at) (set! steps (cons (step from to (cons full at)) steps)))
   ;; -> is the integration to go on?
   (define (visit from to interpolant)
     (define at (interpolant))
@@ -83,7 +118,7 @@
             [else
              (define e (cdar found))
              (define t (time-within from to (caar found)))
-             (define there (state-within s (step from to to at) t))
+             (define there (state-within s (step from to (cons to at)) t))
              (when (undefined? e)
                (record! from t to at)
                (raise-undefined (undefined-event e) t there (so-far)))
@@ -94,8 +129,8 @@
   (define (stay theta out) (flvector-copy! out y))
   (define (so-far)
     (when (null? steps) (record! start start start stay))
-    (trajectory (list->vector (reverse steps)) s (reverse occurrences)))
-  (run-system p s y start (real->double-flonum end) visit (lambda (state) (so-far)))
+    (trajectory (list->vector (reverse steps)) (reverse occurrences) (flonum-reading s)))
+  (run-system p s y start end visit (lambda (state) (so-far)))
   (so-far))
 
 ;; so-far : the trajectory up to there
@@ -104,6 +139,9 @@
                   "event" e
                   "time" t
                   "state" state))
+
+(define (flonum-reading s)
+  (reading real->double-flonum values (lambda (st t) (state-within s st t))))
 
 ;; Reckoned from the nearer end, so that rounding does not lead beyond.
 (define (time-within from to theta)
@@ -128,13 +166,14 @@
 
 (define (state-at tr t)
   (check-real 'trajectory "time" t)
-  (define x (real->double-flonum t))
-  (unless (between? (trajectory-start tr) x (trajectory-end tr))
+  (define r (trajectory-reading tr))
+  (define x ((reading-exactly r) (real-number t)))
+  (unless (between? (first-time tr) x (last-time tr))
     (raise-arguments-error 'trajectory "the time is outside the trajectory"
                            "time" t
                            "from" (trajectory-start tr)
                            "to" (trajectory-end tr)))
-  (state-within (trajectory-system tr) (find-step (trajectory-steps tr) x) x))
+  ((reading-state r) (find-step (trajectory-steps tr) x) x))
 
 (define (between? a x b) (or (<= a x b) (>= a x b)))
 
@@ -149,7 +188,7 @@
 
 (define (state-within s st x)
   (define y (make-flvector (system-size s)))
-  (define length (fl- (step-full st) (step-from st)))
-  ((step-at st) (if (fl= length 0.0) 0.0 (fl/ (fl- x (step-from st)) length)) y)
+  (define length (fl- (car (step-inside st)) (step-from st)))
+  ((cdr (step-inside st)) (if (fl= length 0.0) 0.0 (fl/ (fl- x (step-from st)) length)) y)
   (when (system-clock? s) (flvector-set! y 0 x))
   (system-state s y))

@@ -6,12 +6,14 @@
 ;;
 ;; - exact numbers by elimination without fractions (algebra/linear/bareiss.rkt),
 ;; - numbers, some of them flonums, with partial pivoting (numeric/linear-systems.rkt),
+;; - those of higher precision likewise (numeric/bigfloat/linear-systems.rkt),
 ;; - anything else without divisions (division-free.rkt).
 ;;
 ;; Results are graphs that share what they are made of, not simplified.
 
-(require "division-free.rkt" "open-system.rkt" "singular.rkt"
-         "../generic/arithmetic.rkt" "../generic/structure.rkt"
+(require racket/lazy-require
+         "division-free.rkt" "open-system.rkt" "singular.rkt"
+         "../generic/arithmetic.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
          "../algebra/expression.rkt"
          "../algebra/linear/characteristic.rkt" "../algebra/linear/coefficients.rkt"
          "../algebra/linear/elimination.rkt" "../algebra/linear/pattern.rkt"
@@ -20,6 +22,8 @@
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
          rows-rank rows-null-space rows-characteristic rows-diagonal-blocks
          rows-transpose)
+
+(lazy-require ["bigfloat.rkt" (bigfloat-solutions)])
 
 ;; ---------------------------------------------------------------------------
 ;; Determinants
@@ -94,11 +98,19 @@
   (define n (vector-length A))
   (cond [(= n 1) (solve-one (entry A 0 0) (vector-ref right 0))]
         [(open-system? A right) (open-solutions A right)]
+        [(other-numbers? A right) (bigfloat-solutions A right)]
         [(not (all-entries? number? A)) (ring-solutions A right)]
         [(all-entries? number? right) (numeric-solutions A right)]
         [else
          (define inverse (numeric-solutions A (unit-rows n)))
          (if (eq? inverse 'singular) inverse (rows-product inverse right))]))
+
+;; Numbers, not all of them Racket's?
+(define (other-numbers? A right)
+  (define (plain? x) (or (number? x) (other-number? x)))
+  (and (not (and (all-entries? number? A) (all-entries? number? right)))
+       (all-entries? plain? A)
+       (all-entries? plain? right)))
 
 (define (solve-one a right)
   (if (zero-value? a)

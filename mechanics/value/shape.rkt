@@ -2,7 +2,7 @@
 ;; Structures as flvectors: their scalars in a row, and back.
 
 (require racket/flonum
-         "../generic/structure.rkt" "../generic/describe.rkt")
+         "../generic/compare.rkt" "../generic/kind.rkt" "../generic/structure.rkt")
 
 (provide scalars shape-length scalars->structure structure->flvector flvector->structure)
 
@@ -32,5 +32,6 @@
   (define xs (scalars x))
   (define v (make-flvector (length xs)))
   (for ([x (in-list xs)] [k (in-naturals)])
-    (flvector-set! v k (if (real? x) (real->double-flonum x) (complain x))))
+    (define r (if (other-number? x) (comparand x) x))
+    (flvector-set! v k (if (real? r) (real->double-flonum r) (complain x))))
   v)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The algebra of expressions, applied to every scalar of a value.
 
-(require "assumptions.rkt" "../generic/describe.rkt"
+(require "assumptions.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
          "../algebra/expression.rkt" "../algebra/simplify.rkt" "../algebra/evaluate.rkt")
 
 (provide expression simplify simplify/assumptions as-shown substitute with-literals)
@@ -59,7 +59,7 @@
   (map-leaves
    (lambda (leaf)
      (cond [(symbolic? leaf) (substitute-expression leaf alist)]
-           [(number? leaf) leaf]
+           [(or (number? leaf) (other-number? leaf)) leaf]
            [else (raise-nothing-to-replace leaf)]))
    x))
 

@@ -1,9 +1,10 @@
 #lang racket/base
 ;; The prompts that the manual's examples run at.
 
-(require racket/sandbox scribble/example)
+(require racket/sandbox scribble/example scribble/manual
+         (only-in "../../mechanics/numeric/bigfloat/arithmetic.rkt" check-bigfloats))
 
-(provide examples make-session make-racket-session close-session)
+(provide examples bigfloat-examples make-session make-racket-session close-session)
 
 ;; Columns of a page of the manual that a result may fill.
 (define page-columns 66)
@@ -23,3 +24,15 @@
   (make-base-eval #:lang 'racket/base #:pretty-print? #f))
 
 (define close-session close-eval)
+
+;; Examples in numbers of higher precision, without their results where the manual is
+;; built on a machine that cannot compute them.
+(define-syntax-rule (bigfloat-examples session form ...)
+  (if bigfloats?
+      (examples #:eval session form ...)
+      (racketblock form ...)))
+
+(define bigfloats?
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (check-bigfloats 'examples)
+    #t))

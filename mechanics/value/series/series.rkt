@@ -170,7 +170,7 @@
   (collapse (map-series value s)))
 
 (define (scalar? x)
-  (or (expression? x) (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:dual))))
+  (or (expression? x) (and (has-kind? x) (<= (kind-rank (kind-of x)) rank:dual))))
 
 (define (of-operators? s)
   (for/or ([x (in-list (first-terms s shown-terms))])

@@ -192,7 +192,8 @@ The same; here the tolerance must be given.
 
 @defproc[(minimize [f procedure?] [low real?] [high real?]
                    [#:tolerance tolerance real? 1e-8]
-                   [#:observe observe (-> real? real? any) void])
+                   [#:observe observe (-> real? real? any) void]
+                   [#:progress progress? any/c (report-progress)])
          list?]{
 
 A list of the argument at which f is least between @racket[low] and @racket[high],
@@ -206,7 +207,8 @@ there.
 @sicm{1.4, p. 19}}
 
 @defproc[(brent-min [f procedure?] [low real?] [high real?] [tolerance real? 1e-8]
-                    [#:observe observe (-> real? real? any) void])
+                    [#:observe observe (-> real? real? any) void]
+                    [#:progress progress? any/c (report-progress)])
          list?]{
 
 The same, with a tolerance among the arguments.
@@ -216,7 +218,8 @@ The same, with a tolerance among the arguments.
 
 @defproc[(golden-section-min [f procedure?] [low real?] [high real?]
                              [done (or/c real? procedure?) 1e-8]
-                             [#:observe observe (-> real? real? any) void])
+                             [#:observe observe (-> real? real? any) void]
+                             [#:progress progress? any/c (report-progress)])
          list?]{
 
 The same by golden sections: each step takes one value of f and leaves 0.618 of the
@@ -233,6 +236,7 @@ number of steps.
                                     [#:tolerance tolerance real? 1e-8]
                                     [#:method method (or/c 'quasi-newton 'nelder-mead #f) #f]
                                     [#:observe observe (-> any/c real? any) void]
+                                    [#:progress progress? any/c (report-progress)]
                                     [#:report report procedure?
                                               (lambda (argument value gradient evaluations)
                                                 argument)])
@@ -272,7 +276,8 @@ point.
 @defproc[(nelder-mead [f procedure?] [start (or/c value list?)]
                       [step (or/c real? #f) #f] [tolerance real? 1e-8]
                       [limit exact-positive-integer? 20000]
-                      [#:observe observe (-> any/c real? any) void])
+                      [#:observe observe (-> any/c real? any) void]
+                      [#:progress progress? any/c (report-progress)])
          list?]{
 
 The downhill simplex method: a list of the argument, the value there, and the
@@ -458,7 +463,8 @@ them.
 @defproc[(find-path [L Lagrangian] [t0 real?] [q0 value] [t1 real?] [q1 value]
                     [n exact-nonnegative-integer?]
                     [#:tolerance tolerance real? 1e-8]
-                    [#:observe observe (-> path real? any) void])
+                    [#:observe observe (-> path real? any) void]
+                    [#:progress progress? any/c (report-progress)])
          procedure?]{
 
 The path from @racket[q0] at @racket[t0] to @racket[q1] at @racket[t1] of least action

@@ -15,7 +15,8 @@ constant 1, as in a local tuple, that component is the time.
 
 The tolerance bounds the error of each step, relative to 1 plus the size of each
 component; the steps are as long as it lets them be. It is a positive number not below
-@racket[1e-15], and @racket[1e-10] unless given. Units are any consistent ones.
+@racket[1e-15], and @racket[1e-10] unless given. With a precision
+(@secref["precision"]), it follows that. Units are any consistent ones.
 
 Two keywords bound the steps of integration: @racket[#:longest-step], for what is so short
 that a long step would miss it, and @racket[#:most-steps], a number of steps after which
@@ -27,7 +28,8 @@ that a long step would miss it, and @racket[#:most-steps], a number of steps aft
                          [parameter any/c] ...)
          (->* (value real?)
               (real? (-> value real? real? any) #:method integration-method?
-               #:longest-step real? #:most-steps exact-positive-integer?)
+               #:longest-step real? #:most-steps exact-positive-integer?
+               #:precision (or/c exact-integer? #f) #:progress any/c)
               any)]{
 
 @racket[system-derivative] makes a state derivative from parameters. The result is a
@@ -64,7 +66,8 @@ exception carries.
                  [parameter any/c] ...)
          (->* (value (-> value any) real? real?)
               (real? #:method integration-method?
-               #:longest-step real? #:most-steps exact-positive-integer?)
+               #:longest-step real? #:most-steps exact-positive-integer?
+               #:precision (or/c exact-integer? #f) #:progress any/c)
               value)]{
 
 The result is a procedure of a state with a time, a monitor, a time step, a final
@@ -127,7 +130,9 @@ reached or passed, in the direction of the first one.
                             [#:events events (or/c event? (listof event?)) '()]
                             [#:method method integration-method? (ode-integration-method)]
                             [#:longest-step longest real? +inf.0]
-                            [#:most-steps most (or/c exact-positive-integer? +inf.0) +inf.0])
+                            [#:most-steps most (or/c exact-positive-integer? +inf.0) +inf.0]
+                            [#:precision bits (or/c exact-integer? #f) (ode-precision)]
+                            [#:progress progress? any/c (report-progress)])
          trajectory?]{
 
 The motion from @racket[state] to the time @racket[end] as a function of time. A state
@@ -273,5 +278,98 @@ midpoint rule. Where a step is too long to be solved for,
 (define ((stiff) (up t x v)) (up 1 v (* -1e4 x)))
 (eval:error
  (evolve-trajectory (stiff) (up 0 1 0) 10 #:method (Gauss-Legendre-4 0.1)))]}
+
+@section{Waiting}
+
+@defboolparam[report-progress report?]{
+
+Whether long runs say how far they are, which they do at a prompt in a terminal only: after
+three seconds a line such as @tt{evolve: t = 37.2 of 100.0} appears below the input, is
+written anew a few times a second and is erased in the end, also when the run is
+interrupted by Ctrl-C. The procedures on this page, @racket[find-path] and the minimisers
+take the keyword @racket[#:progress] for a single run. Where a monitor writes something
+itself, nothing is said; programs and modules never see it.}
+
+@section[#:tag "precision"]{Precision}
+
+How long is a run to be believed? One in more digits tells. With the keyword
+@racket[#:precision], all procedures on this page follow the same state derivative in
+floating-point numbers of so many bits instead of flonums, which have 53, and their
+states hold such numbers. Each bit is worth 0.3 decimal digits.
+
+@bigfloat-examples[session
+((state-advancer harmonic-state-derivative 1 1)
+ (up 0 1 0) 10 #:precision 200)
+(cos (bigfloat 10 200))]
+
+The tolerance is ten to the minus a quarter of the bits unless given, @racket[1e-50] for
+200 bits. The method is extrapolation of Gragg's midpoint rule, the same as
+@racket['bulirsch-stoer] but of any order: about 0.6 rows for each digit of the tolerance.
+Its coefficients are fractions; those of @racket['Dormand-Prince-853] are known to 25
+digits or so and would leave no more right. Some bits more than asked for make up for the
+rounding on the way. States between steps are computed by steps that end there. A
+pendulum takes about a thousand times as long with 100 bits as with flonums.
+
+@margin-note{Exact numbers enter at full precision, a flonum at its own exact value:
+@racket[0.1] is 0.1000000000000000055…. Hence give @racket[1/10] where that is
+meant, and @racket[(sqrt (bigfloat 2 200))] where
+@racket[(sqrt 2)], which is a flonum, has half the digits.}
+
+Two runs of the double pendulum of exercise 1.44 from the same place, the second one in
+flonums. After 20 seconds they have nothing in common but the system:
+
+@bigfloat-examples[session
+(define ((L-double-pendulum m1 m2 l1 l2 g)
+         (up t (up a b) (up va vb)))
+  (+ (* 1/2 (+ m1 m2) (square (* l1 va)))
+     (* 1/2 m2 (square (* l2 vb)))
+     (* m2 l1 l2 va vb (cos (- a b)))
+     (* (+ m1 m2) g l1 (cos a))
+     (* m2 g l2 (cos b))))
+(define advance
+  (state-advancer
+   (lambda (m1 m2)
+     (Lagrangian->state-derivative
+      (L-double-pendulum m1 m2 1 9/10 49/5)))
+   1 3))
+(define start (up 0 (up 3/2 3) (up 0 0)))
+(define (angles s) (exact->inexact (coordinate s)))
+(angles (advance start 20 1e-20 #:precision 80))
+(angles (advance start 20 1e-13))]
+
+A duration, a time step or a final time is met exactly. Events are found in flonums
+only, and methods with steps of their own are for flonums only: either together with a
+precision is an error.
+
+These numbers are those of @racketmodname[math/bigfloat], which computes with the library
+MPFR. On Windows and macOS it comes with Racket; elsewhere it is a package of the
+system, @tt{libmpfr6} on Debian and Ubuntu, @tt{mpfr} on others. Where it is missing,
+@racket[exn:fail:unsupported] is raised, which says so, and all else works.
+
+@defparam[ode-precision bits (or/c exact-integer? #f)]{
+
+The precision where none is given by the keyword, or @racket[#f], the initial value, for
+flonums.}
+
+@deftogether[(@defproc[(bigfloat [x (or/c real? string? bigfloat?)] [bits exact-integer? 128])
+                       bigfloat?]
+              @defproc[(bigfloat? [x any/c]) boolean?]
+              @defproc[(bigfloat-precision [x bigfloat?]) exact-integer?]
+              @defproc[(bigfloat->exact [x bigfloat?]) real?])]{
+
+A number of so many bits: the one nearest to @racket[x], which may be a numeral, and may be
+a number of @racketmodname[math/bigfloat]. These numbers take part in all arithmetic,
+comparisons and derivatives. A result has as many bits as the more precise of its
+arguments. There are no complex ones: the square root of a negative number is not a number,
+@racket[+nan.0]. Beside symbols they stand for their exact values, fractions;
+@racket[bigfloat->exact] gives that, and @racket[exact->inexact] a flonum.
+
+@bigfloat-examples[session
+(define x (bigfloat "0.1" 100))
+(+ x 1/3)
+((D (compose sin exp)) x)
+(* 4 (atan (bigfloat 1 150)))
+(exact->inexact (* x x))
+(bigfloat-precision (* x 1/7))]}
 
 @(close-session session)

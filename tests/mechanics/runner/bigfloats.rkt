@@ -14,4 +14,4 @@
   (with-handlers ([exn:fail? (lambda (e) #f)])
     ((big 'bigfloat?) ((big 'bf+) ((big 'bf) 1) ((big 'bf) 2)))))
 
-(define no-bigfloats "libmpfr is not installed: no bigfloats to compare derivatives with")
+(define no-bigfloats "libmpfr is not installed: no bigfloats to compute with")

@@ -1,0 +1,128 @@
+#lang racket/base
+;; Generic functions run on numbers of higher precision.
+;;
+;; A program (program.rkt) is taken for a list of operations on bigfloats, one after
+;; the other: each takes about a microsecond, beside which it does not matter that
+;; they are not compiled.  What cannot be traced is evaluated by the generic
+;; arithmetic, as for flonums.
+
+(require "program.rkt" "trace.rkt"
+         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
+         "../numeric/bigfloat/arithmetic.rkt" "../numeric/bigfloat/linear-systems.rkt"
+         "../value/bigfloat.rkt" "../value/shape.rkt")
+
+(provide bigfloat-function
+         structure->bigfloats bigfloats->structure)
+
+;; f : a procedure of one structure; point : such a structure, of numbers
+;; -> a procedure from vectors of math/bigfloat's numbers to such, in the precision
+;; in force; the shape of its value; and whether f could be traced
+(define (bigfloat-function who f point)
+  (define (complain x) (raise-not-a-number who x))
+  (define input (structure->bigfloats point complain))
+  (define (value-at v) (f (bigfloats->structure point v)))
+  (define value (value-at input))
+  (define (generic v) (structure->bigfloats (check-shape who value (value-at v)) complain))
+  (define-values (p shape) (trace who f point #:constants exact))
+  (define run (and (program? p) (program->procedure p)))
+  (if (and run (agree? run generic input) (agree? run generic (opposite input)))
+      (values run shape #t)
+      (values generic value #f)))
+
+;; Constants are combined before they are rounded.
+(define (exact x) (if (rational? x) (inexact->exact x) x))
+
+(define (check-shape who before now)
+  (unless (same-shape? before now)
+    (raise-arguments-error who "the function's value has changed its shape"
+                           "before" before "now" now))
+  now)
+
+(define (raise-not-a-number who x)
+  (raise (exn:fail:contract
+          (format "~a: expected real numbers; given ~a" who (describe-with-value x))
+          (current-continuation-marks))))
+
+;; Racket's own tests may take a placeholder for what it is (compile-function.rkt), so
+;; the program is compared with the function on both sides of zero.
+(define (agree? run generic v)
+  (define expected (with-handlers ([exn:fail? (lambda (e) #f)]) (generic v)))
+  (or (not expected)
+      (for/and ([x (in-vector (run v))] [y (in-vector expected)])
+        (close? (exact-value x) (exact-value y)))))
+
+(define (opposite v)
+  (define negate (operation-on-bigfloats 'negate 1))
+  (for/vector #:length (vector-length v) ([x (in-vector v)]) (negate x)))
+
+(define (close? a b)
+  (or (not (rational? a)) (not (rational? b))
+      (<= (abs (- a b)) (* 1/1000000000000 (+ 1/1000 (abs a) (abs b))))))
+
+;; ---------------------------------------------------------------------------
+;; Structures as vectors
+
+;; (complain scalar) where one is not a real number.
+(define (structure->bigfloats x complain)
+  (for/vector ([x (in-list (scalars x))])
+    (raw-bigfloat (if (or (real? x) (other-number? x)) x (complain x)))))
+
+(define (bigfloats->structure shape v)
+  (scalars->structure shape (lambda (k) (wrap (vector-ref v k)))))
+
+;; ---------------------------------------------------------------------------
+;; Programs
+
+;; values : vector; the instructions store the value of each at its place, after the
+;; inputs and the numbers that occur.
+(define (program->procedure p)
+  (define n (program-inputs p))
+  (define size (+ n (program-length p)))
+  (define numbers (make-hasheqv))
+  (define (where operand)
+    (if (place? operand)
+        (place-index operand)
+        (hash-ref! numbers operand (lambda () (+ size (hash-count numbers))))))
+  (define steps
+    (for/list ([i (in-vector (program-instructions p))] [k (in-naturals n)])
+      (instruction->step i k where)))
+  (define outputs (for/list ([o (in-vector (program-outputs p))]) (where o)))
+  (define constants
+    (for/list ([(x k) (in-hash numbers)]) (cons k (real->bigfloat x))))
+  (lambda (input)
+    (define values (make-vector (+ size (hash-count numbers)) #f))
+    (vector-copy! values 0 input)
+    (for ([c (in-list constants)]) (vector-set! values (car c) (cdr c)))
+    (for ([step! (in-list steps)]) (step! values))
+    (for/vector #:length (length outputs) ([k (in-list outputs)]) (vector-ref values k))))
+
+(define (instruction->step instruction k where)
+  (define operation (instruction-operation instruction))
+  (define operands (instruction-operands instruction))
+  (case operation
+    [(solve) (solving k (map where operands))]
+    [(component)
+     (define system (where (car operands)))
+     (define j (cadr operands))
+     (lambda (v) (vector-set! v k (vector-ref (vector-ref v system) j)))]
+    [else (operating k (operation-on-bigfloats operation (length operands)) (map where operands))]))
+
+(define (operating k f places)
+  (define a (car places))
+  (if (null? (cdr places))
+      (lambda (v) (vector-set! v k (f (vector-ref v a))))
+      (let ([b (cadr places)])
+        (lambda (v) (vector-set! v k (f (vector-ref v a) (vector-ref v b)))))))
+
+;; The value of a system, given as rows of [A b], is the vector of its solution; where
+;; it has none, of what is not a number.
+(define ((solving k places) v)
+  (define n (integer-sqrt (length places)))
+  (define entries (for/vector ([p (in-list places)]) (vector-ref v p)))
+  (define (row i from to)
+    (for/vector ([j (in-range from to)]) (vector-ref entries (+ (* i (+ n 1)) j))))
+  (define x (solutions (build-vector n (lambda (i) (row i 0 n)))
+                       (build-vector n (lambda (i) (row i n (+ n 1))))))
+  (vector-set! v k (if (eq? x 'singular)
+                       (make-vector n (real->bigfloat +nan.0))
+                       (for/vector ([r (in-vector x)]) (vector-ref r 0)))))

@@ -1,0 +1,169 @@
+#lang racket/base
+;; Motion in numbers of higher precision than flonums, for checking long runs.
+;;
+;; The same state derivative is followed by extrapolation (numeric/bigfloat), in a
+;; few more bits than were asked for, which make up for the rounding on the way.
+;; States between the steps are those that a shorter step leads to.
+
+(require math/bigfloat
+         "check.rkt" "plan.rkt" "sample-times.rkt" "system.rkt"
+         "../compile/bigfloat-function.rkt"
+         "../generic/describe.rkt"
+         "../numeric/bigfloat/arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
+         "../numeric/failure.rkt" "../numeric/progress.rkt"
+         (only-in "../value/bigfloat.rkt" [bigfloat rounded]))
+
+(provide advance-precisely follow-precisely follow-precise-trajectory)
+
+;; start   : the first time, exact; first : the first state, a vector
+;; run     : end visit -> time and state reached (extrapolation.rkt)
+;; restart : time state -> the same for a motion from there
+;; These compute with more bits, `working`, than states are shown with.
+(struct motion (shape clock? bits working start first run restart) #:authentic)
+
+;; (kept state) is what a failure carries.
+(define (make-motion p derivative state [kept values])
+  (define who (plan-who p))
+  (define bits (plan-bits p))
+  (check-bigfloats who)
+  (check-derivative who derivative state)
+  (define each-step (max (expt 2 (- bits)) (* 1/10 (plan-tolerance p))))
+  (define digits (- (bigfloat->flonum (bflog10 (bf each-step)))))
+  (define working (+ bits (guard-bits digits)))
+  (call-with-bits working
+    (lambda ()
+      (define y (structure->bigfloats state void))
+      (define-values (f slope traced?) (bigfloat-function who derivative state))
+      (define clock? (constant-rate? slope traced?))
+      (define (stuck t y why)
+        (define last (shown-state state y bits))
+        (raise-stuck who why (rounded t bits) last (kept last)))
+      (define (from t y)
+        (make-integrator (if (and clock? (not traced?)) (on-time who f) f)
+                         y t (bf each-step) digits #:clock (and clock? 0) #:stuck stuck
+                         #:longest (plan-longest p) #:limit (plan-most p)))
+      (define start (if clock? (vector-ref y 0) (bf 0)))
+      (motion state clock? bits working (exact-value start) y (from start y) from))))
+
+(define (raise-stuck who why t state kept)
+  (define (message what)
+    (format "~a: ~a\n  time: ~a\n  last state: ~a" who what t (value->text state)))
+  (raise
+   (if (eq? why 'too-many-steps)
+       (exn:fail:mechanics:not-convergent (message "the motion takes more steps than allowed")
+                                          (current-continuation-marks) kept #f)
+       (exn:fail:mechanics:singular (message "the motion cannot be followed any further")
+                                    (current-continuation-marks) kept))))
+
+(define (shown-state shape y bits)
+  (define rounded
+    (call-with-bits bits
+      (lambda () (for/vector #:length (vector-length y) ([x (in-vector y)]) (bfcopy x)))))
+  (bigfloats->structure shape rounded))
+
+(define ((on-time who f) y)
+  (define slope (f y))
+  (unless (bf= (vector-ref slope 0) (bf 1))
+    (raise-rate-varies who (exact-value (vector-ref slope 0))))
+  slope)
+
+;; ---------------------------------------------------------------------------
+;; Following one
+
+;; A step of the integration: the times, exact, and the vectors before and after it.
+(struct stretch (from to before after) #:authentic)
+
+;; Goes on to the time `end`; (visit stretch), called after each step, may end it by #f.
+;; -> the state reached
+(define (motion-follow m end visit)
+  (define-values (t y)
+    (call-with-bits (motion-working m)
+      (lambda ()
+        ((motion-run m) (bf end)
+                        (lambda (from before to after)
+                          (visit (stretch (exact-value from) (exact-value to)
+                                          before after)))))))
+  (shown-state (motion-shape m) y (motion-bits m)))
+
+;; The state at a time within a step: where a motion from its beginning leads to.
+(define (stretch-state m s t)
+  (define y
+    (cond [(= t (stretch-from s)) (stretch-before s)]
+          [(= t (stretch-to s)) (stretch-after s)]
+          [else
+           (call-with-bits (motion-working m)
+             (lambda ()
+               (define run ((motion-restart m) (bf (stretch-from s)) (stretch-before s)))
+               (define-values (reached y) (run (bf t) (lambda (from y to z) #t)))
+               y))]))
+  (shown-state (motion-shape m) y (motion-bits m)))
+
+;; No motion yet.
+(define (motion-stay m)
+  (define t (motion-start m))
+  (define y (motion-first m))
+  (stretch t t y y))
+
+;; ---------------------------------------------------------------------------
+;; state-advancer and evolve
+
+;; -> the state reached and the length of the longest step, a flonum
+(define (advance-precisely p derivative state duration)
+  (define m (make-motion p derivative state))
+  (define end (+ (motion-start m) (inexact->exact duration)))
+  (define longest 0)
+  (define (run note!)
+    (define note (noting note! p end))
+    (define (visit s)
+      (set! longest (max longest (abs (- (stretch-to s) (stretch-from s)))))
+      (note s))
+    (motion-follow m end visit))
+  (define last (call-with-progress (plan-progress? p) run))
+  (values last (real->double-flonum longest)))
+
+(define ((noting note! p end) s)
+  (note-progress note! (progress-text (plan-who p) (stretch-to s) end))
+  #t)
+
+;; Each time at which the monitor is called is the end of a step.
+(define (follow-precisely p derivative state monitor step end)
+  (define m (make-motion p derivative state))
+  (check-clock (plan-who p) state (motion-clock? m))
+  (define final (inexact->exact end))
+  (call-with-progress
+   (plan-progress? p)
+   (lambda (note!)
+     (for/last ([t (in-list (sample-times (motion-start m) final (inexact->exact step)))])
+       (define s (motion-follow m t (noting note! p final)))
+       (monitor s)
+       s))))
+
+;; From the first to the last one, both included, and backwards if that is earlier.
+(define (sample-times start end step)
+  (define signed-step (if (< end start) (- step) step))
+  (define count (sample-count (abs (- end start)) step))
+  (append (for/list ([k (in-range count)]) (+ start (* k signed-step)))
+          (list end)))
+
+;; ---------------------------------------------------------------------------
+;; Trajectories
+
+;; (make steps exactly shown state) makes a trajectory (trajectory.rkt); a step is a list
+;; of two times, exact, and the stretch between them.
+(define (follow-precise-trajectory p derivative state end make)
+  (define steps '())
+  (define m (make-motion p derivative state (lambda (last) (so-far))))
+  (define final (inexact->exact end))
+  (define (record! s)
+    (set! steps (cons (list (stretch-from s) (stretch-to s) s) steps)))
+  (define (so-far)
+    (when (null? steps) (record! (motion-stay m)))
+    (make (reverse steps)
+          inexact->exact
+          (lambda (t) (rounded t (plan-bits p)))
+          (lambda (s t) (stretch-state m s t))))
+  (define (run note!)
+    (define note (noting note! p final))
+    (motion-follow m final (lambda (s) (record! s) (note s))))
+  (call-with-progress (plan-progress? p) run)
+  (so-far))

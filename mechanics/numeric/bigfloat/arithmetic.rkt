@@ -1,0 +1,61 @@
+#lang racket/base
+;; Floating-point numbers of any precision: those of math/bigfloat, with the
+;; operations under the names that programs and generic arithmetic have for them.
+;;
+;; They compute in libmpfr, a library that Racket does not bring with it on every
+;; system.  Results are rounded to the precision in force, `bf-precision`.
+
+(require math/bigfloat)
+
+(provide check-bigfloats
+         call-with-bits
+         operation-on-bigfloats
+         real->bigfloat         ; rounded to the precision in force
+         exact-value)
+
+;; add : where the library is missing, it fails
+(define (check-bigfloats who [add bf+])
+  (with-handlers ([exn:fail? (lambda (e) (raise-no-library who))])
+    (add (bf 1) (bf 2))
+    (void)))
+
+(define (raise-no-library who)
+  (raise
+   (exn:fail:unsupported
+    (string-append
+     (symbol->string who)
+     ": numbers of higher precision need the library MPFR, which is not installed"
+     "\n  Debian, Ubuntu: apt install libmpfr6"
+     "\n  Fedora: dnf install mpfr; Arch: pacman -S mpfr; macOS: brew install mpfr"
+     "\n  Windows: it comes with Racket's distribution, in the package math-x86_64-win32")
+    (current-continuation-marks))))
+
+;; The value of (f), computed with so many bits.
+(define (call-with-bits bits f)
+  (if (eqv? bits (bf-precision))
+      (f)
+      (parameterize ([bf-precision bits]) (f))))
+
+;; Exactly; infinities and what is not a number have no exact value.
+(define (exact-value x)
+  (if (bfrational? x) (bigfloat->rational x) (bigfloat->flonum x)))
+
+;; ---------------------------------------------------------------------------
+
+(define (square x) (bf* x x))
+(define (cube x) (bf* x (bf* x x)))
+
+(define of-one
+  (hasheq 'negate bf- '- bf- 'square square 'cube cube 'abs bfabs 'sgn bfsgn
+          'sqrt bfsqrt 'exp bfexp 'log bflog
+          'sin bfsin 'cos bfcos 'tan bftan 'asin bfasin 'acos bfacos 'atan bfatan
+          'sinh bfsinh 'cosh bfcosh 'tanh bftanh
+          'asinh bfasinh 'acosh bfacosh 'atanh bfatanh))
+
+(define of-two
+  (hasheq 'add bf+ '+ bf+ 'subtract bf- '- bf- 'multiply bf* '* bf* 'divide bf/ '/ bf/
+          'expt bfexpt 'atan bfatan2))
+
+;; The operation of that name on so many bigfloats, or #f.
+(define (operation-on-bigfloats name arguments)
+  (hash-ref (if (eqv? arguments 1) of-one of-two) name #f))

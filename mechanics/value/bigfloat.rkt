@@ -1,0 +1,150 @@
+#lang racket/base
+;; Floating-point numbers of any precision, as values of the arithmetic.
+;;
+;; A bigfloat is one of math/bigfloat's in a struct that carries a kind.  The result
+;; of an operation has as many bits as the more precise one of its arguments.
+;; Racket's numbers enter at their exact value: exact ones are rounded to the
+;; precision of the other argument, flonums, which have 53 bits, are not.  Beside
+;; symbols a bigfloat stands for its own exact value, a fraction, so that nothing is
+;; lost where a program is traced on them.
+
+(require "../algebra/expression.rkt"
+         "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
+         "../numeric/bigfloat/arithmetic.rkt" "../numeric/bigfloat/linear-systems.rkt"
+         "../numeric/rows.rkt"
+         (prefix-in m: math/bigfloat))
+
+(provide bigfloat bigfloat? bigfloat-precision bigfloat->exact
+         ;; linear systems
+         bigfloat-solutions
+         ;; to and from those of math/bigfloat
+         wrap unwrap raw-bigfloat)
+
+(define kind:bigfloat
+  (make-kind #:rank rank:number
+             #:describe (lambda (x) (format "a number of ~a bits" (bigfloat-precision x)))
+             #:datum values
+             #:unary (lambda (op x) (operate-1 op x))
+             #:binary (lambda (op a b) (operate-2 op a b))
+             #:comparand (lambda (x) (exact-value (unwrap x)))))
+
+(struct big (value)
+  #:authentic
+  #:property prop:kind kind:bigfloat
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write (lambda (x port mode) (write-string (numeral (unwrap x)) port))
+  #:property prop:equal+hash
+  (list (lambda (a b recur) (recur (unwrap a) (unwrap b)))
+        (lambda (x recur) (recur (unwrap x)))
+        (lambda (x recur) (recur (unwrap x)))))
+
+(define (wrap x) (big x))
+(define (unwrap x) (big-value x))
+
+;; As flonums are written, with a point or an exponent.
+(define (numeral x)
+  (cond [(m:bfnan? x) "+nan.0"]
+        [(m:bfinfinite? x) (if (m:bfnegative? x) "-inf.0" "+inf.0")]
+        [else
+         (define digits (m:bigfloat->string x))
+         (if (regexp-match? #rx"[.e]" digits) digits (string-append digits ".0"))]))
+
+;; ---------------------------------------------------------------------------
+;; Making and asking
+
+(define default-bits 128)
+
+;; x : a real number, a numeral or a bigfloat
+(define (bigfloat x [bits default-bits])
+  (unless (and (exact-integer? bits) (<= 2 bits 1000000))
+    (raise-argument-error 'bigfloat "a number of bits from 2 to 1000000" bits))
+  (check-bigfloats 'bigfloat)
+  (define value
+    (call-with-bits bits
+      (lambda ()
+        (cond [(real? x) (real->bigfloat x)]
+              [(big? x) (m:bfcopy (unwrap x))]
+              [(m:bigfloat? x) (m:bfcopy x)]
+              [(string? x) (with-handlers ([exn:fail? (lambda (e) #f)]) (m:bf x))]
+              [else #f]))))
+  (unless (m:bigfloat? value)
+    (raise-argument-error 'bigfloat "a real number or the numeral of one, such as \"0.1\"" x))
+  (wrap value))
+
+(define (bigfloat? x) (big? x))
+
+(define (bigfloat-precision x)
+  (check 'bigfloat-precision x)
+  (bits x))
+
+(define (bits x) (m:bigfloat-precision (unwrap x)))
+
+;; A fraction; of infinities and what is not a number, the flonum.
+(define (bigfloat->exact x)
+  (check 'bigfloat->exact x)
+  (exact-value (unwrap x)))
+
+(define (check who x)
+  (unless (big? x) (raise-argument-error who "bigfloat?" x)))
+
+;; ---------------------------------------------------------------------------
+;; Arithmetic
+
+(define (operate-1 op x)
+  (define name (generic-op-name op))
+  (define f (operation-on-bigfloats name 1))
+  (cond [(eq? name 'exact->inexact) (m:bigfloat->flonum (unwrap x))]
+        [f (wrap (call-with-bits (bits x) (lambda () (f (unwrap x)))))]
+        [else (raise-inapplicable op x)]))
+
+(define (operate-2 op a b)
+  (define f (operation-on-bigfloats (generic-op-name op) 2))
+  (cond [(or (not f) (complex? a) (complex? b)) (raise-inapplicable op a b)]
+        [(symbolic? a) ((generic-op-procedure op) a (bigfloat->exact b))]
+        [(symbolic? b) ((generic-op-procedure op) (bigfloat->exact a) b)]
+        [(trivially (generic-op-name op) a b)]
+        [else (in-common-precision f a b)]))
+
+(define (complex? x) (and (number? x) (not (real? x))))
+
+(define (in-common-precision f a b)
+  (define most
+    (cond [(not (big? a)) (bits b)]
+          [(not (big? b)) (bits a)]
+          [else (max (bits a) (bits b))]))
+  (wrap (call-with-bits most (lambda () (f (raw-bigfloat a) (raw-bigfloat b))))))
+
+;; A number of either sort as one of math/bigfloat, a bigfloat as it is.
+(define (raw-bigfloat x) (if (big? x) (unwrap x) (real->bigfloat x)))
+
+;; What exact 0 and 1 do, as with Racket's own numbers; or #f.
+(define (trivially name a b)
+  (case name
+    [(+) (cond [(eqv? a 0) b] [(eqv? b 0) a] [else #f])]
+    [(-) (and (eqv? b 0) a)]
+    [(*) (cond [(or (eqv? a 0) (eqv? b 0)) 0] [(eqv? a 1) b] [(eqv? b 1) a] [else #f])]
+    [(/) (cond [(eqv? b 0) (raise-division-by-zero a)] [(eqv? a 0) 0] [(eqv? b 1) a] [else #f])]
+    [(expt) (cond [(or (eqv? b 0) (eqv? a 1)) 1] [(eqv? b 1) a] [else #f])]
+    [else #f]))
+
+(define (raise-division-by-zero a)
+  (raise (exn:fail:contract:divide-by-zero
+          (format "/: division by zero\n  in: (/ ~a 0)" (value->text a))
+          (current-continuation-marks))))
+
+;; ---------------------------------------------------------------------------
+;; Linear systems
+
+;; The rows of x with A x = right, or 'singular; at least one entry is a bigfloat.
+(define (bigfloat-solutions A right)
+  (define most
+    (for*/fold ([most 2]) ([rows (list A right)] [row (in-vector rows)] [x (in-vector row)])
+      (if (big? x) (max most (bits x)) most)))
+  (call-with-bits most
+    (lambda ()
+      (define x (solutions (each raw-bigfloat A) (each raw-bigfloat right)))
+      (if (eq? x 'singular) x (each wrap x)))))
+
+(define (each f rows)
+  (for/vector #:length (vector-length rows) ([row (in-vector rows)])
+    (for/vector #:length (vector-length row) ([x (in-vector row)]) (f x))))

@@ -1,0 +1,48 @@
+#lang racket/base
+;; Extrapolation in numbers of higher precision: order, error and tolerance.
+
+(require math/bigfloat
+         rackunit
+         mechanics/numeric/bigfloat/extrapolation
+         "../../runner/bigfloats.rkt" "../../runner/skip.rkt")
+
+(define evaluations 0)
+(define (oscillator y)
+  (set! evaluations (+ evaluations 1))
+  (vector (vector-ref y 1) (bf- (vector-ref y 0))))
+(define (start) (vector (bf 1) (bf 0)))
+
+(define (log2 x) (bigfloat->flonum (bf/ (bflog (bfabs x)) (bflog (bf 2)))))
+
+;; The error of the first component after the time T.
+(define (error-of y T) (bf- (vector-ref y 0) (bfcos T)))
+
+(skip-unless bigfloats? no-bigfloats
+  (test-case "j rows make order 2j: half the step leaves an error smaller by 2^(2j+1), or one more"
+    (parameterize ([bf-precision 400])
+      (for ([j (in-range 1 13)])
+        (define (step-error H) (error-of (step-by-rows oscillator (start) H j) H))
+        (define order (log2 (bf/ (step-error (bf 1/8)) (step-error (bf 1/16)))))
+        (check-true (< (+ (* 2 j) 0.9) order (+ (* 2 j) 2.1)) (format "~a rows: 2^~a" j order)))))
+
+  (define (run digits T)
+    (set! evaluations 0)
+    (define-values (t y)
+      (parameterize ([bf-precision (+ (ceiling (* 4 digits)) (guard-bits digits))])
+        ((make-integrator oscillator (start) (bf 0) (bfexpt (bf 10) (bf (- digits))) digits
+                          #:clock #f #:stuck (lambda (t y why) (fail "stuck")))
+         (bf T) (lambda (from y to z) #t))))
+    (check-equal? (bigfloat->integer t) T)
+    (parameterize ([bf-precision 600])
+      (- (/ (log2 (error-of y (bf T))) (log2 (bf 10))))))
+
+  (test-case "the error falls with the tolerance, and work grows as the square of the digits"
+    (define counts
+      (for/list ([digits (in-list '(15 30 60 90))])
+        (define reached (run digits 20))
+        (check-true (< (- digits 3) reached) (format "~a digits, ~a right" digits reached))
+        evaluations))
+    (check-true (< (/ (cadddr counts) (cadr counts)) 12) (format "~a" counts)))
+
+  (test-case "backwards"
+    (check-true (> (run 30 -7) 27))))
