@@ -1,85 +1,153 @@
 #lang racket/base
-;; The path of stationary action between two positions (SICM 1.4, pp. 20–22).
+;; The path of least action between two positions (SICM 1.4, pp. 20–22).
 ;;
-;; Paths are polynomials through n points between the ends, evenly spaced in time,
-;; and the action is a function of these points.  It is approximated by Gauss and
-;; Legendre's rule with a number of nodes; Lagrangian and derivatives by the points
-;; are compiled, as a function of time and the points.  So the gradient is exactly
-;; that of the sum which is minimised.  More nodes are taken until they no longer
-;; move the points.
+;; Paths are polynomials through n points between the ends, evenly spaced in time, and
+;; the action is a function of as many unknowns (path-action.rkt).  Its minimum is searched
+;; for by a quasi-Newton method; Newton's method, with second derivatives from differences
+;; of the gradient, takes it to rounding.  The action is then integrated more finely, until
+;; that no longer moves the path.
+;;
+;; A motion makes the action stationary, and least if it does not last too long (over half
+;; a period of an oscillator it is a saddle point).  The second derivatives tell.
 
 (require racket/flonum
-         "check.rkt"
-         "../calculus/derivative.rkt"
-         "../compile/compile-function.rkt"
-         "../generic/structure.rkt" "../generic/arithmetic.rkt"
-         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt" "../lagrangian/path.rkt"
-         "../numeric/gauss-legendre.rkt" "../numeric/progress.rkt" "../numeric/quasi-newton.rkt"
+         "check.rkt" "path-action.rkt"
+         "../generic/arithmetic.rkt" "../generic/structure.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
+         "../numeric/definite.rkt" "../numeric/failure.rkt" "../numeric/newton.rkt"
+         "../numeric/progress.rkt" "../numeric/quasi-newton.rkt"
          "../value/shape.rkt")
 
 (provide find-path)
 
+(define who 'find-path)
+
 ;; observe : called with each path tried and its action
 (define (find-path L t0 q0 t1 q1 n #:tolerance [tolerance 1e-8] #:observe [observe void]
                    #:progress [progress? (report-progress)])
-  (check-Lagrangian 'find-path L)
-  (check-real 'find-path "initial time" t0)
-  (check-real 'find-path "final time" t1)
+  (check-arguments L t0 q0 t1 q1 n)
+  (check-tolerance who tolerance)
+  (define (search t0 q0 t1 q1)
+    (define p (make-problem L t0 q0 t1 q1 n))
+    (call-with-progress progress?
+                        (lambda (note!)
+                          (least-path p tolerance (counting-search note! who observe)))))
+  (cond [(= n 0) (make-path t0 q0 t1 q1 '())]
+        [(< t0 t1) (search t0 q0 t1 q1)]
+        [else (search t1 q1 t0 q0)]))
+
+(define (check-arguments L t0 q0 t1 q1 n)
+  (check-Lagrangian who L)
+  (check-real who "initial time" t0)
+  (check-real who "final time" t1)
   (when (= t0 t1)
-    (raise-arguments-error 'find-path "the initial and the final time are the same" "time" t0))
+    (raise-arguments-error who "the initial and the final time are the same" "time" t0))
   (unless (exact-nonnegative-integer? n)
-    (raise-argument-error 'find-path "a number of intermediate points" n))
-  (define start (apply up (linear-interpolants q0 q1 n)))
-  (define (path-through qs) (make-path t0 q0 t1 q1 (vector->list (structure-elements qs))))
-  (define x (structure->flvector start (lambda (x) (check-real 'find-path "coordinate" x))))
-  (define (path x) (path-through (flvector->structure start x)))
-  (define integrand (compile-integrand L path-through start t0))
-  (define (search note!)
-    (define watch (counting-search note! 'find-path (lambda (x action) (observe (path x) action))))
-    (define (minimum x nodes)
-      (define-values (found action slope count)
-        (quasi-newton (action-and-gradient integrand nodes t0 t1) x
-                      #:tolerance tolerance #:name 'find-path #:observe watch))
-      found)
-    (let refine ([before (minimum x (* 2 (+ n 4)))] [nodes (* 4 (+ n 4))])
-      (define after (minimum before nodes))
-      (if (or (close? before after tolerance) (> nodes 1000))
-          (path after)
-          (refine after (* 2 nodes)))))
-  (if (zero? n)
-      (path x)
-      (call-with-progress progress? search)))
+    (raise-argument-error who "a number of intermediate points" n))
+  (for ([q (list q0 q1)]
+        [name '("coordinate at the initial time" "coordinate at the final time")])
+    (for ([x (in-list (scalars q))]) (check-real who name x)))
+  (unless (same-shape? q0 q1)
+    (raise-arguments-error
+     who "the coordinates at the two ends are of different shapes"
+     "at the initial time" q0
+     "at the final time" q1)))
 
-(define (close? v w tolerance)
-  (for/and ([x (in-flvector v)] [y (in-flvector w)])
-    (<= (abs (- x y)) (* 10 tolerance (+ 1.0 (abs x))))))
+;; size   : how many unknowns
+;; points : unknowns -> the scalars of the points between; path : unknowns -> path
+;; action : how many parts -> unknowns -> action and gradient
+(struct problem (size points path action) #:authentic)
 
-;; From (t, points) to L of the local tuple at t and its derivatives by the points:
-;; (input output -> void)
-(define (compile-integrand L path-through points t0)
-  (define value (scalar-valued 'find-path L))
-  (define (L-at t points) (value ((Gamma (path-through points)) t)))
-  (define (both s)
-    (define t (vector-ref (structure-elements s) 0))
-    (define points (vector-ref (structure-elements s) 1))
-    (up (L-at t points)
-        (derivative-at (lambda (points) (L-at t points)) points)))
-  (compiled-function-runner (compile-function both (up t0 points) #:name 'find-path)))
+(define (make-problem L t0 q0 t1 q1 n)
+  (define velocity (g:/ (g:- q1 q0) (- t1 t0)))
+  (define run (compile-Lagrangian who L (up t0 q0 velocity)))
+  (define shape (apply up (linear-interpolants q0 q1 n)))
+  (define-values (a b) (values (numbers q0) (numbers q1)))
+  (define (points c) (points-between a b n c))
+  (problem (* n (flvector-length a))
+           points
+           (lambda (c)
+             (define qs (flvector->structure shape (points c)))
+             (make-path t0 q0 t1 q1 (vector->list (structure-elements qs))))
+           (lambda (parts)
+             (path-action run (real->double-flonum t0) a (real->double-flonum t1) b
+                          n (* 2 (+ n 4)) parts))))
 
-;; points -> the action and its gradient, with that many nodes
-(define ((action-and-gradient integrand count t0 t1) x)
+(define (numbers s) (structure->flvector s (lambda (x) (check-real who "coordinate" x))))
+
+;; ---------------------------------------------------------------------------
+
+(define most-parts 256)
+
+(define (least-path p tolerance observe)
+  (let refine ([c (make-flvector (problem-size p))] [parts 1])
+    (define action ((problem-action p) parts))
+    (define next (minimum p action c tolerance observe))
+    (define moved (if (= parts 1) +inf.0 (distance c next)))
+    (cond [(<= moved (* 10.0 tolerance)) ((problem-path p) next)]
+          [(= parts most-parts)
+           (raise-no-path p "the action of the paths cannot be integrated well enough" next moved)]
+          [else (refine next (* 2 parts))])))
+
+;; The failure carries a path; its message shows the points it goes through.
+(define (raise-no-path p what c error . fields)
+  (apply raise-not-convergent who what ((problem-path p) c) error
+         #:shown (flvector->list ((problem-points p) c)) fields))
+
+;; Beside 1 + |x|
+(define (distance v w)
+  (for/fold ([m 0.0]) ([x (in-flvector v)] [y (in-flvector w)])
+    (max m (/ (abs (- x y)) (+ 1.0 (abs y))))))
+
+(define (minimum p action c tolerance observe)
+  (define (no-minimum failure)
+    (define s (stationary-point action c))
+    (when s (check-least p action s))
+    (raise-no-path p "the action has no minimum among these paths" c +inf.0))
+  (define-values (found value slope count)
+    (with-handlers ([exn:fail:mechanics:not-convergent? no-minimum])
+      (quasi-newton action c #:tolerance tolerance #:name who
+                    #:observe (lambda (c value) (observe ((problem-path p) c) value)))))
+  (define best (or (lower-point action found value (stationary-point action found)) found))
+  (check-least p action best)
+  best)
+
+;; The stationary point, if there is one and the action there is not greater.
+(define (lower-point action found value stationary)
+  (and stationary
+       (let-values ([(value* slope) (action stationary)])
+         (and (<= value* (+ value (* 1e-9 (+ 1.0 (abs value))))) stationary))))
+
+(define (check-least p action c)
+  (when (takes-negative-values? (second-derivatives action c))
+    (define-values (value slope) (action c))
+    (raise-no-path p (string-append "the stationary path does not make the action least:"
+                                    " it falls in some direction from there, as it does"
+                                    " where a motion lasts longer than half a period")
+                   c 0.0 "action of the stationary path" value)))
+
+(define (stationary-point action x)
+  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+    (define-values (found step)
+      (newton (lambda (x) (gradient-of action x)) (lambda (x) (second-derivatives action x)) x
+              #:tolerance 1e-10 #:name who))
+    found))
+
+(define (gradient-of action x)
+  (define-values (value slope) (action x))
+  slope)
+
+(define (second-derivatives action x)
   (define n (flvector-length x))
-  (define input (make-flvector (+ n 1)))
-  (define output (make-flvector (+ n 1)))
-  (define sums (make-flvector (+ n 1)))
-  (define half (* 0.5 (- t1 t0)))
-  (define middle (* 0.5 (+ t1 t0)))
-  (define-values (nodes weights) (gauss-legendre-rule count))
-  (for ([i (in-range n)]) (flvector-set! input (+ i 1) (flvector-ref x i)))
-  (for ([u (in-flvector nodes)] [w (in-flvector weights)])
-    (flvector-set! input 0 (real->double-flonum (+ middle (* half u))))
-    (integrand input output)
-    (for ([k (in-range (+ n 1))])
-      (flvector-set! sums k (+ (flvector-ref sums k) (* half w (flvector-ref output k))))))
-  (values (flvector-ref sums 0)
-          (for/flvector #:length n ([k (in-range n)]) (flvector-ref sums (+ k 1)))))
+  (define rows
+    (for/vector #:length n ([j (in-range n)])
+      (define h (* 1e-4 (+ 1.0 (abs (flvector-ref x j)))))
+      (define (slope-at h)
+        (define y (flvector-copy x))
+        (flvector-set! y j (+ h (flvector-ref x j)))
+        (gradient-of action y))
+      (for/vector #:length n ([a (in-flvector (slope-at h))] [b (in-flvector (slope-at (- h)))])
+        (/ (- a b) (* 2.0 h)))))
+  (for/vector #:length n ([i (in-range n)])
+    (for/vector #:length n ([j (in-range n)])
+      (* 0.5 (+ (vector-ref (vector-ref rows i) j) (vector-ref (vector-ref rows j) i))))))

@@ -34,9 +34,10 @@
                                       (current-continuation-marks)
                                       where)))
 
-(define (raise-not-convergent who what value error-estimate . fields)
+;; shown : what the message shows in place of the value
+(define (raise-not-convergent who what value error-estimate #:shown [shown value] . fields)
   (raise (exn:fail:mechanics:not-convergent
-          (failure-message who what (append fields (approximation value error-estimate)))
+          (failure-message who what (append fields (approximation shown error-estimate)))
           (current-continuation-marks)
           value
           error-estimate)))

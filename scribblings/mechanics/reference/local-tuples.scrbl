@@ -469,7 +469,8 @@ them.
 
 The path from @racket[q0] at @racket[t0] to @racket[q1] at @racket[t1] of least action
 among the polynomials in time through @racket[n] evenly spaced points between them, as
-@racket[make-path] gives it. The points are right to the tolerance.
+@racket[make-path] gives it. The coordinates are a number or a tuple of them. The action is
+integrated, and its minimum searched for, to the tolerance.
 @racket[observe] is called with each path tried and its action.
 
 @examples[#:eval session
@@ -479,6 +480,17 @@ among the polynomials in time through @racket[n] evenly spaced points between th
 (- (q 0.5) (cos 0.5))
 (find-path (L-harmonic 1 1) 0 1 :pi/2 0 1
            #:observe (lambda (q action) (printf "~a\n" action)))]
+
+A motion that lasts too long, more than half a period for an oscillator, makes its action
+stationary but not least. This is said by the error
+@racket[exn:fail:mechanics:not-convergent], which carries the stationary path.
+
+@examples[#:eval session
+(eval:error (find-path (L-harmonic 1 1) 0 1 4 0 3))
+(define q* (with-handlers ([exn:fail:mechanics:not-convergent?
+                            exn:fail:mechanics:not-convergent-value])
+             (find-path (L-harmonic 1 1) 0 1 4 0 8)))
+(- (q* 2) (/ (sin 2) (sin 4)))]
 
 @sicm{1.4, p. 22}}
 
