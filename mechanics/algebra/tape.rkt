@@ -141,7 +141,10 @@
 
 (define (make-merged) (merged (make-fxvector 1024 -1) (make-fxvector 1024) 0))
 
-(define-syntax-rule (first-slot h mask) (fxand (fxxor h (fxrshift h 20)) mask))
+;; Hashes of like sums lie together; multiplied, they do not.
+(define-syntax-rule (first-slot h mask)
+  (let ([low (fx* (fxand (fxxor h (fxrshift h 24)) #xFFFFFFF) #x2C9277B5)])
+    (fxand (fxxor low (fxrshift low 28)) mask)))
 
 ;; -> place or #f
 (define (merged-ref m items keys e key)
