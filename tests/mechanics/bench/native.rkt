@@ -9,7 +9,8 @@
 
 (require racket/flonum racket/runtime-path racket/string
          (only-in mechanics/compile/trace trace)
-         (only-in mechanics/motion/system make-system state-vector system-make-slope!)
+         (only-in mechanics/motion/system make-system system-make-slope!)
+         (only-in mechanics/value/shape structure->flvector)
          mechanics/numeric/ode/dormand-prince-853 mechanics/numeric/ode/integrate
          "C.rkt" "clock.rkt" "motion-systems.rkt" "program-text.rkt" "python.rkt"
          "table.rkt")
@@ -40,7 +41,7 @@
 (define repetitions 15)
 
 (define (our-figures s)
-  (define y (state-vector 'bench (motion-start s)))
+  (define y (structure->flvector (motion-start s) values))
   (define f! ((system-make-slope! (make-system 'bench (motion-derivative s)
                                                (motion-start s)))))
   (define steps 0)
@@ -100,7 +101,7 @@
       "–"))
 
 (define (system-in-C s body)
-  (define y (state-vector 'bench (motion-start s)))
+  (define y (structure->flvector (motion-start s) values))
   (string-append
    "#include <math.h>\n" solve-in-C
    (format "const int size = ~a;\n" (flvector-length y))
@@ -119,7 +120,7 @@
 ;; In SciPy, from the same operations
 
 (define (SciPy-program s)
-  (define y (state-vector 'bench (motion-start s)))
+  (define y (structure->flvector (motion-start s) values))
   (format #<<PYTHON
 import time
 from math import *
