@@ -19,19 +19,22 @@
   (cond [(in-notation? x)
          (define-values (shown assumptions) (as-shown x))
          (laid-out (value->lines shown width assumptions))]
-        [(list? x) (map simplified-element x)]
+        [else (simplified-elements x width)]))
+
+(define (simplified-elements x width)
+  (define (simplified-element e)
+    (cond [(unprintable? e) (laid-out (value->lines e width))]
+          [(in-notation? e)
+           (define-values (shown assumptions) (as-shown e))
+           shown]
+          [else (simplified-elements e width)]))
+  (cond [(list? x) (map simplified-element x)]
         [(vector? x) (list->vector (map simplified-element (vector->list x)))]
         [else x]))
 
 ;; The same without simplification.
 (define (plain-result x width)
   (if (in-notation? x) (laid-out (value->lines x width)) x))
-
-(define (simplified-element e)
-  (cond [(in-notation? e)
-         (define-values (shown assumptions) (as-shown e))
-         shown]
-        [else e]))
 
 ;; Text that prints as itself in all of Racket's modes.
 (struct laid-out (text)
@@ -44,4 +47,8 @@
   (or (symbolic? x)
       (has-kind? x)
       (verdict? x)
-      (and (procedure? x) (not (custom-write? x)))))
+      (unprintable? x)))
+
+;; A procedure that Racket would print as #<procedure:its-name>.
+(define (unprintable? x)
+  (and (procedure? x) (not (custom-write? x))))

@@ -83,7 +83,9 @@ What is defined once, and not used before as something else, is defined as in an
 module of Racket, and is as fast. A name that is defined several times is a variable
 that is assigned, as by @racket[set!]; modules that require this one see its last
 value. Definitions that a macro makes may replace others, but the imported meaning
-of a name that a macro defines is not kept for what was written above.
+of a name that a macro defines is not kept for what was written above. At the prompt
+it is the other way round for what is imported: a function that was defined before
+a name of the library was replaced keeps the library's meaning.
 
 These rules belong to @hash-lang[] @racketmodname[mechanics]. A module of another
 language that requires the library follows its own language, which as a rule lets a

@@ -38,6 +38,14 @@
   (check-equal? (run-module "#lang mechanics" "(list (+ 'a 'a) \"b\" (up (* 'x 'x)))")
                 (lines "(list (* 2 a) \"b\" (up (expt x 2)))")))
 
+(test-case "functions among the elements of a list print by name, in inner lists too"
+  (check-equal? (run-module "#lang mechanics"
+                            "(define ((L m) local) local)"
+                            "(list sin (L 1) D (lambda (x) x) 'a)"
+                            "(list (list (+ 'a 'a) square) (vector L \"b\") '(1))")
+                (lines "(list sin L D <function> 'a)"
+                       "(list (list (* 2 a) square) (vector L \"b\") '(1))")))
+
 (test-case "what a simplification takes for granted stands beneath its result"
   (check-equal? (run-module "#lang mechanics" "(up (sqrt (square 'r)) 1)" "(verify-equal (sqrt (square 'r)) 'r)")
                 (lines "(up r 1)" "; assuming (>= r 0)"
