@@ -8,6 +8,7 @@
          "derivatives.rkt"
          "matrices.rkt"
          "motion.rkt"
+         "pictures.rkt"
          "rotations.rkt"
          "systems.rkt"
          "task.rkt")
@@ -192,7 +193,7 @@
               #t fingerprint)
    (zero-task 'Z3 "zero test of the same, a proof"
               #t (lambda (e) (zero-test-status (zero-test e))))
-   (append motion-tasks matrix-tasks)))
+   (append motion-tasks matrix-tasks picture-tasks)))
 
 ;; ---------------------------------------------------------------------------
 ;; Growth

@@ -1,0 +1,73 @@
+#lang racket/base
+;; The figures are programs: each writes its picture to the file named on its command
+;; line.  What they draw is tested beside them.
+
+(require (only-in mechanics)
+         (only-in mechanics/book)
+         (only-in mechanics/plot)
+         (only-in mechanics/plot/on-demand why-not)
+         racket/file
+         racket/list
+         racket/path
+         racket/runtime-path
+         racket/string
+         rackunit
+         "../runner/skip.rkt")
+
+(define-runtime-path figures "../../../examples/mechanics/figures")
+
+(define programs
+  (for/list ([file (in-list (directory-list figures #:build? #t))]
+             #:when (regexp-match? #rx"^[^.].*-.*[.]rkt$" (path->string (file-name-from-path file))))
+    file))
+
+(define-namespace-anchor here)
+
+;; A namespace where the library is loaded already, and no program.
+(define (with-library)
+  (define namespace (make-base-empty-namespace))
+  (for ([library (in-list '(mechanics mechanics/book mechanics/plot mechanics/plot/picture))])
+    (namespace-attach-module (namespace-anchor->empty-namespace here) library namespace))
+  namespace)
+
+;; What it prints, run as a program with these arguments.
+(define (run program . arguments)
+  (define out (open-output-string))
+  (parameterize ([current-namespace (with-library)]
+                 [current-output-port out]
+                 [current-command-line-arguments (list->vector arguments)])
+    (dynamic-require `(submod ,program main) #f))
+  (get-output-string out))
+
+(define-syntax-rule (in-a-folder body ...)
+  (let ([folder (make-temporary-file "figures~a" 'directory)])
+    (dynamic-wind void
+                  (lambda () (parameterize ([current-directory folder]) body ...))
+                  (lambda () (delete-directory/files folder)))))
+
+;; Loads the drawing library, or finds that it is not there.
+(define problem (why-not))
+
+(skip-unless (not problem)
+             "the shared libraries of racket/draw are not installed: no figures"
+
+  (test-case "all figures are there"
+    (check-equal? (length programs) 5))
+
+  (for ([program (in-list programs)] [extension (in-cycle '("svg" "png" "pdf"))])
+    (define name (path->string (path-replace-extension (file-name-from-path program) #"")))
+    (test-case (format "~a writes a picture in ~a" name extension)
+      (in-a-folder
+       (define file (string-append "picture." extension))
+       (define printed (run program file))
+       (check-true (string-prefix? printed "(frame x from ") printed)
+       (check-true (string-suffix? printed (format "written: ~a\n" file)) printed)
+       (check-equal? (map path->string (directory-list)) (list file))
+       (check-true (> (file-size file) 5000)))))
+
+  (test-case "without a name it takes its own; two names are too many"
+    (in-a-folder
+     (run (build-path figures "figure-1-2.rkt"))
+     (check-equal? (map path->string (directory-list)) '("figure-1-2.png"))
+     (check-exn #rx"expected the name of one file, ending in .png, .svg or .pdf"
+                (lambda () (run (build-path figures "figure-1-2.rkt") "a.png" "b.png"))))))
