@@ -18,7 +18,7 @@
  L-two-particle L-coupled-harmonic
  ;; 1.7
  harmonic-state-derivative
- periodic-drive L-periodically-driven-pendulum pend-state-derivative
+ periodic-drive L-periodically-driven-pendulum pend-state-derivative monitor-theta
  ;; 1.8
  T3-spherical L3-central ang-mom-z
  L0 restricted-three-body-potential LR3B LR3B1

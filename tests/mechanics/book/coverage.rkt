@@ -4,8 +4,7 @@
 ;; for whoever requires the library's modules.
 
 (require racket/list
-         rackunit
-         syntax/modresolve)
+         rackunit)
 
 ;; Where the names are.  Those of `mechanics` and `mechanics/book` may be required
 ;; together; `mechanics/plot` draws.
@@ -17,7 +16,8 @@
      parametric-path-action find-path L-harmonic
      literal-function up time coordinate velocity compose D Gamma dot-product square cube
      definite-integral minimize linear-interpolants Lagrange-interpolation-function
-     multidimensional-minimize nelder-mead :pi :-pi :pi/2 :2pi
+     multidimensional-minimize nelder-mead
+     frame plot-function graphics-clear graphics-close :pi :-pi :pi/2 :2pi
      show-expression print-expression simplify coordinates velocities accelerations
      pe se coordinate-tuple velocity-tuple acceleration-tuple momentum-tuple
      ->local ->state ->L-state state->t state->q state->qdot state->qddot state->n-dof
@@ -35,8 +35,8 @@
     ("1.7 Evolution of dynamical state (pp. 68-78)"
      Lagrangian->acceleration Lagrangian->state-derivative harmonic-state-derivative
      Lagrange-equations-first-order qv->state-path periodic-drive
-     L-periodically-driven-pendulum pend-state-derivative
-     solve-linear-left state-advancer evolve principal-value set-ode-integration-method!
+     L-periodically-driven-pendulum pend-state-derivative monitor-theta
+     solve-linear-left state-advancer evolve principal-value plot-point set-ode-integration-method!
      qv->local-path local-state-derivative Lagrange-equations-1 Rayleigh-dissipation
      Lagrangian->power-loss ode-advancer free-run-state-advancer advance-beyond)
     ("1.8 Conserved quantities (pp. 78-91)"
@@ -62,11 +62,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define (there? module-path)
-  (file-exists? (resolve-module-path module-path #f)))
-
 (define provided-by
-  (for/hash ([m (in-list modules)] #:when (there? m))
+  (for/hash ([m (in-list modules)])
     (define-values (variables syntaxes)
       (begin (dynamic-require m (void))
              (module->exports m)))

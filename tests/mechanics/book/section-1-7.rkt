@@ -1,7 +1,8 @@
 #lang racket/base
 ;; SICM 1.7, Evolution of Dynamical State (pp. 68-78).
 
-(require mechanics mechanics/book (except-in rackunit fail) "check.rkt")
+(require mechanics mechanics/book (only-in mechanics/plot frame frame-points)
+         (except-in rackunit fail) "check.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'v_x 'v_y)))
 
@@ -83,6 +84,14 @@
   (check-equal? (length seen) 101)
   (check-equal? (car seen) last)
   (check-close last '(1 -1.03011568739188687 -1.40985359335821735) 1e-12))
+
+(test-case "p. 76: the angle drawn against the time, between −π and π"
+  (define win (frame 0. 10. :-pi :pi))
+  ((apply evolve pend-state-derivative driven) (up 0.0 3.0 0.0) (monitor-theta win) 0.1 10.0 1e-10)
+  (define points (frame-points win))
+  (check-equal? (length points) 101)
+  (for ([p points])
+    (check-true (and (<= 0 (ref p 0) 10) (<= :-pi (ref p 1) :pi)))))
 
 (test-case "p. 145: with other methods of integration"
   (for ([method '(qcrk4 bulirsch-stoer)])

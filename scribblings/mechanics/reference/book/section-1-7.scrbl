@@ -1,9 +1,9 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../../eval.rkt" "../../citation.rkt")
+@(require (for-label mechanics mechanics/book mechanics/plot) "../../eval.rkt" "../../citation.rkt")
 
 @title[#:tag "reference-book-1-7"]{1.7 Evolution of dynamical state}
 
-@(define session (make-session '(require mechanics/book)))
+@(define session (make-session '(require mechanics/book mechanics/plot)))
 
 @defproc[(harmonic-state-derivative [m scalar] [k scalar]) procedure?]{
 
@@ -42,5 +42,20 @@ derivative.
  (up 0 1 0) 10 1e-13)]
 
 @sicm{pp. 74 and 75}}
+
+@defproc[((monitor-theta [win frame?]) [state value]) any]{
+
+A monitor for @racket[evolve] that draws the angle of a pendulum against the time as a
+point, brought back to between −π and π. @racketmodname[mechanics/plot] is loaded when the
+first point is drawn.
+
+@examples[#:eval session
+(define plot-win (frame 0 100 :-pi :pi #:width 500 #:height 250))
+(define last-state
+  ((evolve pend-state-derivative 1 1 9.8 0.1 (* 2 (sqrt 9.8)))
+   (up 0 1 0) (monitor-theta plot-win) 0.01 100 1e-13))
+plot-win]
+
+@sicm{p. 76}}
 
 @(close-session session)
