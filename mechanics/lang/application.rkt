@@ -4,8 +4,8 @@
 ;; applied as the up tuple it stands for.
 ;;
 ;; The test `(procedure? f)` costs nothing where the compiler sees what f is,
-;; which includes every function defined in the module, provided that f itself
-;; stays in operator position.  So a call of a variable becomes
+;; which includes every function defined once in the module, provided that f
+;; itself stays in operator position.  So a call of a variable becomes
 ;;
 ;;     (let ([t argument] ...) (if (procedure? f) (f t ...) (complain ...)))
 ;;

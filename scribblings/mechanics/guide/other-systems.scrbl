@@ -26,7 +26,9 @@ work anywhere else.}
 (((Lagrange-equations (L-free-particle 'm)) (literal-function 'x)) 't)]}
 @item{@racket[#t] and @racket[#f] are written thus. There is no
 @tt{#!optional}: Racket writes an optional argument @racket[[n 3]].}
-@item{In a file a name is defined once; at the prompt, as often as you like.}
+@item{A file is read as what is typed at the prompt is: a name may be defined again, and
+a new definition of @racket[find-path] replaces the library's. The rules are in
+@secref["redefinition"].}
 @item{An error does not open a second prompt. There is no @tt{2 error>}, and
 nothing to leave with @tt{(return 1)}: the message is printed and the prompt is
 back.}

@@ -233,3 +233,17 @@ LISTING
 ;=> (up t (up r 0) (up rdot (* phidot r)))
 LISTING
                  ))
+
+(test-case "a Lagrangian of mechanics/book, and one's own"
+  (check-listing #<<LISTING
+#lang mechanics
+(require mechanics/book)
+(define (equation) (((Lagrange-equations (L-harmonic 'm 'k)) (literal-function 'x)) 't))
+(equation)
+;=> (+ (* k (x t)) (* m (((expt D 2) x) t)))
+(define ((L-harmonic m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/4 k (expt q 4))))
+(equation)
+;=> (+ (* k (expt (x t) 3)) (* m (((expt D 2) x) t)))
+LISTING
+                 ))

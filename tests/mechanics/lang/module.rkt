@@ -113,11 +113,16 @@
 (test-case "other modules and submodules see the last definition"
   (check-equal? (run-submodule 'inner language
                                "(provide (all-defined-out))"
-                               "(define x 1)"
-                               "(module* inner racket/base (require (submod \"..\")) (writeln (list x (f))))"
+                               "(define x (square 1))"
+                               "(module* inner racket/base"
+                               "  (require (submod \"..\"))"
+                               "  (writeln (list x (f) (square 1) (g #:b 3))))"
                                "(define (f) x)"
-                               "(define x 2)")
-                (lines "(2 2)"))
+                               "(define x 2)"
+                               "(define (square x) 'mine)"
+                               "(define (g #:a a) a)"
+                               "(define (g #:b b) b)")
+                (lines "(2 2 mine 3)"))
   (check-equal? (run-submodule 'test language
                                "(define x 1)"
                                "(module+ test x)"
@@ -210,6 +215,27 @@
                         "(define first 1)"
                         "(list first (second '(1 2)) (r:first '(3)))")
                 (lines "'(1 2 3)")))
+
+(test-case "names that clash in another phase, under another name or locally do not clash"
+  (check-equal? (prints "(require (for-syntax racket/base racket/list))"
+                        "(define-syntax (show-first stx) (first (list #'(first 1))))"
+                        "(define (first x) (list 'mine x))"
+                        "(show-first)")
+                (lines "'(mine 1)"))
+  (check-equal? (prints "(require (only-in racket/list [first head]))"
+                        "(head '(1))"
+                        "(define head 3)"
+                        "(define first 4)"
+                        "(list head first)")
+                (lines "1" "'(3 4)"))
+  (check-equal? (prints "(define (f) (local-require racket/list) (first '(1)))"
+                        "(define (first) 2)"
+                        "(list (f) (first))")
+                (lines "'(1 2)")))
+
+(test-case "a library that does not exist is told as ever"
+  (check-regexp-match #rx"^example:2:9: no-such: not a require sub-form"
+                      (refusal "(require (no-such racket/list))" "(define first 1)")))
 
 (test-case "what is required after a definition replaces it"
   (check-equal? (prints "(define (first x) 'mine)"
