@@ -58,7 +58,7 @@
  ;; functions of local tuples
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
  derivation-steps show-derivation
- ;; numbers of higher precision
+ ;; numbers of higher precision, functions through data
  (all-from-out "value/on-demand.rkt")
  ;; motion
  (all-from-out "motion/on-demand.rkt") report-progress

@@ -48,9 +48,15 @@
     (raise-arguments-error 'Lagrange-interpolation-function
                            "expected as many values as points, and at least one"
                            "values" ys "points" xs))
+  (for ([tail (in-list (tails xs))])
+    (when (member (car tail) (cdr tail))
+      (raise-arguments-error 'Lagrange-interpolation-function "two points are the same"
+                             "point" (car tail))))
   (lambda (x)
     (for/fold ([sum 0]) ([y (in-list ys)] [xi (in-list xs)] [i (in-naturals)])
       (g:+ sum (g:* (basis-polynomial x xi i xs) y)))))
+
+(define (tails xs) (if (null? xs) '() (cons xs (tails (cdr xs)))))
 
 (define (basis-polynomial x xi i xs)
   (for/fold ([p 1]) ([xj (in-list xs)] [j (in-naturals)] #:unless (= i j))

@@ -534,7 +534,8 @@ The n values that lie evenly spaced between @racket[x0] and @racket[x1].
 @defproc[(Lagrange-interpolation-function [ys list?] [xs list?]) procedure?]{
 
 The polynomial of least degree with the values @racket[ys] at the points
-@racket[xs]. The values may be tuples.
+@racket[xs]. The values may be tuples. For data there are splines and more
+(@secref["data"]).
 
 @examples[#:eval session
 ((Lagrange-interpolation-function '(0 1 4) '(0 1 2)) 'x)]
