@@ -35,10 +35,10 @@
                    #:clock [clock #f]
                    #:visit [visit (lambda (from to interpolant) #t)]
                    #:stuck [stuck raise-stuck])
-  (define s ((method-start m) f! y0))
+  (define tolerated (step-tolerance tolerance))
+  (define s (start-stepper m f! y0 tolerated))
   (define give-up (giving-up f! s stuck))
   (define sign (if (fl< end start) -1.0 1.0))
-  (define tolerated (step-tolerance tolerance))
   (define first
     (or (method-step m)
         (flmin longest (first-length m s f! tolerated sign (flabs (fl- end start))))))
@@ -61,10 +61,11 @@
                         #:tolerance [tolerance 1e-10]
                         #:clock [clock #f]
                         #:stuck [stuck raise-stuck])
-  (define s ((method-start m) f! y0))
+  (define tolerated (step-tolerance tolerance))
+  (define s (start-stepper m f! y0 tolerated))
   (define sign (if (fl< h 0.0) -1.0 1.0))
   (define-values (now next finite?)
-    (take-step m s (step-tolerance tolerance) t (fl+ t h) sign
+    (take-step m s tolerated t (fl+ t h) sign
                (or (method-step m) (flabs h)) (giving-up f! s stuck)))
   (when clock (flvector-set! (stepper-state s) clock now))
   (values now (flvector-copy (stepper-state s)) (fl* sign next)))
@@ -89,14 +90,19 @@
     (cond
       [(fl<= error 1.0)
        (define now (if last? end (fl+ t (fl* sign length))))
-       (define next (if (method-step m) h (next-length m length error)))
+       (define next (if (method-step m) h (proposed m s length error)))
        (when (and (fl= now t) (fl<= next length)) ; time stands still
          (give-up t 'step-too-short))
        ((stepper-accept! s))
        (values now next finite?)]
       [(method-step m) (give-up t 'step-fails)]
       [(fl= (fl+ t (fl* 0.125 length)) t) (give-up t 'step-too-short)]
-      [else (try (next-length m length error) (and finite? (fl< error +inf.0)))])))
+      [else (try (proposed m s length error) (and finite? (fl< error +inf.0)))])))
+
+(define (proposed m s length error)
+  (if (controlled-stepper? s)
+      ((controlled-stepper-propose s) length error)
+      (next-length m length error)))
 
 ;; ---------------------------------------------------------------------------
 

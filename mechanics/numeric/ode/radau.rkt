@@ -19,13 +19,17 @@
 ;;
 ;;     e = (γ/h − J)⁻¹ (f(y) + (d₁ z₁ + d₂ z₂ + d₃ z₃)/h),
 ;;
-;; and once more with f(y + e) for f(y), or it would be far too large where hJ is.  What
-;; is left of Newton's iteration is to be 10⁻⁵ of that, not to be seen beside it.
+;; and once more with f(y + e) for f(y), or it would be far too large where hJ is.
 ;; Motions that die out within a small part of a step are damped entirely, as if h were
 ;; infinite for them.
+;;
+;; Newton's iteration ends when what is left of it, judged by the rate at which it
+;; converges, is not to be seen beside the error that is tolerated.  J only decides that
+;; rate.  So it stays for the next step where convergence was fast; and if the step is to
+;; be hardly longer it keeps its length, so that the matrices stay as well.
 
 (require racket/fixnum racket/flonum
-         "differentiated.rkt" "stepper.rkt" "vectors.rkt"
+         "differentiated.rkt" "predictive.rkt" "stepper.rkt" "vectors.rkt"
          "../factored-system.rkt")
 
 (provide radau-iia-5)
@@ -65,11 +69,15 @@
 (define d3 (fl/ -1.0 3.0))
 
 (define rounding 4e-16)
-(define repetitions 20)
+(define most-iterations 10)
+(define beside-error 1e-3)              ; what may be left of Newton's iteration
+(define fast 1e-3)                      ; the rate of convergence at which J is kept
+(define hardly-longer 1.2)
 
 ;; ---------------------------------------------------------------------------
 
-(define (start f! y0)
+;; tolerance : of the error of a step
+(define (start f! y0 [tolerance 1e-12])
   (define n (flvector-length y0))
   (define y (flvector-copy y0))
   (define-vectors n next old slope z1 z2 z3 w1 w2 w3 k1 k2 k3 g1 g2 g3 u defect e)
@@ -79,6 +87,11 @@
   (define real-exchanges (make-fxvector n))
   (define complex-exchanges (make-fxvector (* 2 n)))
   (define jacobian! (jacobian-of f! n))
+  (define control (make-controller most-iterations))
+  (define here? #f)                     ; is J that at y?
+  (define factored #f)                  ; the length of step for which J was factored
+  (define rate 1.0)                     ; at which Newton's iteration converged last,
+  (define iterations 0)                 ; and in how many
   (define tried 0.0)                    ; the length of the step tried last
   (define step 0.0)                     ; and of the one accepted last,
   (define cubic #f)                     ; with its interpolant
@@ -86,8 +99,15 @@
   (define (factor-matrices! h)
     (shifted! real n J (fl/ gamma h))
     (shifted-pair! complex n J (fl/ alpha h) (fl/ beta h))
-    (and (factor! real n real-exchanges)
-         (factor! complex (* 2 n) complex-exchanges)))
+    (set! factored (and (factor! real n real-exchanges)
+                        (factor! complex (* 2 n) complex-exchanges)
+                        h))
+    factored)
+
+  (define (differentiate!)
+    (jacobian! y J)
+    (set! here? #t)
+    (set! factored #f))
 
   ;; The last cubic, continued, is where to begin.
   (define (begin! h)
@@ -128,14 +148,21 @@
 
   ;; -> did Newton's iteration converge?
   (define (iterate! h)
+    (define enough (flmax rounding (fl* beside-error tolerance)))
+    ;; The rate of another step is no more than a guess.
+    (define (left size count)
+      (define r (if (= count 1) (flmax fast rate) rate))
+      (fl* size (fl/ r (fl- 1.0 r))))
     (let loop ([count 1] [last +inf.0])
       (define size (newton-step! h))
-      (define rate (fl/ size last))
+      (set! iterations count)
+      (unless (= count 1) (set! rate (flmax 1e-16 (fl/ size last))))
       (cond [(fl<= size rounding) #t]
-            [(or (not (fl< size +inf.0)) (= count repetitions)) #f]
-            [(= count 1) (loop 2 size)]
-            [(fl>= rate 1.0) (fl<= size 1e-13)]      ; rounding goes on for ever
-            [(fl<= (fl* size (fl/ rate (fl- 1.0 rate))) (fl* 1e-5 (error-from! slope h))) #t]
+            [(not (fl< size +inf.0)) #f]
+            [(fl>= rate 1.0)                           ; rounding goes on for ever
+             (if (= count 1) (loop 2 size) (fl<= size 1e-13))]
+            [(fl<= (left size count) enough) #t]
+            [(= count most-iterations) #f]
             [else (loop (+ count 1) size)])))
 
   (define (error-from! k h)
@@ -145,31 +172,49 @@
     (solve-factored! real n real-exchanges e)
     (root-mean-square e y y n))
 
+  ;; -> was the step solved for?  If not with the J of an earlier state, then with that
+  ;; at y.
+  (define (solve! h)
+    (define again? (not here?))
+    (when (fl> rate fast) (differentiate!))
+    (or (and (or (eqv? factored h) (factor-matrices! h))
+             (begin (begin! h)
+                    (iterate! h)))
+        (begin (set! rate 1.0)
+               (and again? (not here?) (solve! h)))))
+
   (define (try! h)
-    (cond [(factor-matrices! h)
-           (begin! h)
-           (cond [(iterate! h)
-                  (error-from! slope h)
-                  (slope-at! k1 e)
-                  (weighted-sum! n next [1.0 y] [1.0 z3])
-                  (set! tried h)
-                  (error-from! k1 h)]
-                 [else +nan.0])]
+    (set! tried h)
+    (cond [(solve! h)
+           (error-from! slope h)
+           (slope-at! k1 e)
+           (weighted-sum! n next [1.0 y] [1.0 z3])
+           (error-from! k1 h)]
+          [(flvector-finite? k3) unsolved]
           [else +nan.0]))
 
   (define (accept!)
     (set! step tried)
+    (set! here? #f)
     (flvector-copy! old y)
     (flvector-copy! y next)
     (set! cubic (make-cubic n old z1 z2 z3))
-    (prepare!))
+    (f! y slope))
 
-  (define (prepare!)
-    (f! y slope)
-    (jacobian! y J))
+  ;; A step that was not solved for tells nothing of its error.
+  (define (propose h error)
+    (unless (or (fl<= error 1.0) here?) (set! rate 1.0))
+    (define length (if (fl< error too-large) (control h error iterations) (fl* 0.5 h)))
+    (if (and (fl<= rate fast) (fl<= h length) (fl<= length (fl* hardly-longer h)))
+        h
+        length))
 
-  (prepare!)
-  (stepper y (lambda () slope) try! accept! (lambda () cubic)))
+  (f! y slope)
+  (controlled-stepper y (lambda () slope) try! accept! (lambda () cubic) propose))
+
+;; The error of a step that was not solved for.
+(define unsolved 1e100)
+(define too-large 1e50)
 
 ;; y + θ (a + (θ − c₁) (b + (θ − c₂) c)), by divided differences at 0, c₁, c₂ and 1
 (define (make-cubic n y z1 z2 z3)

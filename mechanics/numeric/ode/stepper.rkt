@@ -7,13 +7,14 @@
 ;; Time, where f depends on it, is a component of y with derivative 1.
 
 (provide (struct-out method) adaptive-method fixed-step-method
-         (struct-out stepper))
+         start-stepper (struct-out stepper) (struct-out controlled-stepper))
 
 ;; order : the error of a step of length h, as far as it is estimated, is of the
 ;;         order h^order
 ;; step  : the length of all steps, or #f if they follow the error
 ;; start : (f! y0) -> stepper; (f! y dy) stores f(y) in dy
-;; jacobian? : does it ask for the derivatives of f (differentiated.rkt)?
+;; jacobian? : does it solve equations, for which it asks for the derivatives of f
+;;         (differentiated.rkt) and, in `start`, for the error tolerated in a step?
 ;; alternative : of a method for separable systems alone (symplectic.rkt), what makes one
 ;;         for all systems, h -> method; or #f
 (struct method (name order step start jacobian? alternative)
@@ -38,3 +39,14 @@
 ;;               fraction theta of the step accepted last, and stays good
 (struct stepper (state slope try! accept! interpolant)
   #:authentic)
+
+;; One that proposes the lengths of steps itself.
+;; propose : the length tried last, its error in units of the tolerance -> the length of
+;;           the next step, or of this one tried again if the error exceeds 1
+(struct controlled-stepper stepper (propose)
+  #:authentic)
+
+(define (start-stepper m f! y0 tolerance)
+  (if (method-jacobian? m)
+      ((method-start m) f! y0 tolerance)
+      ((method-start m) f! y0)))

@@ -93,6 +93,95 @@
     (check-= (flvector-ref y 1) -8.928097010248257e-4 1e-10)
     (check-true (< steps 4000) (format "~a steps" steps))))
 
+;; ---------------------------------------------------------------------------
+;; The problems by which stiff methods are judged, with the reference values of the Test
+;; Set for IVP Solvers (Mazzia and Magherini 2008).
+
+;; -> the state at the end, and how many steps, evaluations and sets of derivatives it took
+(define (count-work f! jacobian! y0 end tolerance)
+  (define-values (steps evaluations derivatives) (values 0 0 0))
+  (define counted
+    (differentiated (lambda (y dy)
+                      (set! evaluations (+ evaluations 1))
+                      (f! y dy))
+                    (lambda (y J)
+                      (set! derivatives (+ derivatives 1))
+                      (jacobian! y J))))
+  (define-values (t y)
+    (integrate radau-iia-5 counted y0 0.0 end #:tolerance tolerance
+               #:visit (lambda (from to interpolant) (set! steps (+ steps 1)) #t)))
+  (values y steps evaluations derivatives))
+
+(define-check (check-close y expected tolerance)
+  (unless (for/and ([a (in-flvector y)] [b (in-list expected)]) (< (abs (- a b)) tolerance))
+    (with-check-info (['found y] ['expected expected]) (fail-check))))
+
+;; Chemical reactions of rates 0.04, 10^4 and 3·10^7.
+(define (robertson! y dy)
+  (define-values (a b c) (values (flvector-ref y 0) (flvector-ref y 1) (flvector-ref y 2)))
+  (define-values (slow fast back) (values (* 0.04 a) (* 3e7 b b) (* 1e4 b c)))
+  (flvector-set! dy 0 (- back slow))
+  (flvector-set! dy 1 (- slow back fast))
+  (flvector-set! dy 2 fast))
+
+(define (robertson-jacobian! y J)
+  (define-values (b c) (values (flvector-ref y 1) (flvector-ref y 2)))
+  (for ([k (in-naturals)]
+        [x (in-list (list -0.04 0.04 0.0
+                          (* 1e4 c) (- (* -1e4 c) (* 6e7 b)) (* 6e7 b)
+                          (* 1e4 b) (* -1e4 b) 0.0))])
+    (flvector-set! J k x)))
+
+(test-case "Robertson's reactions, to the time 40 and to 10^11"
+  (for ([end (in-list '(40.0 1e11))]
+        [expected (in-list '((0.7158270687193941 0.9185534764557338e-5 0.2841637457458413)
+                             (0.2083340149701255e-7 0.8333360770334713e-13 0.9999999791665050)))]
+        [most (in-list '(200 900))])
+    (define-values (y steps evaluations derivatives)
+      (count-work robertson! robertson-jacobian! (flvector 1.0 0.0 0.0) end 1e-8))
+    (check-close y expected 1e-9)
+    (check-true (< steps most) (format "~a steps" steps))
+    (check-true (< evaluations (* 10 steps)) (format "~a evaluations" evaluations))
+    (check-true (< derivatives (/ steps 2)) (format "~a derivatives" derivatives))))
+
+;; High irradiance response: eight reactions of plants to light.
+(define (hires! y dy)
+  (define-values (a b c d e f g h) (apply values (for/list ([x (in-flvector y)]) x)))
+  (define joining (* 280.0 f h))
+  (for ([k (in-naturals)]
+        [x (in-list (list (+ (* -1.71 a) (* 0.43 b) (* 8.32 c) 0.0007)
+                          (- (* 1.71 a) (* 8.75 b))
+                          (+ (* -10.03 c) (* 0.43 d) (* 0.035 e))
+                          (+ (* 8.32 b) (* 1.71 c) (* -1.12 d))
+                          (+ (* -1.745 e) (* 0.43 f) (* 0.43 g))
+                          (+ (- joining) (* 0.69 d) (* 1.71 e) (* -0.43 f) (* 0.69 g))
+                          (- joining (* 1.81 g))
+                          (- (* 1.81 g) joining)))])
+    (flvector-set! dy k x)))
+
+(test-case "HIRES, by derivatives that are differences"
+  (for ([tolerance (in-list '(1e-5 1e-8))] [most (in-list '(100 500))])
+    (define-values (y steps)
+      (follow radau-iia-5 hires! (flvector 1.0 0.0 0.0 0.0 0.0 0.0 0.0 0.0057) 321.8122 tolerance))
+    (check-close y '(0.7371312573325668e-3 0.1442485726316185e-3 0.5888729740967575e-4
+                     0.1175651343283149e-2 0.2386356198831331e-2 0.6238968252742796e-2
+                     0.2849998395185769e-2 0.2850001604814231e-2)
+                 tolerance)
+    (check-true (< steps most) (format "~a steps" steps))))
+
+(define (linear-jacobian! y J)
+  (for ([k (in-naturals)]
+        [x (in-list '(-1.0 0.0 0.0 999.0 -1000.0 0.0 999000.0 -999000.0 -1e6))])
+    (flvector-set! J k x)))
+
+(test-case "derivatives are taken again only where they have changed"
+  (define-values (y steps evaluations derivatives)
+    (count-work (van-der-pol! 1000.0) (van-der-pol-jacobian! 1000.0) (flvector 2.0 0.0) 2000.0 1e-8))
+  (check-true (< derivatives (/ steps 4)) (format "~a of ~a" derivatives steps))
+  (define-values (z steps* evaluations* derivatives*)
+    (count-work linear! linear-jacobian! (flvector -1.0 2.0 1.0) 3.0 1e-6))
+  (check-true (<= derivatives* 3) (format "~a of ~a" derivatives* steps*)))
+
 (test-case "differences are the derivatives to half the digits"
   (define y (flvector 1.3 -0.4))
   (define-values (J K) (values (make-flvector 4) (make-flvector 4)))
