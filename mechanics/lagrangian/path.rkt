@@ -42,7 +42,8 @@
     (g:+ x0 (g:* i step))))
 
 ;; The polynomial of least degree that takes the values ys at the points xs:
-;; Σᵢ yᵢ Πⱼ≠ᵢ (x - xⱼ)/(xᵢ - xⱼ).
+;; Σᵢ yᵢ/Πⱼ≠ᵢ (xᵢ − xⱼ) · Πⱼ≠ᵢ (x − xⱼ).  The divisors are known beforehand, and the products
+;; are those of what comes before i and of what comes after it.
 (define (Lagrange-interpolation-function ys xs)
   (unless (and (list? ys) (list? xs) (= (length ys) (length xs)) (pair? xs))
     (raise-arguments-error 'Lagrange-interpolation-function
@@ -52,12 +53,23 @@
     (when (member (car tail) (cdr tail))
       (raise-arguments-error 'Lagrange-interpolation-function "two points are the same"
                              "point" (car tail))))
+  (define coefficients
+    (for/list ([y (in-list ys)] [xi (in-list xs)] [i (in-naturals)])
+      (g:/ y (product-of-distances xi i xs))))
   (lambda (x)
-    (for/fold ([sum 0]) ([y (in-list ys)] [xi (in-list xs)] [i (in-naturals)])
-      (g:+ sum (g:* (basis-polynomial x xi i xs) y)))))
+    (define distances (for/list ([xj (in-list xs)]) (g:- x xj)))
+    (for/fold ([sum 0] [before 1] #:result sum)
+              ([c (in-list coefficients)] [distance (in-list distances)]
+               [after (in-list (products-after distances))])
+      (values (g:+ sum (g:* before after c)) (g:* before distance)))))
 
 (define (tails xs) (if (null? xs) '() (cons xs (tails (cdr xs)))))
 
-(define (basis-polynomial x xi i xs)
+(define (product-of-distances xi i xs)
   (for/fold ([p 1]) ([xj (in-list xs)] [j (in-naturals)] #:unless (= i j))
-    (g:* p (g:/ (g:- x xj) (g:- xi xj)))))
+    (g:* p (g:- xi xj))))
+
+;; (a b c d) -> (bcd cd d 1)
+(define (products-after xs)
+  (for/fold ([products '(1)]) ([x (in-list (reverse (cdr xs)))])
+    (cons (g:* x (car products)) products)))

@@ -62,6 +62,26 @@
   (check-= ((D many) 20) ((D many-in-closed-form) 20) 1e-6)
   (check-= ((D (D many)) 20) ((D (D many-in-closed-form)) 20) 1e-4))
 
+(test-case "integrals of integrals, and within threads"
+  ;; the volume under 1/(1 + x y) over the unit square: π²/12
+  (define (volume)
+    (definite-integral
+     (lambda (x) (definite-integral (lambda (y) (g:/ 1 (g:+ 1 (g:* x y)))) 0 1)) 0 1))
+  (define expected (/ (expt (* 4 (atan 1.0)) 2) 12))
+  (check-= (volume) expected 1e-10)
+  ;; one end of the inner integral is the variable of the outer one: ∫∫ cos 40(x + y)
+  (define (triangle)
+    (definite-integral
+     (lambda (x) (definite-integral (lambda (y) (g:cos (g:* 40 (g:+ x y)))) 0 x)) 0 3))
+  (define in-closed-form
+    (/ (- (/ (- 1 (cos 240.0)) 2) (- 1 (cos 120.0))) 1600.0))
+  (check-= (triangle) in-closed-form 1e-9)
+  (define results (make-vector 4 #f))
+  (for-each thread-wait
+            (for/list ([i 4])
+              (thread (lambda () (vector-set! results i (definite-integral along 0 100))))))
+  (for ([r results]) (check-equal? r (definite-integral along 0 100))))
+
 (test-case "where the compiled function has no value, the error is the function's own"
   ;; a real number up to 50, complex from there on
   (define (f x) (g:* (g:sin (g:* 40 x)) (g:sqrt (g:- 50 x))))
