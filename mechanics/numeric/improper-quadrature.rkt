@@ -7,12 +7,7 @@
 ;; An integrand like (x − a)^p or log(x − a) near an end a is too much for halving
 ;; panels: they become so narrow there that rounding hides x − a.  But its integrals
 ;; Sₖ from the middle to a distance 2⁻ᵏ from a tend to the whole as sums of geometric
-;; sequences do, and the epsilon algorithm (P. Wynn, 1956) finds where from a few of
-;; them:
-;;
-;;     ε(n, j+1) = ε(n−1, j−1) + 1/(ε(n, j) − ε(n−1, j)),   ε(n, −1) = 0,  ε(n, 0) = Sₙ,
-;;
-;; in which ε(n, 2m) is exact for m sequences.  It would find a limit for sums that
+;; sequences do, and the epsilon algorithm finds where from a few of them.  It would find a limit for sums that
 ;; have none, too, and know nothing of what happens closer to a.  Therefore the last
 ;; terms must fall, and what is left must agree roughly with what the rule of
 ;; quadrature.rkt makes of it.
@@ -20,7 +15,8 @@
 ;; Where the function is infinite between the ends, halving finds the point to within
 ;; rounding; there the interval is divided.
 
-(require "failure.rkt" "quadrature.rkt" "sample.rkt")
+(require "epsilon-algorithm.rkt" "failure.rkt" "oscillating-quadrature.rkt" "quadrature.rkt"
+         "sample.rkt")
 
 (provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum, error bound
 
@@ -40,8 +36,13 @@
     (define near (+ from (* direction unit)))
     (define (x t) (+ near (* direction unit (/ (- 1.0 t) t))))
     (define (h t) (/ (* unit (sample who f (x t))) (* t t)))
-    (both (lambda () (between (min from near) (max from near)))
-          (lambda () (over-interval h 0.0 1.0 tolerance who x))))
+    (define (along s) (sample who f (+ near (* direction s))))
+    (define (far)
+      (let/ec return
+        (call-or-fail (lambda () (over-interval h 0.0 1.0 tolerance who x 0)) return)
+        (call-or-fail (lambda () (oscillating-quadrature along unit tolerance)) return)
+        (over-interval h 0.0 1.0 tolerance who x)))
+    (both (lambda () (between (min from near) (max from near))) far))
   (cond [(= a b) (values 0.0 0.0)]
         [(> a b)
          (define-values (value bound)
@@ -74,11 +75,7 @@
   (define (divided-at c return)
     (when (and (< a c b) (> divisions 0))
       (define (part a b) (over-interval f a b tolerance who place (- divisions 1)))
-      (call-with-values
-       (lambda ()
-         (or-failure (lambda () (both (lambda () (part a c)) (lambda () (part c b))))))
-       (case-lambda [(failed) (void)]
-                    [(value bound) (return value bound)]))))
+      (call-or-fail (lambda () (both (lambda () (part a c)) (lambda () (part c b)))) return)))
   (define (from-ends return)
     (define middle (+ a (* 0.5 (- b a))))
     (define-values (left left-bound) (towards f middle a tolerance))
@@ -99,10 +96,12 @@
         (call-with-values (lambda () (plain (lambda () (at-edge)) divide)) return))
       (from-ends return))))
 
-;; The values of (f), or #f where there are none.
-(define (or-failure f)
-  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
-    (f)))
+;; The values of (f), received by `return`, which may not be called.
+(define (call-or-fail f return)
+  (define-values (value bound)
+    (with-handlers ([exn:fail:mechanics? (lambda (e) (values #f #f))])
+      (f)))
+  (when value (return value bound)))
 
 ;; Of the numbers within rounding of x, the one where |f| is greatest.
 (define (worst-near f x)
@@ -120,11 +119,13 @@
 
 (define least-terms 20)
 (define most-terms 200)
-(define greatest-ratio 0.98)
+(define greatest-ratio 0.98)       ; of a part to the one before
+(define greatest-half 0.85)        ; of the later half of the parts to the earlier one
 
-;; sum : the integral up to here; size : that of |f|, nearly; last : the last part
-;; diagonal : of the epsilon algorithm; agreed : how many limits in a row have
-(struct progress (sum size last falls? diagonal agreed) #:authentic)
+;; sum : the integral up to here; size : that of |f|, nearly; parts : their magnitudes,
+;; the last first; diagonal : of the epsilon algorithm; agreed : how many limits in a row
+;; have
+(struct progress (sum size parts diagonal agreed) #:authentic)
 
 ;; The integral from one point to an end and a bound of its error; #f twice if it is
 ;; not found.
@@ -132,11 +133,13 @@
   (define none (lambda () (values #f #f)))
   (define all (- end from))
   (define (point k) (- end (* all (expt 0.5 k))))
-  (let loop ([k 0] [p (progress 0.0 0.0 +inf.0 #f '() 0)])
+  (let loop ([k 0] [p (progress 0.0 0.0 '() '() 0)])
     (define x (point k))
     (define y (point (+ k 1)))
     (cond
-      [(and (>= k least-terms) (found? p (lambda () (rough-integral f x end)) tolerance))
+      [(and (>= k least-terms)
+            (found? p (lambda () (rough-integral f x end)) tolerance)
+            (still-falling? f end (- x end) p tolerance))
        (values (limit p) (* tolerance (progress-size p)))]
       [(or (= k most-terms) (not (resolved? y end))) (none)]
       [else
@@ -148,21 +151,43 @@
 (define (advance p part tolerance)
   (define sum (+ (progress-sum p) part))
   (define size (+ (progress-size p) (abs part)))
-  (define diagonal (extend (progress-diagonal p) sum))
+  (define diagonal (extend-diagonal (progress-diagonal p) sum))
   (define agrees?
     (and (pair? (progress-diagonal p))
-         (<= (abs (- (estimate diagonal) (limit p))) (* tolerance size))))
-  (progress sum size part
-            (<= (abs part) (max (* greatest-ratio (abs (progress-last p))) (* tolerance size)))
-            diagonal
+         (<= (abs (- (estimated-limit diagonal) (limit p))) (* tolerance size))))
+  (progress sum size (cons (abs part) (progress-parts p)) diagonal
             (if agrees? (+ 1 (progress-agreed p)) 0)))
 
-(define (limit p) (estimate (progress-diagonal p)))
+(define (limit p) (estimated-limit (progress-diagonal p)))
 
 (define (found? p rough tolerance)
+  (define tolerated (* tolerance (progress-size p)))
   (and (>= (progress-agreed p) 2)
-       (progress-falls? p)
-       (plausible? (- (limit p) (progress-sum p)) (rough) (* tolerance (progress-size p)))))
+       (falling? (progress-parts p) (* 0.1 tolerated))
+       (plausible? (- (limit p) (progress-sum p)) (rough) tolerated)))
+
+;; Parts that go up and down, as those of sin(log x)/x do, fall in places.
+(define (falling? parts negligible)
+  (define-values (later earlier) (halves parts))
+  (and (<= (car parts) (max negligible (* greatest-ratio (cadr parts))))
+       (<= (greatest later) (max negligible (* greatest-half (greatest earlier))))))
+
+(define (halves xs)
+  (define half (quotient (length xs) 2))
+  (values (for/list ([x (in-list xs)] [_ (in-range half)]) x) (list-tail xs half)))
+
+(define (greatest xs) (for/fold ([m 0.0]) ([x (in-list xs)]) (max m x)))
+
+;; Where there is room for it, at an end that is 0, as infinity becomes: do parts much
+;; closer to it stay below those there are?
+(define (still-falling? f end distance p tolerance)
+  (define-values (later earlier) (halves (progress-parts p)))
+  (define most (max (* tolerance (progress-size p)) (* greatest-half (greatest later))))
+  (or (not (= end 0.0))
+      (for/and ([k (in-range 40 80)])
+        (define x (* distance (expt 0.5 k)))
+        (define y (f x))
+        (not (and (real? y) (< most (abs (* x y)) +inf.0))))))
 
 ;; The rule misses most of a singular integral, but not its sign.
 (define (plausible? rest rough tolerated)
@@ -178,20 +203,3 @@
 
 ;; Any error is tolerated: the rule is used once.
 (define (rough-integral f x y) (quadrature f x y #:tolerance 10.0))
-
-(define most-columns 16)
-
-;; (ε(n−1, 0) ε(n−2, 1) ...) and Sₙ -> (ε(n, 0) ε(n−1, 1) ...)
-(define (extend diagonal s)
-  (let loop ([new s] [old diagonal] [older 0.0] [column 0])
-    (define difference (if (null? old) 0.0 (- new (car old))))
-    (cons new
-          (if (or (= difference 0.0) (= column most-columns))
-              '()
-              (loop (+ older (/ 1.0 difference)) (cdr old) (car old) (+ column 1))))))
-
-;; Its last entry in an even column.
-(define (estimate diagonal)
-  (if (or (null? (cdr diagonal)) (null? (cddr diagonal)))
-      (car diagonal)
-      (estimate (cddr diagonal))))

@@ -142,7 +142,8 @@ or a logarithm of the distance is.
 (definite-integral sin 0 pi)
 (definite-integral (lambda (x) (exp (- (square x)))) -inf.0 +inf.0)
 (definite-integral (lambda (x) (/ (log x) (sqrt x))) 0 1)
-(definite-integral (lambda (x) (/ 1 (sqrt (abs (- x 0.3))))) 0 1)]
+(definite-integral (lambda (x) (/ 1 (sqrt (abs (- x 0.3))))) 0 1)
+(definite-integral (lambda (x) (/ (sin x) x)) 0 +inf.0)]
 
 The tolerance is relative to the integral of |f|. If it cannot be met,
 @racket[exn:fail:mechanics:not-convergent:integral] carries the best value found and the

@@ -107,7 +107,17 @@
    ["1/((1 + x) √x)" (lambda (x) (/ 1 (* (+ 1 x) (sqrt x)))) 0 +inf.0 pi]
    ["1/cosh x" (lambda (x) (/ 2 (+ (exp x) (exp (- x))))) -inf.0 +inf.0 pi]))
 
-(define all (append smooth peaked oscillating broken infinite-at-points infinite-ranges))
+;; The integral of |f| does not exist, or is not much of a measure.
+(define slowly-decaying
+  (table
+   ["sin x/x" (lambda (x) (/ (sin x) x)) 0 +inf.0 (/ pi 2)]
+   ["sin³x/x" (lambda (x) (/ (expt (sin x) 3) x)) 0 +inf.0 (/ pi 4)]
+   ["sin x/√x" (lambda (x) (/ (sin x) (sqrt x))) 0 +inf.0 (sqrt (/ pi 2))]
+   ["cos 20x/√x" (lambda (x) (/ (cos (* 20 x)) (sqrt x))) 0 +inf.0 (sqrt (/ pi 40)) 1.0]
+   ["cos x/(1 + x²)" (lambda (x) (/ (cos x) (+ 1 (* x x)))) -inf.0 +inf.0 (/ pi e) 2.0]
+   ["x sin x/(1 + x²)" (lambda (x) (/ (* x (sin x)) (+ 1 (* x x)))) 0 +inf.0 (/ pi 2 e)]))
+
+(define all (append slowly-decaying smooth peaked oscillating broken infinite-at-points infinite-ranges))
 
 (define (judge example tolerance)
   (define-values (name f low high value size) (apply values example))
@@ -155,6 +165,19 @@
     (check-= (exn:fail:mechanics:not-convergent:integral-where failure) place 1e-10)
     (check-pred flonum? (exn:fail:mechanics:not-convergent-value failure))
     (check-pred flonum? (exn:fail:mechanics:not-convergent-error-estimate failure))))
+
+;; Epsilon algorithms find limits of sums that have none; that of sin x to infinity is 1.
+(test-case "what goes up and down without decaying has no integral"
+  (for ([f (list sin cos
+                 (lambda (x) (* x (sin x)))
+                 (lambda (x) (* (sin x) (+ 0.01 (/ 1 (+ 1 x)))))
+                 (lambda (x) (/ (+ 1 (sin x)) (+ 1 x)))
+                 (lambda (x) (/ (sin (log (+ 1 x))) (+ 1 x)))
+                 (lambda (x) (/ (sin (* 1/5 (log (+ 1 x)))) (+ 1 x))))])
+    (check-exn exn:fail:mechanics:not-convergent? (lambda () (improper-quadrature f 0 +inf.0))))
+  (for ([f (list (lambda (x) (/ (sin (log x)) x))
+                 (lambda (x) (/ (cos (/ 1 x)) x x)))])
+    (check-exn exn:fail:mechanics:not-convergent? (lambda () (improper-quadrature f 0 1)))))
 
 (test-case "or the point where it is infinite is told"
   (for ([example (list (list (lambda (x) (expt (- 2.0 x) -1.5)) 0 2 2)
