@@ -24,7 +24,7 @@
   (define value (value-at input))
   (define (generic v) (structure->bigfloats (check-shape who value (value-at v)) complain))
   (define-values (p shape) (trace who f point #:constants exact))
-  (define run (and (program? p) (program->procedure p)))
+  (define run (and (program? p) (runs-on-bigfloats? p) (program->procedure p)))
   (if (and run (agree? run generic input) (agree? run generic (opposite input)))
       (values run shape #t)
       (values generic value #f)))
@@ -72,6 +72,13 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Programs
+
+;; Some operations are there for flonums only.
+(define (runs-on-bigfloats? p)
+  (for/and ([i (in-vector (program-instructions p))])
+    (define name (instruction-operation i))
+    (or (memq name '(solve component))
+        (operation-on-bigfloats name (length (instruction-operands i))))))
 
 ;; values : vector; the instructions store the value of each at its place, after the
 ;; inputs and the numbers that occur.

@@ -8,7 +8,8 @@
 ;; combined exactly until they meet a value, and what no output needs is left
 ;; out.
 
-(require "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/tape.rkt")
+(require "builder.rkt" "instruction.rkt"
+         "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/tape.rkt")
 
 (provide
  ;; the program
@@ -24,16 +25,6 @@
 
 (define (program-length p) (vector-length (program-instructions p)))
 
-;; An input or the value of an instruction.  Transparent: two of one index are
-;; the same operand.
-(struct place (index) #:transparent)
-
-;; (operation operand ...).  The operations are add, subtract, multiply, divide,
-;; negate, functions under their own names, and solve, of a system [A b] given row
-;; by row, followed at once by its components: (component system k).
-(define (instruction-operation i) (car i))
-(define (instruction-operands i) (cdr i))
-
 ;; inputs : symbols; es : expressions.  (fail e) is called, not to return, with
 ;; an expression that has no value: another symbol, an unknown function.
 ;; as-constant : real -> what stands for it in an instruction
@@ -43,34 +34,6 @@
     (for/hasheq ([s (in-list inputs)] [i (in-naturals)]) (values s (place i))))
   (define outputs (translate b (expressions->tape es) leaves fail))
   (prune (program (length inputs) (written b) (list->vector outputs))))
-
-;; ---------------------------------------------------------------------------
-;; Building
-
-;; places : instruction -> place; instructions : index -> instruction
-(struct builder (inputs as-constant places instructions) #:authentic)
-
-(define (make-builder inputs as-constant)
-  (builder inputs as-constant (make-hash) (make-hasheqv)))
-
-;; Numbers that meet a value are constants, so that 2 and 2.0 make one instruction.
-(define (do! b operation . operands)
-  (write! b (cons operation
-                  (for/list ([x (in-list operands)])
-                    (if (number? x) ((builder-as-constant b) x) x)))))
-
-(define (write! b instruction)
-  (define places (builder-places b))
-  (or (hash-ref places instruction #f)
-      (let ([p (place (+ (builder-inputs b) (hash-count places)))])
-        (hash-set! places instruction p)
-        (hash-set! (builder-instructions b) (place-index p) instruction)
-        p)))
-
-(define (written b)
-  (define n (builder-inputs b))
-  (for/vector ([k (in-range (hash-count (builder-places b)))])
-    (hash-ref (builder-instructions b) (+ n k))))
 
 ;; ---------------------------------------------------------------------------
 ;; From a graph
@@ -125,91 +88,6 @@
 
 ;; n (n + 1) -> n
 (define (count-unknowns entries) (integer-sqrt entries))
-
-;; ---------------------------------------------------------------------------
-;; Arithmetic.  Signs move outwards, to become subtractions or to meet others.
-
-(define (add! b x y)
-  (cond [(and (number? x) (number? y)) (+ x y)]
-        [(eqv? x 0) y]
-        [(eqv? y 0) x]
-        [(negated b y) => (lambda (z) (subtract! b x z))]
-        [(negated b x) => (lambda (z) (subtract! b y z))]
-        [else (do-in-order! b 'add x y)]))
-
-(define (subtract! b x y)
-  (cond [(and (number? x) (number? y)) (- x y)]
-        [(eqv? y 0) x]
-        [(eqv? x 0) (negate! b y)]
-        [(negated b y) => (lambda (z) (add! b x z))]
-        [else (do! b 'subtract x y)]))
-
-(define (multiply! b x y)
-  (cond [(and (number? x) (number? y)) (* x y)]
-        [(or (eqv? x 0) (eqv? y 0)) 0]
-        [(number? y) (multiply! b y x)]
-        [(and (number? x) (= x 1)) y]
-        [(and (number? x) (= x -1)) (negate! b y)]
-        [(and (number? x) (scaled b x y)) => (lambda (factors) (apply multiply! b factors))]
-        [(negated b x) => (lambda (z) (negate! b (multiply! b z y)))]
-        [(negated b y) => (lambda (z) (negate! b (multiply! b x z)))]
-        [else (do-in-order! b 'multiply x y)]))
-
-(define (divide! b x y)
-  (cond [(eqv? x 0) 0]
-        [(eqv? y 1) x]
-        [(and (number? y) (not (eqv? y 0))) (multiply! b (/ 1 y) x)]
-        [(negated b x) => (lambda (z) (negate! b (divide! b z y)))]
-        [(negated b y) => (lambda (z) (negate! b (divide! b x z)))]
-        [else (do! b 'divide x y)]))
-
-(define (negate! b x)
-  (cond [(number? x) (- x)]
-        [(negated b x)]
-        [else (do! b 'negate x)]))
-
-;; y if x is the value -y; or #f.
-(define (negated b x)
-  (define i (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
-  (and i
-       (eq? (instruction-operation i) 'negate)
-       (car (instruction-operands i))))
-
-;; (c z) if x y is c z with a number c; or #f.
-(define (scaled b x y)
-  (define i (hash-ref (builder-instructions b) (place-index y) #f))
-  (define factors (if (and i (eq? (instruction-operation i) 'multiply)) (cdr i) '(#f)))
-  (define c (and (number? (car factors)) (* x (car factors))))
-  (and c (< 1e-100 (abs c) 1e100) (cons c (cdr factors))))
-
-;; x + y and y + x are one instruction.
-(define (do-in-order! b operation x y)
-  (if (before? y x) (do! b operation y x) (do! b operation x y)))
-
-(define (before? x y)
-  (cond [(number? x) (and (number? y) (< x y))]
-        [(number? y) #f]
-        [else (< (place-index x) (place-index y))]))
-
-;; ---------------------------------------------------------------------------
-;; Powers: whole and half exponents by multiplication and square roots.
-
-(define greatest-unrolled 64)
-
-(define (power! b x n)
-  (define half-turns (and (rational? n) (exact? n) (* 2 n)))
-  (cond [(or (number? x) (not half-turns) (not (integer? half-turns))
-             (> (abs n) greatest-unrolled))
-         (do! b 'expt x n)]
-        [(negative? n) (divide! b 1 (power! b x (- n)))]
-        [(integer? n) (whole-power! b x n)]
-        [else (multiply! b (whole-power! b x (quotient half-turns 2)) (do! b 'sqrt x))]))
-
-(define (whole-power! b x n)
-  (cond [(eqv? n 0) 1]
-        [(eqv? n 1) x]
-        [(even? n) (let ([root (whole-power! b x (quotient n 2))]) (multiply! b root root))]
-        [else (multiply! b x (whole-power! b x (- n 1)))]))
 
 ;; ---------------------------------------------------------------------------
 ;; What outputs need

@@ -32,6 +32,14 @@
   (check-equal? (operations (program-of '(x y) (g:+ 'x (g:* -1 'y)))) '(subtract))
   (check-equal? (operations (program-of '(x y) (g:* (g:negate 'x) (g:negate 'y)))) '(multiply)))
 
+(test-case "what is added and subtracted again is not computed"
+  (define (sums f) (operations (program-of '(x y z) f)))
+  (define-values (a b c) (values (g:sin 'x) (g:sin 'y) (g:sin 'z)))
+  (check-equal? (sums (g:- (g:+ (g:* 2 a) b) (g:+ (g:* 2 a) c))) '(sin sin subtract))
+  (check-equal? (sums (g:- (g:+ b 'x) (g:* 2 (g:+ (g:* 1/2 b) 0)))) '())
+  (check-equal? (sums (g:+ (g:- a b) (g:* 3 (g:* 1/3 b)))) '(sin))
+  (check-equal? (sums (g:- (g:+ a b) (g:- a c))) '(sin sin add)))
+
 (test-case "whole and half powers are multiplications and a square root"
   (check-equal? (operations (program-of '(x) (g:expt 'x 5))) '(multiply multiply multiply))
   (check-equal? (operations (program-of '(x) (g:expt 'x -2))) '(multiply divide))

@@ -177,6 +177,13 @@
     (define collision (/ (acos (bigfloat -1 64)) (* 2 (sqrt (bigfloat 2 64)))))
     (check-true (< (abs (- (trajectory-end so-far) collision)) 1e-8)))
 
+  (test-case "an operation that only flonum code has is evaluated"
+    (define ((turning) (up t x)) (up 1 (cos (* 1/3 ((principal-value :pi) x)))))
+    (define advance (state-advancer turning))
+    (check-= (bigfloat->exact (ref (advance (up 0 4) 1/2 1e-20 #:precision 100) 1))
+             (ref (advance (up 0 4) 1/2 1e-14) 1)
+             1e-13))
+
   (test-case "mistakes"
     (define (advance . more)
       (keyword-apply advance-harmonic '(#:precision) '(100) (list* (up 0 1 0) 1 more)))

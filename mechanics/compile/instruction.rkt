@@ -1,0 +1,14 @@
+#lang racket/base
+;; Instructions of programs, and the places of their values.
+
+(provide (struct-out place) instruction-operation instruction-operands)
+
+;; An input or the value of an instruction.  Transparent: two of one index are
+;; the same operand.
+(struct place (index) #:transparent)
+
+;; (operation operand ...).  The operations are add, subtract, multiply, divide,
+;; negate, functions under their own names, and solve, of a system [A b] given row
+;; by row, followed at once by its components: (component system k).
+(define (instruction-operation i) (car i))
+(define (instruction-operands i) (cdr i))
