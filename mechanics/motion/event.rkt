@@ -12,9 +12,9 @@
 
 (require racket/flonum
          "../compile/compile-function.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt")
+         "../generic/describe.rkt" "../generic/function.rkt" "../numeric/failure.rkt")
 
-(provide event event? event-terminal?
+(provide event event? event-f event-direction event-terminal? raise-undefined
          (struct-out occurrence)
          watch-for (struct-out undefined))
 
@@ -46,6 +46,13 @@
   #:property prop:custom-write
   (lambda (o port mode)
     (write-value (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o)) port)))
+
+;; so-far : the trajectory up to there
+(define (raise-undefined e t state so-far)
+  (raise-singular 'evolve-trajectory "the function of an event has no real value" so-far
+                  "event" e
+                  "time" t
+                  "state" state))
 
 ;; ---------------------------------------------------------------------------
 ;; Watching

@@ -13,13 +13,18 @@
          "../numeric/failure.rkt" "../numeric/progress.rkt"
          (only-in "../value/bigfloat.rkt" [bigfloat rounded]))
 
-(provide advance-precisely follow-precisely follow-precise-trajectory)
+(provide advance-precisely follow-precisely
+         ;; for trajectories
+         make-motion motion-start motion-stay motion-follow noting
+         exact-time shown-time
+         (struct-out stretch) stretch-state stretch-guess)
 
 ;; start   : the first time, exact; first : the first state, a vector
+;; slope   : state -> its rate, vectors
 ;; run     : end visit -> time and state reached (extrapolation.rkt)
 ;; restart : time state -> the same for a motion from there
 ;; These compute with more bits, `working`, than states are shown with.
-(struct motion (shape clock? bits working start first run restart) #:authentic)
+(struct motion (shape clock? bits working start first slope run restart) #:authentic)
 
 ;; (kept state) is what a failure carries.
 (define (make-motion p derivative state [kept values])
@@ -43,7 +48,7 @@
                          y t (bf each-step) digits #:clock (and clock? 0) #:stuck stuck
                          #:longest (plan-longest p) #:limit (plan-most p)))
       (define start (if clock? (vector-ref y 0) (bf 0)))
-      (motion state clock? bits working (exact-value start) y (from start y) from))))
+      (motion state clock? bits working (exact-value start) y f (from start y) from))))
 
 (define (raise-stuck who why t state kept)
   (define (message what)
@@ -98,6 +103,29 @@
                y))]))
   (shown-state (motion-shape m) y (motion-bits m)))
 
+;; About the state at the fraction theta of a step: a cubic with the states and slopes
+;; at its ends.
+(define (stretch-guess m s theta)
+  (define y
+    (call-with-bits (motion-working m)
+      (lambda ()
+        (define h (bf (- (stretch-to s) (stretch-from s))))
+        (define-values (before after) (values (stretch-before s) (stretch-after s)))
+        (define t (- 1 theta))
+        (define weights
+          (list (* t t (+ 1 (* 2 theta))) (* theta theta (+ 1 (* 2 t)))
+                (* theta t t) (* -1 theta theta t)))
+        (define-values (a b c d) (apply values (map bf weights)))
+        (for/vector #:length (vector-length before)
+                    ([y (in-vector before)] [z (in-vector after)]
+                     [v ((motion-slope m) before)] [w ((motion-slope m) after)])
+          (bf+ (bf* a y) (bf* b z) (bf* h (bf+ (bf* c v) (bf* d w))))))))
+  (shown-state (motion-shape m) y (motion-bits m)))
+
+;; A time as the integration has it, exact; and as it is shown.
+(define (exact-time m t) (exact-value (call-with-bits (motion-working m) (lambda () (bf t)))))
+(define (shown-time m t) (rounded t (motion-bits m)))
+
 ;; No motion yet.
 (define (motion-stay m)
   (define t (motion-start m))
@@ -144,26 +172,3 @@
   (define count (sample-count (abs (- end start)) step))
   (append (for/list ([k (in-range count)]) (+ start (* k signed-step)))
           (list end)))
-
-;; ---------------------------------------------------------------------------
-;; Trajectories
-
-;; (make steps exactly shown state) makes a trajectory (trajectory.rkt); a step is a list
-;; of two times, exact, and the stretch between them.
-(define (follow-precise-trajectory p derivative state end make)
-  (define steps '())
-  (define m (make-motion p derivative state (lambda (last) (so-far))))
-  (define final (inexact->exact end))
-  (define (record! s)
-    (set! steps (cons (list (stretch-from s) (stretch-to s) s) steps)))
-  (define (so-far)
-    (when (null? steps) (record! (motion-stay m)))
-    (make (reverse steps)
-          inexact->exact
-          (lambda (t) (rounded t (plan-bits p)))
-          (lambda (s t) (stretch-state m s t))))
-  (define (run note!)
-    (define note (noting note! p final))
-    (motion-follow m final (lambda (s) (record! s) (note s))))
-  (call-with-progress (plan-progress? p) run)
-  (so-far))

@@ -7,11 +7,11 @@
 
 (require racket/flonum racket/lazy-require
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "system.rkt"
-         "../generic/describe.rkt" "../numeric/failure.rkt" "../numeric/ode/vectors.rkt"
+         "../generic/describe.rkt" "../numeric/ode/vectors.rkt"
          "../numeric/progress.rkt")
 
 (lazy-require
- ["precise.rkt" (follow-precise-trajectory)])
+ ["precise-trajectory.rkt" (follow-precise-trajectory)])
 
 (provide evolve-trajectory
          trajectory? trajectory-start trajectory-end trajectory-final-state
@@ -90,16 +90,11 @@
       (flonum-trajectory p derivative state (real->double-flonum (real-number end)) all-events)))
 
 (define (precise-trajectory p derivative state end events)
-  (unless (null? events)
-    (raise-arguments-error 'evolve-trajectory "events are found in flonums, not with a precision"
-                           "events" events
-                           "precision" (plan-bits p)))
-  (define (make steps exactly shown state)
+  (define (make steps occurrences exactly shown state)
     (trajectory (for/vector ([s (in-list steps)]) (apply step s))
-                '()
-                (reading exactly shown
-                         (lambda (s t) (state (step-inside s) t)))))
-  (follow-precise-trajectory p derivative state end make))
+                occurrences
+                (reading exactly shown (lambda (s t) (state (step-inside s) t)))))
+  (follow-precise-trajectory p derivative state end events make))
 
 ;; In flonums, the inside of a step is the time to which it was taken, beyond its end if
 ;; an event ended the trajectory, and its interpolant.
@@ -132,13 +127,6 @@
     (trajectory (list->vector (reverse steps)) (reverse occurrences) (flonum-reading s)))
   (run-system p s y start end visit (lambda (state) (so-far)))
   (so-far))
-
-;; so-far : the trajectory up to there
-(define (raise-undefined e t state so-far)
-  (raise-singular 'evolve-trajectory "the function of an event has no real value" so-far
-                  "event" e
-                  "time" t
-                  "state" state))
 
 (define (flonum-reading s)
   (reading real->double-flonum values (lambda (st t) (state-within s st t))))

@@ -337,9 +337,17 @@ flonums. After 20 seconds they have nothing in common but the system:
 (angles (advance start 20 1e-20 #:precision 80))
 (angles (advance start 20 1e-13))]
 
-A duration, a time step or a final time is met exactly. Events are found in flonums
-only, and methods with steps of their own are for flonums only: either together with a
-precision is an error.
+A duration, a time step or a final time is met exactly, and events are found to all digits:
+the period of a pendulum that swings to one radian. Methods with steps of their own are for
+flonums only.
+
+@bigfloat-examples[session
+(define crossings
+  (evolve-trajectory (Lagrangian->state-derivative (L-pendulum 1 1 49/5))
+                     (up 0 1 0) 3 #:precision 120
+                     #:events (event coordinate)))
+(define times (map occurrence-time (trajectory-events crossings)))
+(* 2 (- (cadr times) (car times)))]
 
 These numbers are those of @racketmodname[math/bigfloat], which computes with the library
 MPFR. On Windows and macOS it comes with Racket; elsewhere it is a package of the
