@@ -21,7 +21,8 @@
       (format "~a: expected a method of integration or the name of one\n  given: ~a\n  ~a"
               who (describe-with-value m)
               (if (procedure? m)
-                  (format "a method with a fixed step is made of the step: (~a 0.01)" (value->text m))
+                  (format "a method with a fixed step is made of the step: (~a 0.01)"
+                          (value->text m))
                   (format "names: ~a" names)))
       (current-continuation-marks))))
   m)

@@ -58,7 +58,8 @@
   (define (follow plan-with state monitor step final [tolerance #f])
     (define p (plan-with tolerance))
     (check-monitor 'evolve monitor)
-    (check-positive 'evolve "time step" step "\n  the final time says whether to go forwards or back")
+    (check-positive 'evolve "time step" step
+                    "\n  the final time says whether to go forwards or back")
     (check-real 'evolve "final time" final)
     (if (plan-bits p)
         (follow-precisely p (derivative-for derivative-maker parameters) state monitor

@@ -58,11 +58,13 @@
          (fl> change (fl* 1e-9 (flmax (flabs x) (flabs y)))))))
 
 (define (raise-odd who m s y)
-  (complain "~a: ~a takes states of a time, some coordinates and as many velocities or momenta\n  state: ~a~a"
+  (complain (string-append "~a: ~a takes states of a time, some coordinates and as many "
+                           "velocities or momenta\n  state: ~a~a")
             who (method-name m) (value->text (system-state s y)) (instead m)))
 
 (define (raise-not-separable who m rates what)
-  (complain "~a: ~a moves coordinates and velocities in turn; here the rates of the ~a depend on the ~a~a"
+  (complain (string-append "~a: ~a moves coordinates and velocities in turn; "
+                           "here the rates of the ~a depend on the ~a~a")
             who (method-name m) rates what (instead m)))
 
 (define (instead m)

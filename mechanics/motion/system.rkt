@@ -99,10 +99,11 @@
 ;; The derivatives of a state derivative, compiled, or #f if they cannot be traced.
 ;; slopes : example -> the derivatives there
 (define (compile-jacobian who slopes example
-                          #:value-at [value-at (lambda (v) (slopes (flvector->structure example v)))]
-                          #:varying [varying (shape-length example)])
+                          #:value-at [value-at #f] #:varying [varying (shape-length example)])
+  (define (at v) (slopes (flvector->structure example v)))
   (with-handlers ([exn:fail? (lambda (e) #f)])
-    (compile-traced slopes example #:name who #:value-at value-at #:varying varying)))
+    (compile-traced slopes example
+                    #:name who #:value-at (or value-at at) #:varying varying)))
 
 ;; ---------------------------------------------------------------------------
 ;; The clock

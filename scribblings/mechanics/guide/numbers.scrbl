@@ -1,0 +1,245 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "numbers-guide"]{Numbers: from a Lagrangian to a trajectory}
+
+@(define session (make-session))
+
+Most motions have no formula. This page follows some with numbers, and says what happens
+on the way, which method to choose, how to learn when something happens, and how far a
+result is to be believed. The details are in @secref["motion"].
+
+@section{A pendulum, released}
+
+We write the Lagrangian as ever, and make its @emph{state derivative}: the function that
+takes a local state of time, coordinates and velocities to its rate of change.
+
+@examples[#:eval session #:label #f
+(define ((L-pendulum m l g) (up t theta thetadot))
+  (+ (* 1/2 m (square (* l thetadot)))
+     (* m g l (cos theta))))
+(define (pendulum m l g)
+  (Lagrangian->state-derivative (L-pendulum m l g)))
+((pendulum 'm 'l 'g) (up 't 'theta 'thetadot))
+((pendulum 1 1 9.8) (up 0 1 0))]
+
+There are three ways to go on from there. The first two are the book's
+(@sicm{1.7, pp. 74–75}): @racket[state-advancer] tells where a state is after some time,
+
+@examples[#:eval session #:label #f
+((state-advancer pendulum 1 1 9.8) (up 0 1 0) 2)]
+
+@racket[evolve] shows states along the way to a @emph{monitor}, a procedure of one state,
+
+@examples[#:eval session #:label #f
+((evolve pendulum 1 1 9.8)
+ (up 0 1 0)
+ (lambda (s) (printf "~a: ~a\n" (time s) (coordinate s)))
+ 0.5 2)]
+
+and @racket[evolve-trajectory] makes the motion a value, which is a function of time:
+
+@examples[#:eval session #:label #f
+(define swing (evolve-trajectory (pendulum 1 1 9.8) (up 0 1 0) 10))
+swing
+(swing 2)
+(coordinate (swing 3.21))]
+
+The first two take a procedure that makes a state derivative, and its parameters after it;
+the last takes the state derivative itself. The same function gave the formula above and
+these numbers.
+
+@section{What happens to the Lagrangian}
+
+A Lagrangian is differentiated three times over to reach a state derivative, and an
+integration asks for that thousands of times. So it is done once. The state derivative is
+run on @emph{placeholders}, symbols that stand for the numbers to come. What comes out is
+an expression graph, which is compiled to machine code.
+
+@examples[#:eval session #:label #f
+(define slope (compile-function (pendulum 1 1 9.8) (up 0 1 0)))
+(compiled-function-operations slope)]
+
+So many operations on floating-point numbers are left. Nothing of this needs to be asked
+for, and three things follow from it.
+
+@bold{Branches are safe.} A function that decides something by a number cannot be run on a
+placeholder to the end. The comparison notices that it is asked about a placeholder, and
+the function is then evaluated each time as it was written: with the same values, and less
+speed. The reason can be asked for.
+
+@examples[#:eval session #:label #f
+(define (bouncing (up t x v))
+  (up 1 v (if (< x 0) (* -1000 x) -9.8)))
+(compiled-function-reason (compile-function bouncing (up 0 1 0)))
+((state-advancer (lambda () bouncing)) (up 0 1 0) 1)]
+
+@bold{A sweep compiles once.} Parameters that are numbers are inputs of the compiled code,
+so that another length of the pendulum costs no compilation.
+
+@examples[#:eval session #:label #f
+(for ([l '(1/2 1 2)])
+  (printf "~a: ~a\n" l (coordinate ((state-advancer pendulum 1 l 9.8) (up 0 1 0) 1))))]
+
+@bold{Nothing is stale.} Each @racket[state-advancer], @racket[evolve] or
+@racket[evolve-trajectory] looks at the function anew. If you change a global variable that
+it uses, make a new one.
+
+Masses need not form a matrix that can be inverted on paper. Where there are more than three
+coordinates, the accelerations are found by elimination with numbers at each step; a chain of
+twenty links is no burden. A mass matrix that has no inverse is an error, which names the
+directions that carry no inertia:
+
+@examples[#:eval session #:label #f
+(define (L-together (up t (up x y) (up vx vy)))
+  (* 1/2 (square (+ vx vy))))
+(eval:error ((state-advancer (lambda () (Lagrangian->state-derivative L-together)))
+             (up 0 (up 0 0) (up 1 2)) 1))]
+
+@section{Which method}
+
+The method that is used unless told otherwise, @racket['Dormand-Prince-853], is right for
+nearly everything. Others are chosen by the keyword @racket[#:method], or for a whole session
+by @racket[set-ode-integration-method!].
+
+@tabular[#:sep @hspace[2] #:style 'boxed #:row-properties '(bottom-border ())
+ (list
+  (list @bold{method} @bold{order} @bold{steps} @bold{for})
+  (list @racket['Dormand-Prince-853] "8" "adapt" "smooth motions, small tolerances")
+  (list @racket['Dormand-Prince-54] "5" "adapt" "tolerances above 1e-6")
+  (list @racket['bulirsch-stoer] "14" "adapt" "very smooth motions, tiny tolerances")
+  (list @racket['qcrk4] "4" "adapt" "comparison with the book")
+  (list @racket['Radau-IIA-5] "5" "adapt" "stiff systems")
+  (list @racket[(leapfrog h)] "2" "fixed" "very many periods, separable, symplectic")
+  (list @elem{@racket[(Yoshida-4 h)], @racketidfont{-6}, @racketidfont{-8}}
+        "4, 6, 8" "fixed" "the same, more exactly")
+  (list @elem{@racket[(Gauss-Legendre-2 h)], @racketidfont{-4}, @racketidfont{-6}}
+        "2, 4, 6" "fixed" "very many periods, any Hamiltonian, symplectic"))]
+
+A system is @emph{stiff} if something in it would die out at once and no longer matters, but
+forces ordinary methods to steps as short as its decay. The sign is a run that takes ages at a
+large tolerance as well. A bound on the steps tells:
+
+@examples[#:eval session #:label #f
+(define ((in-honey mu) (up t theta v))
+  (up 1 v (- (* -9.8 (sin theta)) (* mu v))))
+(eval:error (evolve-trajectory (in-honey 1e4) (up 0 1 0) 100 #:most-steps 5000))
+(trajectory-final-state
+ (evolve-trajectory (in-honey 1e4) (up 0 1 0) 100
+                    #:most-steps 5000 #:method 'Radau-IIA-5))]
+
+@emph{Symplectic} methods do what Hamilton's equations do: they preserve areas in phase
+space. Their steps are of one length, and their energy is wrong by some amount that does not
+grow. The adaptive methods are better for a hundred periods, these for a million.
+
+@examples[#:eval session #:label #f
+(define E (Lagrangian->energy (L-pendulum 1 1 9.8)))
+(define (energy-change method t)
+  (define tr
+    (evolve-trajectory (pendulum 1 1 9.8) (up 0 1 0) t #:tolerance 1e-4 #:method method))
+  (- (E (trajectory-final-state tr)) (E (tr 0))))
+(list (energy-change 'Dormand-Prince-54 20) (energy-change 'Dormand-Prince-54 2000))
+(list (energy-change (leapfrog 0.02) 20) (energy-change (leapfrog 0.02) 2000))]
+
+Leapfrog and its like move coordinates and velocities in turn, which is only right where
+forces do not depend on velocities and the kinetic energy not on positions. Elsewhere they
+refuse, and name the method to take:
+
+@examples[#:eval session #:label #f
+(define ((L-polar m) (up t (up r phi) (up rdot phidot)))
+  (* 1/2 m (+ (square rdot) (square (* r phidot)))))
+(define free (Lagrangian->state-derivative (L-polar 1)))
+(eval:error (evolve-trajectory free (up 0 (up 1 0) (up 0 1)) 5 #:method (leapfrog 0.01)))
+(trajectory-final-state
+ (evolve-trajectory free (up 0 (up 1 0) (up 0 1)) 5 #:method (Gauss-Legendre-6 0.01)))]
+
+@section{When something happens}
+
+An @racket[event] is a function of the state that passes through zero. When does the pendulum
+pass the lowest point, moving to the left?
+
+@examples[#:eval session #:label #f
+(define bottom (event coordinate #:name 'bottom #:direction 'falling))
+(define observed
+  (evolve-trajectory (pendulum 1 1 9.8) (up 0 1 0) 8 #:tolerance 1e-12 #:events bottom))
+(map occurrence-time (trajectory-events observed))]
+
+Their differences are the period. With @racket[#:terminal? #t] the motion ends there: a
+particle leaves a surface, a ball meets the floor.
+
+The same finds a @emph{surface of section}: a motion in four dimensions, looked at only when
+it passes through three of them. Hénon and Heiles looked at @italic{y} and its velocity
+whenever @italic{x} grew through zero (@sicm{3.6.3}):
+
+@examples[#:eval session #:label #f
+(define (henon-heiles (up t (up x y) (up vx vy)))
+  (up 1
+      (up vx vy)
+      (up (- (* -1 x) (* 2 x y))
+          (- (square y) y (square x)))))
+(define section
+  (event (lambda (s) (ref (coordinate s) 0)) #:name 'section #:direction 'rising))
+(define vx (sqrt (- 1/6 0.01 (* -2/3 0.001))))
+(define motion
+  (evolve-trajectory henon-heiles (up 0 (up 0 0.1) (up vx 0)) 25
+                     #:tolerance 1e-12 #:events section))
+(for ([o (trajectory-events motion)])
+  (define s (occurrence-state o))
+  (printf "~a ~a\n" (ref (coordinate s) 1) (ref (velocity s) 1)))]
+
+@section{How far to believe it}
+
+The tolerance bounds the error of one step, and errors add up, or in a chaotic motion
+multiply. Three checks cost little.
+
+@bold{What is conserved.} The energy of the pendulum must not change, and how much it does is
+a measure of what else is wrong:
+
+@examples[#:eval session #:label #f
+(- (E (swing 10)) (E (swing 0)))]
+
+@bold{A smaller tolerance, or another method.} Digits that stay are right.
+
+@examples[#:eval session #:label #f
+(define (angle-at-10 tolerance method)
+  (coordinate ((state-advancer pendulum 1 1 9.8) (up 0 1 0) 10 tolerance #:method method)))
+(angle-at-10 1e-6 'Dormand-Prince-853)
+(angle-at-10 1e-9 'Dormand-Prince-853)
+(angle-at-10 1e-12 'Dormand-Prince-853)
+(angle-at-10 1e-12 'bulirsch-stoer)]
+
+@bold{There and back.} A motion followed backwards ends where it began.
+
+@examples[#:eval session #:label #f
+(define advance (state-advancer pendulum 1 1 9.8))
+(advance (advance (up 0 1 0) 10) -10)]
+
+Where these are not enough, the same integration runs in more digits than sixteen
+(@secref["precision"]).
+
+@section{When it does not go well}
+
+A motion may end before its time: in a collision, where a force becomes infinite, where a
+root has no real value. The failure says when, where and, if it can be known, why. That of
+@racket[evolve-trajectory] carries the trajectory up to there:
+
+@examples[#:eval session #:label #f
+(define (falling (up t r v)) (up 1 v (/ -1 (square r))))
+(eval:error (evolve-trajectory falling (up 0 1 0) 2))
+(define until-collision
+  (with-handlers ([exn:fail:mechanics:singular? exn:fail:mechanics:singular-where])
+    (evolve-trajectory falling (up 0 1 0) 2)))
+until-collision
+(until-collision 1)]
+
+A symbol that was forgotten, a state of another shape, a Lagrangian where its state
+derivative belongs:
+
+@examples[#:eval session #:label #f
+(eval:error (advance (up 0 'theta 0) 1))
+(eval:error ((state-advancer pendulum 1 'l 9.8) (up 0 1 0) 1))
+(eval:error (advance (up 0 (up 1 2) 0) 1))
+(eval:error ((state-advancer L-pendulum 1 1 9.8) (up 0 1 0) 1))
+(eval:error (advance (up 0 1 0)))]
+
+@(close-session session)
