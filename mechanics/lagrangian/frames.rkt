@@ -26,7 +26,20 @@
   (unary-function (lambda () (list who (value->datum angle))) (q)
     (unless (and (tuple? q) (= (s:length q) 3))
       (raise-wrong-size who "a tuple of 3 coordinates" q))
+    (when (local-tuple-of-tuples? q) (raise-local-tuple who angle q))
     (turn q angle i j)))
+
+;; A local tuple has three parts too.
+(define (local-tuple-of-tuples? q)
+  (for/or ([part (in-vector (structure-elements (adopt q)))]) (tuple? part)))
+
+(define (raise-local-tuple who angle q)
+  (raise
+   (exn:fail:contract
+    (format (string-append "~a: expected a tuple of 3 coordinates; given ~a\n"
+                           "  of a local tuple: (compose (~a ~a) coordinate)")
+            who (describe-with-value q) who (value->text angle))
+    (current-continuation-marks))))
 
 (define (turn q angle i j)
   (define c (g:cos angle))

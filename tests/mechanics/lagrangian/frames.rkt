@@ -41,7 +41,11 @@
 (test-case "a rotation prints as what was typed and names what it cannot turn"
   (check-equal? (format "~a" (Rx 'a)) "(Rx a)")
   (check-exn #rx"^Ry: expected a tuple of 3 coordinates; given [(]up 1 2[)], an up tuple of 2$"
-             (lambda () ((Ry 'a) (up 1 2)))))
+             (lambda () ((Ry 'a) (up 1 2))))
+  (check-exn #rx"^Rx: expected a tuple of 3 coordinates; given [(]up t [(]up x y z[)].*\n  of a local tuple: [(]compose [(]Rx a[)] coordinate[)]$"
+             (lambda () ((Rx 'a) space)))
+  (define path (up (literal-function 'x) (literal-function 'y) (literal-function 'z)))
+  (check-eq? (same (((Rx 'a) path) 't) ((Rx 'a) (path 't))) 'proved))
 
 ;; ---------------------------------------------------------------------------
 ;; Frames
