@@ -63,7 +63,9 @@
   (define code (and (program? p) (compiled f p shape)))
   (cond [(not code) (values #f p)]
         [(right? code value-at point varying value) (values code #f)]
-        [else (values #f "its value differs from that of its trace: it tells symbols from numbers")]))
+        [else (values #f different)]))
+
+(define different "its value differs from that of its trace: it tells symbols from numbers")
 
 (define (example->flvector who example)
   (structure->flvector example (lambda (x) (raise-not-a-number who "example" x))))
@@ -150,12 +152,11 @@
            (for/and ([x (in-flvector generic)] [y (in-flvector (apply-to-flvector code v))])
              (close? x y)))))
 
-;; Up to what rounding does where the order of operations differs; numbers that
-;; are not finite tell nothing.
+;; x : of the function, y : of the code; up to what rounding does where the order of
+;; operations differs.  An x that is not finite tells nothing.
 (define (close? x y)
-  (define d (abs (- x y)))
-  (or (<= d (* 1e-6 (+ 1e-3 (abs x) (abs y))))
-      (not (rational? d))))
+  (or (not (rational? x))
+      (<= (abs (- x y)) (* 1e-6 (+ 1e-3 (abs x) (abs y))))))
 
 (define (raise-not-a-number who what x)
   (complain "~a: the ~a holds ~a; expected real numbers" who what (describe-with-value x)))

@@ -17,7 +17,7 @@
 
 ;; m : method; s : system; y : flvector, the state at the start
 (define (check-separable who m s y)
-  (when (method-alternative m)
+  (when (and (method-alternative m) (not (system-separable? s)))
     (define n (flvector-length y))
     (define first (if (system-clock? s) 1 0))      ; of the coordinates
     (define middle (+ first (quotient (- n first) 2)))
@@ -30,7 +30,8 @@
     (when (depend? middle n middle n)
       (raise-not-separable who m "velocities" "velocities"))
     (when (depend? first middle 0 middle)
-      (raise-not-separable who m "coordinates" "time or the coordinates"))))
+      (raise-not-separable who m "coordinates" "time or the coordinates"))
+    (set-system-separable?! s #t)))
 
 (define (slope-of s n)
   (define f! ((system-make-slope! s)))

@@ -22,7 +22,11 @@
 ;; make-slope!    : -> (y dy -> void), for one integration
 ;; make-jacobian! : -> (y J -> void), for one integration, or #f if the derivative
 ;;                  cannot be differentiated; compiled when first asked for
-(struct system (shape clock? derivative make-slope! make-jacobian!) #:authentic)
+;; separable?     : was that found out (separable.rkt)?
+(struct system (shape clock? derivative make-slope! make-jacobian!
+                [separable? #:auto #:mutable])
+  #:authentic
+  #:auto-value #f)
 
 ;; What a method integrates.
 (define (system-right-hand-side s m)

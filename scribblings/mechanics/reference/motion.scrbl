@@ -174,7 +174,7 @@ of the steps of integration, and the events found, in the order of time.
               @defproc[(occurrence-state [o occurrence?]) value])]{
 
 An event happens when @racket[f], a function of the state, passes through zero: while
-it grows, falls, or either. Its time is found to the accuracy of the trajectory. A
+it grows along the integration, backwards as well, or falls, or either. Its time is found to the accuracy of the trajectory. A
 terminal event ends the trajectory. A zero at the start is no event, and neither is a
 pole; two zeros much closer than an eighth of a step of integration can be missed. Where
 @racket[f] has no real value, @racket[exn:fail:mechanics:singular] carries the trajectory

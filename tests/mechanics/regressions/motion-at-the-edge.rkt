@@ -47,3 +47,22 @@
 (test-case "a path between two times that are one"
   (check-exn #rx"find-path: the initial and the final time are the same"
              (lambda () (find-path (lambda (s) (square (velocity s))) 0 1 0 2 2))))
+
+(test-case "the edge of where the derivative is real, met at full speed, was approached for ever"
+  (define ((f) s) (up 1 (velocity s) (- (sqrt (- 1 (square (coordinate s)))))))
+  (for ([q '(1 0.9)])
+    (check-exn #rx"cannot be followed any further.*\n  state derivative (there|beyond): "
+               (lambda () ((state-advancer f) (up 0 q 2) 3)))))
+
+(test-case "a single step of leapfrog, asked for a thousand times, is checked once"
+  (define calls 0)
+  (define ((counting) s)
+    (set! calls (+ calls 1))
+    (up 1 (velocity s) (if (< (coordinate s) 100) (- (coordinate s)) 0)))
+  (define step (free-run-state-advancer counting))
+  (define (after n)
+    (for/fold ([s (up 0 1 0)]) ([_ n]) (step s 0.01 1e-10 (lambda (s . _) s) #:method (leapfrog 0.01))))
+  (after 1)
+  (set! calls 0)
+  (after 100)
+  (check-true (<= calls 700) (format "~a calls" calls)))
