@@ -130,11 +130,17 @@ def slope(t, y):
     dy = [0.0]*len(y)
 ~a    return dy
 start = time.process_time()
-solve_ivp(slope, (0, ~a), [~a], method="DOP853", rtol=~a, atol=~a, dense_output=~a)
+solve_ivp(slope, (0, ~a), [~a], method="DOP853", rtol=~a, atol=~a, t_eval=~a)
 print(round(1e3*(time.process_time() - start)))
 PYTHON
           (program->Python (traced s))
           (motion-end s)
           (flvector->text y)
           (motion-tolerance s) (motion-tolerance s)
-          (if (> (motion-output-step s) 0) "True" "False")))
+          (Python-times (motion-output-step s) (motion-end s))))
+
+(define (Python-times step end)
+  (if (> step 0)
+      (format "[min(k*~a, ~a) for k in range(~a)]" step end
+              (+ 1 (inexact->exact (round (/ end step)))))
+      "None"))
