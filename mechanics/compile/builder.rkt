@@ -43,6 +43,7 @@
   (cond [(and (number? x) (number? y)) (+ x y)]
         [(eqv? x 0) y]
         [(eqv? y 0) x]
+        [(like-terms b x y +)]
         [(cancelled b (terms b x) (terms b y))]
         [(negated b y) => (lambda (z) (subtract! b x z))]
         [(negated b x) => (lambda (z) (subtract! b y z))]
@@ -52,9 +53,23 @@
   (cond [(and (number? x) (number? y)) (- x y)]
         [(eqv? y 0) x]
         [(eqv? x 0) (negate! b y)]
+        [(like-terms b x y -)]
         [(cancelled b (terms b x) (map opposite (terms b y)))]
         [(negated b y) => (lambda (z) (add! b x z))]
         [else (do! b 'subtract x y)]))
+
+;; (c ± d) z if x and y are c z and d z with numbers c and d; or #f.
+(define (like-terms b x y combine)
+  (define-values (c z) (coefficient b x))
+  (define-values (d w) (coefficient b y))
+  (and (equal? z w) (multiply! b (combine c d) z)))
+
+(define (coefficient b x)
+  (define i (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
+  (case (and i (instruction-operation i))
+    [(negate) (values -1 (cadr i))]
+    [(multiply) (if (number? (cadr i)) (values (cadr i) (caddr i)) (values 1 x))]
+    [else (values 1 x)]))
 
 ;; A term is a sign and an operand.  Those of a value: of a sum or difference two.
 (define (terms b x)

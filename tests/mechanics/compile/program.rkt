@@ -32,6 +32,14 @@
   (check-equal? (operations (program-of '(x y) (g:+ 'x (g:* -1 'y)))) '(subtract))
   (check-equal? (operations (program-of '(x y) (g:* (g:negate 'x) (g:negate 'y)))) '(multiply)))
 
+(test-case "multiples of one value are added as numbers"
+  (define-values (a b) (values (g:sin 'x) (g:* 2 (g:sin 'x))))
+  (define (sums f) (operations (program-of '(x) f)))
+  (check-equal? (sums (g:+ (g:* 3 a) (g:+ (g:* 1/2 b) 0))) '(sin multiply))
+  (check-equal? (sums (g:- (g:* 1.5 a) (g:* 1/2 a))) '(sin))
+  (check-equal? (sums (g:+ (g:negate a) (g:* 1/2 b))) '())
+  (check-equal? (sums (g:- (g:* 3 a) (g:* 3/2 b))) '()))
+
 (test-case "what is added and subtracted again is not computed"
   (define (sums f) (operations (program-of '(x y z) f)))
   (define-values (a b c) (values (g:sin 'x) (g:sin 'y) (g:sin 'z)))
