@@ -2,7 +2,7 @@
 ;; Pictures: frames as in the book, and what is drawn in them.
 
 (require "plot/contour.rkt" "plot/draw.rkt" "plot/frame.rkt" "plot/motion.rkt"
-         "plot/save.rkt" "plot/show.rkt")
+         "plot/pict.rkt" "plot/save.rkt" "plot/show.rkt")
 
 (provide
  ;; frames
@@ -12,4 +12,4 @@
  plot-trajectory plot-contours
  ;; what was drawn
  frame-points frame-curves
- graphics-save graphics-show)
+ graphics-save graphics-show frame->pict)

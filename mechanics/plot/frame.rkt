@@ -5,8 +5,12 @@
 ;; printed in DrRacket.  So a monitor may draw ten thousand points without a delay, on
 ;; a machine without a display.  Whoever changes a frame holds its lock, and breaks wait
 ;; until the change is complete; user's code is never called meanwhile.
+;;
+;; A frame on a page of Scribble is serialized where it is printed, hence shown as it
+;; was then.
 
 (require file/convertible
+         racket/serialize
          "layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt")
 
 (provide
@@ -16,7 +20,7 @@
  ;; for drawing
  check-frame check-open frame-bounds add-dot! add-line! add-layer!
  ;; for showing
- frame-view frame-now frame-version frame-on-close set-frame-on-close! frame->pict frame->bytes)
+ frame-view frame-now frame-version frame-on-close set-frame-on-close! frame->bytes)
 
 ;; layers : latest first; version : number of changes; on-close : -> any, or #f
 (struct frame (view lock [layers #:mutable] [closed? #:mutable]
@@ -31,7 +35,10 @@
   (lambda (f request default)
     (cond [(eq? request 'text) (frame->text f)]
           [(can-draw?) (frame->bytes f request default)]
-          [else default])))
+          [else default]))
+  #:property prop:serializable
+  (make-serialize-info (lambda (f) (vector (frame->datum f))) #'frame-deserialize-info #f
+                       (or (current-load-relative-directory) (current-directory))))
 
 (define (frame x-min x-max y-min y-max
                #:title [title #f] #:x-label [x-label #f] #:y-label [y-label #f]
@@ -134,9 +141,23 @@
   (format "(frame x from ~a to ~a, y from ~a to ~a: ~a)"
           x-min x-max y-min y-max (layers->text (frame-now f))))
 
-;; In another size, for a window that has one.
-(define (frame->pict f width height)
-  (make-picture (struct-copy view (frame-view f) [width width] [height height]) (frame-now f)))
-
 (define (frame->bytes f format [default #f])
   (picture-bytes (frame-view f) (frame-now f) format default))
+
+;; ---------------------------------------------------------------------------
+;; Frames in files
+
+(define (frame->datum f)
+  (list (view->datum (frame-view f)) (frame-closed? f) (map layer->datum (frame-now f))))
+
+(define (datum->frame datum)
+  (define-values (view closed? layers) (apply values datum))
+  (new-frame (datum->view view) (make-semaphore 1) (reverse (map datum->layer layers))
+             closed? 0 #f))
+
+(define frame-deserialize-info
+  (make-deserialize-info datum->frame
+                         (lambda () (values (frame 0 1 0 1) void))))  ; never in a cycle
+
+(module+ deserialize-info
+  (provide frame-deserialize-info))

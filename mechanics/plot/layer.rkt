@@ -4,7 +4,8 @@
 (require "points.rkt")
 
 (provide (struct-out style) (struct-out layer) (struct-out field)
-         layer-kind layers-now layers->text)
+         layer-kind layers-now layers->text
+         layer->datum datum->layer)
 
 ;; kind : 'points, 'lines (segments apart), 'curve or 'level
 ;; size : diameter of points or width of lines, in pixels
@@ -49,3 +50,21 @@
       "empty"
       (for/fold ([text (car parts)]) ([p (in-list (cdr parts))])
         (string-append text ", " p))))
+
+;; ---------------------------------------------------------------------------
+;; Layers in files
+
+;; A layer that stays -> lists and vectors
+(define (layer->datum l)
+  (define s (layer-style l))
+  (define data (layer-data l))
+  (list (list (style-kind s) (style-color s) (style-size s) (style-dash s) (style-label s))
+        (if (field? data)
+            (list (field-rows data) (field-count data) (field-level data))
+            (snapshot->vectors data))))
+
+(define (datum->layer datum)
+  (define s (apply style (car datum)))
+  (layer s (if (eq? (style-kind s) 'level)
+               (apply field (cadr datum))
+               (vectors->points (cadr datum)))))

@@ -10,7 +10,7 @@
 
 (provide make-points points? points-count add-point!
          (struct-out snapshot) take-snapshot
-         snapshot->vectors snapshot->curves)
+         snapshot->vectors snapshot->curves vectors->points)
 
 (struct points ([xs #:mutable] [ys #:mutable] [count #:mutable]) #:authentic)
 
@@ -47,6 +47,11 @@
 (define (snapshot->vectors s)
   (for/list ([i (in-range (snapshot-count s))])
     (vector (flvector-ref (snapshot-xs s) i) (flvector-ref (snapshot-ys s) i))))
+
+(define (vectors->points vectors)
+  (define p (make-points))
+  (for ([v (in-list vectors)]) (add-point! p (vector-ref v 0) (vector-ref v 1)))
+  p)
 
 ;; The connected pieces: a point that is not finite separates two of them.
 (define (snapshot->curves s)

@@ -3,7 +3,7 @@
 ;; loaded when the first is opened.
 
 (require racket/lazy-require
-         "frame.rkt" "view.rkt")
+         "frame.rkt" "pict.rkt" "view.rkt")
 
 (lazy-require ["window.rkt" (open-window)])
 
@@ -20,7 +20,7 @@
        (open-window (or (view-title v) "mechanics")
                     (view-width v) (view-height v)
                     (lambda () (frame-version f))
-                    (lambda (width height) (frame->pict f width height))
+                    (lambda (width height) (frame->pict/size f width height))
                     (lambda () (set-frame-on-close! f #f)))))))
 
 (define (raise-no-screen e)

@@ -2,7 +2,7 @@
 ;; The window of the plane that a picture shows, its size on paper and what is written
 ;; beside it.
 
-(provide (struct-out view) make-view)
+(provide (struct-out view) make-view view->datum datum->view)
 
 ;; bounds : (list x-min x-max y-min y-max), flonums; width, height : pixels
 ;; title, x-label, y-label : string or #f; aspect-ratio : positive real or #f
@@ -42,3 +42,9 @@
          aspect-ratio]
         [else (raise-argument-error 'frame "'equal, a positive ratio of width to height, or #f"
                                     aspect-ratio)]))
+
+(define (view->datum v)
+  (list (view-bounds v) (view-title v) (view-x-label v) (view-y-label v)
+        (view-width v) (view-height v) (view-aspect-ratio v)))
+
+(define (datum->view fields) (apply view fields))

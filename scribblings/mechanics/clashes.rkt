@@ -37,12 +37,12 @@
   (module-declared? module-path #t)
   (module->exports module-path))
 
-;; For each library that shares names, the `require` that leaves them out.
-(define (clash-lines . libraries)
+;; For each library that shares names with ours, the `require` that leaves them out.
+(define (clash-lines #:with [ours 'mechanics] . libraries)
   (apply verbatim #:indent 2
          (add-between
           (for*/list ([library (in-list libraries)]
-                      [names (in-value (shared-names 'mechanics library))]
+                      [names (in-value (shared-names ours library))]
                       #:unless (null? names))
-            (format "~s" `(require mechanics (except-in ,library ,@names))))
+            (format "~s" `(require ,ours (except-in ,library ,@names))))
           "\n")))

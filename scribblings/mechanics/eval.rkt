@@ -2,9 +2,12 @@
 ;; The prompts that the manual's examples run at.
 
 (require racket/sandbox scribble/example scribble/manual
-         (only-in "../../mechanics/numeric/bigfloat/arithmetic.rkt" check-bigfloats))
+         (only-in "../../mechanics/numeric/bigfloat/arithmetic.rkt" check-bigfloats)
+         (only-in "../../mechanics/plot/on-demand.rkt" why-not))
 
-(provide examples bigfloat-examples make-session make-racket-session close-session)
+(provide examples bigfloat-examples
+         make-session make-picture-session make-racket-session close-session
+         missing-pictures)
 
 ;; Columns of a page of the manual that a result may fill.
 (define page-columns 66)
@@ -12,12 +15,28 @@
 ;; A prompt of `#lang mechanics`, which prints as the prompt of a reader does.
 (define (make-session . forms)
   (define session (apply make-base-eval #:lang 'mechanics #:pretty-print? #f forms))
-  (call-in-sandbox-context
-   session
-   (lambda ()
-     ((dynamic-require 'racket/pretty 'pretty-print-columns) page-columns)
-     ((dynamic-require 'mechanics/lang/printer 'install-printer!))))
+  (call-in-sandbox-context session install-printer)
   session)
+
+;; The same with `mechanics/plot`, and with Racket's printer for what is no part of
+;; mechanics, which puts pictures on the page.
+(define (make-picture-session . forms)
+  (define session
+    (apply make-base-eval #:lang 'mechanics #:pretty-print? #t '(require mechanics/plot) forms))
+  (call-in-sandbox-context session install-printer)
+  session)
+
+(define (install-printer)
+  ((dynamic-require 'racket/pretty 'pretty-print-columns) page-columns)
+  ((dynamic-require 'mechanics/lang/printer 'install-printer!)))
+
+;; What a page with pictures says where there are none.
+(define (missing-pictures)
+  (if (why-not)
+      (nested #:style 'inset
+              "This manual was built on a machine without the libraries that draw: frames are "
+              "shown as text, as in a terminal.")
+      '()))
 
 ;; A prompt of plain Racket: what happens where `mechanics` was forgotten.
 (define (make-racket-session)

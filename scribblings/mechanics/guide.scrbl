@@ -19,6 +19,7 @@ can be read in any order.
 @include-section["guide/mistakes.scrbl"]
 @include-section["guide/numbers.scrbl"]
 @include-section["guide/chapter-1.scrbl"]
+@include-section["guide/pictures.scrbl"]
 @include-section["guide/systems.scrbl"]
 @include-section["guide/other-systems.scrbl"]
 @include-section["guide/questions.scrbl"]

@@ -7,7 +7,6 @@
          (only-in mechanics/plot)
          (only-in mechanics/plot/on-demand why-not)
          racket/file
-         racket/list
          racket/path
          racket/runtime-path
          racket/string
@@ -16,9 +15,11 @@
 
 (define-runtime-path figures "../../../examples/mechanics/figures")
 
+(define (name-of file) (path->string (file-name-from-path file)))
+
 (define programs
   (for/list ([file (in-list (directory-list figures #:build? #t))]
-             #:when (regexp-match? #rx"^[^.].*-.*[.]rkt$" (path->string (file-name-from-path file))))
+             #:when (regexp-match? #rx"^[^.].*-.*[.]rkt$" (name-of file)))
     file))
 
 (define-namespace-anchor here)
@@ -55,7 +56,7 @@
     (check-equal? (length programs) 5))
 
   (for ([program (in-list programs)] [extension (in-cycle '("svg" "png" "pdf"))])
-    (define name (path->string (path-replace-extension (file-name-from-path program) #"")))
+    (define name (name-of (path-replace-extension program #"")))
     (test-case (format "~a writes a picture in ~a" name extension)
       (in-a-folder
        (define file (string-append "picture." extension))

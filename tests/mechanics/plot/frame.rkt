@@ -4,6 +4,7 @@
 (require (prefix-in m: mechanics)
          file/convertible
          mechanics/plot
+         racket/serialize
          rackunit
          "../runner/messages.rkt")
 
@@ -92,6 +93,26 @@
   (check-equal? (length (frame-points f)) 1)
   (for ([c (in-list (frame-curves f))])
     (check-equal? c '(#(0.0 0.0) #(1.0 1.0)))))
+
+(test-case "a frame goes through a file and back, as it was"
+  (define f (frame 0 2 -1 1 #:title "title" #:x-label "x" #:width 200 #:aspect-ratio 'equal))
+  (plot-point f 1 0.5 #:color 'red #:label "points")
+  (plot-function f (lambda (x) (if (= x 1) +nan.0 x)) 0 2 0.5)
+  (plot-line f 0 0 1 1 #:style 'dot)
+  (plot-contours f * '(0.1 0.2) #:samples 5)
+  (define file (open-output-bytes))
+  (write (serialize f) file)
+  (define description (format "~a" f))
+  (define points (frame-points f))
+  (define curves (frame-curves f))
+  (plot-point f 0 0)
+  (define g (deserialize (read (open-input-bytes (get-output-bytes file)))))
+  (check-equal? (format "~a" g) description)
+  (check-equal? (frame-points g) points)
+  (check-equal? (frame-curves g) curves)
+  (check-equal? (length (frame-curves g)) 3)
+  (plot-point g 1 0.5 #:color 'red #:label "points")
+  (check-equal? (length (frame-points g)) 2))
 
 ;; Bounds and look are checked.
 (says

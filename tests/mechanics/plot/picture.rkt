@@ -4,8 +4,8 @@
 (require file/convertible
          mechanics/plot
          (only-in mechanics/plot/on-demand why-not)
+         (only-in pict pict-width pict-height)
          racket/file
-         racket/list
          racket/string
          rackunit
          syntax/modresolve
@@ -83,6 +83,15 @@
     (graphics-clear f)
     (check-true (< (bytes-length (convert f 'png-bytes)) (bytes-length before))))
 
+  (test-case "a pict of a frame stays as it was made"
+    (define f (frame 0 1 0 1 #:width 320 #:height 240))
+    (define p (frame->pict f))
+    (define before (convert p 'png-bytes))
+    (check-equal? (list (pict-width p) (pict-height p)) '(320 240))
+    (check-equal? before (convert f 'png-bytes))
+    (plot-line f 0 1 1 0)
+    (check-equal? (convert p 'png-bytes) before))
+
   (test-case "an empty frame, and one with nothing in sight, have pictures"
     (define f (frame 0 1 0 1))
     (check-equal? (png-size (convert f 'png-bytes)) '(400 400))
@@ -143,7 +152,8 @@
      (format "graphics-save: the name of the file says no format; it ends in ~a\n  file: ~s"
              ".png, .svg or .pdf" name)))
   (check-exn #rx"expected: the name of a file\n  given: 3" (lambda () (graphics-save (drawn) 3)))
-  (check-exn #rx"expected: a frame" (lambda () (graphics-save 3 "a.png"))))
+  (check-exn #rx"expected: a frame" (lambda () (graphics-save 3 "a.png")))
+  (check-exn #rx"frame->pict: .*expected: a frame" (lambda () (frame->pict 3))))
 
 ;; ---------------------------------------------------------------------------
 ;; Without the drawing library
@@ -169,6 +179,8 @@
      (check-equal? ((convertible 'convert) f 'png-bytes) #f)
      (check-equal? ((convertible 'convert) f 'text)
                    "(frame x from 0.0 to 1.0, y from 0.0 to 1.0: 1 point)")
+     (check-exn #rx"^frame->pict: pictures cannot be drawn on this machine\n  reason: libcairo"
+                (lambda () ((plot 'frame->pict) f)))
      (with-folder (folder)
        (define file (build-path folder "a.png"))
        (define message

@@ -1,0 +1,240 @@
+#lang scribble/manual
+@(require (for-label mechanics mechanics/plot file/convertible racket/serialize)
+          "../citation.rkt" "../clashes.rkt" "../eval.rkt")
+
+@(define session (make-picture-session))
+
+@title[#:tag "pictures"]{Pictures}
+
+@defmodule[mechanics/plot]
+
+Frames as in the book, drawn by Racket's @racketmodname[plot #:indirect] library, which is loaded when
+the first picture is made. @secref["guide-pictures"] tells how they are used.
+@missing-pictures[]
+
+Whatever draws checks its numbers. A number that has no place in the plane, because it is
+infinite, no number (@racket[+nan.0]) or complex, is left out, and interrupts a curve. A
+value that is no number at all is an error, which names the symbols that have none. What
+lies outside of the frame is not drawn.
+
+These keywords are common to what draws:
+
+@itemlist[
+@item{@racket[#:color]: a name, such as @racket['red] or @racket["steel blue"]; a small
+integer, for one of @racketmodname[plot #:indirect]'s colors, in which 0 is black; or a list of three
+bytes, red, green and blue.}
+@item{@racket[#:size], of points: their diameter in pixels.}
+@item{@racket[#:width] and @racket[#:style], of lines: the width in pixels, and
+@racket['solid], @racket['dot], @racket['long-dash], @racket['short-dash] or
+@racket['dot-dash].}
+@item{@racket[#:label]: what is written in the legend, or @racket[#f] for nothing.}]
+
+One library of Racket's has a name in common with this one (see @secref["clashes"]):
+
+@(clash-lines #:with 'mechanics/plot 'pict 'plot/no-gui 'racket/draw 'racket/class)
+
+@section{Frames}
+
+@defproc[(frame [x-min real?] [x-max real?] [y-min real?] [y-max real?]
+                [#:title title (or/c string? #f) #f]
+                [#:x-label x-label (or/c string? #f) #f]
+                [#:y-label y-label (or/c string? #f) #f]
+                [#:width width exact-positive-integer? 400]
+                [#:height height exact-positive-integer? 400]
+                [#:aspect-ratio aspect-ratio (or/c positive-real? 'equal #f) #f])
+         frame?]{
+
+An empty frame that shows the plane between these bounds. The picture is @racket[width] by
+@racket[height] pixels; @racket[aspect-ratio] is that of the sides of what is within the
+axes, and @racket['equal] makes units equally long on both.
+
+A frame prints as its bounds and what is in it. It is @racket[convertible?] to text and to
+pictures in PNG, SVG and PDF, so editors and documents show the picture as it is when the
+frame is printed. It is also @racket[serializable?]. Threads may draw in one frame at
+once.
+
+@examples[#:eval session
+(define f (frame 0 1 -1 1 #:width 300 #:height 200 #:title "a frame"))
+(plot-line f 0 1 1 -1)
+f]
+
+@sicm{1.4, p. 23}}
+
+@defproc[(frame? [x any/c]) boolean?]{Is it a frame?}
+
+@deftogether[(@defproc[(graphics-clear [f frame?]) void?]
+              @defproc[(graphics-close [f frame?]) void?])]{
+
+Clearing takes away all that was drawn. A frame that is closed, with its window if it has
+one, keeps its picture; to draw in it is an error.
+
+@examples[#:eval session
+(graphics-clear f)
+(plot-point f 0.5 0 #:size 10 #:color 'blue)
+(graphics-close f)
+(eval:error (plot-point f 0 0))
+f]
+
+@sicm{1.4, p. 23}}
+
+@section{Drawing}
+
+@deftogether[(@defproc[(plot-point [f frame?] [x real?] [y real?]
+                                   [#:color color any/c 0] [#:size size real? 1.5]
+                                   [#:label label (or/c string? #f) #f])
+                       void?]
+              @defproc[(plot-line [f frame?] [x1 real?] [y1 real?] [x2 real?] [y2 real?]
+                                  [#:color color any/c 0] [#:width width real? 1]
+                                  [#:style style symbol? 'solid]
+                                  [#:label label (or/c string? #f) #f])
+                       void?])]{
+
+A point, and the line from one point to another. A picture of a hundred thousand points
+takes about a second.
+
+@examples[#:eval session
+(define unit (frame 0 1 0 1 #:width 300 #:height 200))
+(for ([i 10]) (plot-line unit 0 (/ i 10) (/ i 10) 1 #:style 'dot))
+unit
+(eval:error (plot-point unit 'x 0))]
+
+@sicm{1.7, p. 76}}
+
+@defproc[(plot-function [f frame?] [function (-> real? real?)] [from real?] [to real?]
+                        [step real? (/ (abs (- to from)) 500)]
+                        [#:color color any/c 0] [#:width width real? 1]
+                        [#:style style symbol? 'solid] [#:label label (or/c string? #f) #f])
+         void?]{
+
+The graph of a function, through its values at @racket[from], at each step after it, and at
+@racket[to]. It is all computed before it is drawn.
+
+@examples[#:eval session
+(define waves (frame 0 10 -1 1 #:width 400 #:height 200))
+(plot-function waves sin 0 10 0.1 #:label "sine")
+(plot-function waves (lambda (x) (/ (sin x) x)) 0.1 10 0.1 #:color 'red
+               #:width 2 #:label "damped")
+waves
+(eval:error (plot-function waves (lambda (t) (* 'a t)) 0 1))]
+
+@sicm{1.4, p. 23}}
+
+@defproc[(plot-parametric [f frame?] [curve (-> real? any)] [from real?] [to real?]
+                          [step real? (/ (abs (- to from)) 500)]
+                          [#:color color any/c 0] [#:width width real? 1]
+                          [#:style style symbol? 'solid]
+                          [#:label label (or/c string? #f) #f])
+         void?]{
+
+A curve in the plane. The value of @racket[curve] is a tuple of two, or a pair made by
+@racket[cons].
+
+@examples[#:eval session
+(define circles (frame -2 2 -1 1 #:width 400 #:height 200 #:aspect-ratio 'equal))
+(plot-parametric circles (up cos sin) 0 :2pi)
+(plot-parametric circles (lambda (t) (up (* 2 (cos t)) (sin (* 3 t)))) 0 :2pi
+                 #:color 'blue)
+circles]}
+
+@defproc[(plot-parametric-fill [f frame?] [curve (-> real? any)] [from real?] [to real?]
+                               [near? (-> any any boolean?) _closer-than-a-pixel]
+                               [#:color color any/c 0] [#:size size real? 1.5]
+                               [#:label label (or/c string? #f) #f])
+         void?]{
+
+Points of a curve, as close as @racket[near?] demands of the values of @racket[curve] at
+neighbouring parameters: what lies between two that are not near is filled in by halving.
+This follows a curve that is stretched very differently along its length, such as an
+unstable manifold.
+
+@examples[#:eval session
+(define spiral (frame -1 1 -1 1 #:width 250 #:height 250))
+(plot-parametric-fill
+ spiral (lambda (t) (* t (up (cos (exp (* 4 t))) (sin (exp (* 4 t)))))) 0 1)
+spiral
+(length (frame-points spiral))]
+
+@sicm{4.3, p. 308}}
+
+@defproc*[([(plot-trajectory [f frame?] [trajectory trajectory?] [y (-> value real?)]
+                             [#:color color any/c 0] [#:width width real? 1]
+                             [#:style style symbol? 'solid]
+                             [#:label label (or/c string? #f) #f])
+            void?]
+           [(plot-trajectory [f frame?] [trajectory trajectory?]
+                             [x (-> value real?)] [y (-> value real?)]
+                             [#:color color any/c 0] [#:width width real? 1]
+                             [#:style style symbol? 'solid]
+                             [#:label label (or/c string? #f) #f])
+            void?])]{
+
+A function of the state along a trajectory, against the time or against another function
+of the state.
+
+@examples[#:eval session
+(define ((spring) (up t x v)) (up 1 v (- (* -4 x) (/ v 4))))
+(define decay (evolve-trajectory (spring) (up 0 1 0) 10))
+(define decaying (frame 0 10 -1 1 #:width 400 #:height 200))
+(plot-trajectory decaying decay coordinate)
+(plot-trajectory decaying decay
+                 (lambda (s) (square (velocity s))) #:style 'dot)
+decaying
+(define phase-plane (frame -1 1 -2 2 #:width 250 #:height 250))
+(plot-trajectory phase-plane decay coordinate velocity)
+phase-plane]}
+
+@defproc[(plot-contours [f frame?] [function (-> real? real? real?)]
+                        [levels (or/c real? (listof real?))]
+                        [#:samples samples exact-integer? 101]
+                        [#:color color any/c 0] [#:width width real? 1]
+                        [#:style style symbol? 'solid]
+                        [#:label label (or/c string? #f) #f])
+         void?]{
+
+The curves on which a function of two numbers has these values. The function is evaluated
+at the nodes of a grid over the frame, @racket[samples] to a side, and between them taken
+for linear: a curve much smaller than the grid's cells can be missed.
+
+@examples[#:eval session
+(define wells (frame -2 2 -1 1 #:width 400 #:height 200 #:aspect-ratio 'equal))
+(define (double-well x v) (+ (square v) (square (- (square x) 1))))
+(plot-contours wells double-well '(0.1 0.5 1 2))
+wells]}
+
+@section{What was drawn}
+
+@deftogether[(@defproc[(frame-points [f frame?]) (listof vector?)]
+              @defproc[(frame-curves [f frame?]) (listof (listof vector?))])]{
+
+The points in a frame; and its lines and the connected pieces of its curves, each as a
+list of points. Contours, which exist only in the picture, are not among them.
+
+@examples[#:eval session
+(define g (frame 0 1 0 1))
+(plot-point g 0.5 1/4)
+(plot-point g 2 2)
+(frame-points g)
+(plot-function g (lambda (x) (sqrt (- x 1/2))) 0 1 0.25)
+(frame-curves g)]}
+
+@defproc[(graphics-save [f frame?] [file path-string?]) void?]{
+
+Writes the picture to a file, as PNG, SVG or PDF by the end of its name. What was there is
+replaced when the new file is complete. For very many points PNG is the smallest.
+
+@examples[#:eval session
+(eval:error (graphics-save f "picture.gif"))]}
+
+@defproc[(graphics-show [f frame?]) void?]{
+
+Opens a window with the picture, which follows what is drawn. It is drawn again a while
+after something has changed, not for each change, so that drawing never waits.
+@racket[graphics-close] or the reader closes it. A program that ends takes its windows
+with it. Where no window can be opened, @racket[exn:fail] is raised.}
+
+@defproc[(frame->pict [f frame?]) any/c]{
+
+The picture as it is now, as a value of the @racketmodname[pict #:indirect] library, for slides and for
+pictures with several frames.}
+
+@(close-session session)
