@@ -3,6 +3,7 @@
 ;; is imported and defined, what is used too early.
 
 (require racket/file
+         racket/match
          racket/port
          rackunit
          "run.rkt")
@@ -169,6 +170,41 @@
   (check-regexp-match #rx"^example:3:0: define: bad syntax" (refusal "(define f 1)" "(define f)"))
   (check-regexp-match #rx"^example:3:11: define: \\(x y z\\) is no argument"
                       (refusal "(define f 1)" "(define (f (x y z)) x)")))
+
+;; ---------------------------------------------------------------------------
+;; What stays as it is
+
+;; How often the core forms `define-values` and `set!` of a name stand in the
+;; expansion of a module: (list definitions assignments).
+(define (expanded name . text)
+  (define module-text (apply lines language text))
+  (define expansion
+    (parameterize ([current-namespace (namespace)]
+                   [read-accept-reader #t]
+                   [read-accept-lang #t])
+      (syntax->datum (expand (read-syntax 'example (open-input-string module-text))))))
+  (define (count head)
+    (let count ([form expansion])
+      (match form
+        [(list (== head) (or (== name) (list _ ... (== name) _ ...)) _) 1]
+        [(? list?) (apply + (map count form))]
+        [_ 0])))
+  (list (count 'define-values) (count 'set!)))
+
+(test-case "only what is defined again, or replaced after it was used, is assigned"
+  (define once '(1 0))
+  (define (assigned n) (list 1 n))
+  (define (check expected name . text)
+    (check-equal? (apply expanded name text) expected (format "~a in ~s" name text)))
+  (check once 'f "(define (f) (g))" "(define (g) (f))")
+  (check once 'g "(define (f) (g))" "(define (g) (f))" "(define (f) 1)")
+  (check (assigned 1) 'f "(define (f) (g))" "(define (g) (f))" "(define (f) 1)")
+  (check (assigned 2) 'x "(define x 1)" "(define x 2)" "(define x 3)")
+  (check once 'square "(define (f) (square 1))" "(define (square x) x)" "(f)")
+  (check once 'square "'square" "(define (square x) (square x))")
+  (check (assigned 1) 'square "(define (f) (square 1))" "(f)" "(define (square x) x)")
+  (check once 'first "(require racket/list)" "(define (first x) x)" "(first 1)")
+  (check (assigned 1) 'first "(require racket/list)" "(first '(1))" "(define (first x) x)"))
 
 ;; ---------------------------------------------------------------------------
 ;; Imported and defined
