@@ -1,10 +1,10 @@
 #lang racket/base
 ;; The definitions of one module, while its forms are expanded one after another.
 
-(require "module-listing.rkt")
+(require "module-listing.rkt" "module-names.rkt")
 
 (provide make-definitions
-         defined? add-variable! add-macro! later-definitions
+         defined? add-variable! add-macro!
          defining-occurrence used-early? mark-variable)
 
 ;; shown : symbol -> names that the text of the module defines; repeated : those
@@ -18,7 +18,7 @@
 (define (make-definitions l)
   (definitions (by-symbol (map plain (listing-defined l)))
                (map plain (listing-repeated l))
-               (map plain (listing-early l))
+               (map plain (all-early l))
                (make-hasheq)))
 
 (define (by-symbol names)
@@ -61,14 +61,10 @@
   (define line (syntax-line (definition-name before)))
   (raise-syntax-error
    #f
-   (format "already defined~a; in a module only variables and functions may be defined again, not macros or structure types"
+   (format (string-append "already defined~a; in a module only variables and functions may be"
+                          " defined again, not macros or structure types")
            (if line (format ", on line ~a" line) ""))
    id))
-
-;; The variables used before their definition and not met yet: ((symbol . line) ...).
-(define (later-definitions ds)
-  (for/list ([name (in-list (definitions-early ds))] #:unless (definition-of ds name))
-    (cons (syntax-e name) (syntax-line name))))
 
 ;; ---------------------------------------------------------------------------
 ;; Definitions in the text

@@ -5,26 +5,24 @@
          "module-definitions.rkt"
          (for-template racket/base "start-with.rkt"))
 
-(provide starts-outside require-without-clashes)
+(provide bound-outside? start-as-outside
+         require-without-clashes)
 
 (define (append-map f . xss) (apply append (apply map f xss)))
 
 ;; ---------------------------------------------------------------------------
 ;; From the language, or from the module around a submodule
 
-;; Forms that define these names as what they mean outside the module, if anything.
-(define (starts-outside ids)
-  (append-map
-   (lambda (id)
-     (define binding (identifier-binding id))
-     (if (and (pair? binding) (outside? (car binding)))
-         (list #`(start-with #,id #,(bound-as (syntax-e id) binding)))
-         '()))
-   ids))
+;; Does the name mean something outside the module?
+(define (bound-outside? id)
+  (define binding (identifier-binding id))
+  (and (pair? binding)
+       (let-values ([(path base) (module-path-index-split (car binding))])
+         (and path #t))))
 
-(define (outside? index)
-  (define-values (path base) (module-path-index-split index))
-  (and path #t))
+;; A form that defines it as that.
+(define (start-as-outside id)
+  #`(start-with #,id #,(bound-as (syntax-e id) (identifier-binding id))))
 
 ;; An identifier with this binding, whatever else its name may mean.
 (define (bound-as name binding)

@@ -4,25 +4,31 @@
 ;; early.
 ;;
 ;; A form is run where it stands, but the body of a function is not: it is run
-;; wherever the function is called.  So going down the forms, the names *reached*
-;; are those in a form that is run, and with a name of a function or a macro all
-;; the names in it.  A name that is reached when its definition comes is early.
-;; Names are told apart by how they are spelt, so that a local variable may make
-;; a name early that is not: then it becomes an assigned variable in vain.
+;; where the function is called.  So a form that is run uses the names in it, and
+;; with a name of a function or a macro, if that is defined already, the names in
+;; that.  Those that are not defined yet are used too early.
 
-(require (for-template racket/base (prefix-in pattern: "pattern.rkt")))
+(require (for-template racket/base)
+         "module-names.rkt")
 
-(provide (struct-out listing) read-listing
-         defined-by-define run-by-definition? same-name?)
+(provide (struct-out listing) read-listing all-early
+         run-by-definition? same-name?)
 
 ;; defined : the identifiers that `define` and `define-values` define, each where
-;; it is defined first.  repeated, early : those of them.
+;; it is defined first; repeated : those of them that are defined again; early :
+;; for each form those that it uses before their definition.
 (struct listing (defined repeated early))
 
 (define (read-listing forms)
-  (define pieces (filter values (map read-piece (spliced forms))))
-  (define-values (defined repeated) (first-and-repeated (append-map variables pieces)))
-  (listing defined repeated (early-names pieces defined)))
+  (define pieces (for/list ([form (in-list forms)]) (read-pieces form)))
+  (define-values (defined repeated)
+    (first-and-repeated (append-map variables (apply append pieces))))
+  (listing defined repeated (early-uses pieces defined)))
+
+;; All identifiers that are used early, in the order of their definitions.
+(define (all-early l)
+  (define early (apply append (listing-early l)))
+  (filter (lambda (id) (memq id early)) (listing-defined l)))
 
 (define (append-map f xs) (apply append (map f xs)))
 
@@ -48,114 +54,71 @@
 
 (define (variables p) (if (piece-variables? p) (piece-ids p) '()))
 
-;; The forms, those inside `begin` included.
-(define (spliced forms)
-  (append-map (lambda (form)
-                (syntax-case form (begin)
-                  [(begin inner ...) (spliced (syntax->list #'(inner ...)))]
-                  [_ (list form)]))
-              forms))
-
-;; A piece, or #f for a form that neither defines what we follow nor is run.
-(define (read-piece form)
-  (syntax-case form (define-values)
+;; A list of the pieces of a form: none if it neither defines what we follow nor is
+;; run, several if it is `begin`.
+(define (read-pieces form)
+  (syntax-case form (begin define-values define-syntax define-syntax-rule)
+    [(begin inner ...) (append-map read-pieces (syntax->list #'(inner ...)))]
     [(_ head . body)
      (defined-by-define form)
-     (piece (list (defined-by-define form)) #t
-            (and (identifier? #'head) (run-by-definition? #'body))
-            (if (identifier? #'head) #'body #'(head . body)))]
+     (let ([run? (and (identifier? #'head) (run-by-definition? #'body))])
+       (list (piece (list (defined-by-define form)) #t run? (if run? #'body form))))]
     [(define-values (id ...) value)
      (andmap identifier? (syntax->list #'(id ...)))
-     (piece (syntax->list #'(id ...)) #t (run-by-definition? #'(value)) #'value)]
-    [(keyword head . body)
-     (head-among? #'keyword macro-definitions)
-     (let ([id (defined-name #'head)])
-       (and id (piece (list id) #f #f #'body)))]
-    [(keyword . _) (head-among? #'keyword not-run) #f]
-    [_ (piece '() #f #t form)]))
-
-;; The name that a `define` defines, or #f if the form is none.
-(define (defined-by-define form)
-  (syntax-case form ()
-    [(keyword head . _)
-     (head-among? #'keyword (list #'pattern:define #'define))
-     (defined-name #'head)]
-    [_ #f]))
-
-;; The name that a head defines, or #f.
-(define (defined-name head)
-  (syntax-case head ()
-    [(inner . _) (defined-name #'inner)]
-    [_ (and (identifier? head) head)]))
+     (list (piece (syntax->list #'(id ...)) #t (run-by-definition? #'(value)) #'value))]
+    [(define-syntax name . body)
+     (identifier? #'name)
+     (list (piece (list #'name) #f #f #'body))]
+    [(define-syntax (name . _) . body)
+     (identifier? #'name)
+     (list (piece (list #'name) #f #f #'body))]
+    [(define-syntax-rule (name . _) . body)
+     (identifier? #'name)
+     (list (piece (list #'name) #f #f #'body))]
+    [(keyword . _) (not-run? #'keyword) '()]
+    [_ (list (piece '() #f #t form))]))
 
 ;; Of a definition (define id expression): is the expression more than a procedure?
 (define (run-by-definition? body)
   (syntax-case body ()
-    [((keyword . _)) (not (head-among? #'keyword procedures))]
+    [(value) (not (procedure-form? #'value))]
     [_ #t]))
 
-(define (head-among? id ids)
-  (and (identifier? id)
-       (ormap (lambda (other) (free-identifier=? id other)) ids)))
-
-(define procedures
-  (list #'pattern:lambda #'pattern:λ #'pattern:case-lambda #'lambda #'λ #'case-lambda))
-
-(define macro-definitions (list #'define-syntax #'define-syntax-rule))
+(define (not-run? keyword)
+  (and (identifier? keyword)
+       (ormap (lambda (other) (free-identifier=? keyword other)) not-run)))
 
 (define not-run
   (list #'require #'provide #'module #'module* #'module+ #'struct #'define-syntaxes
         #'begin-for-syntax #'define-for-syntax #'define-values-for-syntax))
 
 ;; ---------------------------------------------------------------------------
-;; Reaching
+;; Early uses
 
-;; Those of the identifiers `defined` that are reached before their definition,
-;; or by it: in (define x (+ x 1)) the x that is added to is another's.
-(define (early-names pieces defined)
+;; pieces : for each form its pieces
+(define (early-uses pieces defined)
   (define known
-    (for*/hasheq ([p (in-list pieces)] [id (in-list (piece-ids p))]) (values (syntax-e id) #t)))
-  (define r (make-reaching))
-  (for*/list ([p (in-list pieces)]
-              [names (in-value (names-in (piece-content p) known))]
-              [id (in-list (reach-by! r p names))]
-              #:when (memq id defined))
-    id))
+    (for*/hasheq ([ps (in-list pieces)] [p (in-list ps)] [id (in-list (piece-ids p))])
+      (values (syntax-e id) #t)))
+  (define met (make-hasheq))            ; name -> names in the function or macro
+  (define (early? id reached)
+    (define name (syntax-e id))
+    (and (hash-ref reached name #f) (not (hash-ref met name #f))))
+  (define (early-in p)
+    (define names (names-in (piece-content p) known))
+    (define reached (if (piece-run? p) (reachable names met) (hasheq)))
+    (begin0 (filter (lambda (id) (early? id reached)) defined)
+            (for ([id (in-list (piece-ids p))])
+              (hash-update! met (syntax-e id)
+                            (lambda (before) (if (piece-run? p) before (append names before)))
+                            '()))))
+  (for/list ([ps (in-list pieces)]) (append-map early-in ps)))
 
-;; What the piece does to r; the identifiers it defines that are reached.
-(define (reach-by! r p names)
-  (define (reached-by-now? id) (reached? r (syntax-e id)))
-  (when (piece-run? p) (for-each (lambda (name) (reach! r name)) names))
-  (define reached (filter reached-by-now? (piece-ids p)))
-  (unless (piece-run? p)
-    (for ([id (in-list (piece-ids p))]) (put-inside! r (syntax-e id) names)))
+;; The names, those in functions of these names, and so on: name -> #t.
+(define (reachable names met)
+  (define reached (make-hasheq))
+  (let reach ([names names])
+    (for ([name (in-list names)] #:unless (hash-ref reached name #f))
+      (hash-set! reached name #t)
+      (reach (hash-ref met name '()))))
   reached)
-
-;; names : reached ones; inside : name -> names in functions of that name
-(struct reaching (names inside))
-
-(define (make-reaching) (reaching (make-hasheq) (make-hasheq)))
-
-(define (reached? r name) (hash-ref (reaching-names r) name #f))
-
-(define (reach! r name)
-  (unless (reached? r name)
-    (hash-set! (reaching-names r) name #t)
-    (for ([n (in-list (hash-ref (reaching-inside r) name '()))]) (reach! r n))))
-
-(define (put-inside! r name names)
-  (hash-update! (reaching-inside r) name (lambda (before) (append names before)) '())
-  (when (reached? r name) (for ([n (in-list names)]) (reach! r n))))
-
-;; The known names in a piece of syntax, quotations apart.
-(define (names-in stx known)
-  (define found (make-hasheq))
-  (let walk ([stx stx])
-    (define d (if (syntax? stx) (syntax-e stx) stx))
-    (cond [(symbol? d) (when (hash-ref known d #f) (hash-set! found d #t))]
-          [(pair? d)
-           (unless (and (identifier? (car d)) (free-identifier=? (car d) #'quote))
-             (walk (car d))
-             (walk (cdr d)))]
-          [(vector? d) (for ([x (in-vector d)]) (walk x))]))
-  (hash-keys found))

@@ -25,17 +25,23 @@
   (syntax-case stx ()
     [(_ form ...)
      (let* ([forms (syntax->list #'(form ...))]
-            [listing (read-listing forms)])
+            [listing (read-listing forms)]
+            [outside (filter bound-outside? (all-early listing))])
        (with-syntax ([state (datum->syntax #f (make-definitions listing))]
                      [(configuration ...)
                       (if (ormap configuration? forms)
                           '()
                           #'((module configure-runtime '#%kernel
                                (#%require mechanics/lang/runtime))))]
-                     [(start ...) (starts-outside (listing-early listing))])
+                     [(start ...) (map start-as-outside outside)]
+                     [(later ...)
+                      (for/list ([ids (in-list (listing-early listing))])
+                        (for/list ([id (in-list (remq* outside ids))])
+                          (cons (syntax-e id) (syntax-line id))))])
          (syntax/loc stx
            (#%plain-module-begin
-            configuration ... (module-form state start) ... (module-form state form) ...))))]
+            configuration ...
+            (module-form state () start) ... (module-form state later form) ...))))]
     [_ (raise-syntax-error #f "bad syntax" stx)]))
 
 (define-for-syntax (configuration? form)
@@ -47,36 +53,37 @@
 ;; ---------------------------------------------------------------------------
 ;; Form by form
 
-;; state : the definitions that are known of
+;; state : the definitions that are known of; later : ((name . line) ...), what the
+;; form may use before its definition
 (define-syntax (module-form stx)
   (syntax-case stx ()
-    [(_ state form)
+    [(_ state later form)
      (let* ([ds (syntax-e #'state)]
             [replaced (require-without-clashes ds #'form)])
        (if replaced
-           (splice (quasisyntax/loc stx (begin #,@replaced)) #'state)
-           (expand-form ds #'state (mark-variable ds #'form))))]))
+           (splice (quasisyntax/loc stx (begin #,@replaced)) #'state #'later)
+           (expand-form ds #'state #'later (mark-variable ds #'form))))]))
 
 (begin-for-syntax
-  (define (expand-form ds state form)
+  (define (expand-form ds state later form)
     (define e (local-expand form 'module stops))
     (syntax-case e (begin define-values define-syntaxes)
-      [(begin . _) (splice e state)]
+      [(begin . _) (splice e state later)]
       [(define-values (id ...) value)
-       (expand-variables ds e (syntax->list #'(id ...)) #'value)]
+       (expand-variables ds later e (syntax->list #'(id ...)) #'value)]
       [(define-syntaxes (id ...) _)
        (begin (for ([id (in-list (syntax->list #'(id ...)))]) (add-macro! ds id))
               e)]
       [(head . _) (no-expression? #'head) e]
-      [_ (quasisyntax/loc e (print-results #,(watched e (later-definitions ds))))]))
+      [_ (quasisyntax/loc e (print-results #,(watched e later)))]))
 
-  (define (splice e state)
+  (define (splice e state later)
     (define keyword (car (syntax-e e)))
     (datum->syntax
      e
      (cons keyword
            (for/list ([form (in-list (cdr (syntax->list e)))])
-             #`(module-form #,state #,(syntax-track-origin form e keyword))))
+             #`(module-form #,state #,later #,(syntax-track-origin form e keyword))))
      e))
 
   (define (no-expression? head)
@@ -112,9 +119,8 @@
 (begin-for-syntax
   ;; e : the definition of ids as the value.  It stands as it is, unless some of
   ;; them are defined already or it may use what is defined later.
-  (define (expand-variables ds e ids value)
+  (define (expand-variables ds later e ids value)
     (define old (filter (lambda (id) (defined? ds id)) ids))
-    (define later (later-definitions ds))
     (for ([id (in-list ids)]) (add-variable! ds id))
     (define safe-value (if (run-by-definition? (list value)) (watched value later) value))
     (cond [(pair? old) (assignment e ids old safe-value)]
@@ -138,7 +144,7 @@
 
   ;; An expression that says so if it uses one of these too early.
   (define (watched expression later)
-    (if (null? later)
+    (if (null? (syntax-e later))
         expression
         (quasisyntax/loc expression
           (#%plain-app call-with-later-definitions (lambda () #,expression) '#,later)))))

@@ -203,6 +203,25 @@
   (check once 'square "(define (f) (square 1))" "(define (square x) x)" "(f)")
   (check once 'square "'square" "(define (square x) (square x))")
   (check (assigned 1) 'square "(define (f) (square 1))" "(f)" "(define (square x) x)")
+  (for ([use '("(define (f square) (square 1)) (f list)"
+               "(define ((f a) (up b square) [c square]) (square 1)) (f 2)"
+               "(define ((f square) a) (square 1)) ((f list) 1)"
+               "((lambda square square) 1)"
+               "(let* ([square 1] [cube square] [(up a b) (up square 2)]) cube)"
+               "(let square ([n 2]) (if (= n 0) 'end (square (- n 1))))"
+               "(define (f) (define (square) 1) (define cube square) (cube)) (f)"
+               "(define (f) (square 1))"
+               "(define (f) (g)) (define (g) (square 1)) '(f)"
+               "(struct point (square))")])
+    (check once 'square use "(define (square x) x)"))
+  (for ([use '("(define (f [a (square 1)] [square 2]) a) (f)"
+               "(define (f) (g)) (define (g) (square 1)) (define y (f))"
+               "(let ([square (square 1)]) square)"
+               "(define f (list square))"
+               "(define-syntax-rule (f) (square 1)) (f)"
+               "(begin (define (f) (square 1)) (f))"
+               "((lambda (f) (f 1)) square)")])
+    (check (assigned 1) 'square use "(define (square x) x)"))
   (check once 'first "(require racket/list)" "(define (first x) x)" "(first 1)")
   (check (assigned 1) 'first "(require racket/list)" "(first '(1))" "(define (first x) x)"))
 
