@@ -20,8 +20,19 @@
 (define (F->C F)
   (unless (procedure? F)
     (raise-argument-error 'F->C "a coordinate transformation: a function of the local tuple" F))
+  (unless (accepts? F 1) (raise-takes-parameters F))
   (unary-function (lambda () (list 'F->C (value->datum F))) (local)
     (transform F local)))
+
+(define (raise-takes-parameters F)
+  (raise
+   (exn:fail:contract
+    (format (string-append
+             "F->C: a coordinate transformation takes one argument, the local tuple, "
+             "but ~a takes ~a.\n"
+             "  If it takes parameters first, supply them: (F->C (~a ...))")
+            (value->text F) (arity->text F) (value->text F))
+    (current-continuation-marks))))
 
 (define (transform F local)
   (check-local-tuple local)

@@ -1,7 +1,9 @@
 #lang racket/base
 ;; SICM 1.4, Computing Actions (pp. 14-23).
 
-(require mechanics mechanics/book rackunit "check.rkt")
+(require mechanics mechanics/book
+         (only-in mechanics/plot frame frame-curves plot-function graphics-clear)
+         rackunit "check.rkt")
 
 (define q (up (literal-function 'x) (literal-function 'y) (literal-function 'z)))
 
@@ -94,3 +96,17 @@
   (multidimensional-minimize action (linear-interpolants 1 0 2) #:method 'nelder-mead)
   (check-true (> (length seen) 20))
   (check-true (< (apply min seen) (list-ref seen (- (length seen) 1)))))
+
+(test-case "exercise 1.5: each path drawn in the place of the one before, as the book does"
+  (define win2 (frame 0. :pi/2 0. 1.2))
+  (define ((parametric-path-action Lagrangian t0 q0 t1 q1) intermediate-qs)
+    (let ((path (make-path t0 q0 t1 q1 intermediate-qs)))
+      (graphics-clear win2)
+      (plot-function win2 path t0 t1 (/ (- t1 t0) 100))
+      (Lagrangian-action Lagrangian path t0 t1)))
+  (define qs
+    (multidimensional-minimize (parametric-path-action (L-harmonic 1. 1.) 0. 1. :pi/2 0.)
+                               (linear-interpolants 1. 0. 2)
+                               #:method 'nelder-mead))
+  (check-close (list->up qs) '(0.86482763688188 0.499131312024785) 1e-3)
+  (check-equal? (length (frame-curves win2)) 1))

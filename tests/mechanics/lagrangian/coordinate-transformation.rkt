@@ -97,6 +97,14 @@
     (check-on-path (lambda (local) (g:* (time local) (g:sin (coordinate local))))
                    (literal-function 'q) n)))
 
+(test-case "transformations in turn are the transformation of the functions in turn"
+  (define f (literal-function 'f (-> (X Real (UP Real Real)) (UP Real Real))))
+  (define (F local) (f (time local) (coordinate local)))
+  (define parts (list (up 'r 'phi) (up 'rdot 'phidot) (up 'rddot 'phiddot)))
+  (for ([local (list (apply up 't (list (car parts) (cadr parts))) (apply up 't parts))])
+    (check-same ((compose (F->C F) (F->C p->r)) local)
+                ((F->C (compose F (F->C p->r))) local))))
+
 (test-case "acceleration in polar coordinates, from a local tuple of four"
   (define C (F->C p->r))
   (define local (up 't (up 'r 'phi) (up 'rdot 'phidot) (up 'rddot 'phiddot)))
@@ -138,6 +146,9 @@
 ;; Errors
 
 (test-case "what F->C cannot transform is named"
+  (define ((pendulum l pivot) local) (up l pivot))
+  (check-exn #rx"^F->C: a coordinate transformation takes one argument, the local tuple, but pendulum takes 2 arguments.\n  If it takes parameters first, supply them: [(]F->C [(]pendulum [.][.][.][)][)]$"
+             (lambda () (F->C pendulum)))
   (check-exn #rx"^F->C: contract violation\n  expected: a coordinate transformation: a function of the local tuple\n  given: 3" (lambda () (F->C 3)))
   (check-exn #rx"^F->C: expected a local tuple [(]up t q v [.][.][.][)]; given [(]up t q[)], an up tuple of 2$" (lambda () ((F->C p->r) (up 't 'q))))
   (check-exn #rx"^F->C: expected a local tuple [(]up t q v [.][.][.][)]; given the symbol t$" (lambda () ((F->C p->r) 't)))
