@@ -26,8 +26,8 @@
      (symbol->string who)
      ": numbers of higher precision need the library MPFR, which is not installed"
      "\n  Debian, Ubuntu: apt install libmpfr6"
-     "\n  Fedora: dnf install mpfr; Arch: pacman -S mpfr; macOS: brew install mpfr"
-     "\n  Windows: it comes with Racket's distribution, in the package math-x86_64-win32")
+     "\n  Fedora: dnf install mpfr; Arch: pacman -S mpfr"
+     "\n  macOS, Windows: Racket's package math-lib brings it: raco pkg install math-lib")
     (current-continuation-marks))))
 
 ;; The value of (f), computed with so many bits.

@@ -286,16 +286,17 @@ midpoint rule. Where a step is too long to be solved for,
 Whether long runs say how far they are, which they do at a prompt in a terminal only: after
 three seconds a line such as @tt{evolve: t = 37.2 of 100.0} appears below the input, is
 written anew a few times a second and is erased in the end, also when the run is
-interrupted by Ctrl-C. The procedures on this page, @racket[find-path] and the minimisers
-take the keyword @racket[#:progress] for a single run. Where a monitor writes something
-itself, nothing is said; programs and modules never see it.}
+interrupted by Ctrl-C. For a single run, @racket[state-advancer], @racket[evolve],
+@racket[evolve-trajectory], @racket[find-path] and the minimisers take the keyword
+@racket[#:progress]. Where a monitor writes something itself, nothing is said; programs and
+modules never see it.}
 
 @section[#:tag "precision"]{Precision}
 
 How long is a run to be believed? One in more digits tells. With the keyword
-@racket[#:precision], all procedures on this page follow the same state derivative in
-floating-point numbers of so many bits instead of flonums, which have 53, and their
-states hold such numbers. Each bit is worth 0.3 decimal digits.
+@racket[#:precision], @racket[state-advancer], @racket[evolve] and
+@racket[evolve-trajectory] follow the same state derivative in floating-point numbers of so
+many bits instead of flonums, which have 53, and their states hold such numbers. Each bit is worth 0.3 decimal digits.
 
 @bigfloat-examples[session
 ((state-advancer harmonic-state-derivative 1 1)

@@ -37,6 +37,24 @@
 (define (standard-map-orbit) ((iterated-map (standard-map 0.6) 20000000) 1.0 1.0 list void))
 
 ;; ---------------------------------------------------------------------------
+;; In numbers of higher precision
+
+(define ((oscillator) state)
+  (m:up 1 (m:velocity state) (m:* -1 (m:coordinate state))))
+
+(define (oscillator-to-50-digits)
+  ((state-advancer oscillator) (m:up 0 1 0) 10 1e-50 #:precision 200))
+
+(define (driven-to-30-digits)
+  ((apply state-advancer driven-pendulum driven-parameters)
+   (m:up 0 1 0) 1 1e-30 #:precision 120))
+
+(define (precise-task name title run)
+  (make-prepared-task name title
+                      (lambda () (dynamic-require 'mechanics/motion/precise #f))
+                      (lambda (_) (run))))
+
+;; ---------------------------------------------------------------------------
 
 (define ((L-harmonic m k) local)
   (m:- (m:* 1/2 m (m:square (m:velocity local))) (m:* 1/2 k (m:square (m:coordinate local)))))
@@ -57,7 +75,9 @@
          (make-task 'B1 "free rigid body in Euler angles to t = 100, error 1e-13" turned-body)
          (make-task 'H1 "crossings of a section by Hénon and Heiles's motion, to t = 62 500"
                     Henon-Heiles-crossings #:size values)
-         (make-task 'M1 "standard map, 20 million times" standard-map-orbit))
+         (make-task 'M1 "standard map, 20 million times" standard-map-orbit)
+         (precise-task 'V1 "harmonic oscillator to t = 10, to 50 digits" oscillator-to-50-digits)
+         (precise-task 'V2 "driven pendulum to t = 1, to 30 digits" driven-to-30-digits))
    (map chain-task '(2 3 4 20))
    (for/list ([n (in-list '(3 10))])
      (make-task (string->symbol (format "P~a" n))

@@ -42,7 +42,9 @@
            (E3 . (15 890 160 #f #f #f))
            (E4 . (25 44800 4730 #f #f #f))
            (E20 . (2000 #f #f #f #f #f))
-           (M1 . (1000 #f #f #f #f #f))))
+           (M1 . (1000 #f #f #f #f #f))
+           (V1 . (200 #f #f #f #f 440))     ; mpmath 1.3, with SymPy: Taylor series
+           (V2 . (200 #f #f #f #f 2930))))
 
 (define unknown (cons #f (map (lambda (_) #f) peer-names)))
 
