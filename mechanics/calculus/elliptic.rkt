@@ -16,7 +16,7 @@
 
 (require "integral.rkt" "number.rkt" "perturbed.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../generic/describe.rkt"
+         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/rounding.rkt"
          (prefix-in carlson: "../numeric/carlson.rkt"))
 
 (provide first-elliptic-integral second-elliptic-integral elliptic-integrals
@@ -41,19 +41,19 @@
 ;; ---------------------------------------------------------------------------
 ;; Complete integrals
 
-(define (first-elliptic-integral k)
-  (check-modulus 'first-elliptic-integral k)
+(define (first-elliptic-integral given)
+  (define k (modulus 'first-elliptic-integral given))
   (define-values (as cs) (means k))
   (g:/ half-pi (car as)))
 
-(define (second-elliptic-integral k)
-  (check-modulus 'second-elliptic-integral k)
+(define (second-elliptic-integral given)
+  (define k (modulus 'second-elliptic-integral given))
   (define-values (K E) (both k))
   E)
 
 ;; (receive K E)
-(define (elliptic-integrals k receive)
-  (check-modulus 'elliptic-integrals k)
+(define (elliptic-integrals given receive)
+  (define k (modulus 'elliptic-integrals given))
   (call-with-values (lambda () (both k)) receive))
 
 (define (both k)
@@ -69,24 +69,26 @@
 
 (define (elliptic-integral-F phi k)
   (incomplete 'elliptic-integral-F carlson:F phi k
-              (lambda (s) (g:/ 1 (g:sqrt (g:- 1 (g:square (g:* k (g:sin s)))))))))
+              (lambda (s k) (g:/ 1 (g:sqrt (g:- 1 (g:square (g:* k (g:sin s)))))))))
 
 (define (elliptic-integral-E phi k)
   (incomplete 'elliptic-integral-E carlson:E phi k
-              (lambda (s) (g:sqrt (g:- 1 (g:square (g:* k (g:sin s))))))))
+              (lambda (s k) (g:sqrt (g:- 1 (g:square (g:* k (g:sin s))))))))
 
-(define (incomplete who value phi k integrand)
-  (check-modulus who k)
+(define (incomplete who value given-phi given-k integrand)
+  (define k (modulus who given-k))
+  (define phi (in-flonums given-phi))
   (if (or (perturbed? phi) (perturbed? k))
-      (integrate who integrand 0 phi 1e-13)
+      (integrate who (lambda (s) (integrand s k)) 0 phi 1e-13)
       (value (real->double-flonum (number who phi)) (real->double-flonum k))))
 
 ;; ---------------------------------------------------------------------------
 ;; Jacobi's functions
 
 ;; (receive (sn u) (cn u) (dn u))
-(define (Jacobi-elliptic-functions u k receive)
-  (check-modulus 'Jacobi-elliptic-functions k)
+(define (Jacobi-elliptic-functions given-u given-k receive)
+  (define k (modulus 'Jacobi-elliptic-functions given-k))
+  (define u (in-flonums given-u))
   (unless (perturbed? u) (number 'Jacobi-elliptic-functions u))
   (define-values (as cs) (means k))
   (define phi
@@ -96,6 +98,15 @@
   (receive sn (g:cos phi) (g:sqrt (g:- 1.0 (g:square (g:* k sn))))))
 
 ;; ---------------------------------------------------------------------------
+
+;; k, checked
+(define (modulus who k)
+  (check-modulus who k)
+  (in-flonums k))
+
+;; More digits would be shown than are right.
+(define (in-flonums x)
+  (if (other-number? (innermost x)) (g:exact->inexact x) x))
 
 (define (check-modulus who k)
   (unless (< -1 (number who (innermost k)) 1)

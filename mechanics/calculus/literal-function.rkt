@@ -8,7 +8,7 @@
 
 (require "perturbed.rkt" "dual.rkt" "jet.rkt" "recorded.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt" "../generic/recurrence.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/recurrence.rkt"
          "../value/signature.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt"
          "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/datum.rkt")
@@ -85,7 +85,7 @@
 ;; The common case, a function of one real variable.
 (define (apply-to-scalar f x)
   (cond [(expression? x) (e:application (unknown-head f) (list x))]
-        [(perturbed? x) (apply-head (unknown-head f) (list x))]
+        [(or (perturbed? x) (other-number? x)) (apply-head (unknown-head f) (list x))]
         [(series? x) (apply-to-series f x)]
         [else (raise-misfit f (list x))]))
 
@@ -188,12 +188,13 @@
         (walk a (list i) leaves))))
 
 (define (value->expression x)
-  (if (tuple? x)
-      (let ([s (adopt x)])
-        (make-node (if (up? s) op:up op:down)
-                   (for/list ([e (in-vector (structure-elements s))])
-                     (value->expression e))))
-      x))
+  (cond [(tuple? x)
+         (define s (adopt x))
+         (make-node (if (up? s) op:up op:down)
+                    (for/list ([e (in-vector (structure-elements s))])
+                      (value->expression e)))]
+        [(other-number? x) (comparand x)]
+        [else x]))
 
 ;; ---------------------------------------------------------------------------
 ;; Errors

@@ -1,14 +1,16 @@
 #lang racket/base
 ;; Where only numbers will do: what the numerical algorithms are given.
 
-(require "../generic/function.rkt" "../generic/describe.rkt"
+(require "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt"
          "../algebra/expression.rkt")
 
 (provide number check-function-of-one-variable)
 
-;; x, known to be a real number.
+;; x, known to be a real number; one of higher precision as one of Racket's, exact.
 (define (number who x)
   (cond [(real? x) x]
+        [(other-number? x) (comparand x)]
         [else
          (raise
           (exn:fail:contract

@@ -68,7 +68,11 @@
 (define-named g:log log
   (case-lambda
     [(x) (natural-log x)]
-    [(x base) (g:/ (natural-log x) (natural-log base))]))
+    [(x base) (g:/ (natural-log x) (natural-log (as-precise base x)))]))
+
+;; A number as one of higher precision, if x is.
+(define (as-precise base x)
+  (if (and (number? base) (other-number? x)) (g:+ base (g:- x x)) base))
 
 (define-record generic:log log 1 natural-log)
 

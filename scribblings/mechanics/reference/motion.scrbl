@@ -372,6 +372,8 @@ comparisons and derivatives. A result has as many bits as the more precise of it
 arguments. There are no complex ones: the square root of a negative number is not a number,
 @racket[+nan.0]. Beside symbols they stand for their exact values, fractions;
 @racket[bigfloat->exact] gives that, and @racket[exact->inexact] a flonum.
+Integrals, minima, roots and elliptic functions are computed in flonums, whatever they are
+given.
 
 @bigfloat-examples[session
 (define x (bigfloat "0.1" 100))

@@ -66,7 +66,20 @@
     (check-equal? (bigfloat 1/3 100) (bigfloat 1/3 100)))
 
   (test-case "beside symbols they stand for their exact values"
-    (check-equal? (expression (* 'a (/ two 4))) '(* 1/2 a)))
+    (check-equal? (expression (* 'a (/ two 4))) '(* 1/2 a))
+    (check-equal? (expression ((literal-function 'f) two)) '(f 2))
+    (check-equal? (expression ((D (literal-function 'f)) two)) '((D f) 2))
+    (check-equal? (expression ((literal-function 'g (-> (UP Real Real) Real)) (up two 'a)))
+                  '(g (up 2 a))))
+
+  (test-case "what computes in flonums takes them"
+    (check-= (definite-integral sin 0 two) (- 1 (cos 2)) 1e-10)
+    (check-= (car (minimize (lambda (x) (square (- x 1))) 0 two)) 1 1e-7)
+    (define k (/ two 4))
+    (check-equal? (first-elliptic-integral k) (first-elliptic-integral 0.5))
+    (check-equal? (elliptic-integral-F two k) (elliptic-integral-F 2.0 0.5))
+    (check-equal? (Jacobi-elliptic-functions two k list) (Jacobi-elliptic-functions 2.0 0.5 list))
+    (check-equal? ((D first-elliptic-integral) k) ((D first-elliptic-integral) 0.5)))
 
   (test-case "derivatives of every kind pass through"
     (define (f x) (/ (sin x) (exp (* x x))))
@@ -88,6 +101,7 @@
           [inverse (list asin acos atan asinh atanh log square)])
       (check-true (rounding? (- (inverse (f x)) x) 200)))
     (check-true (rounding? (- (expt two 1/2) (sqrt two)) 200))
+    (check-true (rounding? (- (log (/ two 16) 2) -3) 200))
     (check-true (rounding? (- (atan 1 (bigfloat 1 200)) (atan (bigfloat 1 200))) 200)))
 
   (test-case "linear systems are solved with all digits, and singular ones found"
