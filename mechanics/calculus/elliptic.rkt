@@ -14,7 +14,8 @@
 ;; Incomplete integrals are Carlson's.  Their derivatives are those of the integrals
 ;; that define them.
 
-(require "integral.rkt" "number.rkt" "perturbed.rkt"
+(require racket/lazy-require
+         "number.rkt" "perturbed.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt" "../generic/rounding.rkt"
          (prefix-in carlson: "../numeric/carlson.rkt"))
@@ -22,6 +23,8 @@
 (provide first-elliptic-integral second-elliptic-integral elliptic-integrals
          elliptic-integral-F elliptic-integral-E
          Jacobi-elliptic-functions)
+
+(lazy-require ["integral.rkt" (integrate)])
 
 (define half-pi (* 2.0 (atan 1.0)))
 

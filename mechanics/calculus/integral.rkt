@@ -20,10 +20,10 @@
 (struct task (who tolerance compile [bound #:mutable] [count #:mutable]) #:authentic)
 
 ;; The integral of a function of one variable, to a tolerance relative to the
-;; integral of its absolute value, as (report value bound count).
+;; integral of its absolute value, as (report value bound count).  It is loaded on demand,
+;; which a function with keywords would make slow.
 (define (integrate who f low high tolerance
-                   #:compile [compile (lambda (f x) #f)]
-                   #:report [report (lambda (value bound count) value)])
+                   [compile (lambda (f x) #f)] [report (lambda (value bound count) value)])
   (check-function-of-one-variable who f)
   (define t (task who tolerance compile 0.0 0))
   (define value (integral t f low high))

@@ -3,7 +3,7 @@
 
 (require racket/flonum
          "gradient.rkt" "number.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
          "../value/shape.rkt"
          (prefix-in numeric: "../numeric/minimize.rkt")
          (prefix-in numeric: "../numeric/nelder-mead.rkt")
@@ -16,11 +16,11 @@
 ;; ---------------------------------------------------------------------------
 ;; In one variable: (argument value steps) of a minimum of f between low and high
 
-(define (minimize f low high #:tolerance [tolerance 1e-8] #:observe [observe void]
+(define-plain (minimize f low high #:tolerance [tolerance 1e-8] #:observe [observe void]
                   #:progress [progress? (report-progress)])
   (minimum-between 'minimize f low high tolerance observe progress?))
 
-(define (brent-min f low high [tolerance 1e-8] #:observe [observe void]
+(define-plain (brent-min f low high [tolerance 1e-8] #:observe [observe void]
                    #:progress [progress? (report-progress)])
   (minimum-between 'brent-min f low high tolerance observe progress?))
 
@@ -36,7 +36,7 @@
 
 ;; done? : a tolerance, or a predicate of low, best and high argument, the values there
 ;; and the count of steps
-(define (golden-section-min f low high [done? 1e-8] #:observe [observe void]
+(define-plain (golden-section-min f low high [done? 1e-8] #:observe [observe void]
                             #:progress [progress? (report-progress)])
   (define who 'golden-section-min)
   (check-function-of-one-variable who f)
@@ -57,7 +57,7 @@
 ;; The argument, of the shape of `start`, at which f has a minimum; report : receives
 ;; it, the value there, the size of the gradient, #f where it is not known, and the
 ;; evaluations of f.
-(define (multidimensional-minimize f start
+(define-plain (multidimensional-minimize f start
                                    #:tolerance [tolerance 1e-8]
                                    #:method [method #f]
                                    #:observe [observe void]
@@ -98,7 +98,7 @@
     [else (if (slopes? (value-and-gradient who f argument) x) (from-either) (from-values x))]))
 
 ;; (argument value evaluations)
-(define (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000] #:observe [observe void]
+(define-plain (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000] #:observe [observe void]
                      #:progress [progress? (report-progress)])
   (define who 'nelder-mead)
   (check-function-of-one-variable who f)

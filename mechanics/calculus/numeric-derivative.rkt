@@ -3,7 +3,7 @@
 ;; a motion.  For all others there is D, which is exact.
 
 (require "number.rkt"
-         "../generic/function.rkt"
+         "../generic/define-plain.rkt" "../generic/function.rkt"
          "../numeric/differences.rkt"
          "../value/shape.rkt")
 
@@ -11,11 +11,11 @@
 
 ;; ((D-numeric f) x): f a function of one number, of any shape of value; report :
 ;; receives the derivative, its error and the evaluations.
-(define (D-numeric f [tolerance 1e-8] #:report [report the-derivative])
+(define-plain (D-numeric f [tolerance 1e-8] #:report [report the-derivative])
   (derivative-from-values 'D-numeric f tolerance #f report))
 
 ;; step : a distance from x over which f changes noticeably and is defined
-(define (richardson-derivative f tolerance [step #f] #:report [report the-derivative])
+(define-plain (richardson-derivative f tolerance [step #f] #:report [report the-derivative])
   (unless (or (not step) (and (real? step) (< 0 step +inf.0)))
     (raise-argument-error 'richardson-derivative "a positive step" step))
   (derivative-from-values 'richardson-derivative f tolerance step report))

@@ -9,7 +9,7 @@
 
 (require racket/flonum
          "derivative.rkt" "implicit.rkt" "number.rkt" "perturbed.rkt"
-         "../generic/function.rkt"
+         "../generic/define-plain.rkt" "../generic/function.rkt"
          "../numeric/failure.rkt" "../numeric/newton.rkt" "../numeric/root.rkt"
          "../value/shape.rkt")
 
@@ -19,7 +19,7 @@
 (define (the-root x error count) x)
 
 ;; (find-root f low high), or (find-root f start) for a start of any shape.
-(define (find-root f start [high #f]
+(define-plain (find-root f start [high #f]
                    #:tolerance [tolerance 1e-12] #:observe [observe void] #:report [report the-root])
   (check-function-of-one-variable 'find-root f)
   (if high
@@ -27,11 +27,11 @@
       (root-near 'find-root f start tolerance observe report)))
 
 ;; Where f changes its sign, by halving the interval (SICM p. 321).
-(define (bisect f low high [tolerance 1e-15] #:observe [observe void] #:report [report the-root])
+(define-plain (bisect f low high [tolerance 1e-15] #:observe [observe void] #:report [report the-root])
   (check-function-of-one-variable 'bisect f)
   (root-between 'bisect bisected-root f low high tolerance observe report))
 
-(define (newton-search f start [tolerance 1e-12] #:observe [observe void] #:report [report the-root])
+(define-plain (newton-search f start [tolerance 1e-12] #:observe [observe void] #:report [report the-root])
   (check-function-of-one-variable 'newton-search f)
   (root-near 'newton-search f start tolerance observe report))
 

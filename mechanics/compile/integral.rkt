@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Definite integrals (SICM p. 17).  An integrand that is evaluated often is compiled.
 
-(require racket/lazy-require
-         (prefix-in generic: "../calculus/integral.rkt"))
+(require racket/lazy-require)
 
-(lazy-require ["scalar.rkt" (compile-scalar)])
+(lazy-require ["../calculus/integral.rkt" ([integrate generic:integrate])]
+              ["scalar.rkt" (compile-scalar)])
 
 (provide definite-integral definite-integral-with-tolerance integrate)
 
@@ -18,6 +18,6 @@
 
 ;; The same on behalf of `who`.
 (define (integrate who f low high tolerance #:report [report first-of-three])
-  (generic:integrate who f low high tolerance #:compile compile-scalar #:report report))
+  (generic:integrate who f low high tolerance compile-scalar report))
 
 (define (first-of-three value bound count) value)

@@ -12,7 +12,7 @@
 
 (require racket/flonum
          "check.rkt" "path-action.rkt"
-         "../generic/arithmetic.rkt" "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/structure.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
          "../numeric/definite.rkt" "../numeric/failure.rkt" "../numeric/newton.rkt"
          "../numeric/progress.rkt" "../numeric/quasi-newton.rkt"
@@ -23,7 +23,7 @@
 (define who 'find-path)
 
 ;; observe : called with each path tried and its action
-(define (find-path L t0 q0 t1 q1 n #:tolerance [tolerance 1e-8] #:observe [observe void]
+(define-plain (find-path L t0 q0 t1 q1 n #:tolerance [tolerance 1e-8] #:observe [observe void]
                    #:progress [progress? (report-progress)])
   (check-arguments L t0 q0 t1 q1 n)
   (check-tolerance who tolerance)

@@ -7,7 +7,7 @@
          (only-in mechanics/algebra/zero-test zero-test zero-test-status)
          "derivatives.rkt"
          "matrices.rkt"
-         "motion.rkt"
+         "integrals.rkt" "motion.rkt"
          "pictures.rkt"
          "rotations.rkt"
          "systems.rkt"
@@ -193,7 +193,7 @@
               #t fingerprint)
    (zero-task 'Z3 "zero test of the same, a proof"
               #t (lambda (e) (zero-test-status (zero-test e))))
-   (append motion-tasks matrix-tasks picture-tasks)))
+   (append motion-tasks integral-tasks matrix-tasks picture-tasks)))
 
 ;; ---------------------------------------------------------------------------
 ;; Growth
