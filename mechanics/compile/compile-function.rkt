@@ -8,7 +8,7 @@
 
 (require racket/flonum
          "cache.rkt" "program.rkt" "trace.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../numeric/failure.rkt"
          "../value/shape.rkt")
 
@@ -39,7 +39,7 @@
 (define (compiled-function-runner c) ((compiled-function-make-runner c)))
 
 ;; value : that of f at the example, if known
-(define (compile-function f example #:name [who 'compile-function] #:value [value #f])
+(define-plain (compile-function f example #:name [who 'compile-function] #:value [value #f])
   (check-function who f)
   (define (value-at v) (f (flvector->structure example v)))
   (define-values (code reason)

@@ -12,7 +12,8 @@
 
 (require racket/flonum
          "../compile/compile-function.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../numeric/failure.rkt")
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../numeric/failure.rkt")
 
 (provide event event? event-f event-direction event-terminal? raise-undefined
          (struct-out occurrence)
@@ -27,7 +28,7 @@
   #:property prop:custom-write
   (lambda (e port mode) (write-value (list 'event (event-name e)) port)))
 
-(define (event f #:name [name (procedure-datum f)]
+(define-plain (event f #:name [name (procedure-datum f)]
                #:direction [direction 'both] #:terminal? [terminal? #f])
   (unless (and (procedure? f) (accepts? f 1))
     (raise

@@ -7,7 +7,8 @@
 
 (require racket/flonum racket/lazy-require
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "system.rkt"
-         "../generic/describe.rkt" "../numeric/ode/vectors.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../numeric/ode/vectors.rkt"
          "../numeric/progress.rkt")
 
 (lazy-require
@@ -72,7 +73,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Making one
 
-(define (evolve-trajectory derivative state end
+(define-plain (evolve-trajectory derivative state end
                            #:tolerance [tolerance #f]
                            #:events [events '()]
                            #:method [method #f]

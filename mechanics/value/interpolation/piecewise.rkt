@@ -18,6 +18,7 @@
 
 (require "data.rkt" "tridiagonal.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt"
+         "../../generic/define-plain.rkt"
          "../../generic/describe.rkt" "../../generic/elementary.rkt"
          "../../generic/function.rkt")
 
@@ -26,7 +27,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The functions
 
-(define (linear-interpolation points values #:extrapolate? [extrapolate? #f])
+(define-plain (linear-interpolation points values #:extrapolate? [extrapolate? #f])
   (define who 'linear-interpolation)
   (define-values (xs ys) (checked who points values))
   (define slopes (differences xs ys))
@@ -35,19 +36,19 @@
                (g:+ (vector-ref ys i)
                     (g:* (g:- x (vector-ref xs i)) (vector-ref slopes i))))))
 
-(define (Hermite-spline points values slopes #:extrapolate? [extrapolate? #f])
+(define-plain (Hermite-spline points values slopes #:extrapolate? [extrapolate? #f])
   (define who 'Hermite-spline)
   (define-values (xs ys) (checked who points values))
   (cubics who xs ys (values-at who "slopes" slopes xs) extrapolate?))
 
 ;; ends : 'not-a-knot, 'natural, 'periodic, or a list of the slopes at the two ends
-(define (cubic-spline points values #:ends [ends 'not-a-knot] #:extrapolate? [extrapolate? #f])
+(define-plain (cubic-spline points values #:ends [ends 'not-a-knot] #:extrapolate? [extrapolate? #f])
   (define who 'cubic-spline)
   (define-values (xs ys) (checked who points values))
   (check-ends ends ys)
   (cubics who xs ys (spline-slopes xs ys ends) extrapolate?))
 
-(define (monotone-spline points values #:extrapolate? [extrapolate? #f])
+(define-plain (monotone-spline points values #:extrapolate? [extrapolate? #f])
   (define who 'monotone-spline)
   (define-values (xs ys) (checked who points values))
   (for ([y (in-vector ys)])
