@@ -195,13 +195,16 @@ too: every matrix satisfies its characteristic polynomial.
 
 @defproc[(eigenvalues [m value]) (listof scalar)]{
 
-The zeros of the characteristic polynomial, each as often as it is one. The zeros
-of the matrix must leave blocks of at most two rows.
+The zeros of the characteristic polynomial, each as often as it is one. Matrices of
+real numbers, some of them flonums, may have any size; their eigenvalues come in the
+order of real parts. Otherwise the zeros of the matrix must leave blocks of at most
+two rows.
 
 @examples[#:eval session
 (eigenvalues (matrix-by-rows '(2 1) '(1 2)))
 (eigenvalues (matrix-by-rows '(0 1) (list (- (square 'omega)) 0)))
-(eigenvalues (matrix-by-rows '(a b c) '(0 d e) '(0 0 f)))]
+(eigenvalues (matrix-by-rows '(a b c) '(0 d e) '(0 0 f)))
+(eigenvalues (matrix-by-rows '(2.0 -1 0) '(-1 2 -1) '(0 -1 2)))]
 
 An area-preserving map is stable at a fixed point if the eigenvalues of its
 derivative there have magnitude 1 @sicm{4.1}.}

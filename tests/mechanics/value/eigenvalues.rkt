@@ -45,9 +45,16 @@
   (check-= (/ small 1e-8) 1 1e-8))
 
 (test-case "what has no formula here says what to do"
-  (check-exn #rx"^eigenvalues: the zeros of the matrix leave a block of 3 rows; formulas are for 1 and 2\n  the eigenvalues are the zeros of [(]characteristic-polynomial m 'x[)]"
+  (check-exn #rx"^eigenvalues: the zeros of the matrix leave a block of 3 rows; formulas are for 1 and 2\n  the eigenvalues are the zeros of [(]characteristic-polynomial m 'x[)];\n  those of flonums are found: [(]eigenvalues [(]exact->inexact m[)][)]\n"
              (lambda () (eigenvalues (matrix-by-rows '(1 2 3) '(4 5 6) '(7 8 9)))))
   (check-exn #rx"^eigenvalues: expected a square matrix or tuple of tuples; given the procedure `sin`$"
              (lambda () (eigenvalues sin)))
   (check-exn #rx"^characteristic-polynomial: expected a square matrix"
              (lambda () (characteristic-polynomial (matrix-by-rows '(1 2)) 'x))))
+
+(test-case "blocks of flonums of any size have theirs, in order"
+  (define cycle (matrix-by-rows '(0 1.0 0) '(0 0 1) '(1 0 0)))
+  (check-true (same? (list->vector (map magnitude (eigenvalues cycle))) (up 1 1 1) 1e-14))
+  (check-equal? (map real? (eigenvalues cycle)) '(#f #f #t))
+  (check-true (same? (apply up (eigenvalues (matrix-by-rows '(2.0 -1 0) '(-1 2 -1) '(0 -1 2))))
+                     (up (- 2 (sqrt 2)) 2 (+ 2 (sqrt 2))) 1e-14)))
