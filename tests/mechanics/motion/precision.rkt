@@ -154,6 +154,14 @@
              (ref (advance (up 0 4) 1/2 1e-14) 1)
              1e-13))
 
+  (test-case "steps are no longer, and no more, than allowed"
+    (define tr
+      (evolve-trajectory (harmonic 1) (up 0 1 0) 2 #:precision 64 #:longest-step 0.05))
+    (check-true (<= 40 (- (length (trajectory-states tr)) 1) 42))
+    (check-exn #rx"^evolve-trajectory: the motion takes more steps than allowed\n  time: [.0-9]+\n"
+               (lambda ()
+                 (evolve-trajectory (harmonic 1) (up 0 1 0) 50 #:precision 64 #:most-steps 4))))
+
   (test-case "mistakes"
     (define (advance . more)
       (keyword-apply advance-harmonic '(#:precision) '(100) (list* (up 0 1 0) 1 more)))
