@@ -44,7 +44,10 @@ of the book, and those that scmutils has beside them, are in @racketmodname[mech
 @item{@racket[1+], @racket[iota], @racket[write-line], @racket[pp], @racket[runtime] and
 @racket[show-time] are there under MIT Scheme's names.}
 @item{@racket[minimize] returns a list of argument, value and number of steps, as
-in the book.}
+in the book; so do @racket[brent-min], @racket[golden-section-min] and, with evaluations in
+place of steps, @racket[nelder-mead]. @racket[zbrent] tells whether it found a root, as there;
+@racket[find-root] and all others raise an error that carries the best they have found.
+@racket[newton-search] takes a function alone: it finds the derivative itself.}
 @item{Derivatives of functions that return functions are right in all cases; see
 @secref["perturbation-confusion"].}]
 
