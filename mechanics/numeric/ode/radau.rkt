@@ -176,7 +176,7 @@
   ;; at y.
   (define (solve! h)
     (define again? (not here?))
-    (when (fl> rate fast) (differentiate!))
+    (when (and again? (fl> rate fast)) (differentiate!))
     (or (and (or (eqv? factored h) (factor-matrices! h))
              (begin (begin! h)
                     (iterate! h)))
