@@ -1,8 +1,8 @@
 #lang racket/base
 ;; A state derivative ready for integration: compiled, its first value checked.
 ;;
-;; The parameters of a system become inputs of the compiled code beside the
-;; state, so that another set of numbers uses the same code.  If the system
+;; The parameters of a system that are numbers, or tuples of numbers, become inputs of
+;; the compiled code beside the state, so that other numbers use the same code.  If the system
 ;; decides something by a parameter, it is compiled for that one.
 
 (require racket/flonum racket/promise racket/unsafe/ops
@@ -57,14 +57,15 @@
   (define (derivative-of ps) (derivative-for derivative-maker ps))
   (define (fixed) (make-system who (derivative-of parameters) state))
   (cond
-    [(or (null? parameters) (not (andmap real? parameters))) (fixed)]
+    [(not (ormap numeric? parameters)) (fixed)]
     [else
      (define derivative (derivative-of parameters))
      (define slope (check-derivative who derivative state))
-     (define (f s) ((derivative-of (structure->list (ref s 1))) (ref s 0)))
+     (define (f s)
+       ((derivative-of (with-numbers parameters (structure->list (ref s 1)))) (ref s 0)))
      (define (slopes s)
        (derivative-at (lambda (state) (f (up state (ref s 1)))) (ref s 0)))
-     (define inputs (apply up parameters))
+     (define inputs (apply up (filter numeric? parameters)))
      (define example (up state inputs))
      (define n (shape-length state))
      ;; The parameters are as they were given: an exact 2 may count or choose.
@@ -84,6 +85,16 @@
                  (lambda () (with-parameters code))
                  (lambda () (let ([c (force jacobian)]) (and c (with-parameters c)))))
          (fixed))]))
+
+;; Masses may be given as a tuple.
+(define (numeric? parameter) (andmap real? (scalars parameter)))
+
+;; The parameters with these in place of the numeric ones.
+(define (with-numbers parameters numbers)
+  (cond [(null? parameters) '()]
+        [(numeric? (car parameters))
+         (cons (car numbers) (with-numbers (cdr parameters) (cdr numbers)))]
+        [else (cons (car parameters) (with-numbers (cdr parameters) numbers))]))
 
 (define (derivative-for derivative-maker ps)
   (if (takes-state-only? derivative-maker ps) derivative-maker (apply derivative-maker ps)))

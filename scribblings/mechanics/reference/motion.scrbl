@@ -38,9 +38,9 @@ after that duration, which may be negative. A procedure after the tolerance is c
 that state, the duration and the longest step of integration; what it returns is then the
 value.
 
-Parameters that are real numbers become inputs of the compiled code, so that the same
-system with other numbers is not compiled again; where the system counts or decides by
-one, it is taken as it is. A state derivative itself may stand
+Parameters that are real numbers, or tuples of them, become inputs of the compiled code, so
+that the same system with other numbers is not compiled again; where the system counts or
+decides by one, it is taken as it is. A state derivative itself may stand
 for a procedure of no parameters that makes it.
 
 @examples[#:eval session

@@ -29,6 +29,30 @@
   (for ([s swept] [e expected])
     (check-= (coordinate s) (coordinate e) 1e-12)))
 
+(test-case "parameters may be tuples, beside others that are no numbers"
+  (define ((falling ms force) s)
+    (define a (/ (force (ref (coordinate s) 0)) (+ (ref ms 0) (* 2 (ref ms 1 0)))))
+    (up 1 (velocity s) (up a (* (ref ms 1 1) (ref (coordinate s) 1)))))
+  (define (spring x) (* -3 x))
+  (define state (up 0 (up 1 2) (up 0 1)))
+  (define (tuple m) (up m (down (* 2 m) -1)))
+  (define swept '())
+  (check-equal?
+   (compilations
+    (set! swept (for/list ([m '(1 1/2 3.0)]) ((state-advancer falling (tuple m) spring) state 1))))
+   1)
+  (for ([s swept] [m '(1 1/2 3.0)])
+    (check-= (ref (coordinate s) 0) (cos (sqrt (/ 3 (* 5 m)))) 1e-9)
+    (check-= (ref (coordinate s) 1) (+ (* 2 (cos 1)) (sin 1)) 1e-9)))
+
+(test-case "a parameter that is a vector or a list is what it was"
+  (define ((weighed ws) s) (up 1 (velocity s) (* -1 (vector-ref ws 1) (coordinate s))))
+  (define ((listed ws) s) (up 1 (velocity s) (* -1 (cadr ws) (coordinate s))))
+  (define (expected w) (cos (sqrt w)))
+  (for ([w '(2 3)])
+    (check-= (coordinate ((state-advancer weighed (vector 1 w)) start 1)) (expected w) 1e-9)
+    (check-= (coordinate ((state-advancer listed (list 1 w)) start 1)) (expected w) 1e-9)))
+
 (test-case "an advancer compiles once for a shape of state, however many it meets"
   (define (harmonic k) (lambda (s) (up 1 (velocity s) (* -1 k (coordinate s)))))
   (define advance (state-advancer harmonic 2))
