@@ -46,8 +46,11 @@
             (append-map (lambda (spec ids) (without-clashes ds spec ids)) specs clashes)))]
     [_ #f]))
 
+;; A specification that is wrong has none: `require` itself will say so.
 (define (clashing-names ds spec)
-  (define-values (imports sources) (expand-import spec))
+  (define-values (imports sources)
+    (with-handlers ([exn:fail? (lambda (e) (values '() '()))])
+      (expand-import spec)))
   (for/list ([i (in-list imports)]
              #:when (and (eqv? (import-mode i) 0)
                          (defining-occurrence ds (import-local-id i))))

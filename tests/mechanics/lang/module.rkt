@@ -290,7 +290,9 @@
 
 (test-case "a library that does not exist is told as ever"
   (check-regexp-match #rx"^example:2:9: no-such: not a require sub-form"
-                      (refusal "(require (no-such racket/list))" "(define first 1)")))
+                      (refusal "(require (no-such racket/list))" "(define first 1)"))
+  (check-regexp-match #rx"^example:2:9: cannot open module file"
+                      (refusal "(require racket/no-such)" "(define first 1)")))
 
 (test-case "what is required after a definition replaces it"
   (check-equal? (prints "(define (first x) 'mine)"
