@@ -10,8 +10,13 @@
 ;; Are the shared libraries there that racket/draw calls?
 (define (can-draw?) (not (why-not)))
 
-;; -> string or #f
+;; -> string or #f.  A library that is missing is looked for once.
 (define (why-not)
-  (with-handlers ([exn:fail? exn-message])
-    (loaded?)
-    #f))
+  (when (eq? (unbox reason) 'unknown)
+    (set-box! reason
+              (with-handlers ([exn:fail? exn-message])
+                (loaded?)
+                #f)))
+  (unbox reason))
+
+(define reason (box 'unknown))

@@ -37,6 +37,8 @@ points between the ends, and a polynomial through them, come close:
 (define near-cosine (find-path (L-harmonic 1 1) 0 1 :pi/2 0 3))
 (for/list ([t '(0.2 0.7 1.2)]) (- (near-cosine t) (cos t)))]
 
+How this looks, and other figures of the chapter: @secref["guide-pictures"].
+
 @section{1.5 The equations}
 
 The equations are left with everything on one side: the residual of a path. It is zero if the

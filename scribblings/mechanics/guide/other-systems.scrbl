@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../eval.rkt")
+@(require (for-label mechanics mechanics/book mechanics/plot) "../eval.rkt")
 
 @title[#:tag "other-systems"]{Coming from scmutils, Emmy, or a formula manipulator}
 
@@ -43,6 +43,9 @@ of the book, and those that scmutils has beside them, are in @racketmodname[mech
 (@secref["reference-book"]).}
 @item{@racket[1+], @racket[iota], @racket[write-line], @racket[pp], @racket[runtime] and
 @racket[show-time] are there under MIT Scheme's names.}
+@item{Graphics are in @racketmodname[mechanics/plot], under the book's names. A
+@racket[frame] is a value and no window: its picture is made when it is printed or saved,
+and @racket[graphics-show] opens a window that follows (@secref["guide-pictures"]).}
 @item{@racket[minimize] returns a list of argument, value and number of steps, as
 in the book; so do @racket[brent-min], @racket[golden-section-min] and, with evaluations in
 place of steps, @racket[nelder-mead]. @racket[zbrent] tells whether it found a root, as there;

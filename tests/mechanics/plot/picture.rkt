@@ -156,7 +156,22 @@
   (check-exn #rx"frame->pict: .*expected: a frame" (lambda () (frame->pict 3))))
 
 ;; ---------------------------------------------------------------------------
-;; Without the drawing library
+;; With the drawing library, when it is needed, and without it
+
+(test-case "the drawing library is loaded for the first picture, not before"
+  (parameterize ([current-namespace (make-base-empty-namespace)])
+    (define (plot name) (dynamic-require 'mechanics/plot name))
+    (define (drawing?) (module-declared? 'racket/draw #f))
+    (define f ((plot 'frame) 0 1 0 1))
+    ((plot 'plot-point) f 0 0)
+    ((plot 'plot-function) f sin 0 1 #:color '(200 0 0))
+    ((plot 'plot-contours) f * 0.5 #:color 3)
+    (check-equal? (format "~a" f)
+                  "(frame x from 0.0 to 1.0, y from 0.0 to 1.0: 2 curves, 1 point)")
+    (check-false (drawing?))
+    (when drawable?
+      ((dynamic-require 'file/convertible 'convert) f 'png-bytes)
+      (check-true (drawing?)))))
 
 ;; (f) in a namespace of its own, where the drawing library cannot be loaded.
 (define (without-drawing f)
