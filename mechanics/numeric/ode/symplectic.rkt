@@ -17,6 +17,9 @@
 (provide leapfrog yoshida-4 yoshida-6 yoshida-8)
 
 (define ((start weights) f! y0)
+  (define kicks (kicks-between weights))
+  (define drifts (apply flvector weights))
+  (define count (flvector-length drifts))
   (define n (flvector-length y0))
   (define q-start (remainder n 2))      ; a clock comes first
   (define p-start (+ q-start (quotient n 2)))
@@ -24,22 +27,23 @@
   (define-vectors n z old dz)
   (define step 0.0)
 
-  (define (kick! h)
-    (f! z dz)
-    (advance! z dz h p-start n))
-  (define (drift! h)
-    (f! z dz)
-    (advance! z dz h 0 p-start))
+  (define-syntax-rule (kick! h)
+    (begin
+      (f! z dz)
+      (advance! z dz h p-start n)))
+  (define-syntax-rule (drift! h)
+    (begin
+      (f! z dz)
+      (advance! z dz h 0 p-start)))
 
-  ;; Two half kicks that meet are one.
   (define (try! h)
     (set! step h)
     (flvector-copy! z y)
-    (for/fold ([before 0.0]) ([w (in-list weights)])
-      (kick! (fl* h (fl* 0.5 (fl+ before w))))
-      (drift! (fl* h w))
-      w)
-    (kick! (fl* h (fl* 0.5 (car weights))))
+    (let loop ([k 0])
+      (kick! (fl* h (flvector-ref kicks k)))
+      (when (< k count)
+        (drift! (fl* h (flvector-ref drifts k)))
+        (loop (+ k 1))))
     (if (flvector-finite? z) 0.0 +nan.0))
 
   (define (accept!)
@@ -53,6 +57,11 @@
   (define (interpolant) (by-shorter-step (start weights) f! old y step))
 
   (stepper y slope try! accept! interpolant))
+
+;; Half a weight before each drift and after it; two half kicks that meet are one.
+(define (kicks-between weights)
+  (for/flvector ([before (in-list (cons 0.0 weights))] [after (in-list (append weights '(0.0)))])
+    (fl* 0.5 (fl+ before after))))
 
 ;; Weights that read the same both ways: w_m ... w₁ w₀ w₁ ... w_m, with sum 1.
 (define (symmetric . ws)

@@ -42,12 +42,12 @@
     (unsafe-flvector-set! out i (weighted i [a k] ...))))
 
 ;; v = v + h w, from one index to before another
-(define (advance! v w h from to)
-  (let loop ([i from])
-    (when (unsafe-fx< i to)
-      (unsafe-flvector-set! v i (unsafe-fl+ (unsafe-flvector-ref v i)
-                                            (unsafe-fl* h (unsafe-flvector-ref w i))))
-      (loop (unsafe-fx+ i 1)))))
+(define-syntax-rule (advance! v w h from to)
+  (let ([step h] [end to])
+    (let loop ([i from])
+      (when (unsafe-fx< i end)
+        (unsafe-flvector-set! v i (unsafe-fl+ (at v i) (unsafe-fl* step (at w i))))
+        (loop (unsafe-fx+ i 1))))))
 
 ;; v = h v
 (define (scale! v h)
@@ -83,7 +83,7 @@
 (define-syntax-rule (root-of-mean total n) (flsqrt (fl/ total (->fl n))))
 
 (define (flvector-finite? v)
-  (for/and ([x (in-flvector v)]) (< (abs x) +inf.0)))
+  (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))
 
 (define (exchange! v w)
   (for-each-index i (flvector-length v)
