@@ -4,6 +4,9 @@
 (require (prefix-in m: mechanics)
          file/convertible
          mechanics/plot
+         (only-in mechanics/lang/printer install-printer!)
+         (only-in racket/port make-pipe-with-specials)
+         racket/pretty
          racket/serialize
          rackunit
          "../runner/messages.rkt")
@@ -33,6 +36,17 @@
                 "(frame x from 0.0 to 2.0, y from -1.0 to 1.0: 3 curves, 2 lines, 2 points)")
   (graphics-clear f)
   (check-equal? (format "~a" f) "(frame x from 0.0 to 2.0, y from -1.0 to 1.0: empty)"))
+
+(test-case "an editor that shows pictures is given the frame by the printer of the prompt"
+  (define f (frame 0 1 0 1))
+  (define-values (in out) (make-pipe-with-specials))
+  (parameterize ([current-output-port out]
+                 [current-print pretty-print-handler]
+                 [pretty-print-size-hook (lambda (x display? port) (and (convertible? x) 1))]
+                 [pretty-print-print-hook (lambda (x display? port) (write-special x port))])
+    (install-printer!)
+    ((current-print) f))
+  (check-eq? (read-char-or-special in) f))
 
 (test-case "points are kept as flonums, in their order"
   (check-equal? (points-of '(0 1/2) '(1 0) '(0.25 0.75)) '(#(0.0 0.5) #(1.0 0.0) #(0.25 0.75))))
