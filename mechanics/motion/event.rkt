@@ -83,9 +83,10 @@
 (define (event-code who e state)
   (define c (compile-function (event-f e) state #:name who))
   (unless (= (compiled-function-outputs c) 1)
-    (raise-arguments-error who "the value of an event's function is a real number"
-                           "event" e
-                           "value" (compiled-function-value-shape c)))
+    (raise-arguments-error
+     who "the value of an event's function is a real number"
+     "event" e
+     "value" (unquoted-printing-string (describe (compiled-function-value-shape c)))))
   (compiled-function-runner c))
 
 ;; Where a step is looked at.

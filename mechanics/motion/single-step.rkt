@@ -25,7 +25,7 @@
     (unless (<= 2 (length arguments) 4)
       (raise-arguments (datum) "a state, a step and perhaps a tolerance" arguments))
     (apply advance method arguments))
-  (make-function advance/keywords 28 datum))
+  (make-function (procedure-rename advance/keywords who) 28 datum))
 
 ;; (ode-advancer derivative tolerance) : state, step, continue -> result
 (define (ode-advancer derivative [tolerance default-tolerance] [dimension #f])
@@ -44,7 +44,7 @@
     (unless (<= 2 (length arguments) 3)
       (raise-arguments (datum) "a state and a step" arguments))
     (apply advance method arguments))
-  (make-function advance/keywords 12 datum))
+  (make-function (procedure-rename advance/keywords 'ode-advancer) 12 datum))
 
 ;; (advance-beyond sysder p ...) : state, step, tolerance, time, continue -> result
 ;; The state after the first step that reaches the time or passes it.
@@ -65,7 +65,7 @@
     (unless (<= 4 (length arguments) 5)
       (raise-arguments (datum) "a state, a step, a tolerance and a time" arguments))
     (apply advance method arguments))
-  (make-function advance/keywords 48 datum))
+  (make-function (procedure-rename advance/keywords 'advance-beyond) 48 datum))
 
 (define (clock state) (vector-ref (structure-elements (adopt state)) 0))
 

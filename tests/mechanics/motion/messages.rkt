@@ -1,7 +1,8 @@
 #lang racket/base
 ;; What integration says to what it was asked wrongly.
 
-(require mechanics
+(require (only-in rackunit check-exn test-case)
+         mechanics
          tests/mechanics/runner/messages)
 
 (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
@@ -123,5 +124,20 @@
   "event: expected a function of one state\n"
   "  given: the procedure `harmonic`, which takes 2 arguments"]
  [(event 0) "event: expected a function of one state\n  given: the number 0"]
+ [(until 1 #:events (event (lambda (s) (up (time s) 1)) #:name 'all))
+  "evolve-trajectory: the value of an event's function is a real number\n"
+  "  event: (event all)\n  value: an up tuple of 2"]
  [(trajectory-states (until 1) 0.5)
   "trajectory-states: expected a list of times\n  given: the number 0.5"])
+
+;; ---------------------------------------------------------------------------
+;; Keywords that are those of another procedure
+
+(define (unknown-keyword who)
+  (string-append "application: procedure does not expect an argument with given keyword\n"
+                 "  procedure: " who "\n  given keyword: #:tolerance\n  arguments...:"))
+
+(test-case "an unknown keyword names the procedure that was made"
+  (define (names who) (regexp (regexp-quote (unknown-keyword who))))
+  (check-exn (names "state-advancer") (lambda () (advance start 1 #:tolerance 1e-9)))
+  (check-exn (names "evolve") (lambda () (follow start void 0.1 1 #:tolerance 1e-9))))
