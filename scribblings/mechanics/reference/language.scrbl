@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt" "../program.rkt")
 
 @title[#:tag "reference-language"]{The language}
 
@@ -45,19 +45,11 @@ spelt nearly so.}
 A chapter of a textbook defines a path, a Lagrangian or an operator, improves it a
 few pages later, and keeps the name. A module in @hash-lang[]
 @racketmodname[mechanics] can be written in the same way. It is read from top to
-bottom, as a session at the prompt:
+bottom, as a session at the prompt.
 
-@codeblock|{
-#lang mechanics
-(define (test-path t) (up (* 4 t) (* 3 t)))
-(define (speed t) (sqrt (square ((D test-path) t))))
-(speed 't)
-(define (test-path t) (up (* 5 t) (* 12 t)))
-(speed 't)
-}|
+@(program "variational/replaced-definitions.rkt" #'here)
 
-prints @racketresult[5], then @racketresult[13]: functions that were defined
-before see the new definition. The rules are these.
+Functions that were defined before see the new definitions. The rules are these.
 
 @itemlist[
 @item{A variable or a function may be defined any number of times, as different
