@@ -12,7 +12,7 @@
          "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
          "lagrangian/frames.rkt" "lagrangian/Lagrange-equations.rkt" "lagrangian/Noether.rkt"
          "lagrangian/state-derivative.rkt"
-         (except-in "lagrangian/local-tuple.rkt" path)
+         (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/on-demand.rkt"
          "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
          "lagrangian/variation.rkt" "lagrangian/verify.rkt"
          "map/on-demand.rkt"
@@ -55,6 +55,8 @@
  make-Lagrangian Rayleigh-dissipation
  ;; energies and other integrals of the motion
  Lagrangian->energy Lagrangian->power-loss Noether-integral
+ ;; questions about a system
+ (all-from-out "lagrangian/on-demand.rkt")
  ;; functions of local tuples
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
  derivation-steps show-derivation
