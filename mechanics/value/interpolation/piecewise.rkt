@@ -42,7 +42,8 @@
   (cubics who xs ys (values-at who "slopes" slopes xs) extrapolate?))
 
 ;; ends : 'not-a-knot, 'natural, 'periodic, or a list of the slopes at the two ends
-(define-plain (cubic-spline points values #:ends [ends 'not-a-knot] #:extrapolate? [extrapolate? #f])
+(define-plain (cubic-spline points values #:ends [ends 'not-a-knot]
+                            #:extrapolate? [extrapolate? #f])
   (define who 'cubic-spline)
   (define-values (xs ys) (checked who points values))
   (check-ends ends ys)
@@ -70,7 +71,8 @@
     (define first (vector-ref ys 0))
     (define last (vector-ref ys (- (vector-length ys) 1)))
     (unless (or (g:= first last) (rounding? (comparand first) (comparand last)))
-      (complain "cubic-spline: a periodic function has the same value at both ends\n  first: ~a\n  last: ~a"
+      (complain "cubic-spline: ~a\n  first: ~a\n  last: ~a"
+                "a periodic function has the same value at both ends"
                 (value->text first) (value->text last)))))
 
 ;; Values of a periodic function computed at both ends need not be quite the same.
