@@ -38,12 +38,14 @@
 ;; but those used or defined before get the values that would be.  #f for all
 ;; other forms.
 (define (require-without-clashes ds form)
-  (syntax-case form (require)
-    [(require spec ...)
+  (syntax-case form ()
+    [(keyword spec ...)
+     (and (identifier? #'keyword) (free-identifier=? #'keyword #'require))
      (let* ([specs (syntax->list #'(spec ...))]
             [clashes (for/list ([spec (in-list specs)]) (clashing-names ds spec))])
        (and (ormap pair? clashes)
-            (append-map (lambda (spec ids) (without-clashes ds spec ids)) specs clashes)))]
+            (append-map (lambda (spec ids) (without-clashes ds #'keyword spec ids))
+                        specs clashes)))]
     [_ #f]))
 
 ;; A specification that is wrong has none: `require` itself will say so.
@@ -56,12 +58,13 @@
                          (defining-occurrence ds (import-local-id i))))
     (import-local-id i)))
 
-(define (without-clashes ds spec ids)
+;; keyword : `require` as it was written, for editors
+(define (without-clashes ds keyword spec ids)
   (define wanted (filter (lambda (id) (or (used-early? ds id) (defined? ds id))) ids))
   (define hidden (for/list ([id (in-list wanted)]) (datum->syntax #'here (syntax-e id))))
   (append
-   (list (if (null? ids) #`(require #,spec) #`(require (except-in #,spec #,@ids))))
-   (if (null? wanted) '() (list #`(require (only-in #,spec #,@(map list wanted hidden)))))
+   (list (if (null? ids) #`(#,keyword #,spec) #`(#,keyword (except-in #,spec #,@ids))))
+   (if (null? wanted) '() (list #`(#,keyword (only-in #,spec #,@(map list wanted hidden)))))
    (for/list ([id (in-list wanted)] [h (in-list hidden)])
      #`(start-with #,(defining-occurrence ds id) #,(as-if-written h)))))
 

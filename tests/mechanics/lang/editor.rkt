@@ -110,8 +110,8 @@
   (check-not-false (member (list "racket/list" (car (places "racket/list" listing))
                                  "second" (car (places "second" listing)))
                            listing-arrows))
-  (for ([place (places "define" listing)])
-    (check-not-false (member (list "mechanics" 6 "define" place) listing-arrows)))
+  (for* ([keyword '("define" "require")] [place (places keyword listing)])
+    (check-not-false (member (list "mechanics" 6 keyword place) listing-arrows)))
   (for ([name '("aa" "bb")])
     (check-equal? (arrows-of name) (list (places name listing)))))
 
