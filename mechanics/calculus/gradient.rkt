@@ -6,7 +6,7 @@
 ;; by all of them; so a gradient costs a few runs, be it in a million variables.
 ;; The values are those of D.
 
-(require "perturbed.rkt" (only-in "tape.rkt" tape-inputs) "recorded.rkt" "derivative.rkt"
+(require "perturbed.rkt" (only-in "tape.rkt" tape-inputs finish-tape!) "recorded.rkt" "derivative.rkt"
          "derivative-errors.rkt" "gradient-errors.rkt"
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt"
@@ -21,50 +21,53 @@
 ;; ---------------------------------------------------------------------------
 ;; One run
 
-;; The value of f at x, recorded, and the tape.
+;; The value of f at x, a structure if it is a tuple, recorded; and the tape.
 (define (record-run who f x)
-  (define t (make-recording (fresh-tag) (count-scalars who x) (all-flonums? x)))
-  (values (f (map-scalars (lambda (leaf i) (record-input t i leaf)) x)) t))
+  (define t
+    (if (flat? x)
+        (make-recording (fresh-tag) (structure-length x) #t)
+        (make-recording (fresh-tag) (count-scalars who x) (all-flonums? x))))
+  (values (f (record-scalars t x)) t))
 
 (define (count-scalars who x)
-  (cond [(tuple? x)
-         (for/fold ([n 0]) ([e (in-vector (elements-of x))])
-           (if (flonum? e) (add1 n) (+ n (count-scalars who e))))]
-        [(matrix? x)
-         (for/fold ([n 0]) ([row (in-vector (matrix-rows x))]) (+ n (count-scalars who row)))]
+  (cond [(flat? x) (structure-length x)]
+        [(tuple? x) (for/sum ([e (in-vector (elements-of x))]) (count-scalars who e))]
+        [(matrix? x) (for/sum ([row (in-vector (matrix-rows x))]) (count-scalars who row))]
         [(scalar? x) 1]
         [else (raise-not-differentiable-at x who)]))
 
 (define (all-flonums? x)
   (cond [(flonum? x) #t]
-        [(tuple? x) (for/and ([e (in-vector (elements-of x))]) (or (flonum? e) (all-flonums? e)))]
+        [(tuple? x) (for/and ([e (in-vector (elements-of x))]) (all-flonums? e))]
         [else #f]))
 
 (define (elements-of x) (if (structure? x) (structure-elements x) x))
 (define (orientation-of x) (if (structure? x) (structure-orientation x) 'up))
 
-;; Most tuples of many components are of flonums alone; these are numbered in one go.
-(define (flonums? v) (for/and ([e (in-vector v)]) (flonum? e)))
+;; Most tuples of many components are of flonums alone; these are recorded, and
+;; their derivatives shaped, in one go.
+(define (flat? x)
+  (and (structure? x) (for/and ([e (in-vector (structure-elements x))]) (flonum? e))))
 
-;; (f scalar i) for each scalar of x and its number.
-(define (map-scalars f x)
+;; x with its scalars recorded as the variables of a tape.
+(define (record-scalars t x)
   (define-values (next! skip!) (numbering))
   (let walk ([x x])
-    (cond [(tuple? x)
-           (define v (elements-of x))
-           (define n (vector-length v))
-           (structure (orientation-of x)
-                      (if (flonums? v)
-                          (for/vector #:length n ([e (in-vector v)] [i (in-naturals (skip! n))])
-                            (f e i))
-                          (for/vector #:length n ([e (in-vector v)]) (walk e))))]
-          [else (map-leaves (lambda (leaf) (f leaf (next!))) x)])))
+    (cond [(flat? x)
+           (define n (structure-length x))
+           (computed-structure (structure-orientation x) n
+                               (flonum-inputs t (skip! n) (structure-elements x)))]
+          [(tuple? x) (structure (orientation-of x) (vector-map walk (elements-of x)))]
+          [else (map-leaves (lambda (leaf) (record-input t (next!) leaf)) x)])))
 
 ;; Numbers from 0: the next one, and the first of so many.
 (define (numbering)
   (define i 0)
   (define (skip! count) (begin0 i (set! i (+ i count))))
   (values (lambda () (skip! 1)) skip!))
+
+(define (vector-map f v)
+  (for/vector #:length (vector-length v) ([e (in-vector v)]) (f e)))
 
 ;; The value of `entry` at the number of each scalar of x, shaped as a derivative
 ;; by x: a tuple of the other orientation; by a matrix, the up tuple of its columns
@@ -73,13 +76,7 @@
   (define-values (next! skip!) (numbering))
   (let walk ([x x])
     (cond [(tuple? x)
-           (define v (elements-of x))
-           (define n (vector-length v))
-           (structure (flip-orientation (orientation-of x))
-                      (if (flonums? v)
-                          (let ([first (skip! n)])
-                            (for/vector #:length n ([i (in-range first (+ first n))]) (entry i)))
-                          (for/vector #:length n ([e (in-vector v)]) (walk e))))]
+           (structure (flip-orientation (orientation-of x)) (vector-map walk (elements-of x)))]
           [(matrix? x)
            (define columns (m:num-cols x))
            (define first (skip! (* columns (m:num-rows x))))
@@ -92,10 +89,19 @@
 ;; ---------------------------------------------------------------------------
 ;; gradient
 
-(define (gradient-at f x)
+(define (gradient-at f point)
+  (define x (if (vector? point) (adopt point) point))
   (define-values (y t) (record-run 'gradient f x))
   (unless (scalar? y) (raise-not-scalar 'gradient f y))
-  (shape-as-derivative x (derivatives t y)))
+  (define ds (derivatives t y))
+  (finish-tape! t)
+  (shape-derivatives x ds))
+
+;; The derivatives by all scalars of x, in a vector of their own, in its shape.
+(define (shape-derivatives x ds)
+  (if (flat? x)
+      (structure (flip-orientation (structure-orientation x)) ds)
+      (shape-as-derivative x (lambda (i) (vector-ref ds i)))))
 
 (define gradient
   (make-primitive-operator
@@ -104,12 +110,12 @@
      [fs (raise-takes-only-function 'gradient fs)])
    (lambda () 'gradient)))
 
-;; The value of f at x and its derivatives by the scalars of x, as a function of
-;; their number.
+;; The value of f at x and its derivatives by the scalars of x, in a vector.
 (define (value-and-derivatives-at who f x)
   (define-values (y t) (record-run who f x))
   (unless (scalar? y) (raise-not-scalar who f y))
-  (value-and-derivatives t y))
+  (begin0 (value-and-derivatives t y)
+          (finish-tape! t)))
 
 ;; ---------------------------------------------------------------------------
 ;; jacobian
@@ -140,7 +146,7 @@
      (map-leaves (lambda (leaf)
                    (define column (car left))
                    (set! left (cdr left))
-                   (column i))
+                   (vector-ref column i))
                  y))))
 
 (define jacobian

@@ -99,7 +99,7 @@
           r)))
   (define value (integral (lambda (x) (car (run x)))))
   (for/fold ([sum value]) ([i (in-range (tape-inputs tape))])
-    (define slope (integral (lambda (x) ((cdr (run x)) i))))
+    (define slope (integral (lambda (x) (vector-ref (cdr (run x)) i))))
     (g:+ sum (g:* slope (record-input tape i 0)))))
 
 ;; order : of a jet, #f for a dual number

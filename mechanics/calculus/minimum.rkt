@@ -139,11 +139,11 @@
 ;; flvector -> value and gradient
 (define ((value-and-gradient who f argument) x)
   (define s (argument x))
-  (define-values (y slope)
+  (define-values (y slopes)
     (value-and-derivatives-at who (lambda (t) (f (tuple-like s t))) (list->tuple who s)))
   (values (value-or-nan who y)
-          (for/flvector #:length (flvector-length x) ([i (in-range (flvector-length x))])
-            (value-or-nan who (slope i)))))
+          (for/flvector #:length (flvector-length x) ([slope (in-vector slopes)])
+            (value-or-nan who slope))))
 
 (define ((value-at who f argument) x) (value-or-nan who (f (argument x))))
 

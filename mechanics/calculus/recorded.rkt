@@ -18,7 +18,7 @@
 (#%declare #:unsafe)
 
 (provide recorded? on-tape? recorded-tape recorded-value
-         make-recording record-input record-sum
+         make-recording record-input flonum-inputs record-sum
          derivatives value-and-derivatives)
 
 (define kind:recorded
@@ -37,6 +37,14 @@
   #:constructor-name construct-recorded
   #:omit-define-syntaxes
   #:property prop:kind kind:recorded
+  #:property prop:equal+hash
+  (list (lambda (a b recur)
+          (and (eq? (recorded-tape a) (recorded-tape b))
+               (eqv? (recorded-index a) (recorded-index b))
+               (recur (recorded-factor a) (recorded-factor b))
+               (recur (recorded-value a) (recorded-value b))))
+        (lambda (r recur) (recorded-index r))
+        (lambda (r recur) (recorded-index r)))
   #:property prop:parts
   (parts (lambda (r) (recorded-value r))
          (lambda (f r) (map-parts f r))
@@ -56,7 +64,15 @@
   (make-tape kind:recorded record-unary record-binary tag inputs flonums?))
 
 ;; Variable i of the tape.
-(define (record-input tape i value) (record tape i 1 value))
+(define (record-input tape i value) (record tape i (unit value) value))
+
+;; The flonums of a vector as the variables from `first` on: index -> variable.
+(define (flonum-inputs tape first flonums)
+  (define tag (tape-tag tape))
+  (lambda (i) (construct-recorded tape tag (fx+ first i) 1.0 (vector-ref flonums i))))
+
+;; The factor of a value whose differential is a dz itself.
+(define-syntax-rule (unit value) (if (flonum? value) 1.0 1))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic: the chain rule
@@ -65,12 +81,25 @@
 ;; takes 2 ns.  So squares and the four operations on flonums, which most of a run
 ;; consists of, are computed in place, as their entries in the table say.
 (define (record-unary op r)
-  (define x (recorded-value r))
-  (define-syntax-rule (in-place value slope) (scaled r slope value))
-  (if (flonum? x)
+  (define-values (x f) (values (recorded-value r) (recorded-factor r)))
+  (define-syntax-rule (in-place value slope)
+    (construct-like r (fl-times slope f) value))
+  (if (and (flonum? x) (flonum? f))
       (case-at-flonums op (x) in-place
         [generic:square square] [else (record-unary-generally op r x)])
       (record-unary-generally op r x)))
+
+;; A number with a multiple of the differential of r.
+(define-syntax-rule (construct-like r factor value)
+  (let ([v value])
+    (construct-recorded (recorded-tape r) (perturbed-tag r) (recorded-index r) factor v)))
+
+;; slope · factor as a flonum; the slope may be a constant.
+(define-syntax fl-times
+  (syntax-rules ()
+    [(_ 1 factor) factor]
+    [(_ -1 factor) (fl* -1.0 factor)]
+    [(_ slope factor) (fl* slope factor)]))
 
 (define (record-unary-generally op r x)
   (define-values (value slope) (value-and-slope op x))
@@ -96,15 +125,15 @@
 
 ;; use : value derivative ... -> form
 (define-syntax-rule (case-arithmetic op x y use general)
-  (if (and (flonum? x) (flonum? y))
-      (case-at-flonums op (x y) use
-        [generic:+ +] [generic:* *] [generic:- -] [generic:/ /] [else general])
-      general))
+  (case-at-flonums op (x y) use
+    [generic:+ +] [generic:* *] [generic:- -] [generic:/ /] [else general]))
 
 (define (by-first op a y)
-  (define x (recorded-value a))
-  (define-syntax-rule (in-place value by-x by-y) (scaled a by-x value))
-  (case-arithmetic op x y in-place (by-first-generally op a x y)))
+  (define-values (x f) (values (recorded-value a) (recorded-factor a)))
+  (define-syntax-rule (in-place value by-x by-y) (construct-like a (fl-times by-x f) value))
+  (if (and (flonum? x) (flonum? y) (flonum? f))
+      (case-arithmetic op x y in-place (by-first-generally op a x y))
+      (by-first-generally op a x y)))
 
 (define (by-first-generally op a x y)
   (define value ((generic-op-procedure op) x y))
@@ -112,31 +141,27 @@
   (if (and (eq? slope 0) (constant? slope #f x y)) value (scaled a slope value)))
 
 (define (by-second op x b)
-  (define y (recorded-value b))
-  (define-syntax-rule (in-place value by-x by-y) (scaled b by-y value))
-  (case-arithmetic op x y in-place (by-second-generally op x b y)))
+  (define-values (y f) (values (recorded-value b) (recorded-factor b)))
+  (define-syntax-rule (in-place value by-x by-y) (construct-like b (fl-times by-y f) value))
+  (if (and (flonum? x) (flonum? y) (flonum? f))
+      (case-arithmetic op x y in-place (by-second-generally op x b y))
+      (by-second-generally op x b y)))
 
 (define (by-second-generally op x b y)
   (define value ((generic-op-procedure op) x y))
   (define slope (second-slope op x y value))
   (if (and (eq? slope 0) (constant? #f slope x y)) value (scaled b slope value)))
 
-;; slope · factor as a flonum; the slope may be a constant, the factor exact 1.
-(define-syntax fl-times
-  (syntax-rules ()
-    [(_ 1 factor) (if (eq? factor 1) 1.0 factor)]
-    [(_ -1 factor) (if (eq? factor 1) -1.0 (fl* -1.0 factor))]
-    [(_ slope factor) (if (eq? factor 1) slope (fl* slope factor))]))
-
 (define (by-both op a b)
   (define-values (x y) (values (recorded-value a) (recorded-value b)))
   (define-values (i j) (values (recorded-index a) (recorded-index b)))
   (define-values (f g) (values (recorded-factor a) (recorded-factor b)))
-  (define tape (recorded-tape a))
   (define-syntax-rule (in-place value by-x by-y)
-    (let* ([v value] [k (join-flonums! tape i (fl-times by-x f) j (fl-times by-y g))])
-      (construct-recorded tape (tape-tag tape) k 1 v)))
-  (if (and (not (eq? i j)) (or (eq? f 1) (flonum? f)) (or (eq? g 1) (flonum? g)))
+    (let* ([tape (recorded-tape a)]
+           [v value]
+           [k (join-flonums! tape i (fl-times by-x f) j (fl-times by-y g))])
+      (construct-recorded tape (perturbed-tag a) k 1.0 v)))
+  (if (and (flonum? x) (flonum? y) (flonum? f) (flonum? g) (not (eq? i j)))
       (case-arithmetic op x y in-place (by-both-generally op a b))
       (by-both-generally op a b)))
 
@@ -152,7 +177,7 @@
   (cond [(eq? i j) (record tape i (g:+ a b) value)]
         [(eq? a 0) (record tape j b value)]
         [(eq? b 0) (record tape i a value)]
-        [else (record tape (join! tape i a j b) 1 value)]))
+        [else (record tape (join! tape i a j b) (unit value) value)]))
 
 ;; The value whose differential is the sum of those of the recorded numbers of
 ;; one tape, each times its slope.
@@ -167,22 +192,20 @@
 ;; ---------------------------------------------------------------------------
 ;; Derivatives
 
-;; The derivatives of the scalar y by the variables of the tape, as a function of
-;; their number.
+;; The derivatives of the scalar y by the variables of the tape, in a vector.
 (define (derivatives tape y)
-  (cond [(on-tape? y tape)
-         (define as (adjoints-of y))
-         (lambda (i) (adjoint as i))]
+  (cond [(on-tape? y tape) (derivatives-of y)]
         [(and (perturbed? y) (> (perturbed-tag y) (tape-tag tape)))
-         (lambda (i) ((parts-map (parts-of y)) (lambda (part) ((derivatives tape part) i)) y))]
-        [else (lambda (i) 0)]))
+         (for/vector #:length (tape-inputs tape) ([i (in-range (tape-inputs tape))])
+           ((parts-map (parts-of y)) (lambda (part) (vector-ref (derivatives tape part) i)) y))]
+        [else (make-vector (tape-inputs tape) 0)]))
 
 (define (value-and-derivatives tape y)
   (values (if (on-tape? y tape) (recorded-value y) y) (derivatives tape y)))
 
 (define (on-tape? x tape) (and (recorded? x) (eq? (recorded-tape x) tape)))
 
-(define (adjoints-of r) (adjoints (recorded-tape r) (recorded-index r) (recorded-factor r)))
+(define (derivatives-of r) (sweep (recorded-tape r) (recorded-index r) (recorded-factor r)))
 
 ;; The same with its parts changed by a linear map, its derivatives by the
 ;; variables among them: what is said of a number holds for each of them.
@@ -193,17 +216,15 @@
   (define value (f (recorded-value r)))
   (cond [(< index (tape-inputs tape)) (g:+ value (part index (recorded-factor r)))]
         [else
-         (define as (adjoints-of r))
-         (for/fold ([sum value]) ([i (in-range (tape-inputs tape))]
-                                  #:unless (eqv? 0 (adjoint as i)))
-           (g:+ sum (part i (adjoint as i))))]))
+         (for/fold ([sum value]) ([slope (in-vector (derivatives-of r))] [i (in-naturals)]
+                                  #:unless (eqv? 0 slope))
+           (g:+ sum (part i slope)))]))
 
 ;; Of one tape, with equal values and equal derivatives by all variables?
 (define (same-recorded? same? a b)
-  (define tape (recorded-tape a))
-  (and (eq? tape (recorded-tape b))
+  (and (eq? (recorded-tape a) (recorded-tape b))
        (same? (recorded-value a) (recorded-value b))
        (or (and (eqv? (recorded-index a) (recorded-index b))
                 (same? (recorded-factor a) (recorded-factor b)))
-           (let ([as (adjoints-of a)] [bs (adjoints-of b)])
-             (for/and ([i (in-range (tape-inputs tape))]) (same? (adjoint as i) (adjoint bs i)))))))
+           (for/and ([x (in-vector (derivatives-of a))] [y (in-vector (derivatives-of b))])
+             (same? x y)))))

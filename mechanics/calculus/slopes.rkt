@@ -47,10 +47,12 @@
   (raise (exn:fail:contract (format "~a: has no derivative rule" (generic-op-name op))
                             (current-continuation-marks))))
 
-;; slope · factor, where most are flonums and many are 1.
+;; slope · factor, where most are flonums and many are 1; a factor 1.0 is 1 to what
+;; is no number.
 (define-syntax-rule (times slope factor)
   (let ([s slope] [f factor])
     (cond [(eq? f 1) s]
           [(eq? s 1) f]
           [(and (flonum? s) (flonum? f)) (fl* s f)]
+          [(and (eqv? f 1.0) (not (number? s))) s]
           [else (g:* s f)])))

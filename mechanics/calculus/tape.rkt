@@ -16,9 +16,15 @@
 ;; to the adjoint of zᵢ and b z̄ to that of zⱼ.  So all partial derivatives cost no
 ;; more than the lines there are, however many variables (B. Speelpenning 1980).
 ;;
-;; Lines lie in blocks, each twice as long as the one before, so that none is ever
-;; moved.  Their slopes are flonums, in an flvector, until one comes that is none:
-;; an expression, or a number that is itself being differentiated.
+;; Lines lie in blocks, each twice as long as the one before up to some length, so
+;; that none is ever moved.  Their slopes are flonums, in an flvector, until one comes
+;; that is none: an expression, or a number that is itself being differentiated.
+;;
+;; Of a long tape the collector of garbage would move every block two or three times
+;; while it is being written, which takes as long as writing it.  So the blocks of a
+;; tape that is done with wait for the next one, and soon are so old that the
+;; collector leaves them alone.  Nor is anything else here longer than a block of the
+;; collector's memory, for it asks the system for that each time.
 
 (require racket/fixnum racket/flonum
          "../generic/arithmetic.rkt" "../generic/kind.rkt")
@@ -27,21 +33,25 @@
 (#%declare #:unsafe)
 
 (provide make-tape tape-tag tape-inputs
-         join! join-flonums! adjoints adjoint)
+         join! join-flonums! sweep finish-tape!)
 
 ;; Who calls `make-tape` owns the tape.
-;; inputs : the number of variables.  The block being written: its size, how many
-;; lines of it are used, its indices and slopes; `before` counts the variables and the
-;; lines of older blocks, of which the last comes first.
+;; inputs : the number of variables.  Of the block being written, `room` is how many
+;; lines it has for flonums (none if its slopes are not) and `used` how many are
+;; written; `before` counts the variables and the lines of older blocks, of which the
+;; last comes first.  spare : blocks to be written on next.  finished? : the blocks
+;; have been given away.
 ;; A tape is the kind of the numbers recorded on it, which so need no field for each.
 (struct tape kind (tag inputs
-                   [before #:mutable] [size #:mutable] [used #:mutable]
-                   [indices #:mutable] [slopes #:mutable] [older #:mutable])
+                   [before #:mutable] [room #:mutable] [used #:mutable]
+                   [indices #:mutable] [slopes #:mutable] [older #:mutable]
+                   [spare #:mutable] [finished? #:mutable])
   #:authentic)
 
-;; used : how many lines there are.  indices : i and j of a line, packed.
+;; before, used : the number of its first line, and how many there are.
+;; indices : i and j of a line, packed.
 ;; slopes : a and b, one after the other, in an flvector or a vector.
-(struct block (used indices slopes)
+(struct block (before used indices slopes)
   #:authentic)
 
 ;; Half of a fixnum for each; a tape of 2³⁰ lines would not fit into memory.
@@ -53,10 +63,16 @@
 ;; without a detour.  A line for each variable but one is the least that a function of
 ;; all needs.
 (define (make-tape k unary binary tag inputs flonums?)
-  (define size (+ inputs 8))
+  (define size (fxmin (fx+ inputs 24) longest-block))
   (tape (kind-rank k) (kind-describe k) (kind-datum k) (kind-map k) unary binary
         (kind-comparand k) (kind-zero? k) (kind-same? k) (kind-arity k) (kind-closed? k)
-        tag inputs inputs size 0 (make-fxvector size) (make-slopes size flonums?) '()))
+        tag inputs inputs (if flonums? size 0) 0 (make-fxvector size) (make-slopes size flonums?)
+        '() '() #f))
+
+;; In lines.
+(define longest-block 4096)
+(define (longest? b) (fx= (fxvector-length (block-indices b)) longest-block))
+(define (for-flonums? b) (flvector? (block-slopes b)))
 
 (define (make-slopes size flonums?)
   (if flonums? (make-flvector (* 2 size)) (make-vector (* 2 size) 0)))
@@ -71,8 +87,8 @@
   (define k (tape-used t))
   (define slopes (tape-slopes t))
   (define-values (x y) (values (->flonum a) (->flonum b)))
-  (cond [(fx= k (tape-size t))
-         (begin-block! t (* 2 k) (flvector? slopes))
+  (cond [(fx= k (fxvector-length (tape-indices t)))
+         (begin-block! t (fxmin (fxmax (fx* 2 k) 16) longest-block) (flvector? slopes))
          (join! t i a j b)]
         [(not (flvector? slopes)) (write-line! t k i j vector-set! slopes a b)]
         [(and (flonum? x) (flonum? y)) (write-line! t k i j flvector-set! slopes x y)]
@@ -82,9 +98,9 @@
 
 ;; The same for flonums, without a call where there is room.
 (define-syntax-rule (join-flonums! t i a j b)
-  (let ([k (tape-used t)] [slopes (tape-slopes t)])
-    (if (and (fx< k (tape-size t)) (flvector? slopes))
-        (write-line! t k i j flvector-set! slopes a b)
+  (let ([k (tape-used t)])
+    (if (fx< k (tape-room t))
+        (let ([slopes (tape-slopes t)]) (write-line! t k i j flvector-set! slopes a b))
         (join! t i a j b))))
 
 ;; a as a flonum if it is real.
@@ -103,73 +119,152 @@
     (fx+ (tape-before t) k)))
 
 (define (begin-block! t size flonums?)
-  (set-tape-older! t (written-blocks t))
+  (define reused (and flonums? (fx= size longest-block) (spare-block! t)))
+  (write-on! t
+             (if reused (block-indices reused) (make-fxvector size))
+             (if reused (block-slopes reused) (make-slopes size flonums?))
+             (written-blocks t)))
+
+(define (write-on! t indices slopes older)
+  (set-tape-older! t older)
   (set-tape-before! t (tape-count t))
-  (set-tape-size! t size)
+  (set-tape-room! t (if (flvector? slopes) (fxvector-length indices) 0))
   (set-tape-used! t 0)
-  (set-tape-indices! t (make-fxvector size))
-  (set-tape-slopes! t (make-slopes size flonums?)))
+  (set-tape-indices! t indices)
+  (set-tape-slopes! t slopes))
 
 ;; All blocks, the last one first.
 (define (written-blocks t)
-  (cons (block (tape-used t) (tape-indices t) (tape-slopes t)) (tape-older t)))
+  (cons (block (tape-before t) (tape-used t) (tape-indices t) (tape-slopes t)) (tape-older t)))
+
+;; ---------------------------------------------------------------------------
+;; Blocks that serve again
+
+;; A list in a weak box in a box: what nobody writes on belongs to the collector.
+(define waiting (box (make-weak-box '())))
+
+(define (change-waiting! change)
+  (define old (unbox waiting))
+  (define blocks (or (weak-box-value old) '()))
+  (if (box-cas! waiting old (make-weak-box (change blocks))) blocks (change-waiting! change)))
+
+;; A tape takes all there are, and holds them fast.
+(define (spare-block! t)
+  (when (null? (tape-spare t)) (set-tape-spare! t (change-waiting! (lambda (blocks) '()))))
+  (define spare (tape-spare t))
+  (and (pair? spare)
+       (begin (set-tape-spare! t (cdr spare))
+              (car spare))))
+
+;; No more derivatives will be asked for.  Numbers that escaped stay numbers, and what
+;; is done with them goes to blocks of their own.
+(define (finish-tape! t)
+  (define blocks
+    (for/fold ([blocks (tape-spare t)]) ([b (in-list (written-blocks t))]
+                                         #:when (and (longest? b) (for-flonums? b)))
+      (cons b blocks)))
+  (when (pair? blocks)
+    (set-tape-finished?! t #t)
+    (set-tape-spare! t '())
+    (write-on! t (make-fxvector 0) (make-flvector 0) '())
+    (change-waiting! (lambda (others) (append blocks others)))
+    (void)))
+
+(define (check-unfinished t)
+  (when (tape-finished? t)
+    (raise
+     (exn:fail:contract
+      (string-append
+       "gradient: its function was continued after it had returned, by a continuation captured"
+       " in it\n  of so long a run the record is kept only until the gradient is known")
+      (current-continuation-marks)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Sweeping
 
-;; The adjoints of all z up to this index, whose own is `seed`.
-(define (adjoints t index seed)
+;; The derivatives by the variables of a value whose differential is factor · dz, in
+;; a new vector: exactly 0 where it does not depend on one.
+(define (sweep t index factor)
+  (check-unfinished t)
   (define size (fxmax (tape-inputs t) (fx+ index 1)))
   (define blocks (written-blocks t))
-  (if (and (real? seed) (andmap (lambda (b) (flvector? (block-slopes b))) blocks))
-      (flonum-adjoints t blocks index (real->double-flonum seed) size)
-      (general-adjoints t blocks index seed size)))
-
-;; The derivative by variable i: exactly 0 if the result does not depend on it.
-(define (adjoint as i)
-  (cond [(flvector? as)
-         (define a (flvector-ref as i))
-         (if (untouched? a) 0 a)]
-        [else (vector-ref as i)]))
+  (cond [(not (and (real? factor) (andmap for-flonums? blocks)))
+         (sweep-generally t blocks index factor size)]
+        [(fx<= size chunk) (sweep-flonums t blocks index (real->double-flonum factor) size)]
+        [else (sweep-in-chunks t blocks index (real->double-flonum factor) size)]))
 
 ;; -0.0 stands where nothing was added: it is neutral, and no sum below is -0.0.
 ;; What the result does not depend on is passed over, be its slopes infinite.
 (define-syntax-rule (untouched? a) (and (fl= a 0.0) (eqv? a -0.0)))
 
-(define (flonum-adjoints t blocks index seed size)
-  (define as (make-flvector size -0.0))
-  (flvector-set! as index seed)
-  (for/fold ([z (sub1 (tape-count t))] #:result as) ([b (in-list blocks)])
+(define-syntax-rule (add-at! as z amount)
+  (flvector-set! as z (fl+ (flvector-ref as z) (fl+ amount 0.0))))
+
+;; ref : z -> its adjoint;  add! : z amount -> void
+(define-syntax-rule (sweep-lines blocks index ref add!)
+  (for ([b (in-list blocks)])
     (define indices (block-indices b))
     (define slopes (block-slopes b))
-    (define-syntax-rule (add! i a at)
-      (let ([z i])
-        (flvector-set! as z (fl+ (fl+ (flvector-ref as z) (fl* a (flvector-ref slopes at))) 0.0))))
-    (let loop ([k (fx- (block-used b) 1)] [z z])
-      (cond [(fx< k 0) z]
-            [else
-             (when (fx<= z index)
-               (define a (flvector-ref as z))
-               (unless (untouched? a)
-                 (define line (fxvector-ref indices k))
-                 (define at (fxlshift k 1))
-                 (add! (first-index line) a at)
-                 (add! (second-index line) a (fx+ at 1))))
-             (loop (fx- k 1) (fx- z 1))]))))
+    (define before (block-before b))
+    (let loop ([k (last-line b index)])
+      (when (fx>= k 0)
+        (let ([a (ref (fx+ before k))])
+          (unless (untouched? a)
+            (let ([line (fxvector-ref indices k)] [at (fxlshift k 1)])
+              (add! (first-index line) (fl* a (flvector-ref slopes at)))
+              (add! (second-index line) (fl* a (flvector-ref slopes (fx+ at 1)))))))
+        (loop (fx- k 1))))))
 
-(define (general-adjoints t blocks index seed size)
+;; The last line of the block up to this index.
+(define (last-line b index) (fxmin (fx- (block-used b) 1) (fx- index (block-before b))))
+
+(define-syntax-rule (flonum-derivatives inputs ref)
+  (let ([derivatives (make-vector inputs 0)])
+    (let loop ([i 0])
+      (when (fx< i inputs)
+        (let ([a (ref i)])
+          (unless (untouched? a) (vector-set! derivatives i a)))
+        (loop (fx+ i 1))))
+    derivatives))
+
+(define (sweep-flonums t blocks index factor size)
+  (define as (make-flvector size -0.0))
+  (define-syntax-rule (ref z) (flvector-ref as z))
+  (define-syntax-rule (add! z amount) (let ([at z]) (add-at! as at amount)))
+  (flvector-set! as index factor)
+  (sweep-lines blocks index ref add!)
+  (flonum-derivatives (tape-inputs t) ref))
+
+(define chunk-bits 16)
+(define chunk (fxlshift 1 chunk-bits))
+
+(define (sweep-in-chunks t blocks index factor size)
+  (define chunks
+    (for/vector ([start (in-range 0 size chunk)])
+      (make-flvector (fxmin chunk (fx- size start)) -0.0)))
+  (define-syntax-rule (chunk-of z) (vector-ref chunks (fxrshift z chunk-bits)))
+  (define-syntax-rule (place z) (fxand z (fx- chunk 1)))
+  (define-syntax-rule (ref z) (flvector-ref (chunk-of z) (place z)))
+  (define-syntax-rule (add! z amount)
+    (let* ([at z] [as (chunk-of at)]) (add-at! as (place at) amount)))
+  (flvector-set! (chunk-of index) (place index) factor)
+  (sweep-lines blocks index ref add!)
+  (flonum-derivatives (tape-inputs t) ref))
+
+(define (sweep-generally t blocks index factor size)
   (define as (make-vector size 0))
-  (vector-set! as index seed)
   (define (add! z a slope)
     (vector-set! as z (g:+ (vector-ref as z) (g:* a slope))))
-  (for*/fold ([z (sub1 (tape-count t))] #:result as)
-             ([b (in-list blocks)] [k (in-range (sub1 (block-used b)) -1 -1)])
-    (define a (and (<= z index) (vector-ref as z)))
-    (unless (memv a '(0 #f))
+  (vector-set! as index factor)
+  (for* ([b (in-list blocks)] [k (in-range (last-line b index) -1 -1)])
+    (define a (vector-ref as (fx+ (block-before b) k)))
+    (unless (eqv? a 0)
       (define line (fxvector-ref (block-indices b) k))
       (add! (first-index line) a (slope b (* 2 k)))
-      (add! (second-index line) a (slope b (add1 (* 2 k)))))
-    (sub1 z)))
+      (add! (second-index line) a (slope b (add1 (* 2 k))))))
+  (define derivatives (make-vector (tape-inputs t)))
+  (vector-copy! derivatives 0 as 0 (tape-inputs t))
+  derivatives)
 
 (define (slope b at)
   (define slopes (block-slopes b))

@@ -24,8 +24,8 @@
 (define (add-other a b)
   (cond [(and (number? a) (number? b)) (+ a b)]
         [(and (structure? a) (structure? b)) (add-structures a b)]
-        [(and (eqv? a 0) (procedure? b)) b]
-        [(and (eqv? b 0) (procedure? a)) a]
+        [(and (eqv? a 0) (or (carrier? b) (procedure? b))) b]
+        [(and (eqv? b 0) (or (carrier? a) (procedure? a))) a]
         [else (dispatch-binary generic:+ e:+ add-structures a b)]))
 
 (define (add-structures a b)
@@ -116,8 +116,8 @@
 (define-named g:square square
   (lambda (a)
     (cond [(flonum? a) (fl* a a)]
-          [(number? a) (* a a)]
           [(carrier? a) ((kind-unary (carrier-kind a)) generic:square a)]
+          [(number? a) (* a a)]
           [(tuple? a) (sum-of-squares (structure-elements (adopt a)))]
           [(pointwise? a) (compose-unary generic:square a)]
           [(arithmetic-value? a) (multiply a a)]

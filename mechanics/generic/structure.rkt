@@ -6,13 +6,14 @@
 ;; arithmetic means; the scalar `+` and `*` it needs are passed in, so that it
 ;; stands below the generic arithmetic that uses it.
 
-(require racket/flonum
+(require racket/flonum (submod racket/performance-hint begin-encourage-inline)
          "kind.rkt" "describe.rkt"
          (only-in "../algebra/expression.rkt" expression?))
 
 (provide
  ;; data
  structure structure? structure-orientation structure-elements
+ computed-structure structure-ref
  up down up? down? tuple? adopt vector->up vector->down
  same-orientation flip-orientation structure-length
  structure-map structure-map2 compatible? same-shape?
@@ -40,8 +41,9 @@
                       (vector-map (lambda (x) (map-leaves f x))
                                   (structure-elements s))))))
 
-;; orientation : 'up or 'down.  elements : a vector nobody else may change.
-(struct structure (orientation elements)
+;; orientation : 'up or 'down.  stored : the components, in a vector nobody else may
+;; change or, until it is asked for, computed.
+(struct structure (orientation [stored #:mutable])
   #:authentic
   #:property prop:kind kind:structure
   #:property prop:procedure
@@ -50,13 +52,53 @@
     [(s . xs) (structure-map (lambda (f) (apply (applicable f s) xs)) s)])
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write write-structure
-  #:property prop:sequence (lambda (s) (in-vector (structure-elements s)))
+  #:property prop:sequence (lambda (s) (in-components (structure-stored s)))
   #:property prop:equal+hash
   (list (lambda (a b recur)
           (and (eq? (structure-orientation a) (structure-orientation b))
                (recur (structure-elements a) (structure-elements b))))
         (lambda (s recur) (hash-structure s recur))
         (lambda (s recur) (hash-structure s recur))))
+
+;; Components made each time one is asked for: a long tuple that a function walks
+;; along only once need not be there all at the same time.
+;; at : index -> component, always an equal one
+(struct computed (length at)
+  #:authentic
+  #:sealed)
+
+(define (computed-structure orientation n at)
+  (structure orientation (if (< n 4096) (build-vector n at) (computed n at))))
+
+(begin-encourage-inline
+  (define (structure-elements s)
+    (let ([c (structure-stored s)]) (if (computed? c) (store-elements! s c) c)))
+
+  (define (structure-length s)
+    (let ([c (structure-stored s)]) (if (computed? c) (computed-length c) (vector-length c)))))
+
+;; Two threads that come here at once store equal vectors.
+(define (store-elements! s c)
+  (define elements (build-vector (computed-length c) (computed-at c)))
+  (set-structure-stored! s elements)
+  elements)
+
+;; Component i, or Racket's complaint of vector-ref.
+(define-syntax-rule (structure-ref s i)
+  (let ([c (structure-stored s)])
+    (if (computed? c) (computed-component s c i) (vector-ref c i))))
+
+(define (computed-component s c i)
+  (if (and (fixnum? i) (< -1 i (computed-length c)))
+      ((computed-at c) i)
+      (vector-ref (structure-elements s) i)))
+
+(define (in-components c)
+  (cond [(computed? c)
+         (define n (computed-length c))
+         (make-do-sequence
+          (lambda () (values (computed-at c) add1 0 (lambda (i) (< i n)) #f #f)))]
+        [else (in-vector c)]))
 
 (define (hash-structure s recur)
   (+ (if (eq? (structure-orientation s) 'up) 1 2)
@@ -98,7 +140,6 @@
 ;; A structure from a structure or a Racket vector.
 (define (adopt x) (if (structure? x) x (vector->up x)))
 
-(define (structure-length s) (vector-length (structure-elements s)))
 (define (flip-orientation o) (if (eq? o 'up) 'down 'up))
 (define (same-orientation s elements) (structure (structure-orientation s) elements))
 

@@ -45,8 +45,7 @@
            (current-continuation-marks)))]))
 
 (define (tuple-ref s i)
-  (define elements (elements-of s))
-  (define n (vector-length elements))
+  (define n (if (structure? s) (structure-length s) (vector-length s)))
   (unless (exact-integer? i)
     (raise-arguments-error 'ref "an index is an integer" "index" i))
   (define k (if (negative? i) (+ n i) i))
@@ -57,7 +56,7 @@
               (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n)))
               (value->text s))
       (current-continuation-marks))))
-  (vector-ref elements k))
+  (if (structure? s) (structure-ref s k) (vector-ref s k)))
 
 ;; To look at, where `adopt` would copy a Racket vector.
 (define (elements-of s) (if (structure? s) (structure-elements s) s))
@@ -74,7 +73,10 @@
 
 (define (s:ref s i) (ref s i))
 
-(define (s:length x) (if (tuple? x) (vector-length (elements-of x)) 1))
+(define (s:length x)
+  (cond [(structure? x) (structure-length x)]
+        [(vector? x) (vector-length x)]
+        [else 1]))
 
 ;; The number of scalars in x.
 (define (s:dimension x)

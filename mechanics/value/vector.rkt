@@ -6,12 +6,10 @@
 
 (provide tuple-vector-ref tuple-vector-length)
 
-(define (elements x) (if (structure? x) (structure-elements x) x))
-
 (define tuple-vector-ref
-  (let ([vector-ref (lambda (v i) (vector-ref (elements v) i))])
+  (let ([vector-ref (lambda (v i) (if (structure? v) (structure-ref v i) (vector-ref v i)))])
     vector-ref))
 
 (define tuple-vector-length
-  (let ([vector-length (lambda (v) (vector-length (elements v)))])
+  (let ([vector-length (lambda (v) (if (structure? v) (structure-length v) (vector-length v)))])
     vector-length))

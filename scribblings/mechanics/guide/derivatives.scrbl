@@ -211,8 +211,11 @@ multiple of the function:
 (ref force 1)
 (- (* 4 (ref chain 1)) (* 2 (ref chain 0)) (* 2 (ref chain 2)))]
 
-The price is memory: the tape has an entry of some twenty bytes for each operation
-that joins two quantities. Which to use?
+The price is memory: the tape has an entry of twenty-four bytes for each operation
+that joins two quantities. An operation on one quantity, or on one and a constant, only
+changes the factor by which the result varies with what it was made of, and has none.
+The tape of a run, once the gradient is known, is written over by the next. Which mode
+to use?
 
 @itemlist[
 @item{@racket[D] for functions of a few variables, for paths, for values that are

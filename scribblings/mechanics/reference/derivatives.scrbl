@@ -66,12 +66,12 @@ argument are flonums, so are the derivatives, except that those by what the valu
 does not depend on are exactly 0. Points without a derivative raise
 @racket[exn:fail:mechanics:singular], as with @racket[D].
 
-The price, in runs of f on flonums, hardly depends on the number of variables: 4 to 7
-runs where f is made of sines, roots and exponentials, 7 to 10 where it is made of sums
-and products, which take 2 nanoseconds each on flonums and 7 to 11 when recorded.
-Memory sets the limit: an operation's record fills about a hundred bytes. That of a
-function of 100000 variables outgrows the caches of a processor, and the price rises to
-7 to 13 runs. @tt{make bench TASK=gradients} measures it.
+The price, in runs of f on flonums, hardly depends on the number of variables, from a
+hundred to 100000: 4 to 5 runs where f is made of sines, roots and exponentials, 5 to 7
+where it is made of sums and products, which take 2 nanoseconds each on flonums and 7
+to 8 when recorded. @tt{make bench TASK=gradients} measures it. The record of a long run
+is kept only until the gradient is known: a continuation captured in f is of no use
+after that, and says so when its gradient is asked for again.
 
 @examples[#:eval session
 (define (U (up x y)) (* x (square y)))
