@@ -81,10 +81,12 @@
 ;; Judging
 
 ;; x : a value, or a function, which is judged at symbolic arguments.
-(define (prove-zero x)
+;; names : symbols that no condition may speak of, as x must vanish whatever they are
+(define (prove-zero x #:variables [names '()])
+  (check-variables names)
   (define A (assumptions-in-force))
   (define tests '())
-  (define variables (make-hasheq))
+  (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
   (define residual
     (map-leaves (lambda (leaf)
@@ -96,6 +98,10 @@
   (define status (overall (map zero-test-status tests)))
   (verdict (if (and endless? (eq? status 'proved)) 'undecided status)
            residual (reverse tests) (assumptions 'declared) endless?))
+
+(define (check-variables names)
+  (unless (and (list? names) (andmap symbol? names))
+    (raise-argument-error 'prove-zero "the variables, a list of symbols" names)))
 
 ;; x with the up tuple of its terms in place of a series; of one that does not end
 ;; as many as are compared, and (note!) is called.

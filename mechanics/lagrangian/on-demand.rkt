@@ -4,8 +4,12 @@
 (require racket/lazy-require)
 
 (lazy-require
+ ["conserved.rkt" (rate-of-change verify-conserved)]
+ ["ignorable.rkt" (verify-ignorable ignorable-coordinates conserved-momenta)]
  ["small-oscillations.rkt" (mass-matrix stiffness-matrix gyroscopic-matrix
                             normal-modes small-oscillation-frequencies)])
 
-(provide mass-matrix stiffness-matrix gyroscopic-matrix
+(provide rate-of-change verify-conserved
+         verify-ignorable ignorable-coordinates conserved-momenta
+         mass-matrix stiffness-matrix gyroscopic-matrix
          normal-modes small-oscillation-frequencies)

@@ -20,7 +20,7 @@
          "../value/structure.rkt" "../value/operator.rkt" "../value/function.rkt")
 
 (provide Dt Euler-Lagrange-operator LE Lagrange-equations-operator
-         clip-state trim-last-argument)
+         clip-state trim-last-argument check-local-tuple)
 
 ;; ((Dt F) local)
 (define Dt

@@ -9,16 +9,20 @@ See @secref["residuals"] for an introduction.
 
 @section{Asking}
 
-@defproc[(prove-zero [x value]) verdict?]{
+@defproc[(prove-zero [x value] [#:variables variables (listof symbol?) '()]) verdict?]{
 
 Whether @racket[x] is zero. A structure or matrix is zero when each of its scalars
 is. A function is judged at a symbolic time @racketidfont{t}, or at
 @racketidfont{t0}, @racketidfont{t1} … if it takes several arguments.
 
+No condition of the verdict speaks of the @racket[variables]: x has to vanish whatever
+they are.
+
 @examples[#:eval session
 (prove-zero (- (tan 'x) (/ (sin 'x) (cos 'x))))
 (prove-zero (up 0 (- 'a 'b)))
 (prove-zero (- (square sin) (- 1 (square cos))))
+(prove-zero (- (* 'k 'x) (* 'm (square 'omega) 'x)) #:variables '(x))
 (eval:error (prove-zero "0"))]}
 
 @defproc[(verify-equal [a value] [b value]) verdict?]{

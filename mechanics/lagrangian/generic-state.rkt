@@ -1,0 +1,45 @@
+#lang racket/base
+;; The local tuple at which a question about all states is asked: nothing but
+;; symbols, each of which may be any number.
+
+(require "local-tuple.rkt" "total-derivative.rkt"
+         "../generic/describe.rkt" "../value/shape.rkt" "../value/structure.rkt")
+
+(provide check-generic-state lengthened)
+
+(define (check-generic-state who local [least-length 3])
+  (check-local-tuple who local least-length)
+  (define names (scalars local))
+  (define odd-one
+    (for/first ([x (in-list names)] [i (in-naturals)]
+                #:unless (and (symbol? x) (not (memq x (list-tail names (add1 i))))))
+      x))
+  (when odd-one
+    (raise
+     (exn:fail:contract
+      (format (string-append
+               "~a: the local tuple must be made of symbols, each there once, "
+               "to stand for any state\n  given: ~a\n  ~a: ~a")
+              who (value->text local)
+              (if (symbol? odd-one) "more than once" "no symbol") (value->text odd-one))
+      (current-continuation-marks)))))
+
+;; The local tuple with derivatives up to `length` components in all; new ones are
+;; named after the coordinates: xddot, xdddot, and so on.
+(define (lengthened local length)
+  (define given (structure->list local))
+  (define q (coordinate local))
+  (define names (scalars q))
+  (list->up
+   (append given
+           (for/list ([k (in-range (- (s:length local) 1) (- length 1))])
+             (scalars->structure q (lambda (i) (derivative-name (list-ref names i) k)))))))
+
+;; x and 2 -> xddot; q^0 and 2 -> qddot^0
+(define (derivative-name name order)
+  (define parts (regexp-match #rx"^([^_^]+)(.*)$" (symbol->string name)))
+  (define dots (string-append (make-string order #\d) "ot"))
+  (string->symbol
+   (if parts
+       (string-append (cadr parts) dots (caddr parts))
+       (string-append (symbol->string name) dots))))
