@@ -8,13 +8,14 @@
          (only-in "compile/integral.rkt" definite-integral definite-integral-with-tolerance)
          "calculus/elliptic.rkt"
          "calculus/on-demand.rkt"
+         "constraint/on-demand.rkt" "constraint/verify.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
          "lagrangian/frames.rkt" "lagrangian/Lagrange-equations.rkt" "lagrangian/Noether.rkt"
          "lagrangian/state-derivative.rkt"
          (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/on-demand.rkt"
          "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
-         "lagrangian/variation.rkt" "lagrangian/verify.rkt"
+         "lagrangian/variation.rkt"
          "map/on-demand.rkt"
          "motion/on-demand.rkt" (only-in "numeric/progress.rkt" report-progress)
          "value/on-demand.rkt"
@@ -53,6 +54,8 @@
  Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
  Lagrange-equations-first-order Lagrange-equations-1 qv->state-path qv->local-path
  make-Lagrangian Rayleigh-dissipation
+ ;; constraints
+ (all-from-out "constraint/on-demand.rkt")
  ;; energies and other integrals of the motion
  Lagrangian->energy Lagrangian->power-loss Noether-integral
  ;; questions about a system

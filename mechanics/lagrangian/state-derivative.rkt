@@ -17,7 +17,8 @@
 
 (provide Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
          Lagrange-equations-first-order Lagrange-equations-1
-         qv->state-path qv->local-path)
+         qv->state-path qv->local-path
+         check-velocity)
 
 ;; (Lagrangian->acceleration L) : (t, q, v) ↦ a
 (define (Lagrangian->acceleration L [dissipation #f] #:force [Q #f])

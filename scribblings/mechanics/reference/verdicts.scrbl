@@ -42,18 +42,30 @@ for the flonums it has may be due to rounding, and is undecided; write
 
 @defproc[(verify-solution [L Lagrangian] [q path]
                           [#:force force (or/c #f procedure?) #f]
-                          [#:order n exact-positive-integer? 1])
+                          [#:order n exact-positive-integer? 1]
+                          [#:constraints constraints (or/c #f constraint? list? up?) #f]
+                          [#:multipliers lambda (or/c #f path) #f])
          verdict?]{
 
 Whether the path q satisfies Lagrange's equations of L at all times. The keywords
 are those of @racket[Lagrange-equations].
+
+With constraints, the path has to keep them, and to satisfy
+@racket[constrained-Lagrange-equations] with the multipliers given. Without multipliers
+the question is whether there are any: whether it satisfies the equations of
+@racket[eliminate-multipliers].
 
 @examples[#:eval session
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
 (verify-solution (L-free 'm) (lambda (t) (up (* 'a t) 'b)))
 (verify-solution (L-free 'm)
                  (lambda (t) (* 1/2 'g (square t)))
-                 #:force (lambda (local) (* 'm 'g)))]
+                 #:force (lambda (local) (* 'm 'g)))
+(define circle (holonomic (lambda (t q) (- (square q) (square 'R)))))
+(define (rotation t) (up (* 'R (cos t)) (* 'R (sin t))))
+(verify-solution (L-free 'm) rotation #:constraints circle)
+(verify-solution (L-free 'm) rotation
+                 #:constraints circle #:multipliers (lambda (t) 'm))]
 
 @sicm{1.5, p. 36}}
 

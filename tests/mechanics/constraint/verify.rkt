@@ -5,8 +5,8 @@
          mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
          mechanics/value/structure
          mechanics/calculus/literal-function mechanics/calculus/verdict
-         mechanics/lagrangian/local-tuple mechanics/lagrangian/verify
-         "systems.rkt")
+         mechanics/constraint/verify mechanics/lagrangian/local-tuple
+         "../lagrangian/systems.rkt")
 
 (define (oscillation omega) (lambda (t) (g:* 'a (g:cos (g:+ (g:* omega t) 'phi)))))
 

@@ -1,0 +1,137 @@
+#lang racket/base
+;; Accelerations and multipliers from the state.
+;;
+;; With the mass matrix M = ∂₂∂₂L, the force f = ∂₁L + Q − (∂₀ + v ∂₁)∂₂L and the Jacobian J
+;; of the constraints,
+;;
+;;     M a − Jᵀ λ = f,    J a = −γ.
+;;
+;; Where M has an inverse, a = M⁻¹ f + M⁻¹Jᵀ λ leaves one equation for each constraint,
+;;
+;;     (J M⁻¹ Jᵀ) λ = −γ − J M⁻¹ f,
+;;
+;; which keeps formulas short, for M is diagonal more often than not.  Where it has none,
+;; there may be inertia in all directions that are left: then both are solved together.
+
+(require "constraint.rkt" "linearized.rkt" "dependence.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/structure.rkt"
+         "../calculus/derivative.rkt"
+         "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
+         "../numeric/failure.rkt" "../numeric/rows.rkt"
+         "../value/linear-algebra.rkt" "../value/shape.rkt")
+
+(provide constrained-accelerations constraint-forces
+         accelerations-and-multipliers mass-rows solve-constrained)
+
+;; (t, q, v) ↦ (up accelerations multipliers)
+(define-plain (constrained-accelerations L constraints #:force [Q #f])
+  (define who 'constrained-accelerations)
+  (define solve (accelerations-and-multipliers who L constraints Q))
+  (named who L constraints Q
+         (lambda (state)
+           (define-values (a multipliers) (solve state))
+           (up a multipliers))))
+
+;; (t, q, v) ↦ Σ λ ∂G/∂q
+(define-plain (constraint-forces L constraints #:force [Q #f])
+  (define who 'constraint-forces)
+  (define cs (gather who constraints))
+  (define solve (accelerations-and-multipliers who L cs Q))
+  (named who L cs Q
+         (lambda (state)
+           (define-values (a multipliers) (solve state))
+           (force-of-multipliers who cs (time state) (coordinate state) (velocity state)
+                                 multipliers))))
+
+(define (named who L constraints Q f)
+  (define cs (gather who constraints))
+  (define (name)
+    `(,who ,(value->datum L) ,(constraints->datum cs)
+           ,@(if Q (list '#:force (value->datum Q)) '())))
+  (unary-function name (state) (f state)))
+
+;; -> (state -> a, shaped like the velocities, and λ, shaped like the constraints)
+(define (accelerations-and-multipliers who given-L constraints Q)
+  (check-Lagrangian who given-L)
+  (define cs (gather who constraints))
+  (define L (scalar-valued who given-L))
+  (define outside (external-force who Q #f))
+  (lambda (state)
+    (check-velocity who state)
+    (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+    (check-linear who cs q)
+    (define shape (constraint-values who cs t q v))
+    (define J (jacobian-rows who cs t q v))
+    (check-count who (length J) q)
+    (define-values (a multipliers)
+      (solve-constrained who (mass-rows L state) J
+                         (applied-force who L outside state)
+                         (map g:negate (drifts who cs t q v))))
+    (values (shaped v a) (shaped shape multipliers))))
+
+;; The mass matrix, as rows.
+(define (mass-rows L state)
+  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (define P ((partial 2) L))
+  (rows-of-function (lambda (v) (P (up t q v))) v))
+
+;; f, a vector.
+(define (applied-force who L outside state)
+  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (define P ((partial 2) L))
+  (define-values (momentum rate)
+    (value-and-derivative-along (lambda (tq) (P (up (ref-0 tq) (ref-1 tq) v))) (up t q) (up 1 v)))
+  (define inside (g:- (((partial 1) L) state) rate))
+  (list->vector
+   (scalars (if outside (g:+ inside (force-like who inside (outside state))) inside))))
+
+(define (ref-0 s) (vector-ref (structure-elements s) 0))
+(define (ref-1 s) (vector-ref (structure-elements s) 1))
+
+;; ---------------------------------------------------------------------------
+;; The linear system
+
+;; M : vector of rows; J : list of rows; f : vector; c : list, what J a is to be
+;; -> a and λ, vectors
+(define (solve-constrained who M J f c)
+  (define by-inertia
+    (with-handlers ([exn:fail:mechanics:singular:matrix? (lambda (e) #f)])
+      (rows-solve-each who M M (list->vector (cons f J)))))
+  (if by-inertia
+      (solve-by-inertia who by-inertia J c)
+      (solve-together who M J f c)))
+
+;; columns : M⁻¹f, then those of M⁻¹Jᵀ
+(define (solve-by-inertia who columns J c)
+  (define free (vector-ref columns 0))
+  (define pulled (cdr (vector->list columns)))
+  (define S (for/vector ([g (in-list J)]) (for/vector ([x (in-list pulled)]) (dot g x))))
+  (define right (for/vector ([g (in-list J)] [x (in-list c)]) (g:- x (dot g free))))
+  (define multipliers (solve-or-explain who J S right))
+  (define a
+    (for/fold ([a free]) ([m (in-vector multipliers)] [x (in-list pulled)])
+      (for/vector ([a (in-vector a)] [x (in-vector x)]) (g:+ a (g:* m x)))))
+  (values a multipliers))
+
+(define (solve-together who M J f c)
+  (define-values (n m) (values (vector-length M) (length J)))
+  (define rows
+    (for/vector ([k (in-range (+ n m))])
+      (if (< k n)
+          (vector-append-2 (vector-ref M k) (for/vector ([g (in-list J)]) (g:negate (vector-ref g k))))
+          (vector-append-2 (list-ref J (- k n)) (make-vector m 0)))))
+  (define x (solve-or-explain who J rows (vector-append-2 f (list->vector c))))
+  (values (for/vector ([y (in-vector x 0 n)]) y) (for/vector ([y (in-vector x n)]) y)))
+
+(define (vector-append-2 u v) (list->vector (append (vector->list u) (vector->list v))))
+
+(define (dot u v)
+  (for/fold ([sum 0]) ([x (in-vector u)] [y (in-vector v)] #:unless (or (eqv? x 0) (eqv? y 0)))
+    (g:+ sum (g:* x y))))
+
+(define (solve-or-explain who J rows right)
+  (with-handlers ([exn:fail:mechanics:singular:matrix?
+                   (lambda (e) (raise-undetermined who J e))])
+    (rows-solve who rows rows right)))

@@ -1,0 +1,129 @@
+#lang racket/base
+;; Constraints on a motion.
+;;
+;;   holonomic      G(t, q) = 0       on the coordinates
+;;   nonholonomic   A(t, q, v) = 0    on the velocities, which enter linearly:
+;;                                    A = a(t, q) v + b(t, q)
+;;
+;; The value of such a function is a number, or an up tuple of numbers if it states
+;; several constraints.  Constraints may also come one by one, as a list or an up tuple.
+
+(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/structure.rkt"
+         "../calculus/derivative.rkt" "../calculus/verdict.rkt"
+         "../value/shape.rkt" (only-in "../value/signature.rkt" scalar?))
+
+(provide
+ ;; made by the user
+ holonomic nonholonomic constraint? holonomic? constraint-function
+ ;; a set of them
+ gather constraint-set-parts constraint-set? all-holonomic? constraints->datum
+ value-of shape-values check-linear)
+
+;; linear-at : coordinates for which A was found linear in the velocities, or #f
+(struct constraint (kind function [linear-at #:mutable])
+  #:authentic
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (c port mode) (write-value (constraint->datum c) port)))
+
+(define (constraint->datum c)
+  (list (constraint-kind c) (value->datum (constraint-function c))))
+
+(define (holonomic? c) (eq? (constraint-kind c) 'holonomic))
+
+;; ---------------------------------------------------------------------------
+;; Making them
+
+(define (holonomic G)
+  (check-function 'holonomic G 2 "the time and the coordinates, (G t q)")
+  (constraint 'holonomic G #f))
+
+(define (nonholonomic A)
+  (check-function 'nonholonomic A 3 "the time, the coordinates and the velocities, (A t q v)")
+  (constraint 'nonholonomic A #f))
+
+(define (check-function who f n arguments)
+  (unless (and (procedure? f) (accepts? f n))
+    (complain "~a: expected a function of ~a\n  given: ~a~a" who arguments
+              (describe-with-value f)
+              (cond [(not (procedure? f)) ""]
+                    [else (format ", which takes ~a~a" (arity->text f) (arity-hint who f))]))))
+
+(define (arity-hint who f)
+  (cond [(and (eq? who 'holonomic) (accepts? f 3))
+         "\n  a constraint on the velocities is nonholonomic: (nonholonomic A)"]
+        [(and (eq? who 'nonholonomic) (accepts? f 2))
+         "\n  a constraint on the coordinates alone is holonomic: (holonomic G)"]
+        [(accepts? f 1)
+         "\n  the parts of the local tuple are arguments of their own; parameters come first"]
+        [else ""]))
+
+;; ---------------------------------------------------------------------------
+;; Sets
+
+;; parts : list of constraints; single? : was one given, and no list or tuple?
+(struct constraint-set (parts single?) #:authentic)
+
+(define (gather who given)
+  (cond [(constraint-set? given) given]
+        [(constraint? given) (constraint-set (list given) #t)]
+        [else
+         (define parts (parts-of given))
+         (unless (and parts (pair? parts) (andmap constraint? parts))
+           (complain "~a: expected a constraint, (holonomic G) or (nonholonomic A), ~a\n  given: ~a"
+                     who "or a list of them" (describe-with-value given)))
+         (constraint-set parts #f)]))
+
+(define (parts-of given)
+  (cond [(list? given) given]
+        [(tuple? given) (vector->list (structure-elements (adopt given)))]
+        [else #f]))
+
+(define (constraints->datum cs)
+  (define data (map constraint->datum (constraint-set-parts cs)))
+  (if (constraint-set-single? cs) (car data) (cons 'list data)))
+
+(define (all-holonomic? cs) (andmap holonomic? (constraint-set-parts cs)))
+
+;; The value of one constraint.
+(define (value-of who c t q v)
+  (define f (constraint-function c))
+  (define value (if (holonomic? c) (f t q) (f t q v)))
+  (unless (andmap scalar? (scalars value))
+    (complain "~a: the value of a constraint is a number, or an up tuple of numbers\n  constraint: ~a\n  value: ~a"
+              who (value->text (constraint->datum c)) (describe-with-value value)))
+  value)
+
+;; One value for each constraint, as one value.
+(define (shape-values cs values)
+  (if (constraint-set-single? cs) (car values) (structure 'up (list->vector values))))
+
+;; ---------------------------------------------------------------------------
+;; Linear in the velocities?
+
+;; Asked at symbolic arguments, once for each shape of coordinates.
+(define (check-linear who cs q)
+  (for ([c (in-list (constraint-set-parts cs))])
+    (unless (or (holonomic? c)
+                (and (constraint-linear-at c) (same-shape? q (constraint-linear-at c))))
+      (check-one-linear who c q)
+      (set-constraint-linear-at! c q))))
+
+(define (check-one-linear who c q)
+  (define t (string->uninterned-symbol "t"))
+  (define-values (at velocity) (values (symbols-like q "q") (symbols-like q "v")))
+  (define (slope v)
+    (derivative-at (lambda (v) (value-of who c t at v)) v))
+  (define curvature (derivative-at slope velocity))
+  (unless (andmap (lambda (x) (eqv? x 0)) (scalars curvature))
+    (when (refuted? (prove-zero curvature))
+      (complain "~a: a constraint must be linear in the velocities\n  constraint: ~a\n  its value: ~a"
+                who (value->text (constraint->datum c))
+                (value->text (value-of who c 't at velocity))))))
+
+(define (symbols-like q name)
+  (scalars->structure q (lambda (k) (string->uninterned-symbol (format "~a~a" name k)))))
+
+(define (complain text . parts)
+  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))

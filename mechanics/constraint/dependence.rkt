@@ -1,0 +1,52 @@
+#lang racket/base
+;; Constraints that depend on each other, and directions without inertia: why a motion or
+;; its multipliers are not determined, in words.
+
+(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../numeric/failure.rkt" "../numeric/rows.rkt"
+         "../value/linear-algebra.rkt" "../value/simplify.rkt")
+
+(provide raise-undetermined independent-rows dependences dependence->text)
+
+;; J : list of rows of the Jacobian; e : the failure
+(define (raise-undetermined who J e)
+  (define found (dependences who J))
+  (raise
+   (exn:fail:mechanics:singular:matrix
+    (if (pair? found)
+        (apply string-append
+               (format "~a: the constraints are redundant; their multipliers are not determined" who)
+               (for/list ([y (in-list found)]) (format "\n  ~a" (dependence->text y))))
+        (format "~a: the mass matrix and the constraints do not determine the accelerations\n  a motion that the constraints allow has no inertia"
+                who))
+    (exn-continuation-marks e)
+    (exn:fail:mechanics:singular-where e)
+    (map (lambda (y) (structure 'up y)) found))))
+
+;; A basis of the y with Σ yⱼ (row j) = 0, vectors; none if that is not known.
+(define (dependences who J)
+  (with-handlers ([exn:fail? (lambda (e) '())])
+    (rows-null-space who J (rows-transpose (list->vector J)))))
+
+;; The last constraint in it, by the others.
+(define (dependence->text y)
+  (define last (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (eqv? c 0)) i))
+  (define terms
+    (for/list ([c (in-vector y)] [i (in-range last)] #:unless (eqv? c 0))
+      (define factor (simplify (g:negate (g:/ c (vector-ref y last)))))
+      (if (member factor '(1 1.0))
+          (format "constraint ~a" i)
+          (format "~a times constraint ~a" (value->text factor) i))))
+  (format "constraint ~a demands ~a" last
+          (if (null? terms)
+              "nothing here: its derivatives by the coordinates are zero"
+              (apply string-append "the same as " (car terms)
+                     (for/list ([s (in-list (cdr terms))]) (string-append " plus " s))))))
+
+;; The indices of rows that together demand as much as all of them, the first ones first.
+(define (independent-rows who J)
+  (define n (length J))
+  (for/fold ([kept '()] [rank 0] #:result (reverse kept)) ([row (in-list J)] [k (in-range n)])
+    (define with-it
+      (rows-rank who J (list->vector (for/list ([i (in-list (cons k kept))]) (list-ref J i)))))
+    (if (> with-it rank) (values (cons k kept) with-it) (values kept rank))))

@@ -1,0 +1,98 @@
+#lang racket/base
+;; Lagrange's equations with multipliers (SICM 1.10).
+;;
+;;   d/dt ∂₂L − ∂₁L − Q − Σ λ ∂₁G = 0,    G = 0;        with ∂₂A for A(t, q, v) = 0
+;;
+;; so that λ ∂₁G is the force that keeps G at zero: ∂₁L − d/dt ∂₂L + λ ∂₁G = 0.
+;; For holonomic constraints these are Lagrange's equations of the augmented Lagrangian
+;; L + λ G, in which the multipliers are coordinates without velocities.
+
+(require "constraint.rkt" "linearized.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/structure.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt")
+
+(provide constrained-Lagrange-equations augmented-Lagrangian check-multipliers)
+
+;; (((constrained-Lagrange-equations L constraints) q lambda) t)
+;; -> (up residual-of-Lagrange's-equations values-of-the-constraints)
+(define-plain (constrained-Lagrange-equations L constraints #:force [Q #f])
+  (define who 'constrained-Lagrange-equations)
+  (define cs (gather who constraints))
+  (define free (Lagrange-equations L #:force Q))
+  (define (residual given-q given-multipliers)
+    (define q (path who given-q))
+    (define multipliers (multiplier-path who given-multipliers))
+    (define residual (free q))
+    (define local (Gamma q))
+    (unary-function (lambda () (list name-datum (value->datum q) (value->datum multipliers))) (t)
+      (define here (local t))
+      (define-values (q v) (values (coordinate here) (velocity here)))
+      (check-linear who cs q)
+      (define values-of-constraints (constraint-values who cs t q v))
+      (define lambdas (multipliers t))
+      (check-multipliers who values-of-constraints lambdas)
+      (check-count who (shape-length values-of-constraints) q)
+      (up (g:- (residual t) (force-of-multipliers who cs t q v lambdas))
+          values-of-constraints)))
+  (define name-datum
+    `(,who ,(value->datum L) ,(constraints->datum cs)
+           ,@(if Q (list '#:force (value->datum Q)) '())))
+  (make-function residual 4 (lambda () name-datum)))
+
+(define (multiplier-path who given)
+  (unless (procedure? given)
+    (raise
+     (exn:fail:contract
+      (format "~a: multipliers are functions of time, as paths are; given ~a~a" who
+              (describe-with-value given)
+              (if (symbol? given)
+                  (format "\n  (literal-function '~a) makes a function of that name" given)
+                  ""))
+      (current-continuation-marks))))
+  (path who given))
+
+;; Multipliers are shaped as the constraints are.
+(define (check-multipliers who expected given)
+  (unless (same-shape? expected given)
+    (raise
+     (exn:fail:contract
+      (format "~a: the multipliers must be ~a, like the constraints~a~a" who
+              (if (tuple? expected) (describe expected) "a number")
+              (format "\n  multipliers: ~a" (value->text given))
+              (format "\n  constraints: ~a" (value->text expected)))
+      (current-continuation-marks)))))
+
+;; (t, (q, λ), (v, λ̇)) ↦ L + λ G
+(define (augmented-Lagrangian L constraints)
+  (define who 'augmented-Lagrangian)
+  (check-Lagrangian who L)
+  (define cs (gather who constraints))
+  (unless (all-holonomic? cs) (raise-not-holonomic who cs))
+  (define (name) (list who (value->datum L) (constraints->datum cs)))
+  (unary-function name (local)
+    (define-values (q multipliers) (halves who (coordinate local) "coordinates" "(up q lambda)"))
+    (define-values (v rates) (halves who (velocity local) "velocities" "(up v lambda-dot)"))
+    (define values-of-constraints (constraint-values who cs (time local) q v))
+    (check-multipliers who values-of-constraints multipliers)
+    (for/fold ([sum (L (up (time local) q v))])
+              ([x (in-list (scalars multipliers))] [g (in-list (scalars values-of-constraints))])
+      (g:+ sum (g:* x g)))))
+
+(define (halves who x what expected)
+  (unless (and (up? x) (= 2 (structure-length (adopt x))))
+    (raise
+     (exn:fail:contract
+      (format "~a: expected ~a with multipliers, ~a; given ~a" who what expected
+              (describe-with-value x))
+      (current-continuation-marks))))
+  (define parts (structure-elements (adopt x)))
+  (values (vector-ref parts 0) (vector-ref parts 1)))
+
+(define (raise-not-holonomic who cs)
+  (raise
+   (exn:fail:contract
+    (format "~a: with a nonholonomic constraint in the Lagrangian, its equations are not those of the motion\n  use constrained-Lagrange-equations\n  constraints: ~a"
+            who (value->text (constraints->datum cs)))
+    (current-continuation-marks))))

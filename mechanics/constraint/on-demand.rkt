@@ -1,0 +1,14 @@
+#lang racket/base
+;; Constraints, loaded when one is first stated.
+
+(require racket/lazy-require)
+
+(lazy-require
+ ["constraint.rkt" (holonomic nonholonomic constraint?)]
+ ["equations.rkt" (constrained-Lagrange-equations augmented-Lagrangian)]
+ ["eliminate.rkt" (eliminate-multipliers)]
+ ["accelerations.rkt" (constrained-accelerations constraint-forces)])
+
+(provide holonomic nonholonomic constraint?
+         constrained-Lagrange-equations augmented-Lagrangian eliminate-multipliers
+         constrained-accelerations constraint-forces)

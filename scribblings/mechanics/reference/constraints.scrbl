@@ -1,0 +1,151 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-constraints"]{Constraints}
+
+@(define session (make-session))
+
+A constraint is a value, made of the function that is to stay zero. The procedures of
+this page take one constraint, a list of them, or an @racket[up] of them; multipliers
+are shaped alike: one number for a constraint whose function gives a number, an
+@racket[up] of n for one that gives an @racket[up] of n, and for a list an
+@racket[up] with one component for each constraint in it.
+
+The sign of the multipliers λ is that of
+∂@subscript{1}L − d/dt ∂@subscript{2}L + λ ∂@subscript{1}G = 0: the force of a
+constraint is λ ∂@subscript{1}G.
+
+@section{Stating them}
+
+@defproc[(holonomic [G procedure?]) constraint?]{
+
+The constraint G(t, q) = 0. @racket[G] takes the time and the coordinates; its value is
+a number, or an @racket[up] of numbers for several constraints.
+
+@examples[#:eval session
+(define ((rod-of-length l) t (up x y))
+  (- (sqrt (+ (square x) (square y))) l))
+(define rod (holonomic (rod-of-length 'l)))
+rod
+(eval:error (holonomic (lambda (t q v) (ref v 0))))]
+
+@sicm{1.10}}
+
+@defproc[(nonholonomic [A procedure?]) constraint?]{
+
+The constraint A(t, q, v) = 0, in which the velocities are linear: A is
+a(t, q) v + b(t, q). Whether they are is found out where the constraint is used.
+
+@examples[#:eval session
+(define (blade t (up x y theta) (up vx vy vtheta))
+  (- (* vx (sin theta)) (* vy (cos theta))))
+(nonholonomic blade)]
+
+@sicm{1.10.3}}
+
+@defproc[(constraint? [x any/c]) boolean?]{
+
+Is @racket[x] what @racket[holonomic] or @racket[nonholonomic] made?}
+
+@section{Equations}
+
+@defproc[(constrained-Lagrange-equations
+          [L Lagrangian]
+          [constraints (or/c constraint? list? up?)]
+          [#:force force (or/c #f procedure?) #f])
+         procedure?]{
+
+A function of a path and of multipliers, functions of time as well; then
+@racket[(((constrained-Lagrange-equations L constraints) q lambda) t)] is an
+@racket[up] of the residual of Lagrange's equations with the forces of the constraints,
+d/dt ∂@subscript{2}L − ∂@subscript{1}L − Q − Σ λ ∂@subscript{1}G, where a nonholonomic
+constraint has ∂@subscript{2}A instead of ∂@subscript{1}G, and of the values of the
+constraints.
+
+@examples[#:eval session
+(define ((L-mass m g) (up t (up x y) (up vx vy)))
+  (- (* 1/2 m (+ (square vx) (square vy))) (* m g y)))
+(define xy (up (literal-function 'x) (literal-function 'y)))
+(define lambda-path (literal-function 'lambda))
+(((constrained-Lagrange-equations (L-mass 'm 'g) rod) xy lambda-path) 't)]
+
+@sicm{1.10}}
+
+@defproc[(augmented-Lagrangian [L Lagrangian]
+                               [constraints (or/c constraint? list? up?)])
+         Lagrangian]{
+
+L + Σ λ G, a function of the local tuple @racket[(up t (up q lambda) (up v lambda-dot))]
+in which the multipliers are coordinates. Its Lagrange equations are those of the
+constrained system: those of the multipliers are −G. Constraints must be holonomic: with
+a nonholonomic one the equations would be others.
+
+@examples[#:eval session
+((augmented-Lagrangian (L-mass 'm 'g) rod)
+ (up 't (up (up 'x 'y) 'lambda) (up (up 'vx 'vy) 'lambdadot)))
+(((Lagrange-equations (augmented-Lagrangian (L-mass 'm 'g) rod))
+  (up xy lambda-path))
+ 't)]
+
+@sicm{1.10}}
+
+@defproc[(eliminate-multipliers [L Lagrangian]
+                                [constraints (or/c constraint? list? up?)]
+                                [F (or/c #f procedure?) #f]
+                                [#:force force (or/c #f procedure?) #f])
+         procedure?]{
+
+Equations without multipliers: what is left of the residual of Lagrange's equations in the
+directions that the constraints allow, and the values of the constraints.
+The directions are a basis of those that the derivatives of the constraints take to zero.
+
+@racket[F] is a transformation of coordinates as for @racket[F->C], by which the
+constraints are kept: then the path is that of its coordinates, and what is left are the
+equations in these.
+
+@examples[#:eval session
+(((eliminate-multipliers (L-mass 'm 'g) rod) xy) 't)
+(define (from-bottom local)
+  (define theta (coordinate local))
+  (up (* 'l (sin theta)) (* -1 'l (cos theta))))
+(((eliminate-multipliers (L-mass 'm 'g) rod from-bottom)
+  (literal-function 'theta))
+ 't)]}
+
+@section{Accelerations and forces}
+
+@deftogether[(@defproc[(constrained-accelerations
+                        [L Lagrangian]
+                        [constraints (or/c constraint? list? up?)]
+                        [#:force force (or/c #f procedure?) #f])
+                       procedure?]
+              @defproc[(constraint-forces
+                        [L Lagrangian]
+                        [constraints (or/c constraint? list? up?)]
+                        [#:force force (or/c #f procedure?) #f])
+                       procedure?])]{
+
+Functions of the local tuple @racket[(up t q v)]: an @racket[up] of the accelerations and
+the multipliers, solved for together; and the force of the constraints, Σ λ
+∂@subscript{1}G, a @racket[down]. They hold for states that keep the constraints.
+
+Constraints that repeat each other leave their multipliers open: the error
+@racket[exn:fail:mechanics:singular:matrix] says which one repeats which.
+
+@examples[#:eval session
+(define ((L-Atwood m1 m2 g) (up t (up x1 x2) (up v1 v2)))
+  (+ (* 1/2 m1 (square v1)) (* 1/2 m2 (square v2))
+     (* m1 g x1) (* m2 g x2)))
+(define (string-length t (up x1 x2)) (- (+ x1 x2) 'l))
+(define state (up 't (up 'x_1 'x_2) (up 'v_1 'v_2)))
+((constrained-accelerations (L-Atwood 'm_1 'm_2 'g) (holonomic string-length))
+ state)
+((constraint-forces (L-Atwood 'm_1 'm_2 'g) (holonomic string-length))
+ state)
+(define (twice t q) (* 2 (string-length t q)))
+(eval:error
+ ((constrained-accelerations (L-Atwood 'm_1 'm_2 'g)
+                             (list (holonomic string-length) (holonomic twice)))
+  state))]}
+
+@(close-session session)

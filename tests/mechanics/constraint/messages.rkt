@@ -1,0 +1,88 @@
+#lang racket/base
+;; What is said to those who state constraints wrongly, or too many of them.
+
+(require (except-in rackunit fail)
+         mechanics
+         "../book/check.rkt")
+
+(define (L (up t q v)) (- (* 1/2 'm (square v)) (* 'm 'g (ref q 1))))
+(define (on-circle t q) (- (square q) (square 'l)))
+(define circle (holonomic on-circle))
+(define state (up 't (up 'x 'y) (up 'vx 'vy)))
+(define xy (up (literal-function 'x) (literal-function 'y)))
+(define mu (literal-function 'mu))
+
+(test-case "what is no constraint"
+  (check-says "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the symbol x"
+              (holonomic 'x))
+  (define (of-velocities t q v) (ref v 0))
+  (check-says "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the procedure `of-velocities`, which takes 3 arguments\n  a constraint on the velocities is nonholonomic: (nonholonomic A)"
+              (holonomic of-velocities))
+  (check-says "nonholonomic: expected a function of the time, the coordinates and the velocities, (A t q v)\n  given: the procedure `on-circle`, which takes 2 arguments\n  a constraint on the coordinates alone is holonomic: (holonomic G)"
+              (nonholonomic on-circle))
+  (define (of-local local) (coordinate local))
+  (check-says "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the procedure `of-local`, which takes 1 argument\n  the parts of the local tuple are arguments of their own; parameters come first"
+              (holonomic of-local))
+  (check-says "constrained-accelerations: expected a constraint, (holonomic G) or (nonholonomic A), or a list of them\n  given: the procedure `on-circle`"
+              (constrained-accelerations L on-circle))
+  (check-equal? (format "~a" circle) "(holonomic on-circle)"))
+
+(test-case "velocities must enter linearly"
+  (check-exn
+   #rx"^constrained-accelerations: a constraint must be linear in the velocities\n"
+   (lambda ()
+     ((constrained-accelerations L (nonholonomic (lambda (t q v) (- (square v) 1)))) state)))
+  (check-not-exn
+   (lambda ()
+     ((constrained-accelerations L (nonholonomic (lambda (t q v) (- (ref v 0) (* t (ref v 1)) 1))))
+      state))))
+
+(test-case "multipliers of another shape, or none"
+  (define equations (constrained-Lagrange-equations L circle))
+  (check-exn #rx"^constrained-Lagrange-equations: multipliers are functions of time, as paths are; given the symbol lambda\n  [(]literal-function 'lambda[)] makes a function of that name"
+             (lambda () (equations xy 'lambda)))
+  (check-exn #rx"^constrained-Lagrange-equations: the multipliers must be a number, like the constraints\n  multipliers: [(]up [(]mu t[)] [(]mu t[)][)]"
+             (lambda () ((equations xy (up mu mu)) 't)))
+  (check-exn #rx"the multipliers must be an up tuple of 1, like the constraints"
+             (lambda () (((constrained-Lagrange-equations L (list circle)) xy mu) 't)))
+  (check-exn #rx"multipliers belong to constraints"
+             (lambda () (verify-solution L xy #:multipliers mu))))
+
+(test-case "the value of a constraint"
+  (check-exn #rx"the value of a constraint is a number, or an up tuple of numbers"
+             (lambda () ((constrained-accelerations L (holonomic (lambda (t q) on-circle))) state))))
+
+(test-case "more constraints than coordinates"
+  (define (too-many t q) (up (ref q 0) (ref q 1) t))
+  (check-says "constrained-accelerations: there are more constraints than coordinates\n  constraints: 3\n  coordinates: 2, (up x y)"
+              ((constrained-accelerations L (holonomic too-many)) state)))
+
+(test-case "redundant constraints are named, with what they repeat"
+  (define (message constraints at)
+    (with-handlers ([exn:fail:mechanics:singular:matrix? exn-message])
+      ((constrained-accelerations L constraints) at)
+      "none"))
+  (define (twice t q) (* 2 (on-circle t q)))
+  (check-equal? (message (list circle (holonomic twice)) state)
+                "constrained-accelerations: the constraints are redundant; their multipliers are not determined\n  constraint 1 demands the same as 2 times constraint 0")
+  (define ((L-free n) (up t q v)) (* 1/2 (square v)))
+  (define (three t q) (up (ref q 0) (ref q 1) (- (ref q 0) (* 'a (ref q 1)))))
+  (check-equal? (with-handlers ([exn:fail:mechanics:singular:matrix? exn-message])
+                  ((constrained-accelerations (L-free 3) (holonomic three))
+                   (up 't (up 'x 'y 'z) (up 0 0 0))))
+                "constrained-accelerations: the constraints are redundant; their multipliers are not determined\n  constraint 2 demands the same as constraint 0 plus (* -1 a) times constraint 1")
+  (check-equal? (message circle (up 0 (up 0 0) (up 1 0)))
+                "constrained-accelerations: the constraints are redundant; their multipliers are not determined\n  constraint 0 demands nothing here: its derivatives by the coordinates are zero"))
+
+(test-case "what is left may have no inertia"
+  (define (no-inertia (up t (up x y) (up vx vy))) (* 1/2 (square vx)))
+  (check-exn #rx"the mass matrix and the constraints do not determine the accelerations"
+             (lambda ()
+               ((constrained-accelerations no-inertia (holonomic (lambda (t q) (ref q 0))))
+                state))))
+
+(test-case "an augmented Lagrangian: holonomic constraints, coordinates with multipliers"
+  (check-exn #rx"^augmented-Lagrangian: with a nonholonomic constraint"
+             (lambda () (augmented-Lagrangian L (nonholonomic (lambda (t q v) (ref v 0))))))
+  (check-says "augmented-Lagrangian: expected coordinates with multipliers, (up q lambda); given the symbol x"
+              ((augmented-Lagrangian L circle) (up 't 'x 'v))))
