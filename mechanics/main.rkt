@@ -9,6 +9,7 @@
          "calculus/elliptic.rkt"
          "calculus/on-demand.rkt"
          "constraint/on-demand.rkt" "constraint/verify.rkt"
+         "force/on-demand.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
          "lagrangian/frames.rkt" "lagrangian/Lagrange-equations.rkt" "lagrangian/Noether.rkt"
@@ -56,6 +57,8 @@
  make-Lagrangian Rayleigh-dissipation
  ;; constraints
  (all-from-out "constraint/on-demand.rkt")
+ ;; particles and the forces on them
+ (all-from-out "force/on-demand.rkt")
  ;; energies and other integrals of the motion
  Lagrangian->energy Lagrangian->power-loss Noether-integral
  ;; questions about a system

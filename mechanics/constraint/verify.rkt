@@ -3,7 +3,8 @@
 
 (require racket/lazy-require
          "../calculus/verdict.rkt"
-         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt")
+         "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt")
 
 (lazy-require ["equations.rkt" (constrained-Lagrange-equations)]
               ["eliminate.rkt" (eliminate-multipliers)])
@@ -12,15 +13,16 @@
 
 ;; The verdict on the residual of the path q at a symbolic time t.  With constraints but
 ;; no multipliers the question is whether there are any.
-(define (verify-solution L q #:force [Q #f] #:order [n 1]
+(define (verify-solution L q [dissipation #f] #:force [Q #f] #:order [n 1]
                          #:constraints [constraints #f] #:multipliers [multipliers #f])
   (when (or constraints multipliers) (check-constrained n constraints))
   (with-handlers ([exn:fail:contract? (lambda (e) (raise (if (swapped? L q) (swap-error) e)))])
+    (define outside (external-force 'verify-solution Q dissipation))
     (prove-zero
      (cond [multipliers
-            ((constrained-Lagrange-equations L constraints #:force Q) q multipliers)]
-           [constraints ((eliminate-multipliers L constraints #:force Q) q)]
-           [else ((Lagrange-equations L #:force Q #:order n) q)]))))
+            ((constrained-Lagrange-equations L constraints #:force outside) q multipliers)]
+           [constraints ((eliminate-multipliers L constraints #:force outside) q)]
+           [else ((Lagrange-equations L #:force outside #:order n) q)]))))
 
 (define (check-constrained n constraints)
   (unless constraints

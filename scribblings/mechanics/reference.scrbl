@@ -52,6 +52,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/failures.scrbl"]
 @include-section["reference/local-tuples.scrbl"]
 @include-section["reference/equations.scrbl"]
+@include-section["reference/forces.scrbl"]
 @include-section["reference/constraints.scrbl"]
 @include-section["reference/questions.scrbl"]
 @include-section["reference/oscillations.scrbl"]

@@ -26,7 +26,7 @@
     (value)
     (calculus)
     (compile)
-    (lagrangian motion constraint hamiltonian rigid canonical map)
+    (lagrangian motion force constraint hamiltonian rigid canonical map)
     (display plot teach)
     (lang facade)
     (book)))
@@ -36,7 +36,7 @@
 (define high-facades '(("book.rkt" . book)))
 
 ;; Folders that know nothing of others, though those are below them.
-(define mechanics-proper '(lagrangian motion constraint hamiltonian rigid canonical map))
+(define mechanics-proper '(lagrangian motion force constraint hamiltonian rigid canonical map))
 (define strangers `((display . ,mechanics-proper)))
 
 (define-runtime-path library "../../mechanics")

@@ -41,13 +41,14 @@ for the flonums it has may be due to rounding, and is undecided; write
 (verify-equal (* 0.5 'm) (* 1/2 'm))]}
 
 @defproc[(verify-solution [L Lagrangian] [q path]
+                          [dissipation (or/c #f procedure?) #f]
                           [#:force force (or/c #f procedure?) #f]
                           [#:order n exact-positive-integer? 1]
                           [#:constraints constraints (or/c #f constraint? list? up?) #f]
                           [#:multipliers lambda (or/c #f path) #f])
          verdict?]{
 
-Whether the path q satisfies Lagrange's equations of L at all times. The keywords
+Whether the path q satisfies Lagrange's equations of L at all times. The other arguments
 are those of @racket[Lagrange-equations].
 
 With constraints, the path has to keep them, and to satisfy

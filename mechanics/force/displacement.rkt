@@ -1,0 +1,38 @@
+#lang racket/base
+;; How particles can move: as they do, and as they might.
+;;
+;; With positions r(t, q) the velocities along a path are v = ∂₀r + ∂₁r q̇.  A virtual
+;; displacement δr = ∂₁r δq is what a change of the coordinates does at a fixed time:
+;; if the constraint moves, no motion need go that way.
+
+(require "particles.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt"
+         "../lagrangian/local-tuple.rkt")
+
+(provide particle-velocities virtual-displacement)
+
+;; (particle-velocities r) : (t, q, q̇) ↦ the velocities
+(define (particle-velocities r)
+  (define who 'particle-velocities)
+  (check-positions who r)
+  (unary-function (lambda () (list who (value->datum r))) (local)
+    (check-local who local)
+    (define-values (positions velocities)
+      (motion-at who r (time local) (coordinate local) 1 (velocity local)))
+    velocities))
+
+;; (virtual-displacement r) : (t, q, ...), δq ↦ δr
+(define (virtual-displacement r)
+  (define who 'virtual-displacement)
+  (check-positions who r)
+  (make-function
+   (lambda (local dq)
+     (unless (local-tuple? local)
+       (complain "~a: expected a local tuple (up t q v), then a displacement; given ~a"
+                 who (describe-with-value local)))
+     (check-displacement who dq (coordinate local))
+     (define-values (positions changes)
+       (motion-at who r (time local) (coordinate local) 0 dq))
+     changes)
+   4
+   (lambda () (list who (value->datum r)))))

@@ -1,0 +1,72 @@
+#lang racket/base
+;; Forces on particles: functions F(t, positions, velocities) whose value is like the
+;; positions.  0 is no force, on a particle or on all.
+
+(require "particles.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/structure.rkt"
+         "../calculus/derivative.rkt"
+         "../value/structure.rkt"
+         (only-in "../value/signature.rkt" scalar?))
+
+(provide potential->force check-force forces-at)
+
+;; The force −∂V/∂r of a potential energy V(t, positions).
+(define (potential->force V)
+  (define who 'potential->force)
+  (unless (takes? V 2)
+    (complain "~a: a potential energy is a function of the time and the positions, ~a; given ~a~a"
+              who "(V t r)" (describe-with-value V)
+              (if (procedure? V) (format "\n  it takes ~a" (arity->text V)) "")))
+  (define slope ((partial 1) (scalar-potential who V)))
+  (make-function (lambda (t positions velocities) (g:negate (flip (slope t positions))))
+                 8
+                 (lambda () (list who (value->datum V)))))
+
+(define ((scalar-potential who V) t positions)
+  (define value (V t positions))
+  (unless (scalar? value)
+    (complain "~a: the value of a potential energy is a number, but that of ~a is ~a"
+              who (value->text V) (describe-with-value value)))
+  value)
+
+(define (check-force who F)
+  (unless (takes? F 3)
+    (complain "~a: forces are a function of the time, positions and velocities, ~a; given ~a~a"
+              who "(F t r v)" (describe-with-value F)
+              (cond [(or (tuple? F) (not (procedure? F)))
+                     (if (or (scalar? F) (tuple? F))
+                         "\n  a constant force is (lambda (t r v) ...)"
+                         "")]
+                    [(accepts? F 2)
+                     (string-append "\n  it takes two arguments; (potential->force V) is the force "
+                                    "of a potential energy V(t, r)")]
+                    [else (format "\n  it takes ~a" (arity->text F))]))))
+
+;; The forces, known to be like the positions.
+(define (forces-at who F t positions velocities)
+  (define forces (F t positions velocities))
+  (unless (fits? forces positions)
+    (complain "~a: the forces must be like the positions\n  positions: ~a\n  forces: ~a~a"
+              who (value->text positions) (value->text forces) (difference forces positions)))
+  forces)
+
+(define (fits? force position)
+  (cond [(eqv? force 0) #t]
+        [(and (tuple? force) (tuple? position))
+         (define-values (f p) (values (adopt force) (adopt position)))
+         (and (compatible? f p) (for/and ([x f] [y p]) (fits? x y)))]
+        [else (and (scalar? force) (scalar? position))]))
+
+;; What is different, where it can be said.
+(define (difference forces positions)
+  (cond [(pair? forces) "\n  a list is not a tuple; use (up F_x F_y ...)"]
+        [(and (tuple? forces) (fits? (flip forces) positions))
+         "\n  forces are up tuples; a generalized force is the down tuple"]
+        [(and (tuple? forces) (tuple? positions) (compatible? (adopt forces) (adopt positions)))
+         (define k
+           (for/first ([f (adopt forces)] [p (adopt positions)] [k (in-naturals)]
+                       #:unless (fits? f p))
+             k))
+         (format "\n  they differ at component ~a" k)]
+        [else ""]))

@@ -1,0 +1,57 @@
+#lang racket/base
+;; Masses: one for a particle alone, a list for several.  Where a position is an angle,
+;; the mass is a moment of inertia.
+
+(require "particles.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         (only-in "../value/signature.rkt" scalar?))
+
+(provide check-masses check-masses-fit times-masses masses->datum)
+
+(define (check-masses who masses)
+  (unless (or (scalar? masses)
+              (and (pair? masses) (list? masses) (andmap scalar? masses)))
+    (complain "~a: expected a mass, or a list of the masses of several particles; given ~a~a"
+              who (describe-with-value masses)
+              (cond [(tuple? masses)
+                     (format "\n  as a list: ~a"
+                             (cons 'list (cdr (value->datum (adopt masses)))))]
+                    [(procedure? masses) "\n  masses come first, then the positions r"]
+                    [else ""]))))
+
+;; One mass, one particle; n of them, n particles.
+(define (check-masses-fit who masses positions)
+  (define particles (particle-count positions))
+  (cond [(list? masses)
+         (define n (length masses))
+         (unless (and (tuple? positions) (= n (structure-length (adopt positions))))
+           (raise-wrong-count who n positions))]
+        [particles
+         (complain (string-append "~a: there is one mass, but the positions are those of ~a"
+                                  "\n  positions: ~a"
+                                  "\n  several masses are a list: (list m1 m2 ...)")
+                   who (plural particles) (value->text positions))]))
+
+(define (raise-wrong-count who n positions)
+  (complain "~a: there ~a, but the positions are those of ~a\n  positions: ~a~a"
+            who (if (= n 1) "is 1 mass in the list" (format "are ~a masses" n))
+            (plural (if (tuple? positions) (structure-length (adopt positions)) 1))
+            (value->text positions)
+            (if (= n 1) "\n  the mass of a particle alone stands by itself, in no list" "")))
+
+(define (plural n) (if (= n 1) "1 particle" (format "~a particles" n)))
+
+;; The number of particles, if their positions show that there may be several.
+(define (particle-count positions)
+  (and (tuple? positions)
+       (for/or ([p (in-vector (structure-elements (adopt positions)))]) (tuple? p))
+       (structure-length (adopt positions))))
+
+;; A tuple like the positions, that of each particle multiplied by its mass.
+(define (times-masses masses xs)
+  (if (list? masses)
+      (structure-map2 g:* (apply up masses) (adopt xs))
+      (g:* masses xs)))
+
+(define (masses->datum masses)
+  (if (list? masses) (cons 'list (value->datum masses)) (value->datum masses)))

@@ -1,0 +1,118 @@
+#lang racket/base
+;; Particles whose positions are a function r(t, q) of the time and the coordinates.
+;;
+;; A position is an up tuple of scalars, or a scalar on a line; an angle about a fixed
+;; axis serves as well, with a torque for its force and a moment of inertia for its
+;; mass.  The positions of several particles are an up tuple of positions.
+;;
+;; Here is checked what the user gives; what is computed is in the files beside this one.
+
+(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/structure.rkt"
+         "../calculus/derivative.rkt"
+         "../lagrangian/local-tuple.rkt"
+         (only-in "../value/signature.rkt" scalar?))
+
+(provide takes? check-positions check-positions-value check-local check-displacement
+         positions-at motion-at scaled-sum complain)
+
+(define (complain format-string . arguments)
+  (raise (exn:fail:contract (apply format format-string arguments)
+                            (current-continuation-marks))))
+
+;; ---------------------------------------------------------------------------
+;; Positions and how they move
+
+(define (positions-at who r t q)
+  (define positions (r t q))
+  (check-positions-value who r positions)
+  positions)
+
+;; The positions at (t, q), and how fast they change when t and q do as (dt, dq) says.
+(define (motion-at who r t q dt dq)
+  (define (positions s) (positions-at who r (ref s 0) (ref s 1)))
+  (value-and-derivative-along positions (up t q) (up dt dq)))
+
+(define (ref s i) (vector-ref (structure-elements s) i))
+
+;; Σ a_i b_i over two tuples that are alike, at all depths.  0 stands for a tuple of zeros.
+(define (scaled-sum a b)
+  (cond [(or (eqv? a 0) (eqv? b 0)) 0]
+        [(tuple? b)
+         (for/fold ([sum 0]) ([x (in-vector (structure-elements (adopt a)))]
+                              [y (in-vector (structure-elements (adopt b)))])
+           (g:+ sum (scaled-sum x y)))]
+        [else (g:* a b)]))
+
+;; ---------------------------------------------------------------------------
+;; The function r
+
+;; Is f a function of n arguments, or a tuple of such?
+(define (takes? f n)
+  (if (tuple? f)
+      (for/and ([part (in-vector (structure-elements (adopt f)))]) (takes? part n))
+      (and (procedure? f) (accepts? f n))))
+
+(define (check-positions who r)
+  (unless (takes? r 2)
+    (complain "~a: positions are a function of the time and the coordinates, ~a; given ~a~a"
+              who "(r t q)" (describe-with-value r)
+              (cond [(or (tuple? r) (not (procedure? r))) ""]
+                    [(accepts? r 1)
+                     (string-append "\n  it takes one argument: the time comes first, "
+                                    "(lambda (t q) ...), and parameters before that")]
+                    [else (format "\n  it takes ~a" (arity->text r))]))))
+
+;; Ups of scalars, in a space of one dimension number only.
+(define (check-positions-value who r positions)
+  (check-ups who r positions positions)
+  (define spaces (particles-in-space positions))
+  (for ([space (in-list spaces)])
+    (unless (= (cdr space) (cdar spaces))
+      (complain (string-append "~a: the particles are in spaces of different dimension"
+                               "\n  particle ~a: ~a coordinates\n  particle ~a: ~a coordinates"
+                               "\n  positions: ~a")
+                who (caar spaces) (cdar spaces) (car space) (cdr space)
+                (value->text positions)))))
+
+(define (check-ups who r part whole)
+  (cond [(down? part)
+         (complain "~a: positions are up tuples; ~a has the value ~a~a"
+                   who (value->text r) (value->text whole)
+                   (if (eq? part whole) "" (format ", of which a part is ~a" (value->text part))))]
+        [(tuple? part)
+         (for ([p (in-vector (structure-elements (adopt part)))]) (check-ups who r p whole))]
+        [(not (scalar? part))
+         (complain "~a: positions are tuples of scalars; ~a has the value ~a~a"
+                   who (value->text r) (value->text whole)
+                   (cond [(pair? part) "\n  a list is not a tuple; use (up x y ...)"]
+                         [(procedure? part)
+                          (format "\n  of which a part is ~a" (describe-with-value part))]
+                         [else ""]))]))
+
+;; ((index . number of coordinates) ...) of the particles that have several.
+(define (particles-in-space positions)
+  (if (tuple? positions)
+      (for/list ([p (in-vector (structure-elements (adopt positions)))] [k (in-naturals)]
+                 #:when (tuple? p))
+        (cons k (structure-length (adopt p))))
+      '()))
+
+;; ---------------------------------------------------------------------------
+;; Local tuples and displacements
+
+(define (check-local who local)
+  (unless (and (local-tuple? local) (>= (structure-length (adopt local)) 3))
+    (complain "~a: expected a local tuple (up t q v); given ~a~a" who (describe-with-value local)
+              (if (pair? local) "\n  a list is not a tuple; use (up t q v)" "")))
+  (check-alike who "velocities" (velocity local) (coordinate local)))
+
+(define (check-displacement who displacement q)
+  (check-alike who "displacement" displacement q))
+
+(define (check-alike who what given q)
+  (unless (same-shape? given q)
+    (complain "~a: the ~a must be like the coordinates~a\n  coordinates: ~a\n  ~a: ~a"
+              who what
+              (if (and (down? given) (up? q)) ", an up tuple" "")
+              (value->text q) what (value->text given))))
