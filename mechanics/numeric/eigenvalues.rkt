@@ -10,20 +10,23 @@
 ;; real throughout.  The last one or two eigenvalues separate after two or three steps
 ;; each, and what remains is a smaller matrix (Francis 1961; Golub and Van Loan, 7.5).
 
-(require racket/flonum)
+(require racket/flonum
+         "unit.rkt")
 
 (provide real-matrix-eigenvalues)
 
 (define-syntax-rule (at m n i j) (flvector-ref m (+ (* i n) j)))
 (define-syntax-rule (put! m n i j x) (flvector-set! m (+ (* i n) j) x))
 
-;; a : flvector of n² entries, row by row; it is not changed.
+;; a : flvector of n² finite entries, row by row; it is not changed.
 ;; -> a list of n numbers, flonums or complex, or #f where they do not separate
 (define (real-matrix-eigenvalues a n)
-  (define h (flvector-copy a))
+  (define unit (unit-of a))
+  (define h (in-units a unit))
   (balance! h n)
   (to-Hessenberg! h n)
-  (separate h n))
+  (define found (separate h n))
+  (and found (for/list ([x (in-list found)]) (* unit x))))
 
 ;; ------------------------------------------------------------------ balancing
 

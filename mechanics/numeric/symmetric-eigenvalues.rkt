@@ -37,7 +37,7 @@
   (define app (flvector-ref m (* p (+ n 1))))
   (define aqq (flvector-ref m (* q (+ n 1))))
   (and (not (fl= off 0.0))
-       (fl> (flabs off) (fl* epsilon.0 (flsqrt (flabs (fl* app aqq)))))
+       (fl> (flabs off) (fl* epsilon.0 (fl* (flsqrt (flabs app)) (flsqrt (flabs aqq)))))
        (let*-values ([(tangent) (small-tangent (fl/ (fl- aqq app) (fl* 2.0 off)))]
                      [(c) (fl/ 1.0 (flsqrt (fl+ 1.0 (fl* tangent tangent))))]
                      [(s) (fl* tangent c)])

@@ -11,7 +11,8 @@
 (require racket/flonum racket/lazy-require
          "linear.rkt" "linear-algebra.rkt"
          (only-in "signature.rkt" scalar?)
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../numeric/failure.rkt" "../numeric/rows.rkt" "../numeric/unit.rkt")
 
 (provide characteristic-polynomial eigenvalues)
 
@@ -38,18 +39,16 @@
 (define (eigenvalues m)
   (apply append
          (for/list ([block (in-list (rows-diagonal-blocks (square 'eigenvalues m)))])
-           (case (vector-length block)
-             [(1) (list (vector-ref (vector-ref block 0) 0))]
-             [(2) (two-eigenvalues block)]
-             [else (or (numeric-eigenvalues block)
-                       (raise-degree m (vector-length block)))]))))
+           (cond [(= (vector-length block) 1) (list (entry block 0 0))]
+                 [(flonums? block) (numeric-eigenvalues m block)]
+                 [(= (vector-length block) 2) (two-eigenvalues block)]
+                 [else (raise-degree m (vector-length block))]))))
 
 (define (two-eigenvalues block)
-  (define (entry i j) (vector-ref (vector-ref block i) j))
-  (define trace (g:+ (entry 0 0) (entry 1 1)))
-  (define root
-    (g:sqrt (g:+ (g:square (g:- (entry 0 0) (entry 1 1)))
-                 (g:* 4 (entry 0 1) (entry 1 0)))))
+  (define-values (a b c d)
+    (values (entry block 0 0) (entry block 0 1) (entry block 1 0) (entry block 1 1)))
+  (define trace (g:+ a d))
+  (define root (g:sqrt (g:+ (g:square (g:- a d)) (g:* 4 b c))))
   (define plus (g:/ (g:+ trace root) 2))
   (define minus (g:/ (g:- trace root) 2))
   (cond [(not (and (flonum? root) (real? trace))) (list plus minus)]
@@ -57,20 +56,36 @@
         [(< trace 0) (list (/ (rows-determinant block) minus) minus)]
         [else (list plus minus)]))
 
-;; Of real numbers, some of them flonums: from the least to the greatest, by real part
-;; and then by imaginary part.  Exact numbers are kept exact, and so refused.
-(define (numeric-eigenvalues block)
+;; Real numbers, some of them flonums: exact ones alone are kept exact.
+(define (flonums? block)
+  (and (all-entries? real? block)
+       (not (all-entries? exact? block))))
+
+;; Of three or more from the least to the greatest, by real part and then by imaginary
+;; part.
+(define (numeric-eigenvalues m block)
   (define n (vector-length block))
-  (define entries (for*/list ([row (in-vector block)] [x (in-vector row)]) x))
-  (and (andmap real? entries)
-       (ormap flonum? entries)
-       (let ([m (for/flvector #:length (* n n) ([x (in-list entries)])
-                  (real->double-flonum x))])
-         (if (symmetric? m n)
-             (let-values ([(found vectors) (symmetric-eigenvalues m n)])
-               (for/list ([x (in-flvector found)]) x))
-             (let ([found (real-matrix-eigenvalues m n)])
-               (and found (sort found before?)))))))
+  (define v
+    (for*/flvector #:length (* n n) ([row (in-vector block)] [x (in-vector row)])
+      (real->double-flonum x)))
+  (check-finite m v)
+  (cond [(= n 2) (two-numeric-eigenvalues v)]
+        [(symmetric? v n)
+         (define-values (found vectors) (symmetric-eigenvalues v n))
+         (for/list ([x (in-flvector found)]) x)]
+        [else (sort (or (real-matrix-eigenvalues v n) (raise-not-separate m)) before?)]))
+
+(define (two-numeric-eigenvalues v)
+  (define unit (unit-of v))
+  (define-values (a b c d) (apply values (for/list ([x (in-flvector (in-units v unit))]) x)))
+  (for/list ([x (in-list (two-eigenvalues (vector (vector a b) (vector c d))))]) (* unit x)))
+
+(define (check-finite m v)
+  (for ([x (in-flvector v)])
+    (unless (fl< (flabs x) +inf.0)
+      (raise-arguments-error 'eigenvalues "expected a matrix of finite numbers"
+                             "entry" x
+                             "matrix" m))))
 
 (define (symmetric? m n)
   (for*/and ([i (in-range n)] [j (in-range i)])
@@ -79,6 +94,13 @@
 (define (before? a b)
   (or (< (real-part a) (real-part b))
       (and (= (real-part a) (real-part b)) (< (imag-part a) (imag-part b)))))
+
+(define (raise-not-separate m)
+  (raise (exn:fail:mechanics:not-convergent
+          (format "eigenvalues: they do not separate\n  matrix: ~a" (value->text m))
+          (current-continuation-marks)
+          m
+          #f)))
 
 (define (raise-degree m n)
   (raise
