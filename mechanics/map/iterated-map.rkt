@@ -27,13 +27,17 @@
   (define (compiled-step x y)
     (unless step (set! step (or (compile-step map x y) 'none)))
     (and (compiled-function? step) step))
-  (define (iterated x y return fail)
-    (define code
-      (and (>= n worthwhile) (real? x) (real? y) (compiled-step x y)))
+  (define (further n x y return fail)
+    (define code (and (real? x) (real? y) (or (flonum? x) (flonum? y)) (compiled-step x y)))
     (define image (and code (compiled-image code n x y)))
     (if image
         (return (flvector-ref image 0) (flvector-ref image 1))
         (image-by-calls map n x y return fail)))
+  ;; The first call shows whether exact numbers stay exact.
+  (define (iterated x y return fail)
+    (if (< n worthwhile)
+        (image-by-calls map n x y return fail)
+        (map x y (lambda (x y) (further (- n 1) x y return fail)) fail)))
   (make-function iterated 16 (lambda () (list 'iterated-map (value->datum map) n))))
 
 (define (image-by-calls map n x y return fail)

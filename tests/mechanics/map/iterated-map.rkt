@@ -35,6 +35,15 @@
     (for/fold ([x 1] [y 1]) ([_ (in-range 20000)]) (one x y values fail)))
   (check-point (there 1 1 list fail) (list x y) 1e-8))
 
+(test-case "exact numbers stay exact where the map keeps them so, however often it is done"
+  (define (turn x y return fail) (return (- y) (+ x 1/2)))
+  (for ([n '(10 9999 10000 20000)])
+    (check-equal? ((iterated-map turn n) 0 1/3 list fail)
+                  (case (remainder n 4)
+                    [(0) '(0 1/3)]
+                    [(2) '(-1/2 1/6)]
+                    [(3) '(-1/6 0)]))))
+
 (test-case "twenty thousand times there and back"
   (define back
     ((iterated-map (standard-map 0.6) 20000) 1 1
