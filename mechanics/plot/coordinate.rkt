@@ -6,7 +6,8 @@
 
 (require racket/string
          "../algebra/expression.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt")
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/structure.rkt")
 
 (provide coordinate-of plane-point check-number check-function parameters)
 
@@ -15,6 +16,7 @@
   (cond [(flonum? x) x]
         [(real? x) (real->double-flonum x)]
         [(number? x) +nan.0]
+        [(other-number? x) (real->double-flonum (comparand x))]
         [else
          (raise
           (exn:fail:contract

@@ -2,6 +2,7 @@
 ;; Motions drawn: one function of the state against another, or against the time.
 
 (require "coordinate.rkt" "draw.rkt" "frame.rkt" "style.rkt"
+         "../generic/compare.rkt"
          "../motion/on-demand.rkt")
 
 (provide plot-trajectory)
@@ -32,8 +33,8 @@
 (define (component name t) (format "~a at the time ~a" name t))
 
 (define (sample-times tr)
-  (define start (trajectory-start tr))
-  (define end (trajectory-end tr))
+  (define start (comparand (trajectory-start tr)))
+  (define end (comparand (trajectory-end tr)))
   (define steps (- (length (trajectory-states tr)) 1))
   (define count (max least-points (min most-points (* points-per-step steps))))
   (for/list ([k (in-range (+ count 1))])
