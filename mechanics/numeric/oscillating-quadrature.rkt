@@ -61,7 +61,7 @@
           [else (loop b y* (- left 1))])))
 
 (define (zero-between f a b)
-  (with-handlers ([exn:fail? (lambda (e) #f)])
+  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
     (define-values (z error count) (bracketed-root f a b #:tolerance 1e-10))
     z))
 

@@ -2,7 +2,8 @@
 ;; Integrals to infinity and over singularities at ends.
 
 (require rackunit
-         mechanics/numeric/failure mechanics/numeric/improper-quadrature)
+         mechanics/numeric/failure mechanics/numeric/improper-quadrature
+         mechanics/numeric/oscillating-quadrature)
 
 (define pi (* 4.0 (atan 1.0)))
 (define (integral f low high)
@@ -73,3 +74,7 @@
              (lambda () (integral exp 0 'a)))
   (check-exn #rx"positive tolerance"
              (lambda () (improper-quadrature exp 0 1 #:tolerance 0))))
+
+(test-case "a mistake of the integrand's that only the search for its zeros meets is told"
+  (define (f x) (if (< (abs (- x pi)) 1e-3) (error "a mistake") (/ (sin x) x)))
+  (check-exn #rx"^a mistake$" (lambda () (oscillating-quadrature f 1.0 1e-10))))

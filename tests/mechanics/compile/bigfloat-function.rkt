@@ -1,0 +1,30 @@
+#lang racket/base
+;; Functions on numbers of higher precision: as programs, or as they are.
+
+(require (prefix-in m: mechanics)
+         rackunit
+         mechanics/compile/bigfloat-function
+         mechanics/numeric/bigfloat/arithmetic
+         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+
+;; -> the exact values of f at x in 64 bits, and whether f could be traced
+(define (value-and-traced f x)
+  (call-with-bits 64
+    (lambda ()
+      (define-values (run shape traced?) (bigfloat-function 'test f x))
+      (values (exact-value (vector-ref (run (vector (real->bigfloat x))) 0)) traced?))))
+
+(skip-unless bigfloats? no-bigfloats
+  (test-case "arithmetic becomes a program"
+    (define-values (value traced?) (value-and-traced (lambda (x) (m:+ 1/4 (m:* 3 x x))) 1/2))
+    (check-true traced?)
+    (check-equal? value 1))
+
+  (test-case "a function that tells placeholders from numbers is called"
+    (define (traced-at-all? f)
+      (define-values (value traced?) (value-and-traced f 3))
+      (check-equal? value 3)
+      traced?)
+    (check-false (traced-at-all? (lambda (x) (if (symbol? x) (m:+ x 1) x))))
+    ;; where the program has no value, too
+    (check-false (traced-at-all? (lambda (x) (if (symbol? x) (m:sqrt (m:- -1 (m:* x x))) x))))))
