@@ -14,7 +14,9 @@
          "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/datum.rkt")
 
 (provide literal-function literal-function? literal-function-takes?
-         literal-up literal-down literal-number)
+         literal-up literal-down literal-number
+         ;; for expressions that are evaluated
+         apply-head)
 
 (define kind:unknown
   (make-kind #:rank rank:function

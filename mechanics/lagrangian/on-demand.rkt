@@ -5,11 +5,13 @@
 
 (lazy-require
  ["conserved.rkt" (rate-of-change verify-conserved)]
+ ["gauge.rkt" (verify-total-time-derivative gauge-function)]
  ["ignorable.rkt" (verify-ignorable ignorable-coordinates conserved-momenta)]
  ["small-oscillations.rkt" (mass-matrix stiffness-matrix gyroscopic-matrix
                             normal-modes small-oscillation-frequencies)])
 
 (provide rate-of-change verify-conserved
+         verify-total-time-derivative gauge-function
          verify-ignorable ignorable-coordinates conserved-momenta
          mass-matrix stiffness-matrix gyroscopic-matrix
          normal-modes small-oscillation-frequencies)

@@ -85,4 +85,48 @@ the list of indices that @racket[ref] takes.
 (verify-ignorable L 'phi polar)
 (verify-ignorable L 0 polar)]}
 
+@section{Total time derivatives}
+
+@defproc[(verify-total-time-derivative [F procedure?] [local local-tuple]) verdict?]{
+
+Whether F, a function of the local tuple, is D@subscript{t}f for some f: added to a
+Lagrangian, it then changes no equation. That is so if, and only if, its
+Euler-Lagrange expression, the residual, is zero at all local tuples. F may depend on
+derivatives up to the highest in the local tuple given; further ones in a residual are
+named after the coordinates, as @racketidfont{xddot} is.
+
+@examples[#:eval session
+(define plane (up 't (up 'x 'y) (up 'vx 'vy)))
+(define (F (up t (up x y) (up vx vy))) (+ (* y vx) (* x vy)))
+(verify-total-time-derivative F plane)
+(define (G (up t (up x y) (up vx vy))) (- (* x vy) (* y vx)))
+(verify-total-time-derivative G plane)]
+
+@sicm{1.6.1 and 1.9, exercises 1.14 and 1.28}}
+
+@defproc[(gauge-function [F procedure?] [local local-tuple]
+                         [#:from start local-tuple (up 0 0)])
+         procedure?]{
+
+A function f of local tuples with D@subscript{t}f = F, of one derivative less than F;
+it takes longer local tuples, too. It is determined but for a constant.
+
+Formulas are found for sums of products of powers, exponentials, sines and cosines,
+for literal functions and their derivatives, and for what a substitution makes one of
+these. They have been differentiated, and D@subscript{t}f − F proved zero. Where there is
+no formula, f can be applied to numbers: it is then the integral along the straight line
+from @racket[start], at which f is 0, through which there must be no singularity.
+
+An F that is not proved to be a total time derivative raises
+@racket[exn:fail:mechanics], and so does an f without a formula at symbols.
+
+@examples[#:eval session
+((gauge-function F plane) plane)
+((gauge-function (Dt (compose sqrt square coordinate)) plane) plane)
+(define (H (up t x v)) (* (exp (square x)) v))
+(define f (gauge-function H (up 't 'x 'v)))
+(f (up 0 1))
+(eval:error (f (up 't 'x)))
+(eval:error (gauge-function G plane))]}
+
 @(close-session session)

@@ -1,0 +1,238 @@
+#lang racket/base
+;; Antiderivatives of expressions: those of sums of waves, and of what a substitution
+;; turns into such.
+;;
+;; A sum of terms c xⁿ e^{px} w(ax + b), where w is 1, a cosine or a sine, and c, p, a
+;; and b do not depend on x, is closed under products, since
+;;
+;;   cos A cos B = ½ cos(A − B) + ½ cos(A + B)      and so on;
+;;
+;; and its integral is such a sum again, powers of x going one by one in parts:
+;;
+;;   ∫ xⁿ f = xⁿ F − n ∫ xⁿ⁻¹ F,     F = e^{px} (p cos + a sin)/(p² + a²) for a cosine.
+;;
+;; Where some u occurs within a function in e, and e/u' depends on x through u alone, it
+;; is integrated in u: x/√(x² + y²) with u = x² + y².  That is tried first, as
+;; sin³x cos x looks better with u = sin x than as a sum of waves.
+
+(require "expression-function.rkt"
+         "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../algebra/simplify.rkt")
+
+(provide antiderivative)
+
+;; An expression whose derivative by the symbol x is e, or #f if none was found.
+;; A : assumptions
+(define (antiderivative e x A)
+  (define simple (simplify-expression e A))
+  (or (integral-by-substitution simple x A)
+      (integral-of-waves simple x A)
+      (integral-term-by-term simple x A)))
+
+(define (integral-term-by-term e x A)
+  (and (node? e)
+       (eq? (node-head e) op:+)
+       (for/fold ([sum 0]) ([term (in-list (node-args e))])
+         (define integral (and sum (antiderivative term x A)))
+         (and integral (e:+ sum integral)))))
+
+;; ---------------------------------------------------------------------------
+;; Terms
+
+;; c xⁿ e^{px} w(ax + b), w ∈ one cosine sine
+(struct term (c n p w a b) #:authentic)
+
+(define (constant c) (term c 0 0 'one 0 0))
+(define (plain? u) (and (eq? (term-w u) 'one) (eqv? (term-p u) 0)))
+
+(define (scaled k u)
+  (struct-copy term u [c (e:* k (term-c u))]))
+
+;; Such a term in a list; a wave that does not move with x is a coefficient.
+(define (wave c n p w a b)
+  (define (of op) (e:apply op b))
+  (cond [(eq? w 'one) (list (term c n p 'one 0 0))]
+        [(not (eqv? a 0)) (list (term c n p w a b))]
+        [(eq? w 'cosine) (list (term (e:* c (of op:cos)) n p 'one 0 0))]
+        [else
+         (define s (of op:sin))
+         (if (eqv? s 0) '() (list (term (e:* c s) n p 'one 0 0)))]))
+
+(define (term->expression u x)
+  (define (factor op . args) (apply e:apply op args))
+  (define angle (e:+ (e:* (term-a u) x) (term-b u)))
+  (e:* (e:* (term-c u) (e:expt x (term-n u)))
+       (e:* (if (eqv? (term-p u) 0) 1 (factor op:exp (e:* (term-p u) x)))
+            (case (term-w u)
+              [(one) 1]
+              [(cosine) (factor op:cos angle)]
+              [(sine) (factor op:sin angle)]))))
+
+;; ---------------------------------------------------------------------------
+;; Products
+
+;; Products of more terms than these are not made.
+(define most-terms 2000)
+
+(define (product us vs A fail)
+  (when (> (* (length us) (length vs)) most-terms) (fail))
+  (for*/list ([u (in-list us)] [v (in-list vs)] [w (in-list (product-of-two u v A))]) w))
+
+(define (product-of-two u v A)
+  (define (simple e) (simplify-expression e A))
+  (define c (e:* (term-c u) (term-c v)))
+  (define n (+ (term-n u) (term-n v)))
+  (define p (simple (e:+ (term-p u) (term-p v))))
+  (define (waves k w sign)
+    (define (both part) (simple (e:+ (part u) (e:* sign (part v)))))
+    (wave (e:* k c) n p w (both term-a) (both term-b)))
+  (define-values (wu wv) (values (term-w u) (term-w v)))
+  (cond [(eq? wv 'one) (waves 1 wu 1)]
+        [(eq? wu 'one) (waves 1 wv 1)]
+        [(and (eq? wu 'cosine) (eq? wv 'cosine))
+         (append (waves 1/2 'cosine -1) (waves 1/2 'cosine 1))]
+        [(and (eq? wu 'sine) (eq? wv 'sine))
+         (append (waves 1/2 'cosine -1) (waves -1/2 'cosine 1))]
+        [(eq? wu 'sine) (append (waves 1/2 'sine 1) (waves 1/2 'sine -1))]
+        [else (product-of-two v u A)]))
+
+;; The power r of a single term without a wave; of others only r = 1, 2, 3 ...
+(define (power us r A fail)
+  (define u (and (pair? us) (null? (cdr us)) (car us)))
+  (cond [(exact-positive-integer? r)
+         (for/fold ([result us]) ([_ (in-range (sub1 r))]) (product result us A fail))]
+        [(and u (eq? (term-w u) 'one) (rational? r) (exact? r)
+              (or (integer? r) (and (plain? u) (eqv? (term-c u) 1))))
+         (list (term (e:expt (term-c u) r) (* r (term-n u)) (e:* r (term-p u)) 'one 0 0))]
+        [else (fail)]))
+
+;; ---------------------------------------------------------------------------
+;; From expressions
+
+(define (integral-of-waves e x A)
+  (let/ec return
+    (define (fail) (return #f))
+    (for/fold ([sum 0] #:result (simplify-expression sum A))
+              ([u (in-list (terms-of e x A fail))])
+      (e:+ sum (term-integral u x A fail)))))
+
+(define (terms-of e x A fail)
+  (define (combine n arguments)
+    (define head (node-head n))
+    (define args (map (lambda (us k) (or us (list (constant k)))) arguments (node-args n)))
+    (define (argument k) (list-ref args k))
+    (cond [(not (ormap values arguments)) #f]
+          [(eq? head op:+) (apply append args)]
+          [(eq? head op:-)
+           (append (argument 0) (for/list ([u (in-list (argument 1))]) (scaled -1 u)))]
+          [(eq? head op:*)
+           (for/fold ([result (car args)]) ([us (in-list (cdr args))]) (product result us A fail))]
+          [(eq? head op:/) (product (argument 0) (power (argument 1) -1 A fail) A fail)]
+          [(eq? head op:expt) (power (argument 0) (cadr (node-args n)) A fail)]
+          [(eq? head op:sqrt) (power (argument 0) 1/2 A fail)]
+          [(memq head (list op:exp op:sin op:cos)) (function-of-line head (argument 0) A fail)]
+          [else (fail)]))
+  (or (node-fold e
+                 (lambda (leaf) (and (eq? leaf x) (list (term 1 1 0 'one 0 0))))
+                 combine)
+      (list (constant e))))
+
+;; Of an argument a x + b.
+(define (function-of-line head us A fail)
+  (define (coefficient n)
+    (for/fold ([sum 0] #:result (simplify-expression sum A)) ([u (in-list us)])
+      (if (eqv? (term-n u) n) (e:+ sum (term-c u)) sum)))
+  (unless (andmap (lambda (u) (and (plain? u) (memv (term-n u) '(0 1)))) us) (fail))
+  (define-values (a b) (values (coefficient 1) (coefficient 0)))
+  (cond [(eq? head op:exp) (list (term (e:apply op:exp b) 0 a 'one 0 0))]
+        [else (wave 1 0 0 (if (eq? head op:sin) 'sine 'cosine) a b)]))
+
+;; ---------------------------------------------------------------------------
+;; Integrals
+
+;; -> an expression
+(define (term-integral u x A fail)
+  (define-values (c n) (values (term-c u) (term-n u)))
+  (cond [(not (plain? u))
+         (unless (exact-nonnegative-integer? n) (fail))
+         (for/fold ([sum 0]) ([v (in-list (integral-in-parts u n))])
+           (e:+ sum (term->expression v x)))]
+        [(eqv? n -1) (e:* c (e:apply op:log x))]
+        [else (e:* (e:/ c (+ n 1)) (e:expt x (+ n 1)))]))
+
+(define (integral-in-parts u n)
+  (define F (integral-of-wave u))
+  (append (map (lambda (v) (struct-copy term v [n n])) F)
+          (if (zero? n)
+              '()
+              (for*/list ([v (in-list F)] [w (in-list (integral-in-parts v (- n 1)))])
+                (scaled (- n) w)))))
+
+;; ∫ c e^{px} w(ax + b) without the power of x
+(define (integral-of-wave u)
+  (define-values (c p a) (values (term-c u) (term-p u) (term-a u)))
+  (define square (e:+ (e:expt p 2) (e:expt a 2)))
+  (define (part k w) (struct-copy term u [c (e:/ (e:* k c) square)] [w w]))
+  (define both
+    (case (term-w u)
+      [(one) (list (struct-copy term u [c (e:/ c p)]))]
+      [(cosine) (list (part p 'cosine) (part a 'sine))]
+      [else (list (part p 'sine) (part (e:negate a) 'cosine))]))
+  (filter (lambda (v) (not (eqv? (term-c v) 0))) both))
+
+;; ---------------------------------------------------------------------------
+;; Substitution
+
+(define (integral-by-substitution e x A)
+  (for/or ([u (in-list (arguments-within e x))])
+    (define slope (simplify-expression (expression-derivative u x) A))
+    (and (not (eqv? slope 0))
+         (integral-in u (simplify-expression (e:/ e slope) A) x A))))
+
+;; ∫ e du, if e depends on x through u alone
+(define (integral-in u e x A)
+  (define y (string->uninterned-symbol "u"))
+  (define in-y (substitute-expression e (list (cons u y))))
+  (define integral (and (not (depends? in-y x)) (integral-of-waves in-y y A)))
+  (and integral (simplify-expression (substitute-expression integral (list (cons y u))) A)))
+
+;; The arguments, other than x, of functions and powers in e that depend on x, and
+;; those functions themselves, what literal functions are derivatives of, and
+;; denominators; the innermost first.
+(define (arguments-within e x)
+  (define found '())
+  (define (note! u)
+    (unless (or (eq? u x) (tuple-of-arguments? u) (member u found)) (set! found (cons u found))))
+  (node-fold e
+             (lambda (leaf) (eq? leaf x))
+             (lambda (n depends)
+               (define depends? (ormap values depends))
+               (define head (node-head n))
+               (cond [(not depends?) (void)]
+                     [(eq? head op:/) (when (cadr depends) (note! (cadr (node-args n))))]
+                     [(not (memq head (list op:+ op:- op:*)))
+                      (for ([u (in-list (node-args n))] [moves? (in-list depends)] #:when moves?)
+                        (note! u))
+                      (for-each note! (lowered n))
+                      (note! n)])
+               depends?))
+  (reverse found))
+
+(define (tuple-of-arguments? u)
+  (and (node? u) (memq (node-head u) (list op:up op:down)) #t))
+
+;; What a derivative of a literal function, applied, may be the derivative of.
+(define (lowered n)
+  (define head (node-head n))
+  (for/list ([entry (in-list (if (literal-head? head) (literal-head-index head) '()))])
+    (define index
+      (for*/list ([other (in-list (literal-head-index head))]
+                  [count (in-value (if (eq? other entry) (sub1 (cdr other)) (cdr other)))]
+                  #:unless (zero? count))
+        (cons (car other) count)))
+    (make-node (make-literal-head (literal-head-name head) index) (node-args n))))
+
+(define (depends? e x)
+  (node-fold e
+             (lambda (leaf) (eq? leaf x))
+             (lambda (n depends) (ormap values depends))))

@@ -1,0 +1,33 @@
+#lang racket/base
+;; An expression as a function of some of its symbols, over the generic arithmetic:
+;; of numbers, expressions, and what derivatives are taken with.
+
+(require "derivative.rkt" "literal-function.rkt"
+         "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
+         "../generic/structure.rkt")
+
+(provide evaluate-generically expression-derivative)
+
+;; The value of e with values in place of symbols, ((symbol . value) ...).
+(define (evaluate-generically e point)
+  (node-fold e
+             (lambda (leaf)
+               (define entry (and (symbol? leaf) (assq leaf point)))
+               (if entry (cdr entry) leaf))
+             (lambda (n arguments) (apply-generically (node-head n) arguments))))
+
+(define (apply-generically head arguments)
+  (cond [(literal-head? head) (apply-head head arguments)]
+        [(eq? head op:up) (apply up arguments)]
+        [(eq? head op:down) (apply down arguments)]
+        [else (apply (generic-procedure head) arguments)]))
+
+(define (generic-procedure head)
+  (for/first ([o (in-sequences arithmetic-operations elementary-operations)]
+              #:when (eq? (generic-op-operation o) head))
+    (generic-op-procedure o)))
+
+;; ∂e/∂x, an expression
+(define (expression-derivative e x)
+  (derivative-at (lambda (value) (evaluate-generically e (list (cons x value)))) x))
