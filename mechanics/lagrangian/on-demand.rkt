@@ -5,6 +5,9 @@
 
 (lazy-require
  ["conserved.rkt" (rate-of-change verify-conserved)]
+ ["equivalence.rkt" (verify-equivalent-Lagrangians compare-Lagrangians
+                     equivalence? equivalence-kind equivalence-factor equivalence-gauge
+                     equivalence-verdict)]
  ["gauge.rkt" (verify-total-time-derivative gauge-function)]
  ["ignorable.rkt" (verify-ignorable ignorable-coordinates conserved-momenta)]
  ["small-oscillations.rkt" (mass-matrix stiffness-matrix gyroscopic-matrix
@@ -12,6 +15,9 @@
 
 (provide rate-of-change verify-conserved
          verify-total-time-derivative gauge-function
+         verify-equivalent-Lagrangians compare-Lagrangians
+         equivalence? equivalence-kind equivalence-factor equivalence-gauge
+         equivalence-verdict
          verify-ignorable ignorable-coordinates conserved-momenta
          mass-matrix stiffness-matrix gyroscopic-matrix
          normal-modes small-oscillation-frequencies)

@@ -129,4 +129,62 @@ An F that is not proved to be a total time derivative raises
 (eval:error (f (up 't 'x)))
 (eval:error (gauge-function G plane))]}
 
+@section{Equivalent Lagrangians}
+
+@deftogether[(@defproc[(compare-Lagrangians [L1 Lagrangian] [L2 Lagrangian]
+                                            [local local-tuple])
+                       equivalence?]
+              @defproc[(verify-equivalent-Lagrangians [L1 Lagrangian] [L2 Lagrangian]
+                                                      [local local-tuple])
+                       verdict?])]{
+
+Whether two Lagrangians give equivalent equations: the residual of the second is that
+of the first, multiplied by an invertible matrix, which may depend on the state. The
+comparison says how they are related. Where they are not, the residual of its verdict
+is what motions of one leave of the equations of the other.
+
+@examples[#:eval session
+(define V (literal-function 'V))
+(define ((L-line m) (up t x v)) (- (* 1/2 m (square v)) (V x)))
+(define line (up 't 'x 'v))
+(compare-Lagrangians (L-line 'm)
+                     (+ (* 2 (L-line 'm)) (Dt (* time coordinate)))
+                     line)
+(define (L-squared (up t x v))
+  (+ (* 1/3 (square 'm) (expt v 4))
+     (* 4 'm (square v) (V x))
+     (* -4 (square (V x)))))
+(compare-Lagrangians (L-line 'm) L-squared line)
+(verify-equivalent-Lagrangians (L-oscillator 'm 'k)
+                               (L-oscillator 1 (square 'omega))
+                               line)]
+
+@sicm{1.6.1, exercises 1.14, 1.28 and 1.29}}
+
+@deftogether[(@defproc[(equivalence? [x any]) boolean?]
+              @defproc[(equivalence-kind [e equivalence?])
+                       (or/c 'total-derivative 'proportional 'combination #f)]
+              @defproc[(equivalence-factor [e equivalence?]) (or/c value #f)]
+              @defproc[(equivalence-gauge [e equivalence?]) (or/c scalar #f)]
+              @defproc[(equivalence-verdict [e equivalence?]) verdict?])]{
+
+The parts of a comparison. The kind is @racket['total-derivative] if the difference of the
+Lagrangians is one, @racket['proportional] if there is a constant factor as well,
+@racket['combination] if the factor of the residuals is a matrix or depends on the state,
+and @racket[#f] if they are not equivalent or not known to be.
+
+The gauge is f at the local tuple, if L@subscript{2} − c L@subscript{1} is a total time
+derivative D@subscript{t}f and a formula for f was found; the factor is @racket[#f] if
+directions without inertia leave it undetermined.
+
+@examples[#:eval session
+(define comparison
+  (compare-Lagrangians (L-line 'm)
+                       (+ (L-line 'm) (Dt (compose sin coordinate)))
+                       line))
+(equivalence-kind comparison)
+(equivalence-factor comparison)
+(equivalence-gauge comparison)
+(equivalence-verdict comparison)]}
+
 @(close-session session)
