@@ -121,8 +121,14 @@
 
 ;; a/b, where b = 0 means that there is no derivative.
 (define (slope-at name arguments a b)
-  (cond [(if (flonum? b) (fl= b 0.0) (g:zero? b)) (raise-no-derivative-at name arguments)]
+  (cond [(if (flonum? b) (fl= b 0.0) (zero-here? b)) (raise-no-derivative-at name arguments)]
         [else (g:/ a b)]))
+
+;; Is x known to be zero?  A symbol is not, and asking that does not end a trace: where its
+;; number is zero, the compiled derivative is none.
+(define (zero-here? x)
+  (define c (comparand x))
+  (and (or (number? c) (has-kind? c)) (g:zero? c)))
 
 ;; The value of a function that has a derivative at real x only.
 (define (real-value name value x)
@@ -136,15 +142,15 @@
 (define (power-by-base b n)
   (define exponent (comparand n))
   (cond [(eqv? n 0) 0]
-        [(and (real? exponent) (< exponent 1) (g:zero? b))
+        [(and (real? exponent) (< exponent 1) (zero-here? b))
          (if (zero? exponent) 0 (raise-no-derivative-at 'expt (list b n)))]
         [else (g:* n (g:expt b (g:- n 1)))]))
 
 ;; ∂(bⁿ)/∂n = bⁿ log b, which is 0 at b = 0 as long as bⁿ is; but 0ⁿ jumps from
 ;; 0 to 1 at n = 0.
 (define (power-by-exponent b n value)
-  (cond [(g:zero? value) 0]
-        [(g:zero? b) (raise-no-derivative-at 'expt (list b n))]
+  (cond [(zero-here? value) 0]
+        [(zero-here? b) (raise-no-derivative-at 'expt (list b n))]
         [else (g:* value (natural-log b))]))
 
 ;; ---------------------------------------------------------------------------
