@@ -23,7 +23,8 @@
          "../value/linear-algebra.rkt" "../value/shape.rkt")
 
 (provide constrained-accelerations constraint-forces
-         accelerations-and-multipliers mass-rows solve-constrained)
+         ;; for motions: numbers in rows
+         accelerations-with mass-rows solve-constrained)
 
 ;; (t, q, v) ↦ (up accelerations multipliers)
 (define-plain (constrained-accelerations L constraints #:force [Q #f])
@@ -56,20 +57,24 @@
 (define (accelerations-and-multipliers who given-L constraints Q)
   (check-Lagrangian who given-L)
   (define cs (gather who constraints))
-  (define L (scalar-valued who given-L))
-  (define outside (external-force who Q #f))
+  (define solve (accelerations-with who (scalar-valued who given-L) cs (external-force who Q #f)))
   (lambda (state)
     (check-velocity who state)
     (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
     (check-linear who cs q)
     (define shape (constraint-values who cs t q v))
-    (define J (jacobian-rows who cs t q v))
-    (check-count who (length J) q)
-    (define-values (a multipliers)
-      (solve-constrained who (mass-rows L state) J
-                         (applied-force who L outside state)
-                         (map g:negate (drifts who cs t q v))))
+    (check-count who (shape-length shape) q)
+    (define-values (a multipliers) (solve state))
     (values (shaped v a) (shaped shape multipliers))))
+
+;; The same in vectors.
+;; choose : list, one element for each constraint -> those of the constraints to keep
+(define ((accelerations-with who L cs outside [choose values]) state)
+  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (solve-constrained who (mass-rows L state)
+                     (choose (jacobian-rows who cs t q v))
+                     (applied-force who L outside state)
+                     (choose (map g:negate (drifts who cs t q v)))))
 
 ;; The mass matrix, as rows.
 (define (mass-rows L state)

@@ -33,7 +33,7 @@
   (define last (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (eqv? c 0)) i))
   (define terms
     (for/list ([c (in-vector y)] [i (in-range last)] #:unless (eqv? c 0))
-      (define factor (simplify (g:negate (g:/ c (vector-ref y last)))))
+      (define factor (readable (simplify (g:negate (g:/ c (vector-ref y last))))))
       (if (member factor '(1 1.0))
           (format "constraint ~a" i)
           (format "~a times constraint ~a" (value->text factor) i))))
@@ -42,6 +42,10 @@
               "nothing here: its derivatives by the coordinates are zero"
               (apply string-append "the same as " (car terms)
                      (for/list ([s (in-list (cdr terms))]) (string-append " plus " s))))))
+
+;; Without the last digits of a flonum, which are those of rounding.
+(define (readable x)
+  (if (and (real? x) (inexact? x)) (/ (round (* x 1e12)) 1e12) x))
 
 ;; The indices of rows that together demand as much as all of them, the first ones first.
 (define (independent-rows who J)

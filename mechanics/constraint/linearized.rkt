@@ -46,14 +46,15 @@
   (append-map-parts
    cs (lambda (c) (scalars (car (reverse (moved who c t q v (if (holonomic? c) 2 1))))))))
 
-;; Two lists: the values of the holonomic constraints, and for all of them what their
-;; time derivative, or value, is in the velocities.
+;; Two lists with an element for each scalar: the values of the holonomic constraints, #f for
+;; others; and for all of them what their time derivative, or value, is in the velocities.
 (define (positions-and-velocities who cs t q v)
   (define both
     (for/list ([c (in-list (constraint-set-parts cs))])
-      (if (holonomic? c)
-          (map scalars (moved who c t q v 1))
-          (list '() (scalars (value-of who c t q v))))))
+      (define rates (and (not (holonomic? c)) (scalars (value-of who c t q v))))
+      (if rates
+          (list (map (lambda (x) #f) rates) rates)
+          (map scalars (moved who c t q v 1)))))
   (values (apply append (map car both)) (apply append (map cadr both))))
 
 ;; A constraint and its derivatives up to order n at s = 0, the coordinates moving on

@@ -7,8 +7,10 @@
  ["constraint.rkt" (holonomic nonholonomic constraint?)]
  ["equations.rkt" (constrained-Lagrange-equations augmented-Lagrangian)]
  ["eliminate.rkt" (eliminate-multipliers)]
- ["accelerations.rkt" (constrained-accelerations constraint-forces)])
+ ["accelerations.rkt" (constrained-accelerations constraint-forces)]
+ ["motion.rkt" (constrained-state-derivative consistent-state)])
 
 (provide holonomic nonholonomic constraint?
          constrained-Lagrange-equations augmented-Lagrangian eliminate-multipliers
-         constrained-accelerations constraint-forces)
+         constrained-accelerations constraint-forces
+         constrained-state-derivative consistent-state)

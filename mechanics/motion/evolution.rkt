@@ -105,12 +105,13 @@
 (define (run-system p s y start end visit [kept values])
   (define m (plan-method p))
   (check-separable (plan-who p) m s y)
+  (check-start (plan-who p) s y)
   (define (run note!)
     (define (watched from to interpolant)
       (note-progress note! (progress-text (plan-who p) to end))
       (visit from to interpolant))
     (define-values (t last)
-      (integrate m (system-right-hand-side s m) y start end
+      (integrate (system-method s m) (system-right-hand-side s m) y start end
                  #:tolerance (plan-tolerance p)
                  #:longest (plan-longest p)
                  #:limit (plan-most p)

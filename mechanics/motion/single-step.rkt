@@ -75,12 +75,13 @@
   (define y (state-vector who state))
   (define m (plan-method p))
   (check-separable who m s y)
+  (check-start who s y)
   (define start (start-time s y))
   (define h (real->double-flonum step))
   (define-values (now last next)
     (if (fl= h 0.0)
         (values start y h)
-        (integrate-step m (system-right-hand-side s m) y start h
+        (integrate-step (system-method s m) (system-right-hand-side s m) y start h
                         #:tolerance (plan-tolerance p)
                         #:clock (and (system-clock? s) 0)
                         #:stuck (stuck-in p s))))

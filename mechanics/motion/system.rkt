@@ -6,7 +6,7 @@
 ;; decides something by a parameter, it is compiled for that one.
 
 (require racket/flonum racket/promise racket/unsafe/ops
-         "check.rkt"
+         "check.rkt" "manifold.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
          "../generic/structure.rkt"
@@ -14,7 +14,7 @@
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 
 (provide (struct-out system) make-system make-parametric-system
-         system-right-hand-side system-state system-size
+         system-right-hand-side system-method system-state system-size check-start
          derivative-for constant-rate? raise-rate-varies)
 
 ;; shape : a state; clock? : is its first scalar the time, with derivative 1?
@@ -22,8 +22,9 @@
 ;; make-slope!    : -> (y dy -> void), for one integration
 ;; make-jacobian! : -> (y J -> void), for one integration, or #f if the derivative
 ;;                  cannot be differentiated; compiled when first asked for
+;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
 ;; separable?     : was that found out (separable.rkt)?
-(struct system (shape clock? derivative make-slope! make-jacobian!
+(struct system (shape clock? derivative make-slope! make-jacobian! corrections
                 [separable? #:auto #:mutable])
   #:authentic
   #:auto-value #f)
@@ -34,12 +35,19 @@
   (define jacobian! (and (method-jacobian? m) ((system-make-jacobian! s))))
   (if jacobian! (differentiated slope! jacobian!) slope!))
 
+;; What integrates it by a method.
+(define (system-method s m) (method-on m (system-corrections s) (system-size s)))
+
+;; Does a motion begin where it can?
+(define (check-start who s y) (check-on who (system-corrections s) y (system-state s y)))
+
 (define (system-state s y) (flvector->structure (system-shape s) y))
 
 (define (system-size s) (shape-length (system-shape s)))
 
-;; derivative : state -> state
-(define (make-system who derivative state)
+;; given : state -> state
+(define (make-system who given state)
+  (define-values (derivative corrections) (prepare-motion who given state))
   (define slope (check-derivative who derivative state))
   (define code (compile-function derivative state #:name who #:value slope))
   (define clock? (clock-first? code))
@@ -50,7 +58,8 @@
     (delay/sync (compile-jacobian who (lambda (s) (derivative-at derivative s)) state)))
   (system state clock? derivative
           slope!
-          (lambda () (let ([c (force jacobian)]) (and c (compiled-function-runner c))))))
+          (lambda () (let ([c (force jacobian)]) (and c (compiled-function-runner c))))
+          corrections))
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
@@ -58,6 +67,7 @@
   (define (fixed) (make-system who (derivative-of parameters) state))
   (cond
     [(not (ormap numeric? parameters)) (fixed)]
+    [(manifold-derivative? (derivative-of parameters)) (fixed)]
     [else
      (define derivative (derivative-of parameters))
      (define slope (check-derivative who derivative state))
@@ -83,7 +93,8 @@
      (if code
          (system state (clock-first? code) derivative
                  (lambda () (with-parameters code))
-                 (lambda () (let ([c (force jacobian)]) (and c (with-parameters c)))))
+                 (lambda () (let ([c (force jacobian)]) (and c (with-parameters c))))
+                 #f)
          (fixed))]))
 
 ;; Masses may be given as a tuple.

@@ -148,4 +148,63 @@ Constraints that repeat each other leave their multipliers open: the error
                              (list (holonomic string-length) (holonomic twice)))
   state))]}
 
+@section{Motions}
+
+@defproc[(constrained-state-derivative [L Lagrangian]
+                                       [constraints (or/c constraint? list? up?)]
+                                       [#:force force (or/c #f procedure?) #f])
+         procedure?]{
+
+The state derivative @racket[(up 1 v a)] of the constrained system, for
+@racket[evolve], @racket[state-advancer], @racket[evolve-trajectory] and the others.
+
+Each step of the integration is taken back to where the constraints and their rates of
+change are zero, and so is a state that is read between steps: the drift off the
+constraints is that of rounding. Numbers of higher precision
+(@racket[#:precision]) are not taken back; there it stays near the tolerance.
+
+A motion must begin in a state that keeps the constraints, to eight digits; another is
+refused, with the values of the constraints. Redundant constraints do no harm: the first
+ones are kept. A state in which constraints depend on each other that are
+independent beside it raises @racket[exn:fail:mechanics:singular].
+
+@examples[#:eval session
+(define (pendulum m l g)
+  (constrained-state-derivative (L-mass m g) (holonomic (rod-of-length l))))
+((evolve pendulum 1 5 9.8)
+ (up 0 (up 3 -4) (up 0 0)) (lambda (state) (coordinate state)) 1 100 1e-10)
+(define motion
+  (evolve-trajectory (pendulum 1 5 9.8) (up 0 (up 3 -4) (up 0 0)) 100))
+((rod-of-length 5) 0 (coordinate (motion 77.7)))
+(eval:error ((state-advancer pendulum 1 5 9.8) (up 0 (up 3 4) (up 1 0)) 1))]
+
+What a constraint does is an event when its force changes sign:
+
+@examples[#:eval session
+(define ((L-top m g R) (up t (up r theta) (up vr vtheta)))
+  (+ (* 1/2 m (+ (square vr) (square (* r vtheta))))
+     (* m g (- R (* r (cos theta))))))
+(define ball (holonomic (lambda (t q) (- (ref q 0) 1))))
+(define support (constraint-forces (L-top 1 9.8 1) ball))
+(define leaving
+  (event (lambda (state) (ref (support state) 0))
+         #:name 'leaving #:direction 'falling #:terminal? #t))
+(define slide
+  (evolve-trajectory (constrained-state-derivative (L-top 1 9.8 1) ball)
+                     (up 0 (up 1 1e-6) (up 0 0)) 100
+                     #:tolerance 1e-12 #:events leaving))
+(cos (ref (coordinate (trajectory-final-state slide)) 1))]}
+
+@defproc[(consistent-state [L Lagrangian]
+                           [constraints (or/c constraint? list? up?)])
+         procedure?]{
+
+A function of a state of numbers: the state beside it that keeps the constraints. The
+coordinates are moved as little as possible, as the kinetic energy measures it, and then
+the velocities.
+
+@examples[#:eval session
+((consistent-state (L-mass 1 9.8) (holonomic (rod-of-length 5)))
+ (up 0 (up 3.1 -4.1) (up 1 0)))]}
+
 @(close-session session)
