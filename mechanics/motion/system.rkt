@@ -5,7 +5,7 @@
 ;; the compiled code beside the state, so that other numbers use the same code.  If the system
 ;; decides something by a parameter, it is compiled for that one.
 
-(require racket/flonum racket/promise racket/unsafe/ops
+(require racket/flonum racket/unsafe/ops
          "check.rkt" "manifold.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
@@ -55,47 +55,56 @@
     (define run (compiled-function-runner code))
     (if (and clock? (compiled-function-reason code)) (on-time who run) run))
   (define jacobian
-    (delay/sync (compile-jacobian who (lambda (s) (derivative-at derivative s)) state)))
+    (once (lambda () (compile-jacobian who (lambda (s) (derivative-at derivative s)) state))))
   (system state clock? derivative
           slope!
-          (lambda () (let ([c (force jacobian)]) (and c (compiled-function-runner c))))
+          (lambda () (let ([c (jacobian)]) (and c (compiled-function-runner c))))
           corrections))
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
-  (define (derivative-of ps) (derivative-for derivative-maker ps))
-  (define (fixed) (make-system who (derivative-of parameters) state))
-  (cond
-    [(not (ormap numeric? parameters)) (fixed)]
-    [(manifold-derivative? (derivative-of parameters)) (fixed)]
-    [else
-     (define derivative (derivative-of parameters))
-     (define slope (check-derivative who derivative state))
-     (define (f s)
-       ((derivative-of (with-numbers parameters (structure->list (ref s 1)))) (ref s 0)))
-     (define (slopes s)
-       (derivative-at (lambda (state) (f (up state (ref s 1)))) (ref s 0)))
-     (define inputs (apply up (filter numeric? parameters)))
-     (define example (up state inputs))
-     (define n (shape-length state))
-     ;; The parameters are as they were given: an exact 2 may count or choose.
-     (define (at-state g) (lambda (v) (g (flvector->structure state v))))
-     (define code
-       (compile-traced f example #:name who
-                       #:value-at (at-state derivative) #:varying n #:value slope))
-     (define jacobian
-       (delay/sync
-        (compile-jacobian who slopes example
-                          #:value-at (at-state (lambda (s) (derivative-at derivative s)))
-                          #:varying n)))
-     (define ps (structure->flvector inputs values))
-     (define (with-parameters c) (fix-parameters c n ps))
-     (if code
-         (system state (clock-first? code) derivative
-                 (lambda () (with-parameters code))
-                 (lambda () (let ([c (force jacobian)]) (and c (with-parameters c))))
-                 #f)
-         (fixed))]))
+  (define derivative (derivative-for derivative-maker parameters))
+  (or (and (ormap numeric? parameters)
+           (not (manifold-derivative? derivative))
+           (system-of-parameters who derivative derivative-maker parameters state))
+      (make-system who derivative state)))
+
+;; #f if the system takes a decision.
+(define (system-of-parameters who derivative derivative-maker parameters state)
+  (define slope (check-derivative who derivative state))
+  (define inputs (apply up (filter numeric? parameters)))
+  (define ps (structure->flvector inputs values))
+  (define example (up state inputs))
+  (define n (shape-length state))
+  (define (f s)
+    (define all (with-numbers parameters (structure->list (ref s 1))))
+    ((derivative-for derivative-maker all) (ref s 0)))
+  (define (slopes s)
+    (derivative-at (lambda (state) (f (up state (ref s 1)))) (ref s 0)))
+  ;; The parameters are as they were given: an exact 2 may count or choose.
+  (define (at-state g) (lambda (v) (g (flvector->structure state v))))
+  (define code
+    (compile-traced f example #:name who
+                    #:value-at (at-state derivative) #:varying n #:value slope))
+  (define jacobian
+    (once (lambda ()
+            (compile-jacobian who slopes example
+                              #:value-at (at-state (lambda (s) (derivative-at derivative s)))
+                              #:varying n))))
+  (define (with-parameters c) (and c (fix-parameters c n ps)))
+  (and code
+       (system state (clock-first? code) derivative
+               (lambda () (with-parameters code))
+               (lambda () (with-parameters (jacobian)))
+               #f)))
+
+;; f, called when its value is first asked for.  A break leaves it to the next time, which
+;; a promise would not; two threads may both call it.
+(define (once f)
+  (define known #f)                     ; a box
+  (lambda ()
+    (unless known (set! known (box (f))))
+    (unbox known)))
 
 ;; Masses may be given as a tuple.
 (define (numeric? parameter) (andmap real? (scalars parameter)))
