@@ -29,6 +29,12 @@
 ;; value, error : flvectors; badness : the error beside the size of the values, or +inf.0
 (struct entry (value error badness) #:authentic)
 
+;; What the steps so far have found.  row : the last one of the table, empty where f was
+;; not finite; best : the entry of least error, or #f; scale : slopes that the values
+;; would make over the first step; turn : by how much the slopes on both sides differ;
+;; bends : how many times in a row they came no closer to each other; count : of steps
+(struct search (row best scale turn bends count) #:authentic)
+
 ;; f      : flonum -> flvector, of one length
 ;; shape  : what an flvector is to the user
 ;; -> derivative, error, evaluations
@@ -39,41 +45,57 @@
                                #:name [who 'D-numeric])
   (check-tolerance who tolerance)
   (define middle (f x))
-  (define (evaluations count) (+ 1 (* 2 count)))
-  (define (found best count) (values (entry-value best) (entry-error best) (evaluations count)))
-  (define (not-found best count)
-    (raise-not-convergent who "no derivative found" (shape (entry-value best))
-                          (shape (entry-error best))
-                          "at" x "evaluations" (evaluations count)))
-  ;; bends : how many times in a row the slopes came no closer to each other
-  (let loop ([h (real->double-flonum step)] [row '()] [best #f] [scale #f] [turn #f] [bends 0]
-             [count 1])
+  (let loop ([h (real->double-flonum step)] [s (search '() #f #f #f 0 0)])
     (define after (f (+ x h)))
     (define before (f (- x h)))
+    (define there? (and (finite? after) (finite? before) (finite? middle)))
+    (define next (if there? (refined s after middle before h) (interrupted s)))
+    (define last? (>= (search-count next) most-rows))
+    (define good? (and there? (good-enough? s next tolerance)))
     (cond
-      [(and (finite? after) (finite? before) (finite? middle))
-       (define sizes (map-flvectors (lambda (a b) (max (abs a) (abs b))) after before))
-       (define rounding (map-flvector (lambda (s) (/ (* epsilon s) h)) sizes))
-       (define slopes (or scale (map-flvector (lambda (s) (/ s h)) sizes)))
-       (define quotient (map-flvectors (lambda (a b) (/ (- a b) (* 2.0 h))) after before))
-       (define turn* (turn-of after middle before h))
-       (define bends* (if (and turn (stays? turn* turn rounding)) (+ bends 1) 0))
-       (define next (extend row quotient rounding slopes))
-       (define better (least-bad (if best (cons best next) next)))
-       (define good?
-         (and (<= (entry-badness better) tolerance)
-              (confirms? row tolerance) (confirms? next tolerance)))
-       (define enough?
-         (or (= count most-rows)
-             (and good?
-                  (or (<= (entry-badness better) (* 1e-3 tolerance)) (worsening? next better)))))
-       (cond
-         [(and good? (>= bends* most-bends)) (raise-kinked who x)]
-         [(not (or good? (< count most-rows))) (not-found better count)]
-         [(and enough? (= bends* 0)) (found better count)]
-         [else (loop (* 0.5 h) next better slopes turn* bends* (+ count 1))])]
-      [(< count most-rows) (loop (* 0.5 h) '() best scale #f 0 (+ count 1))]
-      [else (raise-singular who "the function is not finite on both sides" x "at" x)])))
+      [(and good? (>= (search-bends next) most-bends)) (raise-kinked who x)]
+      [(and good? (= (search-bends next) 0) (or last? (at-its-best? next tolerance)))
+       (define best (search-best next))
+       (values (entry-value best) (entry-error best) (evaluations next))]
+      [(and last? (not there?))
+       (raise-singular who "the function is not finite on both sides" x "at" x)]
+      [(and last? (not good?)) (raise-not-found who x next shape)]
+      [else (loop (* 0.5 h) next)])))
+
+(define (evaluations s) (+ 1 (* 2 (search-count s))))
+
+(define (raise-not-found who x s shape)
+  (define best (search-best s))
+  (raise-not-convergent who "no derivative found" (shape (entry-value best))
+                        (shape (entry-error best))
+                        "at" x "evaluations" (evaluations s)))
+
+;; After a step h more.
+(define (refined s after middle before h)
+  (define sizes (map-flvectors (lambda (a b) (max (abs a) (abs b))) after before))
+  (define rounding (map-flvector (lambda (s) (/ (* epsilon s) h)) sizes))
+  (define scale (or (search-scale s) (map-flvector (lambda (s) (/ s h)) sizes)))
+  (define quotient (map-flvectors (lambda (a b) (/ (- a b) (* 2.0 h))) after before))
+  (define turn (turn-of after middle before h))
+  (define bent? (and (search-turn s) (stays? turn (search-turn s) rounding)))
+  (define row (extend (search-row s) quotient rounding scale))
+  (define best (search-best s))
+  (search row (least-bad (if best (cons best row) row)) scale turn
+          (if bent? (+ (search-bends s) 1) 0)
+          (+ (search-count s) 1)))
+
+(define (interrupted s)
+  (search '() (search-best s) (search-scale s) #f 0 (+ (search-count s) 1)))
+
+(define (good-enough? before s tolerance)
+  (and (<= (entry-badness (search-best s)) tolerance)
+       (confirms? (search-row before) tolerance)
+       (confirms? (search-row s) tolerance)))
+
+(define (at-its-best? s tolerance)
+  (define best (search-best s))
+  (or (<= (entry-badness best) (* 1e-3 tolerance))
+      (worsening? (search-row s) best)))
 
 (define most-bends 4)
 

@@ -22,20 +22,7 @@
   (check-tolerance who tolerance)
   (define a (real->double-flonum low))
   (define b (real->double-flonum high))
-  (define (between a b) (over-interval f a b tolerance who values))
-  ;; direction : 1.0 or -1.0, by which the integral is not affected
-  (define (to-infinity from direction)
-    (define unit (max 1.0 (abs from)))
-    (define near (+ from (* direction unit)))
-    (define (x t) (+ near (* direction unit (/ (- 1.0 t) t))))
-    (define (h t) (/ (* unit (sample who f (x t))) (* t t)))
-    (define (along s) (sample who f (+ near (* direction s))))
-    (define (far)
-      (let/ec return
-        (call-or-fail (lambda () (over-interval h 0.0 1.0 tolerance who x 0)) return)
-        (call-or-fail (lambda () (oscillating-quadrature along unit tolerance)) return)
-        (over-interval h 0.0 1.0 tolerance who x)))
-    (both (lambda () (between (min from near) (max from near))) far))
+  (define (to-infinity from direction) (half-line f from direction tolerance who))
   (cond [(= a b) (values 0.0 0.0)]
         [(> a b)
          (define-values (value bound)
@@ -45,7 +32,22 @@
          (both (lambda () (to-infinity 0.0 -1.0)) (lambda () (to-infinity 0.0 1.0)))]
         [(= b +inf.0) (to-infinity a 1.0)]
         [(= a -inf.0) (to-infinity b -1.0)]
-        [else (between a b)]))
+        [else (over-interval f a b tolerance who values)]))
+
+;; direction : 1.0 or -1.0, by which the integral is not affected
+(define (half-line f from direction tolerance who)
+  (define unit (max 1.0 (abs from)))
+  (define near (+ from (* direction unit)))
+  (define (x t) (+ near (* direction unit (/ (- 1.0 t) t))))
+  (define (h t) (/ (* unit (sample who f (x t))) (* t t)))
+  (define (along s) (sample who f (+ near (* direction s))))
+  (define (beginning) (over-interval f (min from near) (max from near) tolerance who values))
+  (define (far)
+    (let/ec return
+      (call-or-fail (lambda () (over-interval h 0.0 1.0 tolerance who x 0)) return)
+      (call-or-fail (lambda () (oscillating-quadrature along unit tolerance)) return)
+      (over-interval h 0.0 1.0 tolerance who x)))
+  (both beginning far))
 
 ;; Two integrals and their bounds added.
 (define (both one other)

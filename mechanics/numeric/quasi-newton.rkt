@@ -43,10 +43,7 @@
     (set! evaluations (+ evaluations 1))
     (value-and-gradient x))
   (define (not-found what x f g p)
-    (raise-not-convergent who (string-append "no minimum found: " what) (argument x) (greatest p)
-                          "value there" f
-                          "size of the gradient there" (size g)
-                          "evaluations" evaluations))
+    (raise-no-minimum who what (argument x) (greatest p) f g evaluations))
   (define-values (f0 g0) (at start))
   (let loop ([x start] [f f0] [g g0] [H (unit n)] [scale (flabs f0)] [steps 0] [gain +inf.0])
     (observe x f)
@@ -69,6 +66,12 @@
          [else
           (stuck x)
           (not-found "the gradient does not vanish, yet nothing near is lower" x f g p)])])))
+
+(define (raise-no-minimum who what argument error f g evaluations)
+  (raise-not-convergent who (string-append "no minimum found: " what) argument error
+                        "value there" f
+                        "size of the gradient there" (size g)
+                        "evaluations" evaluations))
 
 ;; ---------------------------------------------------------------------------
 ;; The line
