@@ -12,7 +12,7 @@
          "../value/assumptions.rkt" "../value/matrix.rkt" "../value/operator.rkt"
          "../value/series/series.rkt" "../value/series/access.rkt"
          "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt"
-         "../algebra/zero-test.rkt"
+         "../algebra/symbols.rkt" "../algebra/zero-test.rkt"
          "verdict-report.rkt")
 
 (provide prove-zero verify-equal
@@ -171,7 +171,7 @@
     (string->uninterned-symbol (if (= n 1) "t" (format "t~a" i)))))
 
 (define (rename-arguments e arguments variables)
-  (define taken (free-symbols e))
+  (define taken (make-hasheq (for/list ([s (in-list (symbols-in e))]) (cons s #t))))
   (substitute-expression
    e
    (for/list ([a (in-list arguments)])
@@ -184,13 +184,6 @@
   (for/first ([suffix (in-sequences '("") (in-naturals 1))]
               #:unless (hash-ref taken (string->symbol (format "~a~a" base suffix)) #f))
     (string->symbol (format "~a~a" base suffix))))
-
-(define (free-symbols e)
-  (define found (make-hasheq))
-  (node-fold e
-             (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t)))
-             void)
-  found)
 
 ;; ---------------------------------------------------------------------------
 

@@ -8,7 +8,7 @@
 (require "instruction.rkt")
 
 (provide make-builder written
-         do! write! add! subtract! multiply! divide! negate! power!)
+         do! write! add! subtract! multiply! divide! power!)
 
 ;; inputs : how many; as-constant : real -> what stands for it in an instruction
 ;; places : instruction -> place; instructions : index -> instruction

@@ -1,14 +1,13 @@
 #lang racket/base
 ;; Names that a module both imports and defines.
 
-(require racket/require-transform
+(require (only-in racket/list append-map)
+         racket/require-transform
          "module-definitions.rkt"
          (for-template racket/base "start-with.rkt"))
 
 (provide bound-outside? start-as-outside
          require-without-clashes)
-
-(define (append-map f . xss) (apply append (apply map f xss)))
 
 ;; ---------------------------------------------------------------------------
 ;; From the language, or from the module around a submodule

@@ -9,6 +9,7 @@
 ;; that.  Those that are not defined yet are used too early.
 
 (require (for-template racket/base)
+         (only-in racket/list append-map)
          "module-names.rkt")
 
 (provide (struct-out listing) read-listing all-early
@@ -29,8 +30,6 @@
 (define (all-early l)
   (define early (apply append (listing-early l)))
   (filter (lambda (id) (memq id early)) (listing-defined l)))
-
-(define (append-map f xs) (apply append (map f xs)))
 
 ;; Is it the same name, in the same context?
 (define ((same-name? id) other) (bound-identifier=? id other))

@@ -13,7 +13,8 @@
 ;; Identifiers keep the syntax they were written with, so that editors draw
 ;; their arrows.
 
-(require (for-template racket/base
+(require (only-in racket/list append-map)
+         (for-template racket/base
                        (only-in '#%unsafe unsafe-vector*-ref)
                        "tuple.rkt" "mismatch.rkt"))
 
@@ -63,8 +64,6 @@
 (define (pattern-heads pattern)
   (cons (car (syntax-e pattern))
         (append-map pattern-heads (filter pattern? (components-of pattern)))))
-
-(define (append-map f xs) (apply append (map f xs)))
 
 ;; The pattern as messages show it.
 (define (pattern->datum pattern)

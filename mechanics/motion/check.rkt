@@ -2,7 +2,7 @@
 ;; What integration is asked, checked once, at the edge.
 
 (require racket/flonum
-         "../algebra/expression.rkt"
+         "../algebra/expression.rkt" "../algebra/symbols.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt"
          "../value/shape.rkt")
@@ -142,7 +142,7 @@
   slope)
 
 (define (raise-no-derivative who slope x)
-  (define symbols (if (symbolic? x) (free-symbols x) '()))
+  (define symbols (if (symbolic? x) (symbols-in x) '()))
   (cond [(pair? symbols)
          (complain "~a: the symbol ~a is left in the state derivative~a\n  ~a"
                    who (car symbols) (field "state derivative" slope)
@@ -150,12 +150,6 @@
         [else
          (complain "~a: the state derivative holds ~a; expected real numbers~a"
                    who (describe-with-value x) (field "state derivative" slope))]))
-
-;; The symbols in e that are not heads, in alphabetical order.
-(define (free-symbols e)
-  (define found (make-hasheq))
-  (node-fold e (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t))) void)
-  (sort (hash-keys found) symbol<?))
 
 (define (field label x) (format "\n  ~a: ~a" label (value->text x)))
 

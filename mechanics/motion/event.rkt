@@ -17,7 +17,8 @@
 
 (provide event event? event-f event-direction event-terminal? raise-undefined
          (struct-out occurrence)
-         watch-for (struct-out undefined))
+         watch-for (struct-out undefined)
+         crosses?)
 
 ;; f : state -> real; direction : 'rising, 'falling or 'both
 (struct event (f name direction terminal?)
@@ -111,8 +112,8 @@
 
 ;; From a sign to the other or to zero; from zero to a sign is no crossing.
 (define (crosses? ga gb direction)
-  (or (and (fl< ga 0.0) (fl>= gb 0.0) (not (eq? direction 'falling)))
-      (and (fl> ga 0.0) (fl<= gb 0.0) (not (eq? direction 'rising)))))
+  (or (and (< ga 0) (>= gb 0) (not (eq? direction 'falling)))
+      (and (> ga 0) (<= gb 0) (not (eq? direction 'rising)))))
 
 ;; -> a place, or #f if there is a pole instead
 (define (zero-between g a ga b gb)

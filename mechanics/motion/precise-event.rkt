@@ -41,10 +41,6 @@
        (define more (loop b gb (cdr places)))
        (if found (cons found more) more)])))
 
-(define (crosses? ga gb direction)
-  (or (and (< ga 0) (>= gb 0) (not (eq? direction 'falling)))
-      (and (> ga 0) (<= gb 0) (not (eq? direction 'rising)))))
-
 ;; #f at a pole, where the values grow.
 (define (zero-between m g a ga b gb tolerance)
   (define size (max (abs ga) (abs gb)))

@@ -25,11 +25,6 @@
   (for/vector #:length (vector-length rows) ([row (in-vector rows)])
     (for/vector #:length (vector-length row) ([x (in-vector row)]) (exact->inexact x))))
 
-(define (exchange! v i j)
-  (define x (vector-ref v i))
-  (vector-set! v i (vector-ref v j))
-  (vector-set! v j x))
-
 ;; Subtracts multiples of row k, which is 0 before column `start`, from those below,
 ;; to clear column j there.
 (define (clear-below! rows k j start)

@@ -142,8 +142,3 @@
 (define (greatest A k n)
   (for*/fold ([p k] [q k]) ([i (in-range k n)] [j (in-range k n)])
     (if (> (magnitude (entry A i j)) (magnitude (entry A p q))) (values i j) (values p q))))
-
-(define (exchange! v i j)
-  (define x (vector-ref v i))
-  (vector-set! v i (vector-ref v j))
-  (vector-set! v j x))

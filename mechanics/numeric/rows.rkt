@@ -2,7 +2,8 @@
 ;; Matrices as vectors of rows, which are vectors of entries of any kind.
 
 (provide entry all-entries? row-length
-         rows-transpose beside submatrix unit-rows)
+         rows-transpose beside submatrix unit-rows
+         exchange!)
 
 (define (entry rows i j) (vector-ref (vector-ref rows i) j))
 
@@ -30,3 +31,9 @@
 
 (define (unit-rows n [one 1] [zero 0])
   (build-vector n (lambda (i) (build-vector n (lambda (j) (if (= i j) one zero))))))
+
+;; Two entries of a vector, which may be rows, change places.
+(define (exchange! v i j)
+  (define x (vector-ref v i))
+  (vector-set! v i (vector-ref v j))
+  (vector-set! v j x))

@@ -5,7 +5,7 @@
 ;; left out of the picture: it becomes a NaN.  What is no number is an error.
 
 (require racket/string
-         "../algebra/expression.rkt"
+         "../algebra/expression.rkt" "../algebra/symbols.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt")
 
@@ -33,12 +33,6 @@
                      (string-join symbols ", ")))]
         [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
         [else ""]))
-
-;; In the order of the alphabet.
-(define (symbols-in e)
-  (define found (make-hasheq))
-  (node-fold e (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t))) void)
-  (sort (hash-keys found) symbol<?))
 
 ;; Of a tuple of two, or as the book makes it by cons.
 (define (plane-point who what p)

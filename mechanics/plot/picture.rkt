@@ -6,7 +6,7 @@
          plot/no-gui plot/utils
          "layer.rkt" "points.rkt" "view.rkt")
 
-(provide loaded? color-name? renderers make-picture picture-bytes)
+(provide loaded? color-name? make-picture picture-bytes)
 
 ;; For those who load this module lazily and want to know whether they can.
 (define (loaded?) #t)

@@ -8,7 +8,7 @@
 
 (require racket/flonum)
 
-(provide make-points points? points-count add-point!
+(provide make-points points? add-point!
          (struct-out snapshot) take-snapshot
          snapshot->vectors snapshot->curves vectors->points)
 

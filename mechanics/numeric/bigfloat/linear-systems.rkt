@@ -32,11 +32,6 @@
   (for/fold ([best k]) ([i (in-range (+ k 1) (vector-length rows))])
     (if (bf> (bfabs (entry rows i k)) (bfabs (entry rows best k))) i best)))
 
-(define (exchange! v i j)
-  (define x (vector-ref v i))
-  (vector-set! v i (vector-ref v j))
-  (vector-set! v j x))
-
 (define (clear-below! rows k)
   (define top (vector-ref rows k))
   (for ([i (in-range (+ k 1) (vector-length rows))])

@@ -8,7 +8,7 @@
          "../../generic/tracing.rkt")
 
 (provide points values-at check-increasing check-distinct
-         location raise-no-number complain)
+         location complain)
 
 (define (complain text . parts)
   (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))
