@@ -95,7 +95,8 @@
   (unless (perturbed? u) (number 'Jacobi-elliptic-functions u))
   (define-values (as cs) (means k))
   (define phi
-    (for/fold ([phi (g:* (expt 2.0 steps) (car as) u)]) ([a (in-list as)] [c (in-list cs)] [_ steps])
+    (for/fold ([phi (g:* (expt 2.0 steps) (car as) u)])
+              ([a (in-list as)] [c (in-list cs)] [_ (in-range steps)])
       (g:* 0.5 (g:+ phi (g:asin (g:/ (g:* c (g:sin phi)) a))))))
   (define sn (g:sin phi))
   (receive sn (g:cos phi) (g:sqrt (g:- 1.0 (g:square (g:* k sn))))))

@@ -3,7 +3,8 @@
 
 (require racket/flonum
          "gradient.rkt" "number.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/structure.rkt"
          "../value/shape.rkt"
          (prefix-in numeric: "../numeric/minimize.rkt")
          (prefix-in numeric: "../numeric/nelder-mead.rkt")
@@ -17,11 +18,11 @@
 ;; In one variable: (argument value steps) of a minimum of f between low and high
 
 (define-plain (minimize f low high #:tolerance [tolerance 1e-8] #:observe [observe void]
-                  #:progress [progress? (report-progress)])
+                        #:progress [progress? (report-progress)])
   (minimum-between 'minimize f low high tolerance observe progress?))
 
 (define-plain (brent-min f low high [tolerance 1e-8] #:observe [observe void]
-                   #:progress [progress? (report-progress)])
+                         #:progress [progress? (report-progress)])
   (minimum-between 'brent-min f low high tolerance observe progress?))
 
 (define (minimum-between who f low high tolerance observe progress?)
@@ -37,10 +38,10 @@
 ;; done? : a tolerance, or a predicate of low, best and high argument, the values there
 ;; and the count of steps
 (define-plain (golden-section-min f low high [done? 1e-8] #:observe [observe void]
-                            #:progress [progress? (report-progress)])
+                                  #:progress [progress? (report-progress)])
   (define who 'golden-section-min)
   (check-function-of-one-variable who f)
-  (unless (procedure? done?) (check-tolerance who done?))
+  (if (procedure? done?) (check-predicate who done?) (check-tolerance who done?))
   (define a (number who low))
   (define b (number who high))
   (call-with-progress
@@ -50,6 +51,12 @@
                      #:done? (if (procedure? done?) done? (width-at-most done?))
                      #:observe observe))))
 
+(define (check-predicate who done?)
+  (unless (accepts? done? 7)
+    (raise-arguments-error
+     who "a predicate that ends the search takes three arguments, the values there and a count"
+     "given" done?)))
+
 ;; ---------------------------------------------------------------------------
 ;; In several variables: from the gradient, or, of a function that has none
 ;; everywhere or does not say in which direction it falls, from values alone
@@ -58,11 +65,11 @@
 ;; it, the value there, the size of the gradient, #f where it is not known, and the
 ;; evaluations of f.
 (define-plain (multidimensional-minimize f start
-                                   #:tolerance [tolerance 1e-8]
-                                   #:method [method #f]
-                                   #:observe [observe void]
-                                   #:report [report (lambda (x y size count) x)]
-                                   #:progress [progress? (report-progress)])
+                                         #:tolerance [tolerance 1e-8]
+                                         #:method [method #f]
+                                         #:observe [observe void]
+                                         #:report [report (lambda (x y size count) x)]
+                                         #:progress [progress? (report-progress)])
   (define who 'multidimensional-minimize)
   (check-function-of-one-variable who f)
   (check-tolerance who tolerance)
@@ -98,8 +105,9 @@
     [else (if (slopes? (value-and-gradient who f argument) x) (from-either) (from-values x))]))
 
 ;; (argument value evaluations)
-(define-plain (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000] #:observe [observe void]
-                     #:progress [progress? (report-progress)])
+(define-plain (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000]
+                           #:observe [observe void]
+                           #:progress [progress? (report-progress)])
   (define who 'nelder-mead)
   (check-function-of-one-variable who f)
   (when step (check-step who step))

@@ -20,18 +20,21 @@
 
 ;; (find-root f low high), or (find-root f start) for a start of any shape.
 (define-plain (find-root f start [high #f]
-                   #:tolerance [tolerance 1e-12] #:observe [observe void] #:report [report the-root])
+                         #:tolerance [tolerance 1e-12]
+                         #:observe [observe void] #:report [report the-root])
   (check-function-of-one-variable 'find-root f)
   (if high
       (root-between 'find-root bracketed-root f start high tolerance observe report)
       (root-near 'find-root f start tolerance observe report)))
 
 ;; Where f changes its sign, by halving the interval (SICM p. 321).
-(define-plain (bisect f low high [tolerance 1e-15] #:observe [observe void] #:report [report the-root])
+(define-plain (bisect f low high [tolerance 1e-15]
+                      #:observe [observe void] #:report [report the-root])
   (check-function-of-one-variable 'bisect f)
   (root-between 'bisect bisected-root f low high tolerance observe report))
 
-(define-plain (newton-search f start [tolerance 1e-12] #:observe [observe void] #:report [report the-root])
+(define-plain (newton-search f start [tolerance 1e-12]
+                             #:observe [observe void] #:report [report the-root])
   (check-function-of-one-variable 'newton-search f)
   (root-near 'newton-search f start tolerance observe report))
 
@@ -52,9 +55,9 @@
   (define (value x) (number who (innermost (f x))))
   (define-values (x error count)
     (method value (end low) (end high) #:tolerance tolerance #:observe observe #:name who))
-  (report (varying-root who f x (lambda () (jacobian-at f (lambda (v) (flvector (value (flvector-ref v 0))))
-                                                        x (flvector x))))
-          error count))
+  (define (values-at v) (flvector (value (flvector-ref v 0))))
+  (define (slope) (jacobian-at f values-at x (flvector x)))
+  (report (varying-root who f x slope) error count))
 
 (define (root-near who f start tolerance observe report)
   (define (complain x) (number who x))

@@ -24,11 +24,13 @@
 (define-syntax (define-elementary stx)
   (define (prefixed prefix id)
     (datum->syntax id (string->symbol (format "~a~a" prefix (syntax-e id))) id id))
+  (define (all-prefixed prefix ids)
+    (for/list ([id (in-list (syntax->list ids))]) (prefixed prefix id)))
   (syntax-case stx ()
     [(_ name ...)
-     (with-syntax ([(procedure ...) (map (lambda (n) (prefixed "g:" n)) (syntax->list #'(name ...)))]
-                   [(generic ...) (map (lambda (n) (prefixed "generic:" n)) (syntax->list #'(name ...)))]
-                   [(op ...) (map (lambda (n) (prefixed "op:" n)) (syntax->list #'(name ...)))]
+     (with-syntax ([(procedure ...) (all-prefixed "g:" #'(name ...))]
+                   [(generic ...) (all-prefixed "generic:" #'(name ...))]
+                   [(op ...) (all-prefixed "op:" #'(name ...))]
                    [(define-record ...)
                     (for/list ([n (in-list (syntax->list #'(name ...)))])
                       (datum->syntax n 'define-record))])

@@ -11,7 +11,8 @@
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)
  (struct-out generic-op)
  other-number?
- rank:scalar rank:number rank:dual rank:structure rank:matrix rank:function rank:operator rank:series)
+ rank:scalar rank:number rank:dual rank:structure rank:matrix rank:function rank:operator
+ rank:series)
 
 ;; rank      : where it stands when kinds meet
 ;; describe  : value -> string, as error messages name it ("an up tuple of 2")

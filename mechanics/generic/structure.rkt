@@ -110,7 +110,9 @@
         [else
          (raise
           (exn:fail:contract
-           (format "application: a tuple applies its components to the arguments, but the component ~a of ~a is not a function~a"
+           (format (string-append
+                    "application: a tuple applies its components to the arguments, "
+                    "but the component ~a of ~a is not a function~a")
                    (value->text f) (value->text s)
                    (cond [(symbol? f)
                           (format "; (literal-function '~a) makes a function of it" f)]
@@ -210,7 +212,8 @@
          (define s (adopt a))
          (define t (adopt b))
          (cond [(contract-flonums s t)]
-               [(contractible? s t) (contract (adding add (lambda () (complain-sum s t))) multiply s t)]
+               [(contractible? s t)
+                (contract (adding add (lambda () (complain-sum s t))) multiply s t)]
                [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (complain s t)]
                [else (structure-map (lambda (y) (multiply s y)) t)])]))
 

@@ -47,7 +47,8 @@
 (define (complaint f arguments)
   (cond
     [(symbol? f)
-     (format "the symbol ~a is a number here, not a function; (literal-function '~a) makes a function of it"
+     (format (string-append "the symbol ~a is a number here, not a function; "
+                            "(literal-function '~a) makes a function of it")
              f f)]
     [(list? f) (list-complaint f)]
     [else

@@ -76,7 +76,8 @@
 (define (hint-for-constant id)
   (format (string-append
            "\n  the module was compiled with ~s as it is: change it there and run it again, or"
-           "\n  in DrRacket switch off \"Enforce constant definitions\" in Choose Language, Show Details")
+           "\n  in DrRacket switch off \"Enforce constant definitions\""
+           " in Choose Language, Show Details")
           id))
 
 (define (meant-instead id)

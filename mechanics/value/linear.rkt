@@ -57,8 +57,9 @@
   (define rows (square-parts s))
   (if rows
       (for/vector ([row (in-list rows)]) (scalars row))
-      (raise-arguments-error who "expected as many components in each component as there are components"
-                             "structure" s)))
+      (raise-arguments-error
+       who "expected as many components in each component as there are components"
+       "structure" s)))
 
 (define (square-parts s)
   (let try ([like (s:ref s 0)])
@@ -116,7 +117,10 @@
   (unless (for/and ([row (in-vector rows)])
             (and (= (vector-length row) (structure-length inner))
                  (for/and ([x (in-vector row)]) (not (tuple? x)))))
-    (complain "~a: expected components of one length that hold scalars; given ~a\n  the transpose of a deeper structure depends on what it multiplies: (transpose s x)"
+    (complain (string-append
+               "~a: expected components of one length that hold scalars; given ~a"
+               "\n  the transpose of a deeper structure depends on what it multiplies:"
+               " (transpose s x)")
               'transpose (describe-with-value s)))
   (structure (structure-orientation inner)
              (for/vector ([row (in-vector (rows-transpose rows))])

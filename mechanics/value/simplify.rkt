@@ -72,7 +72,8 @@
   (cond [(null? xs) '()]
         [(null? (cdr xs))
          (complain "expected a value, then each name with its replacement: ~a\n  ~a: ~a"
-                   "(substitute x 'm 2 'k 3)" "without a replacement" (describe-with-value (car xs)))]
+                   "(substitute x 'm 2 'k 3)"
+                   "without a replacement" (describe-with-value (car xs)))]
         [else
          (check-replacement (car xs) (cadr xs))
          (cons (cons (car xs) (cadr xs)) (pair-up (cddr xs)))]))

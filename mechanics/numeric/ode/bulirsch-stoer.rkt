@@ -27,7 +27,8 @@
   (define y (flvector-copy y0))
   (define step 0.0)
   ;; row j of the scheme, from T(j, 0)
-  (define scheme (build-vector rows (lambda (j) (build-vector (+ j 1) (lambda (k) (make-flvector n))))))
+  (define (flvectors count) (build-vector count (lambda (k) (make-flvector n))))
+  (define scheme (build-vector rows (lambda (j) (flvectors (+ j 1)))))
   (define (T j k) (vector-ref (vector-ref scheme j) k))
 
   ;; The smoothed midpoint rule: w and u are the last two points.

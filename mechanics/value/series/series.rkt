@@ -31,7 +31,7 @@
              #:binary (lambda (op a b) (series-binary op a b))
              #:zero? (lambda (s)
                        (and (finite-series? s)
-                            (for/and ([x (in-list (first-terms s (series-length s)))]) (g:zero? x))))
+                            (andmap g:zero? (first-terms s (series-length s)))))
              #:same? (lambda (same? a b) (same-series? same? a b))
              #:arity (lambda (s) (if (power-series? s) 2 -1))))
 
@@ -148,7 +148,9 @@
 (define (apply-series s args)
   (cond [(power-series? s)
          (unless (= (length args) 1) (raise-one-variable s args))
-         (if (series? (car args)) (compose-series s (car args)) (series-of ((series-terms-at s) (car args))))]
+         (if (series? (car args))
+             (compose-series s (car args))
+             (series-of ((series-terms-at s) (car args))))]
         [else (values-at s args)]))
 
 (define (raise-one-variable s args)
@@ -187,7 +189,8 @@
 
 (define (raise-no-function s)
   (complain (string-append
-             "application: a series applies those of its terms that are functions, but ~a has none\n"
+             "application: a series applies those of its terms that are functions,"
+             " but ~a has none\n"
              "  (power-series a ...) makes a function of coefficients")
             (value->text s)))
 

@@ -51,7 +51,9 @@
     (set! seen (cons (- high low) seen))
     (= count 10))
   (check-equal? (caddr (golden-section-min g:cos 2 4 after-ten)) 10)
-  (check-= (/ (car seen) (cadr seen)) (/ 2 (+ 1 (sqrt 5.0))) 1e-12))
+  (check-= (/ (car seen) (cadr seen)) (/ 2 (+ 1 (sqrt 5.0))) 1e-12)
+  (check-exn #rx"^golden-section-min: a predicate that ends the search takes three arguments, .*\n  given: "
+             (lambda () (golden-section-min g:cos 2 4 (lambda (width) #t)))))
 
 (test-case "each point tried is observed"
   (for ([method (list minimize brent-min golden-section-min)])
