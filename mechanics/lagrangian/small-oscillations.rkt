@@ -53,7 +53,12 @@
 
 (define (check-coordinates who q)
   (unless (or (scalar? q) (and (tuple? q) (up? q)))
-    (raise-argument-error who "coordinates: a scalar, or an up tuple of scalars" q)))
+    (raise
+     (exn:fail:contract
+      (format "~a: expected coordinates, a scalar or an up tuple of scalars\n  given: ~a~a"
+              who (describe-with-value q)
+              (if (list? q) "\n  a list is not a tuple; use (up x y ...)" ""))
+      (current-continuation-marks)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Modes

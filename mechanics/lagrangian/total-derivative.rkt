@@ -16,7 +16,7 @@
 (require "local-tuple.rkt" "Lagrange-equations.rkt"
          "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../calculus/derivative.rkt"
+         "../calculus/derivative.rkt" "../calculus/derivative-errors.rkt"
          "../value/structure.rkt" "../value/operator.rkt" "../value/function.rkt")
 
 (provide Dt Euler-Lagrange-operator LE Lagrange-equations-operator
@@ -25,11 +25,13 @@
 ;; ((Dt F) local)
 (define Dt
   (make-primitive-operator
-   (lambda (F)
-     (unless (procedure? F)
-       (raise-argument-error 'Dt "a function of the local tuple" F))
-     (unary-function (lambda () (list 'Dt (value->datum F))) (local)
-       (total-derivative F local)))
+   (case-lambda
+     [(F)
+      (unless (procedure? F)
+        (raise-argument-error 'Dt "a function of the local tuple" F))
+      (unary-function (lambda () (list 'Dt (value->datum F))) (local)
+        (total-derivative F local))]
+     [Fs (raise-takes-only-function 'Dt Fs)])
    (lambda () 'Dt)))
 
 (define (total-derivative F local)

@@ -11,7 +11,7 @@
  ;; numbers
  check-real check-positive check-tolerance check-longest check-most real-number
  ;; procedures
- check-monitor check-maker takes-state-only? raise-arguments
+ checked-monitor check-maker takes-state-only? raise-arguments
  ;; states and their derivatives
  state-vector check-derivative check-clock)
 
@@ -27,7 +27,8 @@
 (define (check-real who what x)
   (define r (real-number x))
   (unless (and (real? r) (< (abs r) +inf.0))
-    (complain-of who (format "expected a ~a that is a real number" what) x)))
+    (define kind (if (real? r) "finite" "a real number"))
+    (complain-of who (format "expected a ~a that is ~a" what kind) x)))
 
 (define (check-positive who what x [hint ""])
   (check-real who what x)
@@ -57,16 +58,30 @@
 
 (define (complain-of who what x [hint ""])
   (complain "~a: ~a\n  given: ~a~a" who what (describe-with-value x)
-            (if (symbolic? x) "\n  give its symbols values first" hint)))
+            (cond [(symbolic? x) "\n  give its symbols values first"]
+                  [(list? x) list-hint]
+                  [else hint])))
+
+(define list-hint "\n  a list is not a tuple; use (up x y ...)")
 
 ;; ---------------------------------------------------------------------------
 ;; Procedures
 
-(define (check-monitor who f)
+;; -> the monitor.  One that returns a function was given too few arguments, as
+;; `monitor-theta` without its frame, and would show nothing of any state.
+(define (checked-monitor who f)
   (unless (and (procedure? f) (accepts? f 1))
     (complain "~a: expected a monitor, a procedure of one state\n  given: ~a~a" who
               (describe-with-value f)
-              (if (procedure? f) (format ", which takes ~a" (arity->text f)) ""))))
+              (if (procedure? f) (format ", which takes ~a" (arity->text f)) "")))
+  (define (check-shown . values)
+    (for ([v (in-list values)] #:when (pointwise? v))
+      (complain "~a: the monitor returns a function; it does nothing with the state\n  monitor: ~a~a"
+                who (describe-with-value f) (parameters-hint f))))
+  (lambda (state) (call-with-values (lambda () (f state)) check-shown)))
+
+(define (parameters-hint f)
+  (format "\n  parameters are supplied first: (~a ...)" (value->text f)))
 
 ;; maker : what is to make a state derivative of that many parameters
 (define (check-maker who maker parameters)
@@ -115,7 +130,7 @@
 (define (raise-no-state who state x)
   (complain "~a: expected a state of real numbers; ~a is none\n  state: ~a~a"
             who (describe-with-value x) (value->text state)
-            (cond [(pair? x) "\n  a list is not a tuple; use (up x y ...)"]
+            (cond [(pair? x) list-hint]
                   [(symbolic? x) "\n  give its symbols values first"]
                   [else ""])))
 
@@ -126,17 +141,19 @@
     (complain "~a: expected a state derivative, a function of the state\n  given: ~a~a"
               who (describe-with-value derivative)
               (if (procedure? derivative)
-                  (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
-                          (arity->text derivative) (value->text derivative))
+                  (format ", which takes ~a~a"
+                          (arity->text derivative) (parameters-hint derivative))
                   "")))
   (define slope (derivative (flvector->structure state y)))
   (unless (same-shape? slope state)
     (complain "~a: the state derivative is of another shape than the state~a~a~a"
               who
               (field "state" state) (field "derivative" slope)
-              (if (and (tuple? state) (real? slope))
-                  "\n  (Lagrangian->state-derivative L) makes a state derivative of a Lagrangian"
-                  "")))
+              (cond [(and (tuple? state) (real? slope))
+                     "\n  (Lagrangian->state-derivative L) makes a state derivative of a Lagrangian"]
+                    [(list? slope) list-hint]
+                    [(pointwise? slope) (parameters-hint derivative)]
+                    [else ""])))
   (for ([x (in-list (scalars slope))])
     (unless (or (number? x) (other-number? x)) (raise-no-derivative who slope x)))
   slope)

@@ -11,11 +11,16 @@
 ;; A pole changes the sign as well, and is no zero.
 
 (require racket/flonum
+         "check.rkt"
+         "../algebra/expression.rkt"
          "../compile/compile-function.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../numeric/failure.rkt")
+         "../generic/kind.rkt"
+         "../numeric/failure.rkt"
+         "../value/shape.rkt")
 
-(provide event event? event-f event-direction event-terminal? raise-undefined
+(provide event event? event-f event-direction event-terminal?
+         event-value raise-undefined
          (struct-out occurrence)
          watch-for (struct-out undefined)
          crosses?)
@@ -82,13 +87,31 @@
           < #:key car)))
 
 (define (event-code who e state)
-  (define c (compile-function (event-f e) state #:name who))
+  (define value (event-value who e state))
+  (define c (compile-function (event-f e) state #:name who #:value value))
   (unless (= (compiled-function-outputs c) 1)
-    (raise-arguments-error
-     who "the value of an event's function is a real number"
-     "event" e
-     "value" (unquoted-printing-string (describe (compiled-function-value-shape c)))))
+    (check-event-value who e (compiled-function-value-shape c)))
   (compiled-function-runner c))
+
+;; The value of the event's function at the state, #f where it has none.
+(define (event-value who e state)
+  (define value
+    (with-handlers ([exn:fail:mechanics:singular? (lambda (x) #f)]
+                    [exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+      ((event-f e) (flvector->structure state (state-vector who state)))))
+  (when value (check-event-value who e value))
+  value)
+
+(define (check-event-value who e x)
+  (unless (or (number? x) (other-number? x))
+    (raise
+     (exn:fail:contract
+      (format "~a: the value of an event's function is a real number\n  event: ~a\n  value: ~a~a"
+              who (value->text e) (describe-with-value x)
+              (cond [(boolean? x) "\n  it passes through zero: (- a b) where (< a b) changes"]
+                    [(symbolic? x) "\n  give its symbols values first"]
+                    [else ""]))
+      (current-continuation-marks)))))
 
 ;; Where a step is looked at.
 (define places '(0.0 0.125 0.25 0.375 0.5 0.625 0.75 0.875 1.0))

@@ -57,14 +57,14 @@
   (define datum (made-by 'evolve derivative-maker parameters))
   (define (follow plan-with state monitor step final [tolerance #f])
     (define p (plan-with tolerance))
-    (check-monitor 'evolve monitor)
+    (define shown (checked-monitor 'evolve monitor))
     (check-positive 'evolve "time step" step
                     "\n  the final time says whether to go forwards or back")
     (check-real 'evolve "final time" final)
     (if (plan-bits p)
-        (follow-precisely p (derivative-for derivative-maker parameters) state monitor
+        (follow-precisely p (derivative-for derivative-maker parameters) state shown
                           (real-number step) (real-number final))
-        (follow-flonums p (system-for state) state monitor (->flonum step) (->flonum final))))
+        (follow-flonums p (system-for state) state shown (->flonum step) (->flonum final))))
   (define (follow/keywords #:method [method #f]
                            #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
                            #:precision [bits (ode-precision)]

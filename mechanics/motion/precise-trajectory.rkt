@@ -13,6 +13,7 @@
   (define occurrences '())
   (define m (make-motion p derivative state (lambda (last) (so-far))))
   (define final (inexact->exact end))
+  (for ([e (in-list events)]) (event-value 'evolve-trajectory e state))
   (define (record! s to) (set! steps (cons (list (stretch-from s) to s) steps)))
   (define (so-far)
     (when (null? steps) (record! (motion-stay m) (motion-start m)))

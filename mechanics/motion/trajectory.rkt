@@ -7,6 +7,7 @@
 
 (require racket/flonum racket/lazy-require
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "system.rkt"
+         "../calculus/perturbed.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../numeric/ode/vectors.rkt"
          "../numeric/progress.rkt")
@@ -154,6 +155,7 @@
 ;; Reading one
 
 (define (state-at tr t)
+  (when (perturbed? t) (raise-differentiated tr))
   (check-real 'trajectory "time" t)
   (define r (trajectory-reading tr))
   (define x ((reading-exactly r) (real-number t)))
@@ -163,6 +165,17 @@
                            "from" (trajectory-start tr)
                            "to" (trajectory-end tr)))
   ((reading-state r) (find-step (trajectory-steps tr) x) x))
+
+;; A derivative by interpolation would be worse than the one that was integrated; and that
+;; one would tell nothing of how good the trajectory is.
+(define (raise-differentiated tr)
+  (raise
+   (exn:fail:contract
+    (string-append
+     "trajectory: a trajectory is not differentiated; its rate of change at a time is the"
+     " state derivative of the state there: (compose state-derivative trajectory)"
+     (format "\n  trajectory: ~a" tr))
+    (current-continuation-marks))))
 
 (define (between? a x b) (or (<= a x b) (>= a x b)))
 

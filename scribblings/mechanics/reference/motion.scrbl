@@ -75,6 +75,7 @@ time, and perhaps a tolerance. It calls the monitor with the state at the start,
 each time step and at the final time, and returns the last of these states. The time
 step is that of the monitor; the integration chooses its own, and what lies between is
 interpolated, as well as the tolerance demands. The final time is met exactly.
+A monitor that returns a function was given too few arguments, and raises an error.
 
 @examples[#:eval session
 (define (show-angle s) (printf "~a ~a\n" (time s) (coordinate s)))

@@ -35,17 +35,17 @@
   "state-advancer: expected a duration that is a real number\n  given: the symbol T\n"
   "  give its symbols values first"]
  [(advance start +inf.0)
-  "state-advancer: expected a duration that is a real number\n  given: the number +inf.0"]
+  "state-advancer: expected a duration that is finite\n  given: the number +inf.0"]
  [(advance start +nan.0)
-  "state-advancer: expected a duration that is a real number\n  given: the number +nan.0"]
+  "state-advancer: expected a duration that is finite\n  given: the number +nan.0"]
  [(advance start 1 -1)
   "state-advancer: expected a positive tolerance\n  given: the number -1"]
  [(advance start 1 0)
   "state-advancer: expected a positive tolerance\n  given: the number 0"]
  [(advance start 1 +nan.0)
-  "state-advancer: expected a tolerance that is a real number\n  given: the number +nan.0"]
+  "state-advancer: expected a tolerance that is finite\n  given: the number +nan.0"]
  [(advance start 1 +inf.0)
-  "state-advancer: expected a tolerance that is a real number\n  given: the number +inf.0"]
+  "state-advancer: expected a tolerance that is finite\n  given: the number +inf.0"]
  [(advance start 1 1e-16)
   "state-advancer: the tolerance is below the rounding error of flonums, about 1e-15\n"
   "  given: the number 1e-16"]
@@ -59,9 +59,9 @@
   "evolve: expected a positive time step\n  given: the number -0.1\n"
   "  the final time says whether to go forwards or back"]
  [(follow start void +nan.0 1)
-  "evolve: expected a time step that is a real number\n  given: the number +nan.0"]
+  "evolve: expected a time step that is finite\n  given: the number +nan.0"]
  [(follow start void 0.1 +inf.0)
-  "evolve: expected a final time that is a real number\n  given: the number +inf.0"]
+  "evolve: expected a final time that is finite\n  given: the number +inf.0"]
  [(follow start (lambda (t s) s) 0.1 1)
   "evolve: expected a monitor, a procedure of one state\n"
   "  given: a function without a name, which takes 2 arguments"]
@@ -126,7 +126,7 @@
  [(event 0) "event: expected a function of one state\n  given: the number 0"]
  [(until 1 #:events (event (lambda (s) (up (time s) 1)) #:name 'all))
   "evolve-trajectory: the value of an event's function is a real number\n"
-  "  event: (event all)\n  value: an up tuple of 2"]
+  "  event: (event all)\n  value: (up 0.0 1), an up tuple of 2"]
  [(trajectory-states (until 1) 0.5)
   "trajectory-states: expected a list of times\n  given: the number 0.5"])
 
