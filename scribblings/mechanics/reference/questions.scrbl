@@ -102,7 +102,7 @@ named after the coordinates, as @racketidfont{xddot} is.
 (define (G (up t (up x y) (up vx vy))) (- (* x vy) (* y vx)))
 (verify-total-time-derivative G plane)]
 
-@sicm{1.6.1 and 1.9, exercises 1.14 and 1.28}}
+@sicm{1.6.4 and 1.9, exercises 1.27 and 1.28}}
 
 @defproc[(gauge-function [F procedure?] [local local-tuple]
                          [#:from start local-tuple (up 0 0)])
@@ -159,7 +159,7 @@ is what motions of one leave of the equations of the other.
                                (L-oscillator 1 (square 'omega))
                                line)]
 
-@sicm{1.6.1, exercises 1.14, 1.28 and 1.29}}
+@sicm{1.6, exercises 1.14, 1.28 and 1.29}}
 
 @deftogether[(@defproc[(equivalence? [x any]) boolean?]
               @defproc[(equivalence-kind [e equivalence?])

@@ -1,0 +1,78 @@
+#lang racket/base
+;; The programs for the exercises of chapter 1, listed by what their first lines say:
+;;
+;;   ;; Exercise 1.17 (SICM 1.6.2): a bead on a helical wire
+;;   ;; Checked: the equation of motion in the angle about the axis
+;;   ;; How: against a falling particle, with the wire as its coordinate
+
+(require racket/file
+         racket/list
+         racket/runtime-path
+         racket/string
+         scribble/base)
+
+(provide exercise-table
+         ;; for the tests
+         exercises (struct-out exercise))
+
+(define-runtime-path folder "../../examples/mechanics/exercises")
+
+;; number : 17 for exercise 1.17.  section, subject, checked, how : strings
+(struct exercise (number section subject checked how file) #:transparent)
+
+;; ---------------------------------------------------------------------------
+;; Reading
+
+;; -> exercises, by number
+(define (exercises)
+  (sort (for/list ([file (in-list (directory-list folder))]
+                   #:when (regexp-match? #rx"^exercise-.*[.]rkt$" (path->string file)))
+          (read-exercise (path->string file)))
+        < #:key exercise-number))
+
+(define (read-exercise file)
+  (define lines (file->lines (build-path folder file)))
+  (define (line-that pattern line)
+    (cond [(regexp-match pattern line) => cdr]
+          [else (raise-arguments-error
+                 'exercises "expected lines of the form `;; Exercise 1.N (SICM S): subject`, \
+`;; Checked: ...` and `;; How: ...` after the language"
+                 "file" file "line" line)]))
+  (define heading
+    (line-that #px"^;; Exercise 1[.](\\d+) \\(SICM ([\\d.]+)\\): (.+)$" (list-ref lines 1)))
+  (define checked (line-that #rx"^;; Checked: (.+)$" (list-ref lines 2)))
+  (define how (line-that #rx"^;; How: (.+)$" (list-ref lines 3)))
+  (exercise (string->number (first heading)) (second heading) (third heading)
+            (first checked) (first how) file))
+
+;; ---------------------------------------------------------------------------
+;; Showing
+
+;; The pages of a section with all that is in it; the exercises stand among its text.
+(define pages
+  (hash "1.3" "8–14" "1.4" "14–23" "1.5" "23–37" "1.6" "37–68"
+        "1.7" "68–78" "1.8" "78–91" "1.9" "91–99"))
+
+(define (pages-of section)
+  (hash-ref pages (string-join (take (string-split section ".") 2) ".") #f))
+
+(define (place e)
+  (define pp (pages-of (exercise-section e)))
+  (list (exercise-section e) (if pp (list " (pp. " pp ")") '())))
+
+(define (exercise-table)
+  (define heading (map bold '("" "Section" "What is checked, and how")))
+  (tabular #:style 'boxed
+           #:row-properties '(bottom-border)
+           #:column-properties '(top top top)
+           #:sep (hspace 2)
+           (cons heading
+                 (for/list ([e (in-list (exercises))])
+                   (list (format "1.~a" (exercise-number e))
+                         (place e)
+                         (list (italic (capitalized (exercise-subject e))) ". "
+                               (capitalized (exercise-checked e)) ": "
+                               (exercise-how e) "."))))))
+
+(define (capitalized text)
+  (string-append (string-upcase (substring text 0 1)) (substring text 1)))

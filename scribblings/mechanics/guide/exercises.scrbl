@@ -1,0 +1,33 @@
+#lang scribble/manual
+@(require (for-label mechanics mechanics/book)
+          "../citation.rkt" "../exercises.rkt" "../program.rkt")
+
+@title[#:tag "guide-exercises"]{Exercises of chapter 1}
+
+@|the-book| has its readers derive equations, and leaves it to them to know whether they are
+right. A residual knows: subtract what you found from what the library finds, by another
+way if there is one, and have the difference judged. For each exercise of chapter 1 whose
+answer can be judged so there is a program in @filepath{examples/mechanics/exercises},
+@filepath{exercise-1-17.rkt} for exercise 1.17. It states the problem in its own words, takes
+an attempt that is right and one with a slip that is easily made, and shows how the verdict on
+the latter leads to the slip. Replace the attempt by your own before you read on.
+
+@exercise-table[]
+
+@section{What a condition tells: Kepler's third law}
+
+A verdict that refutes says when it would not. Here that is the answer.
+
+@program["exercises/exercise-1-11.rkt" #'here]
+
+@section{What a residual tells: a bead on a wire}
+
+Two terms are left over by the slip, and both would vanish with another radius.
+
+@program["exercises/exercise-1-17.rkt" #'here]
+
+@section{What a sign tells: falling off a log}
+
+A value may be judged that has no parameters to vary. What it is says enough.
+
+@program["exercises/exercise-1-33.rkt" #'here]
