@@ -22,4 +22,4 @@
 
 (define (check-function-of-one-variable who f)
   (unless (and (procedure? f) (accepts? f 1))
-    (raise-argument-error who "a function of one variable" f)))
+    (raise-other-function who "a function of one variable" f)))

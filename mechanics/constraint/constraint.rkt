@@ -17,7 +17,7 @@
  ;; made by the user
  holonomic nonholonomic constraint? holonomic? constraint-function
  ;; a set of them
- gather constraint-set-parts constraint-set? all-holonomic? constraints->datum
+ gather constraint-set-parts constraint-set-single? constraint-set? all-holonomic? constraints->datum
  value-of shape-values check-linear)
 
 ;; linear-at : coordinates for which A was found linear in the velocities, or #f

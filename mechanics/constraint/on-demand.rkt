@@ -8,9 +8,14 @@
  ["equations.rkt" (constrained-Lagrange-equations augmented-Lagrangian)]
  ["eliminate.rkt" (eliminate-multipliers)]
  ["accelerations.rkt" (constrained-accelerations constraint-forces)]
+ ["integrability.rkt" (Frobenius-test constraint-integral)]
+ ["reduction.rkt" (reduce-by-substitution
+                   reduction? reduction-integrability reduction-agreement)]
  ["motion.rkt" (constrained-state-derivative consistent-state)])
 
 (provide holonomic nonholonomic constraint?
          constrained-Lagrange-equations augmented-Lagrangian eliminate-multipliers
          constrained-accelerations constraint-forces
-         constrained-state-derivative consistent-state)
+         constrained-state-derivative consistent-state
+         Frobenius-test constraint-integral
+         reduce-by-substitution reduction? reduction-integrability reduction-agreement)

@@ -9,6 +9,7 @@
 
 (provide (struct-out function) make-function unary-function pointwise?
          arity-mask accepts? arity->text
+         describe-function raise-other-function
          combine-functions compose-unary)
 
 (define kind:function
@@ -76,6 +77,20 @@
         [else (format "~a to ~a" (car counts) (counted (apply max counts)))]))
 
 (define (counted n) (if (= n 1) "1 argument" (format "~a arguments" n)))
+
+;; "the procedure `f`, which takes 2 arguments"; what is no function, as any value
+(define (describe-function f)
+  (if (pointwise? f)
+      (format "~a, which takes ~a" (describe-with-value f) (arity->text f))
+      (describe-with-value f)))
+
+;; f is no function, or one of another number of arguments than is expected.
+(define (raise-other-function who expected f)
+  (raise
+   (exn:fail:contract
+    (format "~a: contract violation\n  expected: ~a\n  given: ~a"
+            who expected (describe-function f))
+    (current-continuation-marks))))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic of functions: numbers stand for constant functions, and a tuple or

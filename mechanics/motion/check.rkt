@@ -71,9 +71,8 @@
 ;; `monitor-theta` without its frame, and would show nothing of any state.
 (define (checked-monitor who f)
   (unless (and (procedure? f) (accepts? f 1))
-    (complain "~a: expected a monitor, a procedure of one state\n  given: ~a~a" who
-              (describe-with-value f)
-              (if (procedure? f) (format ", which takes ~a" (arity->text f)) "")))
+    (complain "~a: expected a monitor, a procedure of one state\n  given: ~a" who
+              (describe-function f)))
   (define (check-shown . values)
     (for ([v (in-list values)] #:when (pointwise? v))
       (complain "~a: the monitor returns a function; it does nothing with the state\n  monitor: ~a~a"
@@ -139,11 +138,8 @@
   (define y (state-vector who state))
   (unless (and (procedure? derivative) (accepts? derivative 1))
     (complain "~a: expected a state derivative, a function of the state\n  given: ~a~a"
-              who (describe-with-value derivative)
-              (if (procedure? derivative)
-                  (format ", which takes ~a~a"
-                          (arity->text derivative) (parameters-hint derivative))
-                  "")))
+              who (describe-function derivative)
+              (if (pointwise? derivative) (parameters-hint derivative) "")))
   (define slope (derivative (flvector->structure state y)))
   (unless (same-shape? slope state)
     (complain "~a: the state derivative is of another shape than the state~a~a~a"

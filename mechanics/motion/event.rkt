@@ -39,8 +39,7 @@
   (unless (and (procedure? f) (accepts? f 1))
     (raise
      (exn:fail:contract
-      (format "event: expected a function of one state\n  given: ~a~a" (describe-with-value f)
-              (if (procedure? f) (format ", which takes ~a" (arity->text f)) ""))
+      (format "event: expected a function of one state\n  given: ~a" (describe-function f))
       (current-continuation-marks))))
   (unless (memq direction '(rising falling both))
     (raise-argument-error 'event "'rising, 'falling or 'both" direction))

@@ -59,15 +59,26 @@
 
 (define (check-function who f count)
   (unless (and (procedure? f) (accepts? f count))
-    (raise-argument-error
+    (raise-other-function
      who (if (= count 1) "a function of one number" "a function of two numbers") f)))
+
+;; More than these are a slip in the step, and would fill the memory.
+(define most-parameters 10000000)
 
 ;; From one number to another in steps; the last may be shorter.
 (define (parameters who from to step)
   (unless (> step 0.0)
     (raise-argument-error who "a positive step" step))
   (define span (- to from))
-  (define count (max 1 (inexact->exact (ceiling (- (/ (abs span) step) 1e-6)))))
+  (define steps (ceiling (- (/ (abs span) step) 1e-6)))
+  (unless (<= steps most-parameters)
+    (raise-arguments-error who "the step is too short for so long a curve"
+                           "step" step
+                           "from" from
+                           "to" to
+                           "steps" steps
+                           "at most" most-parameters))
+  (define count (max 1 (inexact->exact steps)))
   (define signed (if (< span 0.0) (- step) step))
   (for/list ([k (in-range (+ count 1))])
     (if (= k count) to (+ from (* k signed)))))

@@ -79,6 +79,19 @@
    ["(prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))" "undecided:"]
    ["(prove-zero (- (* 1/10 'x 3) (* 3/10 'x)))" "proved:"]))
 
+(test-case "each line from Newton to Lagrange is proved"
+  (check-answers
+   ["(verify-equal dAlembert ((d-Alembert-equations 'm r F) theta))" "proved:"]
+   ["(verify-equal (((partial 2) velocities) state) (slope state))" "proved:"]
+   ["(verify-equal (D s) (along ((partial 1) velocities)))" "proved:"]
+   ["(verify-equal dAlembert (- (D (along ((partial 2) T))) (along ((partial 1) T)) (along Q)))"
+    "proved:"]
+   ["(verify-equal dAlembert ((Lagrange-equations L) theta))" "proved:"]
+   ["(verify-equal ((d-Alembert-equations 'm any-r any-F) q) ((Lagrange-equations any-T #:force any-Q) q))"
+    "proved:"]
+   ["((Dt (Lagrangian->energy L)) moving)" "0"]
+   ["(dot-product N across)" "(* 2 R m omega thetadot (cos theta))"]))
+
 (test-case "derivatives, nested and not"
   (check-answers
    ["((D (lambda (x) (* x (sin x)))) 'x)" "(+ (* x (cos x)) (sin x))"]

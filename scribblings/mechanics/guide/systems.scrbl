@@ -89,3 +89,47 @@ the third has a constant, Jacobi's (@sicm{1.8, pp. 86–88}).
 
 The last digits of the constant move where the path comes close to the heavier body and has
 to be followed in short steps.
+
+@section{From Newton to Lagrange}
+
+For any two particles, any coordinates and any forces, each line from Newton's equations to
+Lagrange's is proved. @secref["Newton-to-Lagrange"] tells how the lines follow from each
+other.
+
+@(program "forces/newton-to-lagrange.rkt" #'here)
+
+@section{Generalized forces}
+
+Gravity, a torque, a drag, and any force that has a potential, as coordinates see them.
+
+@(program "forces/generalized-forces.rkt" #'here)
+
+@section{A particle in polar coordinates}
+
+The kinetic energy depends on r, and the equations have a centrifugal term, without which
+a free particle would not move in a straight line.
+
+@(program "forces/polar-coordinates.rkt" #'here)
+
+@section{An oscillator that is damped and driven}
+
+The verdict on a damped oscillation finds the two relations between its rate, its frequency
+and the system's parameters. Forces can be stated in several ways that are proved to be the
+same.
+
+@(program "forces/oscillator.rkt" #'here)
+
+@section{A bead on a rotating ring}
+
+Where the ring turns fast enough, the bottom is no longer a place to rest.
+
+@(program "forces/rotating-ring.rkt" #'here)
+
+@filepath{examples/mechanics/figures/rotating-ring.rkt} draws the places of rest against the
+angular velocity, and motions on both sides of the critical one.
+
+@section{Equilibrium by virtual work}
+
+A lever, and two rods under a horizontal force, without any force in a hinge.
+
+@(program "forces/levers.rkt" #'here)

@@ -207,4 +207,75 @@ the velocities.
 ((consistent-state (L-mass 1 9.8) (holonomic (rod-of-length 5)))
  (up 0 (up 3.1 -4.1) (up 1 0)))]}
 
+@section{Constraints on velocities}
+
+@defproc[(Frobenius-test [constraints (or/c constraint? list? up?)]
+                         [q (or/c symbol? up?)])
+         verdict?]{
+
+Are the constraints on the velocities, taken together, constraints on the coordinates in
+disguise? Proved means that they are integrable, so that some functions of time and
+coordinates are constant along all motions that keep them; refuted, that they are truly
+nonholonomic. @racket[q] is made of symbols, to stand for any coordinates.
+
+@examples[#:eval session
+(Frobenius-test (nonholonomic blade) (up 'x 'y 'theta))
+(define (rolling-straight t (up x phi) (up vx vphi))
+  (- vx (* 'R vphi)))
+(Frobenius-test (nonholonomic rolling-straight) (up 'x 'phi))]}
+
+@defproc[(constraint-integral [constraints (or/c constraint? list? up?)]
+                              [q (or/c symbol? up?)])
+         procedure?]{
+
+The function G(t, q) that is constant where the constraint is kept, which then says as much
+as @racket[(holonomic (lambda (t q) (- (G t q) c)))]; of several constraints, the
+@racket[up] of theirs, each being integrable by itself. An integrating factor is looked for
+among 1, one over each coefficient, and functions of one coordinate; antiderivatives are
+those of polynomials, waves, exponentials, and what a substitution makes such. A
+constraint that is not integrable, and one whose integral was not found, are errors that
+say so, @racket[exn:fail:mechanics].
+
+@examples[#:eval session
+((constraint-integral (nonholonomic rolling-straight) (up 'x 'phi))
+ 't (up 'x 'phi))
+(define (spiral t (up r phi) (up vr vphi)) (- vr (* 'k r vphi)))
+((constraint-integral (nonholonomic spiral) (up 'r 'phi))
+ 't (up 'r 'phi))
+(eval:error (constraint-integral (nonholonomic blade) (up 'x 'y 'theta)))]}
+
+@deftogether[(@defproc[(reduce-by-substitution
+                        [L Lagrangian]
+                        [constraints (or/c constraint? list? up?)]
+                        [substitute procedure?]
+                        [state local-tuple]
+                        [#:keep kept (or/c #f constraint? list? up?) #f])
+                       reduction?]
+              @defproc[(reduction? [x any/c]) boolean?]
+              @defproc[(reduction-integrability [r reduction?]) verdict?]
+              @defproc[(reduction-agreement [r reduction?]) verdict?])]{
+
+The Lagrangian L with velocities substituted in it that keep the constraints:
+@racket[substitute] is a function of t, q and v that gives them. Nonholonomic
+constraints must not be used so, and the result says whether they are, and what follows. It
+is a Lagrangian, a function of the local tuple, that has two verdicts:
+@racket[reduction-integrability] is that of @racket[Frobenius-test], and
+@racket[reduction-agreement] tells whether the true motion, with all its multipliers,
+satisfies the equations of this Lagrangian at any state; with @racket[#:keep], the
+equations with multipliers of the constraints kept.
+@racket[state] is a local tuple of symbols.
+
+@examples[#:eval session
+(define ((L-edge m J g alpha) (up t (up x y theta) (up vx vy omega)))
+  (+ (* 1/2 m (+ (square vx) (square vy))) (* 1/2 J (square omega))
+     (* m g x (sin alpha))))
+(define (along-blade t (up x y theta) (up vx vy omega))
+  (up vx (* vx (tan theta)) omega))
+(define substituted
+  (reduce-by-substitution (L-edge 'm 'J 'g 'alpha) (nonholonomic blade) along-blade
+                          (up 't (up 'x 'y 'theta) (up 'vx 'vy 'omega))))
+substituted
+(verdict-status (reduction-agreement substituted))
+(substituted (up 't (up 'x 'y 'theta) (up 'vx 'vy 'omega)))]}
+
 @(close-session session)

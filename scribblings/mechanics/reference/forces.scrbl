@@ -6,7 +6,8 @@
 @(define session (make-session))
 
 Newton's equations are about particles, their positions and the forces on them. These
-procedures lead from there to what Lagrange's equations are made of.
+procedures lead from there to what Lagrange's equations are made of;
+@secref["Newton-to-Lagrange"] goes the whole way with one system.
 
 @itemlist[
 @item{@italic{Positions} are a function r of the time and the coordinates, @racket[(r t

@@ -188,15 +188,29 @@
   "plot-parametric: the value at 0.0 is no point of the plane, such as (up x y) or (cons x y)\n"
   "  given: (up 0.0 0.0 0.0), an up tuple of 3"])
 
+;; A step too short was an endless computation, and then no memory.
+(says
+ [(plot-function f sin 0 1 1e-9)
+  "plot-function: the step is too short for so long a curve\n"
+  "  step: 1e-9\n  from: 0.0\n  to: 1.0\n  steps: 1000000000.0\n  at most: 10000000"]
+ [(plot-parametric f (lambda (t) (m:up t t)) 1e300 0 1)
+  "plot-parametric: the step is too short for so long a curve\n"
+  "  step: 1.0\n  from: 1e+300\n  to: 0.0\n  steps: 1e+300\n  at most: 10000000"]
+ [(plot-function f sin -1e300 1e300 1e-300)
+  "plot-function: the step is too short for so long a curve\n"
+  "  step: 1e-300\n  from: -1e+300\n  to: 1e+300\n  steps: +inf.0\n  at most: 10000000"])
+
 ;; Arguments of another kind.
 (define-syntax-rule (expects [expression who expected given] ...)
   (says [expression who ": contract violation\n  expected: " expected "\n  given: " given] ...))
 
 (expects
  [(plot-point 0 1 2) "plot-point" "a frame, such as (frame 0 1 -1 1)" "0"]
- [(plot-function f 3 0 1) "plot-function" "a function of one number" "3"]
- [(plot-function f cons 0 1) "plot-function" "a function of one number" "#<procedure:cons>"]
- [(plot-contours f sin 0) "plot-contours" "a function of two numbers" "#<procedure:sin>"]
+ [(plot-function f 3 0 1) "plot-function" "a function of one number" "the number 3"]
+ [(plot-function f cons 0 1) "plot-function" "a function of one number"
+  "the procedure `cons`, which takes 2 arguments"]
+ [(plot-contours f sin 0) "plot-contours" "a function of two numbers"
+  "the procedure `sin`, which takes 1 argument"]
  [(plot-function f sin 0 1 0) "plot-function" "a positive step" "0.0"]
  [(plot-function f sin 0 +inf.0) "plot-function" "a finite number as the end" "+inf.0"]
  [(plot-contours f * +nan.0) "plot-contours" "a finite number as a level" "+nan.0"]

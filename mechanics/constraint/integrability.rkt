@@ -1,0 +1,170 @@
+#lang racket/base
+;; Is a constraint on the velocities one on the coordinates in disguise?
+;;
+;; a(t, q) v + b(t, q) = 0 says that the form ω = b dt + a dq vanishes along the motion.
+;; Forms ω₁ ... ω_m are integrable, the motions they allow filling surfaces, if, and only if,
+;;
+;;     dω_k(X, Y) = Σ (∂_i ω_kj − ∂_j ω_ki) X_i Y_j = 0
+;;
+;; for all X and Y that all of them take to zero (Frobenius).  Of a single form there is then
+;; an integrating factor μ with μ ω = dG.  Tried are 1, 1/ω_i, and those that depend on one
+;; coordinate x: of these, (log μ)' = (∂_i ω_x − ∂_x ω_i)/ω_i has to be a function of x.
+
+(require "constraint.rkt" "linearized.rkt"
+         "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../algebra/simplify.rkt"
+         "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"
+         "../calculus/verdict.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/structure.rkt"
+         "../numeric/failure.rkt"
+         "../value/assumptions.rkt" "../value/linear-algebra.rkt" "../value/shape.rkt")
+
+(provide Frobenius-test constraint-integral)
+
+;; q : coordinates that are symbols.  Proved: the constraints together are integrable.
+(define (Frobenius-test constraints q)
+  (define who 'Frobenius-test)
+  (check-symbols who q)
+  (define variables (cons 't (scalars q)))
+  (prove-zero (Frobenius-residual who variables (forms who (gather who constraints) q))
+              #:variables variables))
+
+;; Time is left out if nothing depends on it.
+(define (Frobenius-residual who variables forms)
+  (define (timeless? w)
+    (and (eqv? 0 (simple (vector-ref w 0)))
+         (for/and ([a (in-vector w)]) (eqv? 0 (simple (expression-derivative a 't))))))
+  (if (andmap timeless? forms)
+      (residual-of who (cdr variables)
+                   (for/list ([w (in-list forms)]) (list->vector (cdr (vector->list w)))))
+      (residual-of who variables forms)))
+
+(define (check-symbols who q)
+  (unless (and (andmap symbol? (scalars q)) (not (memq 't (scalars q))))
+    (raise
+     (exn:fail:contract
+      (format "~a: expected coordinates that are symbols other than t, such as (up 'x 'y); given ~a"
+              who (describe-with-value q))
+      (current-continuation-marks)))))
+
+;; A vector (b a₁ a₂ ...) for each scalar of the constraints.
+(define (forms who cs q)
+  (check-linear who cs q)
+  (define at-rest (scalars->structure q (lambda (k) 0)))
+  (define-values (positions rates) (positions-and-velocities who cs 't q at-rest))
+  (for/list ([b (in-list rates)] [a (in-list (jacobian-rows who cs 't q at-rest))])
+    (list->vector (cons b (vector->list a)))))
+
+(define (residual-of who variables forms)
+  (define allowed (rows-null-space who forms (list->vector forms)))
+  (define values
+    (for*/list ([w (in-list forms)]
+                [slopes (in-value (derivative-of-form w variables))]
+                [tail (in-list (tails allowed))]
+                [y (in-list (cdr tail))])
+      (on-pair slopes (car tail) y)))
+  (if (and (pair? values) (null? (cdr values)))
+      (car values)
+      (structure 'down (list->vector values))))
+
+(define (tails xs) (if (null? xs) '() (cons xs (tails (cdr xs)))))
+
+;; The (i j dω_ij) with i < j that are not zero.
+(define (derivative-of-form w variables)
+  (for*/list ([(x i) (in-indexed variables)] [(y j) (in-indexed variables)]
+              #:when (< i j)
+              [slope (in-value (simple (e:- (expression-derivative (vector-ref w j) x)
+                                            (expression-derivative (vector-ref w i) y))))]
+              #:unless (eqv? slope 0))
+    (list i j slope)))
+
+(define (in-indexed xs) (in-parallel xs (in-naturals)))
+
+(define (on-pair slopes X Y)
+  (for/fold ([sum 0]) ([s (in-list slopes)])
+    (define-values (i j) (values (car s) (cadr s)))
+    (g:+ sum (g:* (caddr s)
+                  (g:- (g:* (vector-ref X i) (vector-ref Y j))
+                       (g:* (vector-ref X j) (vector-ref Y i)))))))
+
+(define (simple e) (simplify-expression e (assumptions-in-force)))
+
+;; ---------------------------------------------------------------------------
+;; The integral
+
+;; G, a function of (t, q) whose rate of change is a multiple of that of the constraint; of
+;; several constraints the tuple of theirs, each being integrable by itself.
+(define (constraint-integral constraints q)
+  (define who 'constraint-integral)
+  (check-symbols who q)
+  (define cs (gather who constraints))
+  (define variables (cons 't (scalars q)))
+  (define integrals
+    (for/list ([w (in-list (forms who cs q))]) (integral-of who cs w variables)))
+  (define found
+    (if (and (constraint-set-single? cs) (null? (cdr integrals)))
+        (car integrals)
+        (structure 'up (list->vector integrals))))
+  (make-function (lambda (t at) (evaluated found variables (cons t (scalars at))))
+                 4
+                 (lambda () (list who (constraints->datum cs)))))
+
+(define (evaluated found variables numbers)
+  (define environment (map cons variables numbers))
+  (map-leaves (lambda (e) (evaluate-generically e environment)) found))
+
+(define (integral-of who cs w variables)
+  (define v (prove-zero (Frobenius-residual who variables (list w)) #:variables variables))
+  (unless (proved? v) (raise-not-integrable who cs v))
+  (or (for/or ([factor (in-list (integrating-factors w variables))])
+        (integral-of-gradient (for/vector ([a (in-vector w)]) (simple (e:* factor a))) variables))
+      (raise
+       (exn:fail:mechanics
+        (format "~a: the constraint is integrable; its integral was not found\n  constraint: ~a"
+                who (value->text (constraints->datum cs)))
+        (current-continuation-marks)))))
+
+(define (raise-not-integrable who cs v)
+  (raise
+   (exn:fail:mechanics
+    (format "~a: the constraint ~a integrable\n  constraint: ~a\n  by Frobenius's condition this had to vanish: ~a"
+            who (if (refuted? v) "is not" "is not known to be")
+            (value->text (constraints->datum cs))
+            (value->text (verdict-residual v)))
+    (current-continuation-marks))))
+
+(define (integrating-factors w variables)
+  (append (list 1)
+          (for*/list ([a (in-vector w)] #:unless (eqv? a 0)) (e:/ 1 a))
+          (for*/list ([(x i) (in-indexed variables)]
+                      [factor (in-value (factor-in x i w variables))]
+                      #:when factor)
+            factor)))
+
+;; exp ∫ h dx, where h = (∂_j ω_x − ∂_x ω_j)/ω_j depends on x alone; or #f.
+(define (factor-in x i w variables)
+  (define h
+    (for/first ([(y j) (in-indexed variables)]
+                #:unless (or (= i j) (eqv? (vector-ref w j) 0)))
+      (simple (e:/ (e:- (expression-derivative (vector-ref w i) y)
+                        (expression-derivative (vector-ref w j) x))
+                   (vector-ref w j)))))
+  (define alone?
+    (and h (for/and ([y (in-list variables)] #:unless (eq? x y))
+             (eqv? 0 (simple (expression-derivative h y))))))
+  (define exponent (and alone? (antiderivative h x (assumptions-in-force))))
+  (and exponent (simple (e:apply op:exp exponent))))
+
+;; The expression with these derivatives, one by each variable, or #f.
+(define (integral-of-gradient slopes variables)
+  (define G
+    (for/fold ([G 0]) ([x (in-list variables)] [slope (in-vector slopes)])
+      (define rest
+        (and G (antiderivative (simple (e:- slope (expression-derivative G x))) x
+                               (assumptions-in-force))))
+      (and rest (simple (e:+ G rest)))))
+  (and G
+       (for/and ([x (in-list variables)] [slope (in-vector slopes)])
+         (proved? (verify-equal (expression-derivative G x) slope)))
+       G))

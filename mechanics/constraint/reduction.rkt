@@ -1,0 +1,87 @@
+#lang racket/base
+;; Substituting constraints in the Lagrangian: when may one, and what happens otherwise?
+;;
+;; Coordinates that keep a holonomic constraint may be substituted in L; velocities that keep
+;; a nonholonomic one may not, for variations do not keep it.  What comes out of the wrong
+;; way may still be right for one system.  So the true motion, found with multipliers, is put
+;; into the equations of the substituted Lagrangian.
+
+(require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
+         "../calculus/verdict.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/structure.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../lagrangian/total-derivative.rkt"
+         "../value/linear-algebra.rkt" "../value/shape.rkt")
+
+(provide reduce-by-substitution reduction? reduction-integrability reduction-agreement)
+
+;; A Lagrangian, and two verdicts: are the constraints integrable, and is the true motion one
+;; of this Lagrangian?
+(struct reduction (Lagrangian integrability agreement)
+  #:authentic
+  #:property prop:procedure 0
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write (lambda (r port mode) (write-string (report r) port)))
+
+(define (report r)
+  (define agreement (reduction-agreement r))
+  (string-append
+   "a Lagrangian with velocities substituted"
+   "\n  the constraints: "
+   (by-status (reduction-integrability r)
+              "integrable, holonomic in disguise"
+              "nonholonomic; to substitute them is no valid step"
+              "not known to be integrable")
+   "\n  its equations: "
+   (by-status agreement
+              "the motion satisfies them, as it happens for this system"
+              (format "wrong; the motion leaves ~a" (value->text (verdict-residual agreement)))
+              "not decided")))
+
+(define (by-status v proved refuted undecided)
+  (cond [(proved? v) proved] [(refuted? v) refuted] [else undecided]))
+
+;; substitute : (t, q, v) -> velocities that keep the constraints
+;; state : of symbols; kept : constraints that stay, with multipliers
+(define-plain (reduce-by-substitution L constraints substitute state #:keep [kept #f])
+  (define who 'reduce-by-substitution)
+  (check-Lagrangian who L)
+  (define cs (gather who constraints))
+  (unless (and (procedure? substitute) (accepts? substitute 3))
+    (raise-argument-error who "a function (t q v) of velocities that keep the constraints"
+                          substitute))
+  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (define true-v (substitute t q v))
+  (check-substitution who cs t q true-v)
+  (define (reduced local)
+    (L (up (time local) (coordinate local)
+           (substitute (time local) (coordinate local) (velocity local)))))
+  (define a
+    (vector-ref (structure-elements ((constrained-accelerations L cs) (up t q true-v))) 0))
+  (define residual ((Euler-Lagrange-operator reduced) (up t q true-v a)))
+  (reduction (unary-function (lambda () (list who (value->datum L))) (local) (reduced local))
+             (Frobenius-test cs q)
+             (prove-zero (if kept
+                             (in-allowed who (gather who kept) t q true-v residual)
+                             residual))))
+
+(define (check-substitution who cs t q v)
+  (define-values (positions rates) (positions-and-velocities who cs t q v))
+  (define verdict (prove-zero (structure 'up (list->vector rates))))
+  (when (refuted? verdict)
+    (raise
+     (exn:fail:contract
+      (format "~a: the velocities do not keep the constraints\n  velocities: ~a\n  constraints: ~a"
+              who (value->text v) (value->text (verdict-residual verdict)))
+      (current-continuation-marks)))))
+
+;; What is left of the residual where the kept constraints let the system move.
+(define (in-allowed who kept t q v residual)
+  (define J (jacobian-rows who kept t q v))
+  (define xs (scalars residual))
+  (structure
+   'down
+   (for/vector ([d (in-list (rows-null-space who J (list->vector J)))])
+     (for/fold ([sum 0]) ([x (in-list xs)] [y (in-vector d)] #:unless (eqv? y 0))
+       (g:+ sum (g:* y x))))))
