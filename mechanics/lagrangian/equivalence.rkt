@@ -151,7 +151,8 @@
 
 (define (equivalence->text e)
   (case (equivalence-kind e)
-    [(total-derivative) (format "equivalent: the second Lagrangian is the first~a" (plus-derivative e))]
+    [(total-derivative)
+     (format "equivalent: the second Lagrangian is the first~a" (plus-derivative e))]
     [(proportional)
      (format "equivalent: the second Lagrangian is ~a times the first~a"
              (value->text (equivalence-factor e)) (plus-derivative e))]

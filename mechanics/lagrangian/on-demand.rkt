@@ -5,10 +5,13 @@
 
 (lazy-require
  ["conserved.rkt" (rate-of-change verify-conserved)]
+ ["equilibria.rkt" (verify-equilibrium equilibria find-equilibrium
+                    equilibrium? equilibrium-coordinates equilibrium-conditions)]
  ["equivalence.rkt" (verify-equivalent-Lagrangians compare-Lagrangians
                      equivalence? equivalence-kind equivalence-factor equivalence-gauge
                      equivalence-verdict)]
  ["gauge.rkt" (verify-total-time-derivative gauge-function)]
+ ["stability.rkt" (equilibrium-stability stability? stability-kind stability-conditions)]
  ["ignorable.rkt" (verify-ignorable ignorable-coordinates conserved-momenta)]
  ["small-oscillations.rkt" (mass-matrix stiffness-matrix gyroscopic-matrix
                             normal-modes small-oscillation-frequencies)])
@@ -18,6 +21,9 @@
          verify-equivalent-Lagrangians compare-Lagrangians
          equivalence? equivalence-kind equivalence-factor equivalence-gauge
          equivalence-verdict
+         verify-equilibrium equilibria find-equilibrium
+         equilibrium? equilibrium-coordinates equilibrium-conditions
+         equilibrium-stability stability? stability-kind stability-conditions
          verify-ignorable ignorable-coordinates conserved-momenta
          mass-matrix stiffness-matrix gyroscopic-matrix
          normal-modes small-oscillation-frequencies)

@@ -187,4 +187,103 @@ directions without inertia leave it undetermined.
 (equivalence-gauge comparison)
 (equivalence-verdict comparison)]}
 
+@section{Equilibria}
+
+@defproc[(equilibria [L Lagrangian] [local local-tuple]
+                     [#:force force (or/c #f procedure?) #f])
+         (listof equilibrium?)]{
+
+The coordinates at which a system that rests stays at rest, by formulas in the
+parameters, those that always exist first. Each comes with conditions for it to be real.
+A coordinate that may be anything is its own symbol; of angles there is one in each
+turn.
+
+The equations are factored and solved one after the other: factors that are linear in
+an unknown, and those in one unknown that are quadratic, or of degree 1 in its sine and
+cosine. Others raise @racket[exn:fail:mechanics]: then there is
+@racket[find-equilibrium]. A force that changes in time is an error.
+
+@examples[#:eval session
+(define ((L-ring m R g omega) (up t theta thetadot))
+  (+ (* 1/2 m (square R)
+        (+ (square thetadot) (square (* omega (sin theta)))))
+     (* m g R (cos theta))))
+(define bead (up 't 'theta 'thetadot))
+(equilibria (L-ring 'm 'R 'g 'omega) bead)
+(equilibria (L-ring 1 1 9.8 2) bead)
+(define (L-twisted (up t theta thetadot))
+  (+ (* 1/2 (square thetadot)) (cos theta) (* -1/2 (square (- theta 1)))))
+(eval:error (equilibria L-twisted bead))]}
+
+@deftogether[(@defproc[(equilibrium? [x any]) boolean?]
+              @defproc[(equilibrium-coordinates [e equilibrium?]) coordinates]
+              @defproc[(equilibrium-conditions [e equilibrium?]) list?])]{
+
+The parts of an equilibrium. Conditions are lists @racket[(<= -1 e 1)] or
+@racket[(>= e 0)].
+
+@examples[#:eval session
+(define beside (caddr (equilibria (L-ring 'm 'R 'g 'omega) bead)))
+(equilibrium-coordinates beside)
+(equilibrium-conditions beside)
+(small-oscillation-frequencies (L-ring 'm 'R 'g 'omega)
+                               (equilibrium-coordinates beside))]}
+
+@defproc[(verify-equilibrium [L Lagrangian] [q coordinates]
+                             [#:force force (or/c #f procedure?) #f])
+         verdict?]{
+
+Whether a system at rest at the coordinates q stays there: the verdict is on the residual
+of the constant path. In a proof, @racket[pi] and other flonums that are multiples of a
+right angle, as near as can be, stand for these angles.
+
+@examples[#:eval session
+(verify-equilibrium (L-ring 'm 'R 'g 'omega) pi)
+(verify-equilibrium (L-ring 'm 'R 'g 'omega) (acos (/ 'h (square 'omega))))]}
+
+@defproc[(find-equilibrium [L Lagrangian] [start coordinates]
+                           [#:force force (or/c #f procedure?) #f])
+         coordinates]{
+
+The coordinates of an equilibrium near @racket[start], by Newton's method, for a
+Lagrangian whose parameters are numbers.
+
+@examples[#:eval session
+(find-equilibrium (L-ring 1 1 9.8 4) 1)
+(find-equilibrium L-twisted 1)]}
+
+@defproc[(equilibrium-stability [L Lagrangian] [q coordinates]) stability?]{
+
+Whether the system stays near the equilibrium q when it starts there slowly. The kinetic
+energy is taken to be positive. An equilibrium is
+
+@itemlist[
+@item{@italic{stable} where the stiffness matrix is positive: the energy is least;}
+@item{@italic{unstable} where motions leave it exponentially, to first order;}
+@item{@italic{linearly stable} where turning frames or magnetic fields hold what the
+stiffness does not: to first order, motions nearby oscillate, with different
+frequencies;}
+@item{@italic{undecided} where second derivatives do not tell.}]
+
+Signs follow from declared assumptions; what remains open are conditions. With symbols,
+turning systems of two coordinates are judged, and by numbers those of more.
+
+@examples[#:eval session
+(assuming ('(> m 0) '(> R 0) '(> g 0))
+  (equilibrium-stability (L-ring 'm 'R 'g 'omega) 0))
+(assuming ('(> m 0) '(> R 0) '(> g 0))
+  (equilibrium-stability (L-ring 'm 'R 'g 'omega) pi))
+(define ((L-plate k Omega) (up t (up x y) (up vx vy)))
+  (+ (* 1/2 (+ (square (- vx (* Omega y))) (square (+ vy (* Omega x)))))
+     (* 1/2 k (- (square x) (square y)))))
+(equilibrium-stability (L-plate 'k 'Omega) (up 0 0))]}
+
+@deftogether[(@defproc[(stability? [x any]) boolean?]
+              @defproc[(stability-kind [s stability?])
+                       (or/c 'stable 'linearly-stable 'unstable 'undecided)]
+              @defproc[(stability-conditions [s stability?]) list?])]{
+
+The parts of such an answer. The conditions are lists @racket[(> e 0)]: the kind is the
+one given if all of them hold, and @racket['unstable] if for one e < 0.}
+
 @(close-session session)
