@@ -34,11 +34,9 @@ tension
 
 ;; Launched sideways, a little slower than for the circle: an oval that turns.
 (define (swing-from angle sideways)
-  (let* ([solve (constrained-accelerations (L-bob 1 9.8) (string 1))]
-         [derivative (lambda (state) (up 1 (velocity state) (ref (solve state) 0)))])
-    (evolve-trajectory derivative
-                       ((F->C (on-sphere 1)) (up 0. (up angle 0.) (up 0. sideways)))
-                       20. #:tolerance 1e-12)))
+  (evolve-trajectory (constrained-state-derivative (L-bob 1 9.8) (string 1))
+                     ((F->C (on-sphere 1)) (up 0. (up angle 0.) (up 0. sideways)))
+                     20. #:tolerance 1e-12))
 (define swing (swing-from 1. 2.))
 (define (part k) (lambda (state) (ref (coordinate state) k)))
 

@@ -45,14 +45,13 @@
 (verify-equal force-of-floor (* 'm 'g))
 
 ;; In numbers: down the wall to the event, and then with the floor alone.
-(define (slide constraints state . events)
-  (define solve (constrained-accelerations (L-ladder 1 1 9.8) constraints))
-  (define (derivative state) (up 1 (velocity state) (ref (solve state) 0)))
-  (evolve-trajectory derivative state 10. #:events events #:tolerance 1e-12))
+(define (slide constraints state end)
+  (evolve-trajectory (constrained-state-derivative (L-ladder 1 1 9.8) constraints)
+                     state 10. #:events end #:tolerance 1e-12))
 
 (define leaves-the-wall
-  (let ([solve (constrained-accelerations (L-ladder 1 1 9.8) (list (wall 1) (floor 1)))])
-    (event (lambda (state) (ref (solve state) 1 0))
+  (let ([force (constraint-forces (L-ladder 1 1 9.8) (list (wall 1) (floor 1)))])
+    (event (lambda (state) (ref (force state) 0))
            #:name 'leaves-the-wall #:direction 'falling #:terminal? #t)))
 (define lies-down
   (event (lambda (state) (ref (coordinate state) 2)) #:name 'lies-down #:terminal? #t))
