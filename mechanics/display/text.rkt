@@ -32,21 +32,39 @@
                    label
                    (layout-content (or (caddr line) '()) (string-length label) width))))
 
-;; Parts one after the other; one that does not fit begins a line of its own,
-;; except the first, which is broken where it stands.
+;; Parts one after the other; one that does not fit begins a line of its own, except the
+;; first, which is broken where it stands.  The sides of an equation stay together.
 (define (layout-content parts column width)
   (define start (+ column 1))
-  (let loop ([parts parts] [at column] [first? #t] [pieces '()])
+  (let loop ([parts parts] [at column] [stays? #t] [pieces '()])
     (cond
       [(null? parts) (apply string-append (reverse pieces))]
+      [(equal? (car parts) ",") (loop (cdr parts) (+ at 1) #f (cons "," pieces))]
       [else
-       (define comma? (equal? (car parts) ","))
-       (define text
-         (if (string? (car parts)) (car parts) (layout (car parts) width (if first? start at))))
-       (define end (+ at 1 (string-length text)))
-       (cond [comma? (loop (cdr parts) (+ at 1) #f (cons "," pieces))]
-             [(or first? (<= end width))
-              (loop (cdr parts) end #f (list* text " " pieces))]
-             [else
-              (loop (cdr parts) (+ start (string-length text)) #f
-                    (list* text (make-string start #\space) "\n" pieces))])])))
+       (define here? (or stays? (<= (+ at 1 (width-together parts)) width)))
+       (define from (if here? (+ at 1) start))
+       (define text (part->text (car parts) width from))
+       (define lead (if here? " " (string-append "\n" (make-string start #\space))))
+       (loop (cdr parts) (end-column text from) (within-equation? parts)
+             (list* text lead pieces))])))
+
+(define (part->text part width column)
+  (if (string? part) part (layout part width column)))
+
+;; Does what follows the first part belong to the same equation?
+(define (within-equation? parts)
+  (or (equal? (car parts) "=") (equation-first? parts)))
+
+(define (equation-first? parts)
+  (and (pair? (cdr parts)) (equal? (cadr parts) "=")))
+
+;; The width of the first part, or of the equation that it begins, on one line.
+(define (width-together parts)
+  (define (flat part) (string-length (part->text part +inf.0 0)))
+  (if (equation-first? parts)
+      (+ (flat (car parts)) 3 (flat (caddr parts)))
+      (flat (car parts))))
+
+(define (end-column text from)
+  (define last-line (regexp-match #rx"\n([^\n]*)$" text))
+  (if last-line (string-length (cadr last-line)) (+ from (string-length text))))
