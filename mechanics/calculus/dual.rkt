@@ -23,20 +23,18 @@
              #:same? (lambda (same? a b)
                        (and (eqv? (dual-tag a) (dual-tag b))
                             (same? (dual-primal a) (dual-primal b))
-                            (same? (dual-tangent a) (dual-tangent b))))))
+                            (same? (dual-tangent a) (dual-tangent b))))
+             #:parts
+             (parts (lambda (d) (dual-primal d))
+                    (lambda (f d) (make-dual (dual-tag d) (f (dual-primal d)) (f (dual-tangent d))))
+                    (lambda (tag f d)
+                      (g:+ (f (dual-primal d)) (g:* (f (dual-tangent d)) (dual tag 0 1)))))))
 
-(struct dual perturbed (primal tangent)
-  #:authentic
-  #:constructor-name construct-dual
-  #:omit-define-syntaxes
-  #:property prop:kind kind:dual
-  #:property prop:parts
-  (parts (lambda (d) (dual-primal d))
-         (lambda (f d) (make-dual (dual-tag d) (f (dual-primal d)) (f (dual-tangent d))))
-         (lambda (tag f d) (g:+ (f (dual-primal d)) (g:* (f (dual-tangent d)) (dual tag 0 1))))))
-
-(define (dual tag primal tangent) (construct-dual kind:dual tag primal tangent))
-(define (dual-tag d) (perturbed-tag d))
+(define (dual tag primal tangent) (carrier kind:dual tag primal tangent #f))
+(define (dual? x) (and (carrier? x) (eq? (carrier-kind x) kind:dual)))
+(define (dual-tag d) (carrier-tag d))
+(define (dual-primal d) (carrier-first d))
+(define (dual-tangent d) (carrier-second d))
 
 ;; x + ε
 (define (perturb tag x) (make-dual tag x 1))

@@ -6,8 +6,8 @@
 ;; by all of them; so a gradient costs a few runs, be it in a million variables.
 ;; The values are those of D.
 
-(require "perturbed.rkt" (only-in "tape.rkt" tape-inputs finish-tape!) "recorded.rkt" "derivative.rkt"
-         "derivative-errors.rkt" "gradient-errors.rkt"
+(require "perturbed.rkt" (only-in "tape.rkt" tape-inputs finish-tape!) "recorded.rkt"
+         "derivative.rkt" "derivative-errors.rkt" "gradient-errors.rkt"
          "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
          "../generic/arithmetic.rkt"
          "../value/operator.rkt" "../value/matrix.rkt" "../value/structure.rkt"
@@ -22,12 +22,12 @@
 ;; One run
 
 ;; The value of f at x, a structure if it is a tuple, recorded; and the tape.
-(define (record-run who f x)
+(define (record-run who f x [all-flonums? (flat? x)])
   (define t
-    (if (flat? x)
+    (if all-flonums?
         (make-recording (fresh-tag) (structure-length x) #t)
-        (make-recording (fresh-tag) (count-scalars who x) (all-flonums? x))))
-  (values (f (record-scalars t x)) t))
+        (make-recording (fresh-tag) (count-scalars who x) (of-flonums? x))))
+  (values (f (if all-flonums? (record-flat t x 0) (record-scalars t x))) t))
 
 (define (count-scalars who x)
   (cond [(flat? x) (structure-length x)]
@@ -36,9 +36,9 @@
         [(scalar? x) 1]
         [else (raise-not-differentiable-at x who)]))
 
-(define (all-flonums? x)
+(define (of-flonums? x)
   (cond [(flonum? x) #t]
-        [(tuple? x) (for/and ([e (in-vector (elements-of x))]) (all-flonums? e))]
+        [(tuple? x) (for/and ([e (in-vector (elements-of x))]) (of-flonums? e))]
         [else #f]))
 
 (define (elements-of x) (if (structure? x) (structure-elements x) x))
@@ -53,12 +53,14 @@
 (define (record-scalars t x)
   (define-values (next! skip!) (numbering))
   (let walk ([x x])
-    (cond [(flat? x)
-           (define n (structure-length x))
-           (computed-structure (structure-orientation x) n
-                               (flonum-inputs t (skip! n) (structure-elements x)))]
+    (cond [(flat? x) (record-flat t x (skip! (structure-length x)))]
           [(tuple? x) (structure (orientation-of x) (vector-map walk (elements-of x)))]
           [else (map-leaves (lambda (leaf) (record-input t (next!) leaf)) x)])))
+
+;; The same of flonums alone, numbered from `first`.
+(define (record-flat t x first)
+  (computed-structure (structure-orientation x) (structure-length x)
+                      (flonum-inputs t first (structure-elements x))))
 
 ;; Numbers from 0: the next one, and the first of so many.
 (define (numbering)
@@ -91,15 +93,13 @@
 
 (define (gradient-at f point)
   (define x (if (vector? point) (adopt point) point))
-  (define-values (y t) (record-run 'gradient f x))
-  (unless (scalar? y) (raise-not-scalar 'gradient f y))
+  (define all-flonums? (flat? x))
+  (define-values (y t) (record-run 'gradient f x all-flonums?))
+  (unless (or (on-tape? y t) (scalar? y)) (raise-not-scalar 'gradient f y))
   (define ds (derivatives t y))
   (finish-tape! t)
-  (shape-derivatives x ds))
-
-;; The derivatives by all scalars of x, in a vector of their own, in its shape.
-(define (shape-derivatives x ds)
-  (if (flat? x)
+  ;; in the shape of x
+  (if all-flonums?
       (structure (flip-orientation (structure-orientation x)) ds)
       (shape-as-derivative x (lambda (i) (vector-ref ds i)))))
 

@@ -28,20 +28,18 @@
              #:same? (lambda (same? a b)
                        (and (eqv? (perturbed-tag a) (perturbed-tag b))
                             (for/and ([k (in-range (add1 (jet-order a)))])
-                              (same? (jet-coefficient a k) (jet-coefficient b k)))))))
+                              (same? (jet-coefficient a k) (jet-coefficient b k)))))
+             #:parts
+             (parts (lambda (x) (jet-coefficient x 0))
+                    (lambda (f x)
+                      (make-jet (perturbed-tag x) (jet-order x) (vector-map f (jet-known x))))
+                    (lambda (tag f x) (retag tag f x)))))
 
 ;; order : n.  known : a vector of x₀ … xₘ, m ≤ n, of which the last is not 0.
-(struct jet perturbed (order known)
-  #:authentic
-  #:constructor-name construct-jet
-  #:omit-define-syntaxes
-  #:property prop:kind kind:jet
-  #:property prop:parts
-  (parts (lambda (x) (jet-coefficient x 0))
-         (lambda (f x) (make-jet (perturbed-tag x) (jet-order x) (vector-map f (jet-known x))))
-         (lambda (tag f x) (retag tag f x))))
-
-(define (jet tag order known) (construct-jet kind:jet tag order known))
+(define (jet tag order known) (carrier kind:jet tag order known #f))
+(define (jet? x) (and (carrier? x) (eq? (carrier-kind x) kind:jet)))
+(define (jet-order x) (carrier-first x))
+(define (jet-known x) (carrier-second x))
 
 ;; Exact zeros at the end are dropped; what is left without ε is no jet.
 (define (make-jet tag order known)

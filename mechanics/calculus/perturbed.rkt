@@ -7,15 +7,10 @@
 ;; greatest number is outermost: the parts of a perturbed value, the
 ;; coefficients of its ε, contain only lesser tags.
 
-(require "../generic/kind.rkt" "../generic/describe.rkt")
+(require "../generic/kind.rkt")
 
-(provide (struct-out perturbed) (struct-out parts) prop:parts parts-of
+(provide (rename-out [carrier? perturbed?] [carrier-tag perturbed-tag]) (struct-out parts) parts-of
          fresh-tag outermost innermost)
-
-(struct perturbed carrier (tag)
-  #:authentic
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (x port mode) (write-value x port)))
 
 ;; What code that works on perturbed values of every type knows of one:
 ;; value : x -> the part without ε
@@ -23,7 +18,7 @@
 ;; retag : tag (part -> part) x -> the same with another ε, whatever its tag
 (struct parts (value map retag) #:authentic)
 
-(define-values (prop:parts has-parts? parts-of) (make-struct-type-property 'parts))
+(define (parts-of x) (kind-parts (carrier-kind x)))
 
 (define counter (box 0))
 
@@ -33,11 +28,11 @@
 
 ;; Of two values, one of them perturbed, the one with the outermost ε.
 (define (outermost a b)
-  (cond [(not (perturbed? a)) b]
-        [(not (perturbed? b)) a]
-        [(< (perturbed-tag a) (perturbed-tag b)) b]
+  (cond [(not (carrier? a)) b]
+        [(not (carrier? b)) a]
+        [(< (carrier-tag a) (carrier-tag b)) b]
         [else a]))
 
 ;; What stands in the place of x when no derivative is taken.
 (define (innermost x)
-  (if (perturbed? x) (innermost ((parts-value (parts-of x)) x)) x))
+  (if (carrier? x) (innermost ((parts-value (parts-of x)) x)) x))

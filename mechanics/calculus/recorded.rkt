@@ -28,27 +28,21 @@
              #:unary (lambda (op r) (record-unary op r))
              #:binary (lambda (op a b) (record-binary op a b))
              #:comparand (lambda (r) (recorded-value r))
-             #:same? (lambda (same? a b) (same-recorded? same? a b))))
+             #:same? (lambda (same? a b) (same-recorded? same? a b))
+             #:parts (parts (lambda (r) (recorded-value r))
+                            (lambda (f r) (map-parts f r))
+                            (lambda (tag f r) (map-parts f r)))))
 
-;; value, with the differential factor · dz, z being number `index` of the tape.
-(struct recorded perturbed (index factor value)
-  #:authentic
-  #:sealed
-  #:constructor-name construct-recorded
-  #:omit-define-syntaxes
-  #:property prop:kind kind:recorded
-  #:property prop:equal+hash
-  (list (lambda (a b recur)
-          (and (eq? (recorded-tape a) (recorded-tape b))
-               (eqv? (recorded-index a) (recorded-index b))
-               (recur (recorded-factor a) (recorded-factor b))
-               (recur (recorded-value a) (recorded-value b))))
-        (lambda (r recur) (recorded-index r))
-        (lambda (r recur) (recorded-index r)))
-  #:property prop:parts
-  (parts (lambda (r) (recorded-value r))
-         (lambda (f r) (map-parts f r))
-         (lambda (tag f r) (map-parts f r))))
+;; A value with the differential factor · dz, z being number `index` of the tape; the
+;; tape is its kind.
+(define (recorded? x) (and (carrier? x) (tape? (carrier-kind x))))
+
+(define-syntax-rule (construct-recorded tape tag index factor value)
+  (carrier tape tag index factor value))
+(define-syntax-rule (recorded-tape r) (carrier-kind r))
+(define-syntax-rule (recorded-index r) (carrier-first r))
+(define-syntax-rule (recorded-factor r) (carrier-second r))
+(define-syntax-rule (recorded-value r) (carrier-third r))
 
 ;; As with dual numbers, a quantity whose first derivative vanishes still varies;
 ;; but expressions are taken at a generic point.
@@ -56,8 +50,6 @@
   (if (and (eq? factor 0) (symbolic? value))
       value
       (construct-recorded tape (tape-tag tape) index factor value)))
-
-(define-syntax-rule (recorded-tape r) (carrier-kind r))
 
 ;; A new tape, for so many variables; are all of them flonums?
 (define (make-recording tag inputs flonums?)

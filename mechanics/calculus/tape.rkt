@@ -32,21 +32,22 @@
 ;; Every index on a tape is one that `join!` gave out, or a variable's.
 (#%declare #:unsafe)
 
-(provide make-tape tape-tag tape-inputs
+(provide make-tape tape? tape-tag tape-inputs
          join! join-flonums! sweep finish-tape!)
 
 ;; Who calls `make-tape` owns the tape.
 ;; inputs : the number of variables.  Of the block being written, `room` is how many
 ;; lines it has for flonums (none if its slopes are not) and `used` how many are
 ;; written; `before` counts the variables and the lines of older blocks, of which the
-;; last comes first.  spare : blocks to be written on next.  finished? : the blocks
-;; have been given away.
+;; last comes first.  spare : blocks to be written on next.  chunks : of adjoints, to
+;; be swept with.  finished? : the blocks have been given away.
 ;; A tape is the kind of the numbers recorded on it, which so need no field for each.
 (struct tape kind (tag inputs
                    [before #:mutable] [room #:mutable] [used #:mutable]
                    [indices #:mutable] [slopes #:mutable] [older #:mutable]
-                   [spare #:mutable] [finished? #:mutable])
-  #:authentic)
+                   [spare #:mutable] [chunks #:mutable] [finished? #:mutable])
+  #:authentic
+  #:sealed)
 
 ;; before, used : the number of its first line, and how many there are.
 ;; indices : i and j of a line, packed.
@@ -66,8 +67,8 @@
   (define size (fxmin (fx+ inputs 24) longest-block))
   (tape (kind-rank k) (kind-describe k) (kind-datum k) (kind-map k) unary binary
         (kind-comparand k) (kind-zero? k) (kind-same? k) (kind-arity k) (kind-closed? k)
-        tag inputs inputs (if flonums? size 0) 0 (make-fxvector size) (make-slopes size flonums?)
-        '() '() #f))
+        (kind-parts k) tag inputs inputs (if flonums? size 0) 0 (make-fxvector size) (make-slopes size flonums?)
+        '() '() '() #f))
 
 ;; In lines.
 (define longest-block 4096)
@@ -140,17 +141,26 @@
 ;; ---------------------------------------------------------------------------
 ;; Blocks that serve again
 
-;; A list in a weak box in a box: what nobody writes on belongs to the collector.
-(define waiting (box (make-weak-box '())))
+;; Blocks, and chunks of adjoints, all -0.0.
+(struct supply (blocks chunks) #:authentic)
+
+;; In a weak box in a box: what nobody writes on belongs to the collector.
+(define nothing (supply '() '()))
+(define waiting (box (make-weak-box nothing)))
 
 (define (change-waiting! change)
   (define old (unbox waiting))
-  (define blocks (or (weak-box-value old) '()))
-  (if (box-cas! waiting old (make-weak-box (change blocks))) blocks (change-waiting! change)))
+  (define found (or (weak-box-value old) nothing))
+  (if (box-cas! waiting old (make-weak-box (change found))) found (change-waiting! change)))
 
-;; A tape takes all there are, and holds them fast.
+;; A tape takes all there is, and holds it fast.
+(define (take-waiting! t)
+  (define found (change-waiting! (lambda (found) nothing)))
+  (set-tape-spare! t (supply-blocks found))
+  (set-tape-chunks! t (append (supply-chunks found) (tape-chunks t))))
+
 (define (spare-block! t)
-  (when (null? (tape-spare t)) (set-tape-spare! t (change-waiting! (lambda (blocks) '()))))
+  (when (null? (tape-spare t)) (take-waiting! t))
   (define spare (tape-spare t))
   (and (pair? spare)
        (begin (set-tape-spare! t (cdr spare))
@@ -165,9 +175,13 @@
       (cons b blocks)))
   (when (pair? blocks)
     (set-tape-finished?! t #t)
+    (define chunks (tape-chunks t))
     (set-tape-spare! t '())
+    (set-tape-chunks! t '())
     (write-on! t (make-fxvector 0) (make-flvector 0) '())
-    (change-waiting! (lambda (others) (append blocks others)))
+    (change-waiting!
+     (lambda (others)
+       (supply (append blocks (supply-blocks others)) (append chunks (supply-chunks others)))))
     (void)))
 
 (define (check-unfinished t)
@@ -195,20 +209,22 @@
 
 ;; -0.0 stands where nothing was added: it is neutral, and no sum below is -0.0.
 ;; What the result does not depend on is passed over, be its slopes infinite.
-(define-syntax-rule (untouched? a) (and (fl= a 0.0) (eqv? a -0.0)))
+;; (As `eqv?` would, but of a number in a register.)
+(define-syntax-rule (untouched? a) (and (fl= a 0.0) (fl< (fl/ 1.0 a) 0.0)))
 
+;; The next line may wait for this sum: it begins with what is known before.
 (define-syntax-rule (add-at! as z amount)
-  (flvector-set! as z (fl+ (flvector-ref as z) (fl+ amount 0.0))))
+  (flvector-set! as z (fl+ (fl+ (flvector-ref as z) 0.0) amount)))
 
-;; ref : z -> its adjoint;  add! : z amount -> void
-(define-syntax-rule (sweep-lines blocks index ref add!)
+;; take! : z -> its adjoint, which becomes -0.0;  add! : z amount -> void
+(define-syntax-rule (sweep-lines blocks index take! add!)
   (for ([b (in-list blocks)])
     (define indices (block-indices b))
     (define slopes (block-slopes b))
     (define before (block-before b))
     (let loop ([k (last-line b index)])
       (when (fx>= k 0)
-        (let ([a (ref (fx+ before k))])
+        (let ([a (take! (fx+ before k))])
           (unless (untouched? a)
             (let ([line (fxvector-ref indices k)] [at (fxlshift k 1)])
               (add! (first-index line) (fl* a (flvector-ref slopes at)))
@@ -218,11 +234,11 @@
 ;; The last line of the block up to this index.
 (define (last-line b index) (fxmin (fx- (block-used b) 1) (fx- index (block-before b))))
 
-(define-syntax-rule (flonum-derivatives inputs ref)
+(define-syntax-rule (flonum-derivatives inputs take!)
   (let ([derivatives (make-vector inputs 0)])
     (let loop ([i 0])
       (when (fx< i inputs)
-        (let ([a (ref i)])
+        (let ([a (take! i)])
           (unless (untouched? a) (vector-set! derivatives i a)))
         (loop (fx+ i 1))))
     derivatives))
@@ -235,21 +251,31 @@
   (sweep-lines blocks index ref add!)
   (flonum-derivatives (tape-inputs t) ref))
 
+;; Chunks are left as they were found, so that they serve again.
 (define chunk-bits 16)
 (define chunk (fxlshift 1 chunk-bits))
 
 (define (sweep-in-chunks t blocks index factor size)
   (define chunks
-    (for/vector ([start (in-range 0 size chunk)])
-      (make-flvector (fxmin chunk (fx- size start)) -0.0)))
+    (for/vector ([start (in-range 0 size chunk)]) (take-chunk! t)))
   (define-syntax-rule (chunk-of z) (vector-ref chunks (fxrshift z chunk-bits)))
   (define-syntax-rule (place z) (fxand z (fx- chunk 1)))
-  (define-syntax-rule (ref z) (flvector-ref (chunk-of z) (place z)))
+  (define-syntax-rule (take! z)
+    (let* ([at z] [as (chunk-of at)] [a (flvector-ref as (place at))])
+      (flvector-set! as (place at) -0.0)
+      a))
   (define-syntax-rule (add! z amount)
     (let* ([at z] [as (chunk-of at)]) (add-at! as (place at) amount)))
   (flvector-set! (chunk-of index) (place index) factor)
-  (sweep-lines blocks index ref add!)
-  (flonum-derivatives (tape-inputs t) ref))
+  (sweep-lines blocks index take! add!)
+  (begin0 (flonum-derivatives (tape-inputs t) take!)
+          (set-tape-chunks! t (append (vector->list chunks) (tape-chunks t)))))
+
+(define (take-chunk! t)
+  (define chunks (tape-chunks t))
+  (cond [(null? chunks) (make-flvector chunk -0.0)]
+        [else (set-tape-chunks! t (cdr chunks))
+              (car chunks)]))
 
 (define (sweep-generally t blocks index factor size)
   (define as (make-vector size 0))

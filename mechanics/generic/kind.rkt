@@ -7,6 +7,8 @@
 ;; meet, the one of higher rank decides: a number times a tuple is the tuple's
 ;; affair, a tuple plus a function the function's.
 
+(require (only-in "../algebra/datum.rkt" write-datum))
+
 (provide
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)
  (struct-out generic-op)
@@ -26,21 +28,44 @@
 ;;             kind, equal when their parts are compared so; #f: `equal?` decides
 ;; arity     : value -> arity mask, for kinds of function; #f: the procedure's own
 ;; closed?   : #t for kinds of function that can have captured no value
-(struct kind (rank describe datum map unary binary comparand zero? same? arity closed?)
+;; parts     : of carriers, what their own floor wants to know of them
+(struct kind (rank describe datum map unary binary comparand zero? same? arity closed? parts)
   #:authentic)
 
 (define (make-kind #:rank rank #:describe describe #:datum datum
                    #:map [map #f] #:unary [unary #f] #:binary [binary #f]
                    #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
-                   #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f])
-  (kind rank describe datum map unary binary comparand zero? same? arity closed?))
+                   #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f]
+                   #:parts [parts #f])
+  (kind rank describe datum map unary binary comparand zero? same? arity closed? parts))
 
-(define-values (prop:kind has-kind? kind-of) (make-struct-type-property 'kind))
+(define-values (prop:kind has-kind? kind-of-type) (make-struct-type-property 'kind))
 
-;; A scalar that carries its kind in a field too, where it is found in a quarter of
-;; the time: what derivatives are computed with.
-(struct carrier (kind)
-  #:authentic)
+;; A scalar that carries its kind in a field, where it is found in a quarter of the
+;; time: what derivatives are computed with.  The kind names the other fields.  One
+;; type without subtypes serves them all, since that is what is recognized fastest,
+;; by comparing one word.
+(struct carrier (kind tag first second third)
+  #:authentic
+  #:sealed
+  #:property prop:kind #f                  ; it is the field
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (c port mode) (write-datum ((kind-datum (carrier-kind c)) c) port))
+  #:property prop:equal+hash
+  (list (lambda (a b recur)
+          (and (eq? (carrier-kind a) (carrier-kind b))
+               (eqv? (carrier-tag a) (carrier-tag b))
+               (recur (carrier-first a) (carrier-first b))
+               (recur (carrier-second a) (carrier-second b))
+               (recur (carrier-third a) (carrier-third b))))
+        (lambda (c recur) (recur (carrier-first c)))
+        (lambda (c recur) (recur (carrier-first c)))))
+
+(define kind-of
+  (case-lambda
+    [(x) (if (carrier? x) (carrier-kind x) (kind-of-type x))]
+    [(x otherwise) (if (carrier? x) (carrier-kind x) (kind-of-type x otherwise))]))
 
 (define rank:scalar 0)
 (define rank:number 1)
