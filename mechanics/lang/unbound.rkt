@@ -2,10 +2,11 @@
 ;; Names without a definition.  The commonest is a symbol whose quote was
 ;; forgotten, as in (L-harmonic m k), so whoever meets one says how a symbol is
 ;; written: the expander in a module, the error display at the prompt.  Where a
-;; name that is known is spelt nearly so, that is said first.
+;; name that is known is spelt nearly so, or another library of the package defines it,
+;; that is said first.
 
-(require "spelling.rkt"
-         (for-syntax racket/base "spelling.rkt"))
+(require "elsewhere.rkt" "keyword-hint.rkt" "spelling.rkt"
+         (for-syntax racket/base "elsewhere.rkt" "spelling.rkt"))
 
 (provide (rename-out [top #%top])
          install-hints!)
@@ -27,14 +28,18 @@
     [(_ . other) (syntax/loc stx (#%top . other))]))
 
 (begin-for-syntax
-  (define (meant-instead names)
-    (if (null? names) "" (format "did you mean ~a? " (alternatives names))))
+  (define (meant-instead name known)
+    (define library (library-of name))
+    (define names (if library '() (likely-names name known)))
+    (cond [library (format "(require ~a) defines it; " library)]
+          [(pair? names) (format "did you mean ~a? " (alternatives names))]
+          [else ""]))
 
   (define (raise-unbound id)
     (define name (syntax-e id))
     (raise-syntax-error
      #f (format "unbound identifier; ~aas a symbol it is written '~s"
-                (meant-instead (likely-names name (syntax-bound-symbols id)))
+                (meant-instead name (syntax-bound-symbols id))
                 name)
      id #:exn exn:fail:syntax:unbound)))
 
@@ -58,12 +63,14 @@
     (error-display-handler (hinting-display display))))
 
 (define (hint-for message e)
-  (and (exn:fail:contract:variable? e)
-       (let ([id (exn:fail:contract:variable-id e)])
+  (cond [(exn:fail:contract:variable? e)
+         (define id (exn:fail:contract:variable-id e))
          (cond [(regexp-match? #rx"cannot reference an identifier before its definition" message)
                 (hint-for-unknown id message)]
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
-               [else #f]))))
+               [else #f])]
+        [(exn:fail:contract? e) (hint-for-keyword message)]
+        [else #f]))
 
 ;; Names that the prompt knows nothing of, not those that a module uses too
 ;; early: they need no quote.
@@ -81,8 +88,11 @@
           id))
 
 (define (meant-instead id)
-  (define names (likely-names id (namespace-mapped-symbols)))
-  (if (null? names) "" (format "\n  did you mean ~a?" (alternatives names))))
+  (define library (library-of id))
+  (define names (if library '() (likely-names id (namespace-mapped-symbols))))
+  (cond [library (format "\n  (require ~a) defines it" library)]
+        [(pair? names) (format "\n  did you mean ~a?" (alternatives names))]
+        [else ""]))
 
 ;; Is the prompt inside a module, as in DrRacket, which does not define the name?
 (define (unknown-in-module? id)
@@ -91,6 +101,8 @@
          (not (identifier-binding (namespace-symbol->identifier id))))))
 
 (define (with-hint e hint)
-  (exn:fail:contract:variable (string-append (exn-message e) hint)
-                              (exn-continuation-marks e)
-                              (exn:fail:contract:variable-id e)))
+  (define message (string-append (exn-message e) hint))
+  (define marks (exn-continuation-marks e))
+  (if (exn:fail:contract:variable? e)
+      (exn:fail:contract:variable message marks (exn:fail:contract:variable-id e))
+      (exn:fail:contract message marks)))

@@ -147,6 +147,14 @@
    #rx"did you mean kinetic-energy[?]"
    (syntax-message "#lang mechanics" "(define (kinetic-energy v) v)" "(kinetic-enrgy 'v)")))
 
+(test-case "an unbound name that another library of the package defines is told from a symbol"
+  (check-equal?
+   (syntax-message "#lang mechanics" "(define f (frame 0 1 0 1))")
+   (string-append "example:2:11: frame: unbound identifier; (require mechanics/plot) defines it; "
+                  "as a symbol it is written 'frame\n  in: frame"))
+  (check-regexp-match #rx"[(]require mechanics/book[)] defines it; "
+                      (syntax-message "#lang mechanics" "(LR3B 1 2 3 4)")))
+
 (test-case "names may be defined further down, in modules, submodules and bodies"
   (check-equal? (run-module "#lang mechanics"
                             "(define (f) (g y))"
@@ -236,6 +244,29 @@
   (check-regexp-match
    #rx"did you mean determinant[?]\n.*as a symbol it is written 'determinent" errors)
   (check-regexp-match #rx"did you mean kinetic-energy[?]" errors))
+
+(test-case "an unknown name at the prompt that another library of the package defines"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(plot-function 1)"
+             "(L-central-polar 'm 'U)"
+             "(require mechanics/book)"
+             "((L-free-particle 'm) (up 't 'x 'v))"))
+  (check-equal? output '("(* 1/2 m (expt v 2))"))
+  (check-regexp-match #rx"top-level\n.*[(]require mechanics/plot[)] defines it\n.*'plot-function\n"
+                      errors)
+  (check-regexp-match #rx"[(]require mechanics/book[)] defines it\n" errors))
+
+(test-case "a keyword at the prompt that the procedure does not take"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(define (swing #:amplitude [a 1] #:phase [p 0]) a)"
+             "(swing #:amplitud 3)"
+             "(swing #:mass 3)"
+             "(swing #:phase 3)"))
+  (check-equal? output '("1"))
+  (check-regexp-match #rx"given keyword: #:amplitud\n.*did you mean #:amplitude[?]\n" errors)
+  (check-regexp-match #rx"given keyword: #:mass\n.*its keywords: [(]#:amplitude #:phase[)]\n" errors))
 
 (test-case "a function that is undefined is noticed before its arguments are evaluated"
   (define-values (output errors)

@@ -133,11 +133,25 @@
 ;; ---------------------------------------------------------------------------
 ;; Keywords that are those of another procedure
 
-(define (unknown-keyword who)
-  (string-append "application: procedure does not expect an argument with given keyword\n"
-                 "  procedure: " who "\n  given keyword: #:tolerance\n  arguments...:"))
+(define ((unknown who given known) e)
+  (equal? (exn-message e)
+          (format "~a: there is no keyword ~s here\n  its keywords: ~s" who given known)))
 
-(test-case "an unknown keyword names the procedure that was made"
-  (define (names who) (regexp (regexp-quote (unknown-keyword who))))
-  (check-exn (names "state-advancer") (lambda () (advance start 1 #:tolerance 1e-9)))
-  (check-exn (names "evolve") (lambda () (follow start void 0.1 1 #:tolerance 1e-9))))
+(test-case "an unknown keyword names the procedure that was made, and those it takes"
+  (define known '(#:longest-step #:method #:most-steps #:precision #:progress))
+  (check-exn (unknown 'state-advancer '#:tolerance known)
+             (lambda () (advance start 1 #:tolerance 1e-9)))
+  (check-exn (unknown 'evolve '#:tolerance known)
+             (lambda () (follow start void 0.1 1 #:tolerance 1e-9))))
+
+(test-case "what is loaded on demand tells its keywords"
+  (check-exn (unknown 'event '#:directon '(#:direction #:name #:terminal?))
+             (lambda () (event values #:directon 'rising)))
+  (check-exn (unknown 'find-path '#:tol '(#:observe #:progress #:tolerance))
+             (lambda () (find-path values 0 0 1 1 1 #:tol 1)))
+  (check-exn (unknown 'evolve-trajectory '#:event
+                      '(#:events #:longest-step #:method #:most-steps #:precision #:progress
+                        #:tolerance))
+             (lambda () (evolve-trajectory oscillator start 1 #:event '())))
+  (check-exn (unknown 'cubic-spline '#:end '(#:ends #:extrapolate?))
+             (lambda () (cubic-spline '(0 1) '(0 1) #:end 'natural))))
