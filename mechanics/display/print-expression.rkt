@@ -2,7 +2,7 @@
 ;; Printing values on demand, simplified: what the prompt does to results.
 
 (require "layout.rkt" "result.rkt" "text.rkt"
-         "../generic/describe.rkt" "../value/series/access.rkt")
+         "../calculus/verdict.rkt" "../generic/describe.rkt" "../value/series/access.rkt")
 
 (provide print-expression pe show-expression se series:print print-labelled print-assumptions)
 
@@ -27,7 +27,9 @@
 (define (print-labelled label x)
   (write-string (layout label line-width))
   (write-string "\n  ")
-  (write-string (layout (value->datum x) line-width 2))
+  (write-string (if (verdict? x)
+                    (regexp-replace* #rx"\n" (value->lines x (- line-width 2)) "\n  ")
+                    (layout (value->datum x) line-width 2)))
   (newline))
 
 ;; What simplification took for granted and what it left unexpanded, a line each.

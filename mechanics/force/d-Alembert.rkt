@@ -12,10 +12,41 @@
 
 (require "force.rkt" "generalized-force.rkt" "masses.rkt" "particles.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt"
          "../calculus/derivative.rkt"
          "../lagrangian/local-tuple.rkt")
 
-(provide d-Alembert-equations)
+(provide d-Alembert-equations
+         newtonian? newtonian-masses newtonian-positions newtonian-force)
+
+;; A function of paths that keeps what it was made from, for those who want to see its
+;; steps.
+(define kind:newtonian
+  (make-kind #:rank rank:function
+             #:describe (lambda (e) "a function of paths")
+             #:datum (lambda (e) (newtonian->datum e))
+             #:arity (lambda (e) 2)))
+
+(struct newtonian (masses positions force)
+  #:authentic
+  #:property prop:kind kind:newtonian
+  #:property prop:procedure
+  (case-lambda [(e q) (residual-along e q)]
+               [(e . arguments) (raise-one-path e arguments)])
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write (lambda (e port mode) (write-value e port)))
+
+(define (newtonian->datum e)
+  (list 'd-Alembert-equations (masses->datum (newtonian-masses e))
+        (value->datum (newtonian-positions e)) (value->datum (newtonian-force e))))
+
+(define (raise-one-path e arguments)
+  (raise
+   (exn:fail:contract:arity
+    (format "d-Alembert-equations: the equations take one argument, a path; they were given ~a~a"
+            (if (null? arguments) "none" (length arguments))
+            (if (= (length arguments) 2) "\n  the time comes next: ((equations path) time)" ""))
+    (current-continuation-marks))))
 
 ;; (((d-Alembert-equations masses r F) q) t)
 (define (d-Alembert-equations masses r F)
@@ -23,11 +54,13 @@
   (check-masses who masses)
   (check-positions who r)
   (check-force who F)
-  (define (name) (list who (masses->datum masses) (value->datum r) (value->datum F)))
-  (unary-function name (given-q)
-    (define q (path who given-q))
-    (unary-function (lambda () (list (name) (value->datum q))) (t)
-      (residual-at who masses r F q t))))
+  (newtonian masses r F))
+
+(define (residual-along e given-q)
+  (define who 'd-Alembert-equations)
+  (define q (path who given-q))
+  (unary-function (lambda () (list (value->datum e) (value->datum q))) (t)
+    (residual-at who (newtonian-masses e) (newtonian-positions e) (newtonian-force e) q t)))
 
 (define (residual-at who masses r F q t)
   (define (positions t) (positions-at who r t (q t)))

@@ -1,20 +1,26 @@
 #lang racket/base
 ;; From a path to the residual, every step in sight (SICM exercise 1.12).
 
-(require "../generic/elementary.rkt"
+(require racket/lazy-require
+         "../generic/elementary.rkt"
          "../calculus/derivative.rkt"
          "../value/function.rkt" "../value/simplify.rkt" "../value/structure.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../display/print-expression.rkt")
 
+(lazy-require ["../force/d-Alembert.rkt" (newtonian?)]
+              ["../force/derivation.rkt" (Newton-steps Newton-identities)])
+
 (provide derivation-steps show-derivation)
 
 ;; A list of (label . value): the local tuple, the Lagrangian along the path, its
 ;; partial derivatives there, the time derivatives of the momenta, the force and
-;; the residual; all simplified.
+;; the residual; all simplified.  From Newton's equations on there are the identities
+;; of the way, too, each with its verdict.
 (define (derivation-steps equations q [t 't])
-  (for/list ([s (in-list (steps 'derivation-steps equations q t))])
-    (cons (car s) (simplify (cdr s)))))
+  (append (for/list ([s (in-list (steps 'derivation-steps equations q t))])
+            (cons (car s) (simplify (cdr s))))
+          (identities equations q)))
 
 ;; Prints the steps, each as `label at t`, then its value; in the end what
 ;; simplification assumed on the way.
@@ -23,12 +29,22 @@
   (define-values (values assumptions) (simplify/assumptions (list->up (map cdr all))))
   (for ([s (in-list all)] [v (in-list (structure->list values))])
     (print-labelled (list (car s) t) v))
-  (print-assumptions assumptions))
+  (print-assumptions assumptions)
+  (for ([i (in-list (identities equations q))])
+    (print-labelled (car i) (cdr i))))
+
+(define (identities equations q)
+  (if (equations? equations) '() (Newton-identities equations q)))
 
 ;; The steps as they are computed.
 (define (steps who equations q t)
-  (unless (equations? equations)
-    (raise-argument-error who "(Lagrange-equations L)" equations))
+  (cond [(equations? equations) (Lagrange-steps who equations q t)]
+        [(newtonian? equations) (Newton-steps who equations q t)]
+        [else
+         (raise-argument-error
+          who "(Lagrange-equations L) or (d-Alembert-equations masses r F)" equations)]))
+
+(define (Lagrange-steps who equations q t)
   (define L (equations-Lagrangian equations))
   (define n (equations-order equations))
   (define force (equations-force equations))

@@ -189,6 +189,15 @@ time, any force of time, position and velocity, and any path. For two particles,
 @filepath{examples/mechanics/forces/newton-to-lagrange.rkt} does the same, line by line. It
 is on the page @secref["systems"].
 
+For a system of yours, @racket[show-derivation] prints all of it: the positions, what
+follows from them, and the verdict on each line.
+
+@examples[#:eval session #:label #f
+(define ((on-parabola a) t x) (up x (* a (square x))))
+(define (gravity t r v) (up 0 (* -1 'm 'g)))
+(show-derivation (d-Alembert-equations 'm (on-parabola 'a) gravity)
+                 (literal-function 'x))]
+
 What has to be believed is the principle alone: that what holds the particles does no work
 in virtual displacements. It is a statement about rings and rods, not about derivatives.
 

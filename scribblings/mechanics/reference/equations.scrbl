@@ -198,9 +198,17 @@ partial derivatives there, the time derivatives, the force, the residual.
 @racket[derivation-steps] gives pairs of a label and a simplified value;
 @racket[show-derivation] prints them.
 
+For what @racket[d-Alembert-equations] returned the steps are positions, velocities,
+accelerations, the slopes ∂r/∂q, forces, and what they add up to. Then follow the
+identities that lead from Newton's equations to Lagrange's, each with its verdict for this
+system along this path.
+
 @examples[#:eval session
 (show-derivation (Lagrange-equations (L-harmonic 'm 'k)) x)
-(list-ref (derivation-steps (Lagrange-equations (L-harmonic 'm 'k)) x) 4)]
+(list-ref (derivation-steps (Lagrange-equations (L-harmonic 'm 'k)) x) 4)
+(define ((on-rod l) t theta) (up (* l (sin theta)) (* -1 l (cos theta))))
+(define ((weight m g) t r v) (up 0 (* -1 m g)))
+(show-derivation (d-Alembert-equations 'm (on-rod 'l) (weight 'm 'g)) x)]
 
 @sicm{1.5, exercise 1.12}}
 

@@ -102,7 +102,7 @@ displacements. It is zero at all times exactly when q is a motion, if whatever k
 particles at r(t, q) does no work in virtual displacements.
 
 It is computed from the accelerations, without a kinetic energy; that it is the residual
-of Lagrange's equations can be proved.
+of Lagrange's equations can be proved. @racket[show-derivation] shows all the steps.
 
 @examples[#:eval session
 (define theta (literal-function 'theta))

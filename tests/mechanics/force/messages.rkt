@@ -140,6 +140,11 @@
   "d-Alembert-equations: a path is a function of time, or a tuple of such functions; "
   "given the symbol q\n"
   "  (literal-function 'q) makes a path of that name"]
+ [((d-Alembert-equations 'm plane (force 0)) (up sin cos) 0)
+  "d-Alembert-equations: the equations take one argument, a path; they were given 2\n"
+  "  the time comes next: ((equations path) time)"]
+ [((d-Alembert-equations 'm plane (force 0)))
+  "d-Alembert-equations: the equations take one argument, a path; they were given none"]
  ;; power
  [(((power-balance (kinetic-energy 'm plane) #:force (lambda (s) 'F)) (up sin cos)) 't)
   "power-balance: the force must be a down tuple of 2, like the momenta; given the symbol F"]

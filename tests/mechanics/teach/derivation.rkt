@@ -60,3 +60,46 @@
                (lambda () (derive L x)))
     (check-exn (pregexp (string-append "^" name ": a path is a function of time"))
                (lambda () (derive (Lagrange-equations L) 'x)))))
+
+;; ---------------------------------------------------------------------------
+;; From Newton's equations
+
+(define (pendulum t theta) (up (* 'l (sin theta)) (* -1 'l (cos theta))))
+(define (weight t r v) (up 0 (* -1 'm 'g)))
+(define newton (d-Alembert-equations 'm pendulum weight))
+
+(test-case "what Newton's equations are made of is shown before what is left of them"
+  (define steps (derivation-steps newton x))
+  (check-step steps 'positions '(up (* l (sin (x t))) (* -1 l (cos (x t)))))
+  (check-step steps '(D positions) '(up (* l (cos (x t)) ((D x) t)) (* l (sin (x t)) ((D x) t))))
+  (check-step steps 'slopes '(up (* l (cos (x t))) (* l (sin (x t)))))
+  (check-step steps 'forces '(up 0 (* -1 g m)))
+  (check-step steps '(compose (generalized-force r F) (Gamma q)) '(* -1 g l m (sin (x t))))
+  (check-step steps '(compose (kinetic-energy masses r) (Gamma q))
+              '(* 1/2 (expt l 2) m (expt ((D x) t) 2)))
+  (check-step steps '((d-Alembert-equations masses r F) q)
+              '(+ (* g l m (sin (x t))) (* (expt l 2) m (((expt D 2) x) t)))))
+
+(test-case "each identity on the way to Lagrange's equations is proved, for any positions and force"
+  (define (verdicts masses r F q)
+    (for/list ([s (derivation-steps (d-Alembert-equations masses r F) q)]
+               #:when (verdict? (cdr s)))
+      (verdict-status (cdr s))))
+  (define space '(UP Real Real Real))
+  (define (position name) (literal-function name (-> (X Real (UP Real Real)) space)))
+  (define (force shape) (literal-function 'F (-> (X Real shape shape) shape)))
+  (define q (up x (literal-function 'y)))
+  (define all-proved '(proved proved proved proved proved))
+  (check-equal? (verdicts 'm pendulum weight x) all-proved)
+  (check-equal? (verdicts 'm (position 'r) (force space) q) all-proved)
+  (check-equal? (verdicts '(m M) (lambda (t q) (up ((position 'r) t q) ((position 's) t q)))
+                          (force (UP* space 2)) q)
+                all-proved))
+
+(test-case "they are printed with their verdicts"
+  (define text
+    (let ([port (open-output-string)])
+      (parameterize ([current-output-port port]) (show-derivation newton x))
+      (get-output-string port)))
+  (check-regexp-match #rx"\\(slopes t\\)\n  \\(up " text)
+  (check-regexp-match #rx"\\(= \\(D slopes\\) \\(\\(partial 1\\) velocities\\)\\)\n  proved: " text))
