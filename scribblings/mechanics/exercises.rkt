@@ -12,7 +12,6 @@
          scribble/base)
 
 (provide exercise-table
-         ;; for the tests
          exercises (struct-out exercise))
 
 (define-runtime-path folder "../../examples/mechanics/exercises")
@@ -48,17 +47,19 @@
 ;; ---------------------------------------------------------------------------
 ;; Showing
 
-;; The pages of a section with all that is in it; the exercises stand among its text.
+;; The pages of a section with all its parts; the exercises stand among its text.
 (define pages
   (hash "1.3" "8–14" "1.4" "14–23" "1.5" "23–37" "1.6" "37–68"
         "1.7" "68–78" "1.8" "78–91" "1.9" "91–99"))
 
-(define (pages-of section)
-  (hash-ref pages (string-join (take (string-split section ".") 2) ".") #f))
-
+;; "1.6.2, in pp. 37–68", or no more than the section where the pages are not known.
 (define (place e)
-  (define pp (pages-of (exercise-section e)))
-  (list (exercise-section e) (if pp (list " (pp. " pp ")") '())))
+  (define section (exercise-section e))
+  (define whole (string-join (take (string-split section ".") 2) "."))
+  (define range (hash-ref pages whole #f))
+  (cond [(not range) section]
+        [(string=? section whole) (string-append section ", pp. " range)]
+        [else (string-append section ", in pp. " range)]))
 
 (define (exercise-table)
   (define heading (map bold '("" "Section" "What is checked, and how")))

@@ -85,7 +85,7 @@ the list of indices that @racket[ref] takes.
 (verify-ignorable L 'phi polar)
 (verify-ignorable L 0 polar)]}
 
-@section{Total time derivatives}
+@section[#:tag "total-time-derivatives"]{Total time derivatives}
 
 @defproc[(verify-total-time-derivative [F procedure?] [local local-tuple]) verdict?]{
 
