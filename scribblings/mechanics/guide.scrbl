@@ -23,5 +23,6 @@ can be read in any order.
 @include-section["guide/exercises.scrbl"]
 @include-section["guide/pictures.scrbl"]
 @include-section["guide/systems.scrbl"]
+@include-section["guide/constrained-systems.scrbl"]
 @include-section["guide/other-systems.scrbl"]
 @include-section["guide/questions.scrbl"]

@@ -3,7 +3,8 @@
 ;;
 ;; A plate slides on ice on a blade, which lets it move along its edge but not across, and
 ;; on two smooth feet.  The blade is at (x, y), its direction θ, and the centre of mass
-;; lies ahead of it by a.  The constraint is on the velocities: no coordinate is lost.
+;; lies ahead of it by a.  The constraint is on the velocities, and of no function of the
+;; coordinates: none of them is lost.
 
 (require mechanics/plot)
 (provide picture)
@@ -17,6 +18,7 @@
 (define (L-sleigh m I a) (compose (L-plate m I) (F->C (centre-of-mass a))))
 (define (slip t (up x y θ) (up vx vy vθ)) (- (* vy (cos θ)) (* vx (sin θ))))
 (define blade (nonholonomic slip))
+(Frobenius-test blade (up 'x 'y 'θ))
 
 ;; A state that the blade allows, by its speed u along the edge and its rate of turning ω.
 (define (gliding u ω)
@@ -74,6 +76,8 @@ picture
     (let ([θ (ref (coordinate state) 2)])
       (+ (* (cos θ) (ref (velocity state) 0)) (* (sin θ) (ref (velocity state) 1)))))
   (define (turning-of state) (ref (velocity state) 2))
+  (test-case "the blade allows all places"
+    (check-status 'refuted (Frobenius-test blade (up 'x 'y 'θ))))
   (test-case "the rates of the speed and of the turning"
     (check-status 'proved (verify-equal rate-of-speed (* 'a (square 'ω))))
     (check-status 'proved

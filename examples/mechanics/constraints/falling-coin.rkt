@@ -25,6 +25,7 @@
 (define ((slip R) t (up x y φ θ ψ) (up vx vy vφ vθ vψ))
   (up (- vx (* R vψ (cos φ))) (- vy (* R vψ (sin φ)))))
 (define (rolling R) (nonholonomic (slip R)))
+(Frobenius-test (rolling 'R) (up 'x 'y 'φ 'θ 'ψ))
 
 ;; Leaning at α it goes round a circle, at the angular velocity Ω.  How fast does it roll?
 (define ((round rolls) t)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The figures are programs: each writes its picture to the file named on its command
+;; The figures are programs, and other programs draw figures: each writes its picture to the file named on its command
 ;; line.  What they draw is tested beside them.
 
 (require (only-in mechanics)
@@ -14,6 +14,7 @@
          "../runner/skip.rkt")
 
 (define-runtime-path figures "../../../examples/mechanics/figures")
+(define-runtime-path constraints "../../../examples/mechanics/constraints")
 
 (define (name-of file) (path->string (file-name-from-path file)))
 
@@ -53,7 +54,7 @@
              "the shared libraries of racket/draw are not installed: no figures"
 
   (test-case "all figures are there"
-    (check-equal? (length programs) 5))
+    (check-equal? (length programs) 6))
 
   (for ([program (in-list programs)] [extension (in-cycle '("svg" "png" "pdf"))])
     (define name (name-of (path-replace-extension program #"")))
@@ -65,6 +66,14 @@
        (check-true (string-suffix? printed (format "written: ~a\n" file)) printed)
        (check-equal? (map path->string (directory-list)) (list file))
        (check-true (> (file-size file) 5000)))))
+
+  (test-case "so do systems with constraints"
+    (in-a-folder
+     (run (build-path constraints "Atwood-machines.rkt"))
+     (check-equal? (map path->string (directory-list)) '("Atwood-machines.png")))
+    (for ([file (in-list (directory-list constraints #:build? #t))]
+          #:when (path-has-extension? file #".rkt"))
+      (check-true (module-declared? `(submod ,file main) #t) (name-of file))))
 
   (test-case "without a name it takes its own; two names are too many"
     (in-a-folder

@@ -1,0 +1,77 @@
+#lang scribble/manual
+@(require (for-label mechanics mechanics/plot) "../citation.rkt" "../eval.rkt" "../program.rkt")
+
+@title[#:tag "constrained-systems"]{Systems with constraints}
+
+Each program on this page states its constraints, proves a result with all parameters as
+symbols, lets a plausible mistake be refuted, and draws something. On a command line it
+writes its picture to a file:
+
+@commandline{racket examples/mechanics/constraints/turntable.rkt turntable.svg}
+
+@missing-pictures[]
+
+@section{Weights on strings}
+
+The lengths of strings are constraints, and their multipliers are minus the tensions
+(@sicm{1.10}). In Atwood's machine two weights hang from one string. Put another such
+machine in the place of one of them, and a weight no longer balances two others of the same
+sum: the string that carries those two, while they move, carries less than their weight.
+
+@(program "constraints/Atwood-machines.rkt" #'here)
+
+@section{A ladder slides down a wall}
+
+Walls push and do not pull. Lagrange's equations with multipliers are those of a ladder
+that is tied to its wall; the sign of the multiplier says until when that is the same as
+one that merely leans on it. Then the motion goes on with one constraint less.
+
+@(program "constraints/sliding-ladder.rkt" #'here)
+
+Blue, both ends keep to wall and floor, at equal times; red, the upper one has left the
+wall.
+
+@section{A loop, and tracks of any shape}
+
+With a literal function for the track, the force of the track is a formula for all of them.
+A loop is passed when the car still needs the track's force at the top: when it falls to
+zero before, the car leaves the track, and comes back to it elsewhere.
+
+@(program "constraints/roller-coaster.rkt" #'here)
+
+@section{A pendulum in space}
+
+In rectangular coordinates there is nothing special about the lowest point. The bob goes
+round on a circle at one angular velocity for each angle, with which the string is pulled;
+for others the circle is refuted, with the component in which it fails: gravity's.
+
+@(program "constraints/conical-pendulum.rkt" #'here)
+
+@section{A sleigh}
+
+A blade does not slip sideways. This says nothing of where it can get: there is a path from
+each place to each other one, and no coordinate can be saved. It is a constraint on the
+velocities. It does no work and energy is conserved; yet the motion turns from
+one direction of gliding to the other, as friction would make it, because momentum is not
+conserved in the directions in which the blade pulls.
+
+@(program "constraints/Chaplygin-sleigh.rkt" #'here)
+
+It glides backwards, centre of mass behind; that is unstable, and it turns round in the
+cusp, where the speed along the blade is zero.
+
+@section{A rolling coin}
+
+All five coordinates of a coin that rolls on a table, two constraints, and a motion with
+every constant left as a symbol.
+
+@(program "constraints/falling-coin.rkt" #'here)
+
+The track of the point at which the coin touches the table.
+
+@section{A ball on a turntable}
+
+@(program "constraints/turntable.rkt" #'here)
+
+All three begin at the same place with other spins, and run round once while the table
+turns three and a half times.
