@@ -6,26 +6,43 @@
 ;; that it is a macro, Racket instantiates all that the program needed when it was
 ;; compiled: some 40 ms at the first call.  What is defined here is a variable.
 ;;
-;; What loads a function on demand takes any keyword, so that nothing can tell the caller
-;; of a misspelt one what the function takes, but the function.
+;; What loads a function on demand takes any keywords and any number of arguments.  So what
+;; a function defined here takes, it says itself.
 
-(provide define-plain telling-keywords)
+(require "function.rkt")
+
+(provide define-plain telling-what-it-takes)
 
 ;; (define-plain (name argument ...) body ...)
 (define-syntax-rule (define-plain (name . arguments) body ...)
-  (define-values (name) (telling-keywords 'name (lambda arguments body ...))))
+  (define-values (name) (telling-what-it-takes 'name (lambda arguments body ...))))
 
-;; f, by that name, with a message of its own for keywords that it does not take
-(define (telling-keywords who f)
+;; f, a procedure with keywords, by that name and with messages of its own
+(define (telling-what-it-takes who f)
   (define-values (required known) (procedure-keywords f))
-  (define (apply-checked names values . arguments)
+  (define (check-count arguments)
+    (unless (accepts? f (length arguments)) (raise-other-count who f known (length arguments))))
+  (define (apply-with names values . arguments)
     (for ([name (in-list names)])
       (unless (memq name known) (raise-unknown-keyword who name known)))
+    (check-count arguments)
     (keyword-apply f names values arguments))
-  (procedure-rename (if (null? known) f (make-keyword-procedure apply-checked f)) who))
+  (define (apply-without . arguments)
+    (check-count arguments)
+    (apply f arguments))
+  (if (null? known)
+      (procedure-rename f who)
+      (procedure-rename (make-keyword-procedure apply-with apply-without) who)))
 
 (define (raise-unknown-keyword who name known)
   (raise
    (exn:fail:contract
     (format "~a: there is no keyword ~s here\n  its keywords: ~s" who name known)
+    (current-continuation-marks))))
+
+(define (raise-other-count who f known n)
+  (raise
+   (exn:fail:contract:arity
+    (format "~a: takes ~a; it was given ~a\n  its keywords: ~s"
+            who (arity->text f) (if (= n 0) "none" n) known)
     (current-continuation-marks))))

@@ -74,6 +74,7 @@
   (cond [(negative? mask) (format "at least ~a" (counted (integer-length mask)))]
         [(null? counts) "no number of arguments"]
         [(null? (cdr counts)) (counted (car counts))]
+        [(null? (cddr counts)) (format "~a or ~a" (car counts) (counted (cadr counts)))]
         [else (format "~a to ~a" (car counts) (counted (apply max counts)))]))
 
 (define (counted n) (if (= n 1) "1 argument" (format "~a arguments" n)))

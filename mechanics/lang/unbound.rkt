@@ -5,7 +5,7 @@
 ;; name that is known is spelt nearly so, or another library of the package defines it,
 ;; that is said first.
 
-(require "elsewhere.rkt" "keyword-hint.rkt" "spelling.rkt"
+(require "call-hint.rkt" "elsewhere.rkt" "spelling.rkt"
          (for-syntax racket/base "elsewhere.rkt" "spelling.rkt"))
 
 (provide (rename-out [top #%top])
@@ -69,7 +69,7 @@
                 (hint-for-unknown id message)]
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
                [else #f])]
-        [(exn:fail:contract? e) (hint-for-keyword message)]
+        [(exn:fail:contract? e) (hint-for-call message)]
         [else #f]))
 
 ;; Names that the prompt knows nothing of, not those that a module uses too

@@ -37,7 +37,7 @@
     (unless (<= 2 (length arguments) 4)
       (raise-arguments (datum) "a state, a duration and perhaps a tolerance" arguments))
     (apply advance (planning 'state-advancer method longest most bits progress?) arguments))
-  (make-function (telling-keywords 'state-advancer advance/keywords) 28 datum))
+  (make-function (telling-what-it-takes 'state-advancer advance/keywords) 28 datum))
 
 (define (state-alone state duration next) state)
 
@@ -74,7 +74,7 @@
     (unless (<= 4 (length arguments) 5)
       (raise-arguments (datum) evolve-takes arguments))
     (apply follow (planning 'evolve method longest most bits progress?) arguments))
-  (make-function (telling-keywords 'evolve follow/keywords) 48 datum))
+  (make-function (telling-what-it-takes 'evolve follow/keywords) 48 datum))
 
 (define evolve-takes "a state, a monitor, a time step, a final time and perhaps a tolerance")
 

@@ -37,8 +37,9 @@ that it stands for.
 @defform[(#%top . id)]{
 
 A name without a definition. The error says how it is written as a symbol, for
-what is missing most often is a quote; before that it gives known names that are
-spelt nearly so.}
+what is missing most often is a quote; before that it gives the library to require
+if another one of this package defines the name, or known names that are spelt nearly
+so.}
 
 @section[#:tag "redefinition"]{Definitions that replace others}
 

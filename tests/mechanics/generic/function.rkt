@@ -27,6 +27,7 @@
   (define (words f) (arity->text f))
   (check-equal? (words sin) "1 argument")
   (check-equal? (words (lambda (x y) x)) "2 arguments")
+  (check-equal? (words (lambda (x [y 1]) x)) "1 or 2 arguments")
   (check-equal? (words (lambda (x [y 1] [z 2]) x)) "1 to 3 arguments")
   (check-equal? (words (lambda (x . more) x)) "at least 1 argument")
   (check-equal? (words (g:+ (lambda (x) x) (lambda (x y) x))) "no number of arguments"))

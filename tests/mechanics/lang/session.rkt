@@ -257,15 +257,21 @@
                       errors)
   (check-regexp-match #rx"[(]require mechanics/book[)] defines it\n" errors))
 
-(test-case "a keyword at the prompt that the procedure does not take"
+(test-case "a keyword at the prompt, or a number of arguments, that the procedure does not take"
   (define-values (output errors)
     (session '("-I" "mechanics")
              "(define (swing #:amplitude [a 1] #:phase [p 0]) a)"
              "(swing #:amplitud 3)"
              "(swing #:mass 3)"
+             "(define (fall height [speed 0] #:drag [drag 0]) height)"
+             "(fall)"
+             "(fall #:drag 1)"
              "(swing #:phase 3)"))
   (check-equal? output '("1"))
   (check-regexp-match #rx"given keyword: #:amplitud\n.*did you mean #:amplitude[?]\n" errors)
+  (check-regexp-match #rx"given: 0\n  it takes 1 or 2 arguments\n" errors)
+  (check-regexp-match #rx"procedure: fall\n  arguments...:\n   #:drag 1\n  it takes 1 or 2 arguments\n"
+                      errors)
   (check-regexp-match #rx"given keyword: #:mass\n.*its keywords: [(]#:amplitude #:phase[)]\n" errors))
 
 (test-case "a function that is undefined is noticed before its arguments are evaluated"
