@@ -1,6 +1,5 @@
 #lang racket/base
-;; Is F a total time derivative, and of what?  (SICM 1.6.1 and 1.9, exercises 1.14
-;; and 1.28)
+;; Is F a total time derivative, and of what?  (SICM 1.6.4, exercises 1.27 and 1.28)
 ;;
 ;; F, a function of local tuples up to the k-th derivative, is D_t f for some f of
 ;; local tuples up to the one before if, and only if, the Euler–Lagrange expression

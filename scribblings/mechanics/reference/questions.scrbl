@@ -159,7 +159,7 @@ is what motions of one leave of the equations of the other.
                                (L-oscillator 1 (square 'omega))
                                line)]
 
-@sicm{1.6, exercises 1.14, 1.28 and 1.29}}
+@sicm{1.6.4, exercise 1.29}}
 
 @deftogether[(@defproc[(equivalence? [x any]) boolean?]
               @defproc[(equivalence-kind [e equivalence?])
