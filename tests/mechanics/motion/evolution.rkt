@@ -2,16 +2,8 @@
 ;; States followed in time: SICM 1.7 and its numbers.
 
 (require (except-in rackunit fail)
-         mechanics)
-
-(define-check (check-state s expected tolerance)
-  (define given (scalars-of s))
-  (unless (and (= (length given) (length expected))
-               (for/and ([x given] [y expected]) (< (magnitude (- x y)) tolerance)))
-    (with-check-info (['given s] ['expected expected]) (fail-check))))
-
-(define (scalars-of s)
-  (if (structure? s) (apply append (map scalars-of (structure->list s))) (list s)))
+         mechanics
+         "systems.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
@@ -21,22 +13,8 @@
 (define (harmonic-state-derivative m k)
   (Lagrangian->state-derivative (L-harmonic m k)))
 
-(define ((L-driven-pendulum m l g ys) (up t θ v))
-  (+ (* 1/2 m (+ (square (* l v)) (square ((D ys) t)) (* 2 l v ((D ys) t) (sin θ))))
-     (* m g l (cos θ))
-     (- (* m g (ys t)))))
-(define (driven-pendulum-state-derivative m l g a ω)
-  (Lagrangian->state-derivative
-   (L-driven-pendulum m l g (lambda (t) (* a (cos (* ω t)))))))
 (define driven
   (list 1 1 9.8 0.1 (* 2 (sqrt 9.8))))
-
-(define ((L-double-pendulum m1 m2 l1 l2 g) (up t (up a b) (up va vb)))
-  (+ (* 1/2 (+ m1 m2) (square (* l1 va)))
-     (* 1/2 m2 (square (* l2 vb)))
-     (* m2 l1 l2 va vb (cos (- a b)))
-     (* (+ m1 m2) g l1 (cos a))
-     (* m2 g l2 (cos b))))
 
 ;; ---------------------------------------------------------------------------
 
@@ -47,7 +25,7 @@
                1e-12))
 
 (test-case "the driven pendulum (p. 76)"
-  (define advance (apply state-advancer driven-pendulum-state-derivative driven))
+  (define advance (apply state-advancer driven-pendulum driven))
   (check-state (advance (up 0 1 0) 1 1e-13)
                '(1 -1.03011568739188687 -1.40985359335821735) 1e-12)
   (check-state (advance (up 0 1 0) 10 1e-13)
@@ -73,7 +51,7 @@
 (test-case "the monitor sees the states at the start, after each time step and at the end"
   (define times '())
   (define last
-    ((apply evolve driven-pendulum-state-derivative driven)
+    ((apply evolve driven-pendulum driven)
      (up 0 1 0) (lambda (s) (set! times (cons (time s) times))) 0.01 1 1e-13))
   (define seen (reverse times))
   (check-equal? (length seen) 101)
@@ -125,23 +103,12 @@
              (lambda () ((evolve rotation 2) (up 1 0) void 0.1 1))))
 
 (test-case "twenty links: large mass matrices are solved with numbers"
-  (define ((chain n) s)
-    (define θ (coordinate s))
-    (define-values (points x y)
-      (for/fold ([points '()] [x 0] [y 0]) ([i n])
-        (let ([x (+ x (sin (ref θ i)))] [y (- y (cos (ref θ i)))])
-          (values (cons (up x y) points) x y))))
-    (apply up (reverse points)))
-  (define (L n)
-    (compose (lambda (s)
-               (for/sum ([r (coordinate s)] [v (velocity s)])
-                 (- (* 1/2 (square v)) (* 9.8 (ref r 1)))))
-             (F->C (chain n))))
   (define (angles n x) (apply up (for/list ([i n]) x)))
   (define (energy-change n)
-    (define E (Lagrangian->energy (L n)))
+    (define E (Lagrangian->energy (L-chain n 9.8)))
     (define start (up 0.0 (angles n 1.0) (angles n 0.0)))
-    (define end ((state-advancer (lambda () (Lagrangian->state-derivative (L n)))) start 0.5 1e-10))
+    (define (slope) (Lagrangian->state-derivative (L-chain n 9.8)))
+    (define end ((state-advancer slope) start 0.5 1e-10))
     (magnitude (- (E end) (E start))))
   (check-true (< (energy-change 4) 1e-8))
   (check-true (< (energy-change 8) 1e-8)))

@@ -4,36 +4,11 @@
 
 (require (except-in rackunit fail)
          mechanics
+         "systems.rkt"
          "../runner/bigfloats.rkt" "../runner/skip.rkt")
-
-(define (scalars-of s)
-  (if (structure? s) (apply append (map scalars-of (structure->list s))) (list s)))
-
-(define-check (check-state s expected tolerance)
-  (define given (scalars-of s))
-  (unless (and (= (length given) (length expected))
-               (for/and ([x given] [y expected]) (< (abs (- (exact x) (exact y))) tolerance)))
-    (with-check-info (['given s] ['expected expected]) (fail-check))))
-
-(define (exact x) (if (bigfloat? x) (bigfloat->exact x) (inexact->exact x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
-
-(define ((L-driven-pendulum m l g ys) (up t θ v))
-  (+ (* 1/2 m (+ (square (* l v)) (square ((D ys) t)) (* 2 l v ((D ys) t) (sin θ))))
-     (* m g l (cos θ))
-     (- (* m g (ys t)))))
-(define (driven-pendulum m l g a ω)
-  (Lagrangian->state-derivative
-   (L-driven-pendulum m l g (lambda (t) (* a (cos (* ω t)))))))
-
-(define ((L-double-pendulum m1 m2 l1 l2 g) (up t (up a b) (up va vb)))
-  (+ (* 1/2 (+ m1 m2) (square (* l1 va)))
-     (* 1/2 m2 (square (* l2 vb)))
-     (* m2 l1 l2 va vb (cos (- a b)))
-     (* (+ m1 m2) g l1 (cos a))
-     (* m2 g l2 (cos b))))
 
 ;; A free rigid body in Euler's angles.
 (define ((L-rigid A B C) (up t (up θ φ ψ) (up θ* φ* ψ*)))
