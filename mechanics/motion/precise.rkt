@@ -46,7 +46,8 @@
       (define (from t y)
         (make-integrator (if (and clock? (not traced?)) (on-time who f) f)
                          y t (bf each-step) digits #:clock (and clock? 0) #:stuck stuck
-                         #:longest (plan-longest p) #:limit (plan-most p)))
+                         #:longest (plan-longest p) #:limit (plan-most p)
+                         #:shortest (expt 2.0 (- bits))))
       (define start (if clock? (vector-ref y 0) (bf 0)))
       (motion state clock? bits working (exact-value start) y f (from start y) from))))
 

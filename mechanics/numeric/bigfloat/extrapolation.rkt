@@ -35,13 +35,15 @@
 ;; tolerance : of each step, relative to 1 + |y|, a bigfloat of about 10^-digits
 ;; clock     : index of the component of y that is the time, to be kept exact, or #f
 ;; longest   : how long a step may be, a flonum; limit : how many there may be
+;; shortest  : how short, beside the time and the time since the start
 ;; stuck     : called with the time, the state there and why, 'too-short or
 ;;             'too-many-steps, where it cannot go on
 ;; -> (advance end visit), which goes on to the time `end`, exactly, and returns the
 ;;    time and state reached.  (visit from y to z) is called after each step, from the
 ;;    state y to z; the integration ends there if it returns #f.
 (define (make-integrator f y0 start tolerance digits #:clock clock #:stuck stuck
-                         #:longest [longest +inf.0] #:limit [limit +inf.0])
+                         #:longest [longest +inf.0] #:limit [limit +inf.0]
+                         #:shortest [shortest 0.0])
   (define most (most-rows digits))
   (define factors (make-factors most))
   (define y y0)
@@ -50,6 +52,11 @@
   (define aim (best-rows digits))
   (define length (first-length y slope))        ; of the next step, a flonum
   (define count 0)
+
+  ;; Towards a pole steps get shorter without end, for rounding is far away.
+  (define (too-short? h)
+    (define scale (flmax (flabs (bigfloat->flonum t)) (flabs (bigfloat->flonum (bf- t start)))))
+    (fl<= h (fl* shortest scale)))
 
   ;; Up to `end` or by one step towards it.
   (define (step! end visit)
@@ -61,6 +68,7 @@
     (let try ([h (flmin longest length)])
       (define last? (fl>= (fl* 1.0000001 h) far))
       (define H (if last? remaining (bf (* sign h))))
+      (when (and (not last?) (too-short? h)) (stuck t y 'too-short))
       (define-values (z errors accepted?) (extrapolate f y slope H tolerance aim most factors))
       (define-values (rows next) (best-choice errors (if last? far h) accepted? most))
       (cond
@@ -74,7 +82,6 @@
            (set! aim rows)
            (set! length next))
          (visit from before t y)]
-        [(bf= (bf+ t (bf/ H (bf 8))) t) (stuck t y 'too-short)]
         [else (set! aim rows)
               (try next)])))
 
