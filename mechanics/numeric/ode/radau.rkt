@@ -29,7 +29,7 @@
 ;; be hardly longer it keeps its length, so that the matrices stay as well.
 
 (require racket/fixnum racket/flonum
-         "differentiated.rkt" "predictive.rkt" "stepper.rkt" "vectors.rkt"
+         "differentiated.rkt" "implicit-matrices.rkt" "predictive.rkt" "stepper.rkt" "vectors.rkt"
          "../factored-system.rkt")
 
 (provide radau-iia-5)
@@ -229,36 +229,5 @@
   (lambda (theta out)
     (define s (fl* theta (fl- theta c1)))
     (combine! n out from 1.0 [theta a] [s b] [(fl* s (fl- theta c2)) c])))
-
-;; ---------------------------------------------------------------------------
-;; Matrices, row by row; J holds its columns one after the other.
-
-;; c − J
-(define (shifted! m n J c)
-  (for* ([i (in-range n)] [j (in-range n)])
-    (define x (flvector-ref J (+ i (* j n))))
-    (flvector-set! m (+ (* i n) j) (if (= i j) (fl- c x) (fl- 0.0 x)))))
-
-;; The blocks a − J and −b above b and a − J.
-(define (shifted-pair! m n J a b)
-  (define width (* 2 n))
-  (for* ([i (in-range n)] [j (in-range n)])
-    (define x (flvector-ref J (+ i (* j n))))
-    (define d (if (= i j) (fl- a x) (fl- 0.0 x)))
-    (define o (if (= i j) b 0.0))
-    (flvector-set! m (+ (* i width) j) d)
-    (flvector-set! m (+ (* i width) n j) (fl- 0.0 o))
-    (flvector-set! m (+ (* (+ n i) width) j) o)
-    (flvector-set! m (+ (* (+ n i) width) n j) d)))
-
-(define (join! pair v w n)
-  (for ([i (in-range n)])
-    (flvector-set! pair i (flvector-ref v i))
-    (flvector-set! pair (+ n i) (flvector-ref w i))))
-
-(define (part! pair v w n)
-  (for ([i (in-range n)])
-    (flvector-set! v i (flvector-ref pair i))
-    (flvector-set! w i (flvector-ref pair (+ n i)))))
 
 (define radau-iia-5 (adaptive-method 'Radau-IIA-5 4 start #:jacobian? #t))
