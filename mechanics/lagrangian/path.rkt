@@ -3,7 +3,7 @@
 ;; (SICM 1.4, pp. 18–21).
 
 (require "action.rkt"
-         "../generic/arithmetic.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt")
 
 (provide make-path make-eta parametric-path-action
          linear-interpolants Lagrange-interpolation-function)
@@ -13,15 +13,18 @@
 (define (make-path t0 q0 t1 q1 qs)
   (unless (list? qs)
     (raise-argument-error 'make-path "a list of intermediate coordinates" qs))
-  (Lagrange-interpolation-function
-   (append (list q0) qs (list q1))
-   (append (list t0) (linear-interpolants t0 t1 (length qs)) (list t1))))
+  (interpolation 'make-path 'path
+                 (append (list q0) qs (list q1))
+                 (append (list t0) (linear-interpolants t0 t1 (length qs)) (list t1))))
 
 ;; t ↦ ν(t) (t - t1) (t - t2), a variation that leaves the ends where they are.
 (define (make-eta nu t1 t2)
   (unless (procedure? nu)
     (raise-argument-error 'make-eta "a function of time, or a tuple of them" nu))
-  (lambda (t) (g:* (g:- t t1) (g:- t t2) (nu t))))
+  (unary-function
+   (lambda () (cons 'make-eta (map value->datum (list nu t1 t2))))
+   (t)
+   (g:* (g:- t t1) (g:- t t2) (nu t))))
 
 ;; ((parametric-path-action L t0 q0 t1 q1) qs): the action of the path of
 ;; make-path, as a function of the intermediate coordinates.
@@ -49,19 +52,27 @@
     (raise-arguments-error 'Lagrange-interpolation-function
                            "expected as many values as points, and at least one"
                            "values" ys "points" xs))
+  (define who 'Lagrange-interpolation-function)
+  (interpolation who who ys xs))
+
+;; name : what it prints as, with its first and last point
+(define (interpolation who name ys xs)
   (for ([tail (in-list (tails xs))])
     (when (member (car tail) (cdr tail))
-      (raise-arguments-error 'Lagrange-interpolation-function "two points are the same"
-                             "point" (car tail))))
+      (raise-arguments-error who "two points are the same" "point" (car tail))))
   (define coefficients
     (for/list ([y (in-list ys)] [xi (in-list xs)] [i (in-naturals)])
       (g:/ y (product-of-distances xi i xs))))
-  (lambda (x)
-    (define distances (for/list ([xj (in-list xs)]) (g:- x xj)))
-    (for/fold ([sum 0] [before 1] #:result sum)
-              ([c (in-list coefficients)] [distance (in-list distances)]
-               [after (in-list (products-after distances))])
-      (values (g:+ sum (g:* before after c)) (g:* before distance)))))
+  (unary-function
+   (lambda () `(,name from ,(value->datum (car xs)) to ,(value->datum (last xs))))
+   (x)
+   (let ([distances (for/list ([xj (in-list xs)]) (g:- x xj))])
+     (for/fold ([sum 0] [before 1] #:result sum)
+               ([c (in-list coefficients)] [distance (in-list distances)]
+                [after (in-list (products-after distances))])
+       (values (g:+ sum (g:* before after c)) (g:* before distance))))))
+
+(define (last xs) (if (null? (cdr xs)) (car xs) (last (cdr xs))))
 
 (define (tails xs) (if (null? xs) '() (cons xs (tails (cdr xs)))))
 

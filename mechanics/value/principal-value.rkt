@@ -20,7 +20,8 @@
           [(and (being-traced?) (open-leaf? x)) (make-node op:wrapped (list x low cut :2pi))]
           [(symbolic? x) (raise-not-an-angle "expected an angle that is a real number" x)]
           [else (g:- x (g:* :2pi (g:floor (g:/ (g:- x low) :2pi))))]))
-  (make-function principal 2 (lambda () (list 'principal-value cut))))
+  (unary-function (lambda () (list 'principal-value cut)) (x)
+    (principal x)))
 
 (define (raise-not-an-angle what x)
   (raise

@@ -18,7 +18,9 @@
   (for ([f (list (Gamma x) (Gamma x 4) (F->C p->r) (Lagrangian->energy L)
                  (Lagrangian->acceleration L) (Lagrangian->state-derivative L)
                  (Euler-Lagrange-operator L) (Dt L) (component 0)
-                 ((Lagrange-equations L) x) ((delta x) L))])
+                 ((Lagrange-equations L) x) ((delta x) L)
+                 (make-path 0 1 1 2 '(3)) (make-eta sin 0 1) (principal-value :pi)
+                 (Lagrange-interpolation-function '(1 2) (list 0 'a)))])
     (define name (format "~a" (expression f)))
     (check-regexp-match #rx"^[(]" name)
     (for ([arguments '(() (1 2))] [given '("none" "2")])
@@ -28,6 +30,14 @@
               (equal? (exn-message e)
                       (string-append name ": takes 1 argument; it was given " given))))
        (lambda () (apply f arguments))))))
+
+(test-case "a path through points prints as one, with its ends"
+  (check-equal? (format "~a" (make-path 0 1 't_1 'q_1 '(2 3))) "(path from 0 to t_1)")
+  (check-equal? (format "~a" (find-path (L-free 1) 0 1 2 3 1)) "(path from 0 to 2)")
+  (check-equal? (format "~a" (Lagrange-interpolation-function '(1 2 3) '(4 6 5)))
+                "(Lagrange-interpolation-function from 4 to 5)")
+  (check-equal? (format "~a" (make-eta x 0 'tau)) "(make-eta x 0 tau)")
+  (check-message "make-path: two points are the same\n  point: 0" (make-path 0 1 0 2 '())))
 
 (test-case "an expression or a number for a path"
   (define hint "a path is written (lambda (t) ...), with t where the time stands")
