@@ -25,7 +25,8 @@
 
 ;; e, residual : tapes of the expression and of a simpler one of the same value,
 ;; in whose leaves the point is given, or twice the same.  The value is that of e
-;; itself, so simplification is no part of the evidence.
+;; itself, so simplification is no part of the evidence; it is given exactly if that of
+;; the residual is exact.
 ;; place : region where the point has to be.  Where simplification took signs for
 ;; granted, `positive?`, all integers are that may be.
 ;; -> witness value bound points; witness is #f if none was found.
@@ -139,8 +140,14 @@
     (if (eq? e residual) (values value error) (value-at e assign-others refuse!)))
   (if (and (agree? value error value-of-e error-of-e)
            (admitted? place assign-others))
-      (values (reverse point) value-of-e error-of-e)
+      (values (reverse point) (best-known value value-of-e error-of-e) error-of-e)
       (values #f +nan.0 +nan.0)))
+
+;; Where the value of e is not zero, the exact value that agrees with it says more: -4 where
+;; leaves that cancel made it -4.0.
+(define (best-known value value-of-e error-of-e)
+  (define (not-zero? x) (> (magnitude x) (* 4 error-of-e)))
+  (if (and (exact? value) (not-zero? value-of-e) (not-zero? value)) value value-of-e))
 
 (define (admitted? place lookup)
   (with-handlers ([exn:fail? (lambda (x) #f)]) (region-admits? place lookup)))

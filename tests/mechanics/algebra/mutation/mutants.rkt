@@ -155,8 +155,8 @@
    "(cond [witness (make-zero-test 'refuted "
    "(cond [witness (make-zero-test 'proved "]
   ["a witness has another value" "witness.rkt"
-   "(values (reverse point) value-of-e error-of-e)"
-   "(values (reverse point) (- value-of-e) error-of-e)"]
+   "(values (reverse point) (best-known value value-of-e error-of-e) error-of-e)"
+   "(values (reverse point) (- (best-known value value-of-e error-of-e)) error-of-e)"]
   ["flonums are proved" "flonums.rkt"
    "(and (number? e) (not (exact? e)))"
    "#f"]
