@@ -14,8 +14,8 @@
 ;; there may be inertia in all directions that are left: then both are solved together.
 
 (require "constraint.rkt" "linearized.rkt" "dependence.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/structure.rkt"
          "../calculus/derivative.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
@@ -125,7 +125,8 @@
   (define rows
     (for/vector ([k (in-range (+ n m))])
       (if (< k n)
-          (vector-append-2 (vector-ref M k) (for/vector ([g (in-list J)]) (g:negate (vector-ref g k))))
+          (vector-append-2 (vector-ref M k)
+                           (for/vector ([g (in-list J)]) (g:negate (vector-ref g k))))
           (vector-append-2 (list-ref J (- k n)) (make-vector m 0)))))
   (define x (solve-or-explain who J rows (vector-append-2 f (list->vector c))))
   (values (for/vector ([y (in-vector x 0 n)]) y) (for/vector ([y (in-vector x n)]) y)))

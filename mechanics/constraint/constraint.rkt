@@ -17,7 +17,8 @@
  ;; made by the user
  holonomic nonholonomic constraint? holonomic? constraint-function
  ;; a set of them
- gather constraint-set-parts constraint-set-single? constraint-set? all-holonomic? constraints->datum
+ gather constraint-set-parts constraint-set-single? constraint-set?
+ all-holonomic? constraints->datum
  value-of shape-values check-linear)
 
 ;; linear-at : coordinates for which A was found linear in the velocities, or #f
@@ -91,7 +92,8 @@
   (define f (constraint-function c))
   (define value (if (holonomic? c) (f t q) (f t q v)))
   (unless (andmap scalar? (scalars value))
-    (complain "~a: the value of a constraint is a number, or an up tuple of numbers\n  constraint: ~a\n  value: ~a"
+    (complain (string-append "~a: the value of a constraint is a number, or an up tuple of numbers"
+                             "\n  constraint: ~a\n  value: ~a")
               who (value->text (constraint->datum c)) (describe-with-value value)))
   value)
 
@@ -118,7 +120,8 @@
   (define curvature (derivative-at slope velocity))
   (unless (andmap (lambda (x) (eqv? x 0)) (scalars curvature))
     (when (refuted? (prove-zero curvature))
-      (complain "~a: a constraint must be linear in the velocities\n  constraint: ~a\n  its value: ~a"
+      (complain (string-append "~a: a constraint must be linear in the velocities"
+                               "\n  constraint: ~a\n  its value: ~a")
                 who (value->text (constraint->datum c))
                 (value->text (value-of who c 't at velocity))))))
 

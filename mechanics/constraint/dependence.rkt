@@ -15,9 +15,12 @@
    (exn:fail:mechanics:singular:matrix
     (if (pair? found)
         (apply string-append
-               (format "~a: the constraints are redundant; their multipliers are not determined" who)
+               (format "~a: the constraints are redundant; their multipliers are not determined"
+                       who)
                (for/list ([y (in-list found)]) (format "\n  ~a" (dependence->text y))))
-        (format "~a: the mass matrix and the constraints do not determine the accelerations\n  a motion that the constraints allow has no inertia"
+        (format (string-append
+                 "~a: the mass matrix and the constraints do not determine the accelerations"
+                 "\n  a motion that the constraints allow has no inertia")
                 who))
     (exn-continuation-marks e)
     (exn:fail:mechanics:singular-where e)

@@ -8,8 +8,8 @@
 ;; the residual that is left is that of the Lagrangian in these coordinates.
 
 (require "constraint.rkt" "linearized.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/structure.rkt"
          "../calculus/derivative.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../numeric/rows.rkt"

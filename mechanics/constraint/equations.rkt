@@ -8,8 +8,8 @@
 ;; L + λ G, in which the multipliers are coordinates without velocities.
 
 (require "constraint.rkt" "linearized.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/structure.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt")
 
@@ -93,6 +93,8 @@
 (define (raise-not-holonomic who cs)
   (raise
    (exn:fail:contract
-    (format "~a: with a nonholonomic constraint in the Lagrangian, its equations are not those of the motion\n  use constrained-Lagrange-equations\n  constraints: ~a"
+    (format (string-append
+             "~a: with a nonholonomic constraint in the Lagrangian, its equations are not those "
+             "of the motion\n  use constrained-Lagrange-equations\n  constraints: ~a")
             who (value->text (constraints->datum cs)))
     (current-continuation-marks))))

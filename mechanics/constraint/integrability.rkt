@@ -128,7 +128,8 @@
 (define (raise-not-integrable who cs v)
   (raise
    (exn:fail:mechanics
-    (format "~a: the constraint ~a integrable\n  constraint: ~a\n  by Frobenius's condition this had to vanish: ~a"
+    (format (string-append "~a: the constraint ~a integrable\n  constraint: ~a"
+                           "\n  by Frobenius's condition this had to vanish: ~a")
             who (if (refuted? v) "is not" "is not known to be")
             (value->text (constraints->datum cs))
             (value->text (verdict-residual v)))

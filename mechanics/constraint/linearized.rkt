@@ -86,6 +86,7 @@
   (when (> count n)
     (raise
      (exn:fail:contract
-      (format "~a: there are more constraints than coordinates\n  constraints: ~a\n  coordinates: ~a, ~a"
+      (format (string-append "~a: there are more constraints than coordinates"
+                             "\n  constraints: ~a\n  coordinates: ~a, ~a")
               who count n (value->text q))
       (current-continuation-marks)))))

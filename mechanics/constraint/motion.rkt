@@ -69,7 +69,8 @@
     (and (andmap (lambda (row) (andmap real? (vector->list row))) J)
          (independent-rows who J)))
   (define here (kept state))
-  (when (and here (not (equal? here (kept (beside-state state))))) (raise-singular-state who cs state))
+  (when (and here (not (equal? here (kept (beside-state state)))))
+    (raise-singular-state who cs state))
   here)
 
 (define (beside-state state)
@@ -87,7 +88,8 @@
   (raise
    (exn:fail:mechanics:singular
     (apply string-append
-           (format "~a: where the motion begins, constraints depend on each other that are independent elsewhere\n  state: ~a"
+           (format (string-append "~a: where the motion begins, constraints depend on each other "
+                                  "that are independent elsewhere\n  state: ~a")
                    who (value->text state))
            (for/list ([y (in-list (dependences who (jacobian-rows who cs t q v)))])
              (format "\n  ~a" (dependence->text y))))

@@ -26,7 +26,8 @@
 
 (define (check-constrained n constraints)
   (unless constraints
-    (raise-arguments-error 'verify-solution "multipliers belong to constraints, and there are none"))
+    (raise-arguments-error 'verify-solution
+                           "multipliers belong to constraints, and there are none"))
   (unless (eqv? n 1)
     (raise-arguments-error 'verify-solution "with constraints, the order of a Lagrangian is 1"
                            "order" n)))

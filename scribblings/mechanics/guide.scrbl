@@ -17,6 +17,7 @@ can be read in any order.
 @include-section["guide/differentiation.scrbl"]
 @include-section["guide/residuals.scrbl"]
 @include-section["guide/newton-to-lagrange.scrbl"]
+@include-section["guide/constraints.scrbl"]
 @include-section["guide/asking.scrbl"]
 @include-section["guide/mistakes.scrbl"]
 @include-section["guide/numbers.scrbl"]

@@ -67,7 +67,8 @@ constraints.
   (- (* 1/2 m (+ (square vx) (square vy))) (* m g y)))
 (define xy (up (literal-function 'x) (literal-function 'y)))
 (define lambda-path (literal-function 'lambda))
-(((constrained-Lagrange-equations (L-mass 'm 'g) rod) xy lambda-path) 't)]
+(define equations (constrained-Lagrange-equations (L-mass 'm 'g) rod))
+((equations xy lambda-path) 't)]
 
 @sicm{1.10}}
 
@@ -138,14 +139,13 @@ Constraints that repeat each other leave their multipliers open: the error
      (* m1 g x1) (* m2 g x2)))
 (define (string-length t (up x1 x2)) (- (+ x1 x2) 'l))
 (define state (up 't (up 'x_1 'x_2) (up 'v_1 'v_2)))
-((constrained-accelerations (L-Atwood 'm_1 'm_2 'g) (holonomic string-length))
- state)
-((constraint-forces (L-Atwood 'm_1 'm_2 'g) (holonomic string-length))
- state)
+(define string (holonomic string-length))
+((constrained-accelerations (L-Atwood 'm_1 'm_2 'g) string) state)
+((constraint-forces (L-Atwood 'm_1 'm_2 'g) string) state)
 (define (twice t q) (* 2 (string-length t q)))
 (eval:error
  ((constrained-accelerations (L-Atwood 'm_1 'm_2 'g)
-                             (list (holonomic string-length) (holonomic twice)))
+                             (list string (holonomic twice)))
   state))]}
 
 @section{Motions}
@@ -170,9 +170,9 @@ independent beside it raises @racket[exn:fail:mechanics:singular].
 
 @examples[#:eval session
 (define (pendulum m l g)
-  (constrained-state-derivative (L-mass m g) (holonomic (rod-of-length l))))
-((evolve pendulum 1 5 9.8)
- (up 0 (up 3 -4) (up 0 0)) (lambda (state) (coordinate state)) 1 100 1e-10)
+  (constrained-state-derivative (L-mass m g)
+                                (holonomic (rod-of-length l))))
+((state-advancer pendulum 1 5 9.8) (up 0 (up 3 -4) (up 0 0)) 100 1e-10)
 (define motion
   (evolve-trajectory (pendulum 1 5 9.8) (up 0 (up 3 -4) (up 0 0)) 100))
 ((rod-of-length 5) 0 (coordinate (motion 77.7)))
@@ -272,7 +272,8 @@ equations with multipliers of the constraints kept.
 (define (along-blade t (up x y theta) (up vx vy omega))
   (up vx (* vx (tan theta)) omega))
 (define substituted
-  (reduce-by-substitution (L-edge 'm 'J 'g 'alpha) (nonholonomic blade) along-blade
+  (reduce-by-substitution (L-edge 'm 'J 'g 'alpha)
+                          (nonholonomic blade) along-blade
                           (up 't (up 'x 'y 'theta) (up 'vx 'vy 'omega))))
 substituted
 (verdict-status (reduction-agreement substituted))
