@@ -5,7 +5,7 @@
 ;; displacement δr = ∂₁r δq is what a change of the coordinates does at a fixed time:
 ;; if the constraint moves, no motion need go that way.
 
-(require "particles.rkt"
+(require "particles.rkt" "several-arguments.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/local-tuple.rkt")
 
@@ -25,14 +25,11 @@
 (define (virtual-displacement r)
   (define who 'virtual-displacement)
   (check-positions who r)
-  (make-function
-   (lambda (local dq)
-     (unless (local-tuple? local)
-       (complain "~a: expected a local tuple (up t q v), then a displacement; given ~a"
-                 who (describe-with-value local)))
-     (check-displacement who dq (coordinate local))
-     (define-values (positions changes)
-       (motion-at who r (time local) (coordinate local) 0 dq))
-     changes)
-   4
-   (lambda () (list who (value->datum r)))))
+  (function-of (local dq) (lambda () (list who (value->datum r)))
+    (unless (local-tuple? local)
+      (complain "~a: expected a local tuple (up t q v), then a displacement; given ~a"
+                who (describe-with-value local)))
+    (check-displacement who dq (coordinate local))
+    (define-values (positions changes)
+      (motion-at who r (time local) (coordinate local) 0 dq))
+    changes))

@@ -2,7 +2,7 @@
 ;; Forces on particles: functions F(t, positions, velocities) whose value is like the
 ;; positions.  0 is no force, on a particle or on all.
 
-(require "particles.rkt"
+(require "particles.rkt" "several-arguments.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/structure.rkt"
          "../calculus/derivative.rkt"
@@ -19,9 +19,8 @@
               who "(V t r)" (describe-with-value V)
               (if (procedure? V) (format "\n  it takes ~a" (arity->text V)) "")))
   (define slope ((partial 1) (scalar-potential who V)))
-  (make-function (lambda (t positions velocities) (g:negate (flip (slope t positions))))
-                 8
-                 (lambda () (list who (value->datum V)))))
+  (function-of (t r v) (lambda () (list who (value->datum V)))
+    (g:negate (flip (slope t r)))))
 
 (define ((scalar-potential who V) t positions)
   (define value (V t positions))

@@ -8,7 +8,7 @@
 ;;
 ;; A system at rest stays so if its forces do no work in any virtual displacement.
 
-(require "force.rkt" "particles.rkt"
+(require "force.rkt" "particles.rkt" "several-arguments.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../calculus/derivative.rkt"
          "../lagrangian/local-tuple.rkt")
@@ -29,9 +29,8 @@
   (define who 'static-equilibrium)
   (check-positions who r)
   (check-force who F)
-  (make-function (lambda (t q) (generalized-force-at who r F t q (g:* 0 q)))
-                 4
-                 (lambda () (list who (value->datum r) (value->datum F)))))
+  (function-of (t q) (lambda () (list who (value->datum r) (value->datum F)))
+    (generalized-force-at who r F t q (g:* 0 q))))
 
 (define (generalized-force-at who r F t q v)
   (define-values (positions velocities) (motion-at who r t q 1 v))

@@ -11,6 +11,8 @@
 (define (listed t q) (list (ref q 0) (ref q 1)))
 (define (of-local local) (coordinate local))
 (define ((unfinished l) t q) (* l q))
+(define (no-force t r v) 0)
+(define (no-potential t r) 0)
 (define (force value) (lambda (t r v) value))
 
 (says
@@ -145,6 +147,13 @@
   "  the time comes next: ((equations path) time)"]
  [((d-Alembert-equations 'm plane (force 0)))
   "d-Alembert-equations: the equations take one argument, a path; they were given none"]
+ ;; numbers of arguments
+ [((virtual-displacement plane) state)
+  "(virtual-displacement plane): takes 2 arguments, (local dq); it was given 1"]
+ [((static-equilibrium plane no-force) state)
+  "(static-equilibrium plane no-force): takes 2 arguments, (t q); it was given 1"]
+ [((potential->force no-potential))
+  "(potential->force no-potential): takes 3 arguments, (t r v); it was given none"]
  ;; power
  [(((power-balance (kinetic-energy 'm plane) #:force (lambda (s) 'F)) (up sin cos)) 't)
   "power-balance: the force must be a down tuple of 2, like the momenta; given the symbol F"]

@@ -1,0 +1,23 @@
+#lang racket/base
+;; Functions of several arguments that print as what made them, and say by that name how
+;; many they take.
+
+(require "../generic/describe.rkt" "../generic/function.rkt")
+
+(provide function-of)
+
+;; (function-of (x ...) make-datum body ...)
+(define-syntax-rule (function-of (x ...) make-datum body0 body ...)
+  (let ([name make-datum])
+    (make-function (case-lambda [(x ...) body0 body ...]
+                                [given (raise-takes (name) '(x ...) given)])
+                   (arithmetic-shift 1 (length '(x ...)))
+                   name)))
+
+(define (raise-takes datum names given)
+  (raise
+   (exn:fail:contract:arity
+    (format "~a: takes ~a arguments, ~a; it was given ~a"
+            (value->text datum) (length names) names
+            (if (null? given) "none" (length given)))
+    (current-continuation-marks))))
