@@ -3,18 +3,18 @@
 ;; Checked: a program for Lagrange's equations of any order
 ;; How: against Lagrange-equations, on an oscillator in disguise and on arbitrary Lagrangians
 
-;; Write a program for the equations of a Lagrangian that depends on n derivatives.
+;; Write a program for the equations of a Lagrangian that depends on n derivatives: each of its
+;; partial derivatives, along the path, is differentiated by time as often as its coordinate was.
 
-(define (((attempt L n) q) t)
-  (for/sum ([k (in-range 0 (+ n 1))])
-    (* (- (expt -1 k))
+(define ((((equations sign) L n) q) t)
+  (for/sum ([k (+ n 1)])
+    (* (sign k)
        (((expt D k) (compose ((partial (+ k 1)) L) (Gamma q (+ n 2)))) t))))
 
-;; One that begins the alternation a term too late.
-(define (((slip L n) q) t)
-  (for/sum ([k (in-range 0 (+ n 1))])
-    (* (if (> k 1) 1 -1) (expt -1 k)
-       (((expt D k) (compose ((partial (+ k 1)) L) (Gamma q (+ n 2)))) t))))
+;; The signs alternate, as each of the k integrations by parts changes it.  In the slip all of
+;; them have that of the first.
+(define attempt (equations (lambda (k) (- (expt -1 k)))))
+(define slip (equations (lambda (k) (if (= k 0) -1 1))))
 
 (define x (literal-function 'x))
 
@@ -28,8 +28,7 @@
 (define (arbitrary n)
   (literal-function 'L (case n
                          [(1) (-> (UP Real Real Real) Real)]
-                         [(2) (-> (UP Real Real Real Real) Real)]
-                         [(3) (-> (UP Real Real Real Real Real) Real)])))
+                         [(2) (-> (UP Real Real Real Real) Real)])))
 (define (verdict program n)
   (verify-equal (((program (arbitrary n) n) x) 't)
                 (((Lagrange-equations (arbitrary n) #:order n) x) 't)))
