@@ -27,7 +27,10 @@
   (define ((constructor-use make) stx)
     (syntax-case stx ()
       [(_ . arguments)
+       (syntax->list #'arguments)
        (datum->syntax stx (cons make #'arguments) stx stx)]
+      [(_ . arguments)
+       (raise-syntax-error #f "the components are separated by spaces, without a dot" stx)]
       [_ make])))
 
 (define-match-expander up

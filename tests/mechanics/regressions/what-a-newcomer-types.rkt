@@ -102,3 +102,8 @@
    (matrix-by-rows '((1 2) (3 4))))
   (check-exn #rx"[(]matrix-by-columns '[(]1 2[)] '[(]3 4[)][)]"
              (lambda () (matrix-by-columns '((1 2) (3 4))))))
+
+(test-case "a dot among the components of a tuple"
+  (for ([name '(up down)])
+    (check-regexp-match (format "^~a: the components are separated by spaces, without a dot" name)
+                        (syntax-complaint (list* name 1 2 3)))))
