@@ -49,22 +49,34 @@
   (for*/list ([entry (in-list functions)] [n (in-list '(10 100 1000 10000 100000))])
     (define f (cadr entry))
     (define x (point n))
-    (define alone (microseconds (lambda () (f x))))
-    (define gradient (microseconds (lambda () ((m:gradient f) x))))
-    (define product (microseconds (lambda () ((m:Hessian-vector-product f) x x))))
+    (define-values (alone gradient product)
+      (apply values
+             (microseconds (lambda () (f x))
+                           (lambda () ((m:gradient f) x))
+                           (lambda () ((m:Hessian-vector-product f) x x)))))
     (list (car entry) (number->string n)
           (rounded alone) (rounded (/ gradient alone)) (rounded (/ product alone))
           (python (jax-program (caddr entry) n)))))
 
 (define (rounded x) (number->string (/ (round (* 10.0 x)) 10.0)))
 
-;; CPU time of one call, best of several series of calls.
-(define (microseconds thunk)
-  (define (series count)
-    (define-values (_ ms) (call/cpu (lambda () (for ([_ (in-range count)]) (thunk)))))
-    ms)
-  (define count (let loop ([n 1]) (if (< (series n) 10) (loop (* 2 n)) n)))
-  (/ (* 1e3 (apply min (for/list ([_ (in-range 5)]) (series count)))) count))
+;; CPU time of one call of each: the least of many series of calls, taken in turn, so
+;; that what slows the machine down for a while slows down all of them.  A series is
+;; long enough to pay for the garbage it makes.
+(define (microseconds . thunks)
+  (define counts (map calls-per-series thunks))
+  (collect-garbage)
+  (for/fold ([least (map (lambda (_) +inf.0) thunks)]) ([_ (in-range 20)])
+    (for/list ([thunk (in-list thunks)] [count (in-list counts)] [t (in-list least)])
+      (min t (/ (* 1e3 (series thunk count)) count)))))
+
+(define (series thunk count)
+  (define start (cpu-milliseconds))
+  (for ([_ (in-range count)]) (thunk))
+  (- (cpu-milliseconds) start))
+
+(define (calls-per-series thunk)
+  (let loop ([n 1]) (if (< (series thunk n) 5) (loop (* 2 n)) n)))
 
 (define (jax-program expression n)
   (format #<<PYTHON
