@@ -23,6 +23,16 @@
     (check-equal? (extract-tangent 1 v) 0))
   (check-equal? (g:square (make-dual 1 'x 0)) (g:square 'x)))
 
+(test-case "dual numbers are equal where their ε and their parts are"
+  (define x (make-dual 1 'x 2))
+  (check-equal? (make-dual 1 (g:+ 'x 0) 2) x)
+  (check-equal? (hash-ref (hash x 'found) (make-dual 1 'x 2) #f) 'found)
+  (for ([other (list (make-dual 3 'x 2) (make-dual 1 'y 2) (make-dual 1 'x 3) 'x)])
+    (check-not-equal? other x))
+  (define nested (make-dual 4 x 1))
+  (check-equal? (make-dual 4 (make-dual 1 'x 2) 1) nested)
+  (check-not-equal? (make-dual 4 (make-dual 3 'x 2) 1) nested))
+
 (test-case "tags are fresh, and increase"
   (define tags (for/list ([_ 5]) (fresh-tag)))
   (check-equal? tags (sort tags <))
