@@ -26,6 +26,7 @@
 (define (verify-conserved L Q local #:force [force #f])
   (check-arguments 'verify-conserved L Q)
   (check-generic-state 'verify-conserved local)
+  (for ([f (in-list (list L Q))]) (check-parameters 'verify-conserved f (state-of local)))
   (prove-zero ((rate 'verify-conserved L Q force) (state-of local))
               #:variables (scalars local)))
 

@@ -56,6 +56,7 @@
 (define (equilibria L local #:force [force #f])
   (check-Lagrangian 'equilibria L)
   (check-generic-state 'equilibria local)
+  (check-parameters 'equilibria L ((clip-state 3) local))
   (define q (coordinate local))
   (define residual (simplify (residual-at-rest 'equilibria L force (time local) q)))
   (check-constant 'equilibria residual (time local))

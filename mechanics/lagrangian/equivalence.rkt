@@ -45,6 +45,7 @@
   (check-Lagrangian who L1)
   (check-Lagrangian who L2)
   (check-generic-state who given)
+  (for ([L (in-list (list L1 L2))]) (check-parameters who L ((clip-state 3) given)))
   (define local (lengthened ((clip-state 3) given) 4))
   (define-values (S1 S2) (values (scalar-valued who L1) (scalar-valued who L2)))
   (define-values (E1 E2) (values (residual S1 local) (residual S2 local)))

@@ -50,7 +50,8 @@
 (define (check-question who F local)
   (unless (and (procedure? F) (accepts? F 1))
     (raise-argument-error who "a function of the local tuple" F))
-  (check-generic-state who local))
+  (check-generic-state who local)
+  (check-parameters who F local))
 
 ;; The highest derivative in the local tuple.
 (define (order-of local) (- (s:length local) 2))

@@ -3,9 +3,10 @@
 ;; symbols, each of which may be any number.
 
 (require "local-tuple.rkt" "total-derivative.rkt"
+         "../algebra/expression.rkt"
          "../generic/describe.rkt" "../value/shape.rkt" "../value/structure.rkt")
 
-(provide check-generic-state lengthened)
+(provide check-generic-state check-parameters lengthened)
 
 (define (check-generic-state who local [least-length 3])
   (check-local-tuple who local least-length)
@@ -23,6 +24,27 @@
               who (value->text local)
               (if (symbol? odd-one) "more than once" "no symbol") (value->text odd-one))
       (current-continuation-marks)))))
+
+;; A symbol that is a parameter of f could not stand for any state as well: f is asked
+;; for its value at other symbols, where those of the local tuple must not occur.
+(define (check-parameters who f local)
+  (define names (scalars local))
+  (define elsewhere
+    (scalars->structure local (lambda (k) (string->uninterned-symbol "x"))))
+  (for* ([e (in-list (scalars (f elsewhere)))]
+         #:when (expression? e)
+         [name (in-list names)]
+         #:when (occurs? name e))
+    (raise
+     (exn:fail:contract
+      (format (string-append
+               "~a: the symbol ~a is a parameter of ~a, and stands in the local tuple, too\n"
+               "  local tuple: ~a\n  give one of them another name")
+              who name (value->text f) (value->text local))
+      (current-continuation-marks)))))
+
+(define (occurs? name e)
+  (node-fold e (lambda (leaf) (eq? leaf name)) (lambda (n found) (ormap values found))))
 
 ;; The local tuple with derivatives up to `length` components in all; new ones are
 ;; named after the coordinates: xddot, xdddot, and so on.

@@ -32,7 +32,8 @@
 
 (define (check-question who L local)
   (check-Lagrangian who L)
-  (check-generic-state who local))
+  (check-generic-state who local)
+  (check-parameters who L ((clip-state 3) local)))
 
 ;; ((coordinate . chain) ...)
 (define (ignorable who L local)

@@ -8,7 +8,8 @@
 What is true of all states of a system is asked at a local tuple of symbols, such as
 @racket[(up 't 'x 'v)] or @racket[(up 't (up 'r 'phi) (up 'rdot 'phidot))], each of
 which may be any number. It also says how many coordinates there are, and the answers
-are in its symbols. @racket[(literal-Lagrangian-state 2)] makes one.
+are in its symbols. None of them may be a parameter of the Lagrangian as well.
+@racket[(literal-Lagrangian-state 2)] makes one.
 
 @section{Conserved quantities}
 

@@ -141,5 +141,8 @@
  [(verify-ignorable (L-polar 'm U) 'theta polar)
   "verify-ignorable: expected a coordinate: its symbol, its index, or a list of indices\n"
   "  given: theta\n  coordinates: (up r phi)"]
+ [(verify-conserved L velocity (up 't 'k 'v))
+  "verify-conserved: the symbol k is a parameter of L-oscillator, and stands in the local tuple, too\n"
+  "  local tuple: (up t k v)\n  give one of them another name"]
  [(prove-zero 'x #:variables 'x)
   "prove-zero: contract violation\n  expected: the variables, a list of symbols\n  given: 'x"])
