@@ -99,13 +99,13 @@
 
 (define (operate-2 op a b)
   (define f (operation-on-bigfloats (generic-op-name op) 2))
-  (cond [(or (not f) (complex? a) (complex? b)) (raise-inapplicable op a b)]
+  (cond [(or (not f) (not-real? a) (not-real? b)) (raise-inapplicable op a b)]
         [(symbolic? a) ((generic-op-procedure op) a (bigfloat->exact b))]
         [(symbolic? b) ((generic-op-procedure op) (bigfloat->exact a) b)]
         [(trivially (generic-op-name op) a b)]
         [else (in-common-precision f a b)]))
 
-(define (complex? x) (and (number? x) (not (real? x))))
+(define (not-real? x) (and (number? x) (not (real? x))))
 
 (define (in-common-precision f a b)
   (define most

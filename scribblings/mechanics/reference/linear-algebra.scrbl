@@ -196,8 +196,8 @@ too: every matrix satisfies its characteristic polynomial.
 @defproc[(eigenvalues [m value]) (listof scalar)]{
 
 The zeros of the characteristic polynomial, each as often as it is one. Matrices of
-real numbers, some of them flonums, may have any size; their eigenvalues come in the
-order of real parts. Otherwise the zeros of the matrix must leave blocks of at most
+finite real numbers, some of them flonums, may have any size; their eigenvalues come in
+the order of real parts. Otherwise the zeros of the matrix must leave blocks of at most
 two rows.
 
 @examples[#:eval session

@@ -29,7 +29,7 @@ The map that does @racket[map] @racket[n] times.
 Where it pays, @racket[map] is compiled, as by @racket[compile-function]: it is to compute
 the image from the coordinates and to do nothing else. The values are the same but for
 rounding, to which chaotic motion is sensitive. A map that takes decisions, or of which
-points have no image, is called each time. Anything but a map is an error, and so is an
-@racket[n] that is no natural number.
+points have no image, is called each time, and so is one that keeps exact numbers exact.
+Anything but a map is an error, and so is an @racket[n] that is no natural number.
 
 @sicm{4.3, p. 308}}
