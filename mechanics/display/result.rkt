@@ -19,7 +19,24 @@
   (cond [(in-notation? x)
          (define-values (shown assumptions) (as-shown x))
          (laid-out (value->lines shown width assumptions))]
+        [(and (list? x) (ormap verdict? x) (textual? x)) (laid-out (stacked x width))]
         [else (simplified-elements x width)]))
+
+;; A list in which there are verdicts, which take several lines: each element begins one.
+(define (stacked xs width)
+  (define indentation "      ")
+  (define (text x)
+    (define result (simplified-result x (- width (string-length indentation))))
+    (regexp-replace* #rx"\n" (format "~v" result) (string-append "\n" indentation)))
+  (string-append
+   "(list " (text (car xs))
+   (apply string-append (for/list ([x (in-list (cdr xs))]) (string-append "\n" indentation (text x))))
+   ")"))
+
+;; Nothing that an editor would show as more than text.
+(define (textual? x)
+  (or (in-notation? x) (number? x) (string? x) (boolean? x)
+      (and (list? x) (andmap textual? x))))
 
 (define (simplified-elements x width)
   (define (simplified-element e)
