@@ -42,8 +42,10 @@
    (lambda (caller state)
      (check-state who cs state)
      (define kept (and (numeric? state) (kept-constraints who cs state)))
-     (values (if kept (derivative (choosing kept)) all)
-             (and kept (corrections-of who L cs kept))))
+     (define ready (if kept (derivative (choosing kept)) all))
+     (values ready
+             ;; symbols that are left are the caller's affair
+             (and kept (numeric? (ready state)) (corrections-of who L cs kept))))
    (lambda ()
      `(,who ,(value->datum given-L) ,(constraints->datum cs)
             ,@(if Q (list '#:force (value->datum Q)) '())))))
@@ -169,9 +171,9 @@
     (define project! (projector on (flvector-length y)))
     (project! y)
     (define found (flvector->structure state y))
-    (unless (fl<= (project! (flvector-copy y)) 1e-12)
-      (raise-not-convergent who "no state was found that keeps the constraints" found #f
-                            #:shown (value->text found)))
+    (define left (project! (flvector-copy y)))
+    (unless (fl<= left 1e-12)
+      (raise-not-convergent who "no state was found that keeps the constraints" found left))
     (up (time state) (coordinate found) (velocity found))))
 
 (define (raise-no-number who x state)

@@ -11,7 +11,7 @@
          "../numeric/ode/projected.rkt"
          "../value/shape.rkt")
 
-(provide make-manifold-derivative manifold-derivative? prepare-motion
+(provide make-manifold-derivative manifold-derivative? prepare-motion derivative-from
          (struct-out corrections) projector method-on check-on)
 
 (define kind:manifold-derivative
@@ -58,6 +58,16 @@
     (define moved (flvector-copy y))
     (unless (fl<= ((projector c (flvector-length y)) moved) most-off)
       ((corrections-complain c) who state))))
+
+;; The state derivative for motions from a state on that may be of higher precision, where
+;; they can begin there; steps in such numbers are not projected.
+(define (derivative-from who derivative state)
+  (define y (structure->flvector state (lambda (x) +nan.0)))
+  (cond [(and (manifold-derivative? derivative) (for/and ([x (in-flvector y)]) (fl= x x)))
+         (define-values (ready c) (prepare-motion who derivative (flvector->structure state y)))
+         (check-on who c y state)
+         ready]
+        [else derivative]))
 
 ;; -> (y -> the greatest change of a component of y, which is moved onto the manifold)
 (define (projector c n)

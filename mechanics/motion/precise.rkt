@@ -6,7 +6,7 @@
 ;; States between the steps are those that a shorter step leads to.
 
 (require math/bigfloat
-         "check.rkt" "plan.rkt" "sample-times.rkt" "system.rkt"
+         "check.rkt" "manifold.rkt" "plan.rkt" "sample-times.rkt" "system.rkt"
          "../compile/bigfloat-function.rkt"
          "../generic/describe.rkt"
          "../numeric/bigfloat/arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
@@ -27,10 +27,11 @@
 (struct motion (shape clock? bits working start first slope run restart) #:authentic)
 
 ;; (kept state) is what a failure carries.
-(define (make-motion p derivative state [kept values])
+(define (make-motion p given state [kept values])
   (define who (plan-who p))
   (define bits (plan-bits p))
   (check-bigfloats who)
+  (define derivative (derivative-from who given state))
   (check-derivative who derivative state)
   (define each-step (max (expt 2 (- bits)) (* 1/10 (plan-tolerance p))))
   (define digits (- (bigfloat->flonum (bflog10 (bf each-step)))))

@@ -2,7 +2,8 @@
 ;; Constrained motions in numbers: drift, energy, redundancy, leaving a support.
 
 (require (except-in rackunit fail)
-         mechanics)
+         mechanics
+         "../runner/bigfloats.rkt" "../runner/skip.rkt")
 
 (define ((L-mass m g) (up t (up x y) (up vx vy)))
   (- (* 1/2 m (+ (square vx) (square vy))) (* m g y)))
@@ -86,6 +87,26 @@
   (advance start 1)
   (check-exn #rx"^state-advancer: the state does not keep"
              (lambda () (advance (up 0 (up 3 4) (up 0 0)) 1))))
+
+(test-case "symbols that are left, and constraints that nothing keeps"
+  (check-exn #rx"^evolve-trajectory: the symbol m is left in the state derivative"
+             (lambda () (evolve-trajectory (pendulum 'm 'l 9.8) start 1)))
+  (check-exn #rx"^consistent-state: expected a state of real numbers; it holds the symbol t"
+             (lambda ()
+               ((consistent-state (L-mass 1 9.8) (holonomic (rod-of-length 1)))
+                (up 't (up 0 1) (up 0 0)))))
+  (check-exn exn:fail:mechanics:not-convergent?
+             (lambda ()
+               ((consistent-state (L-mass 1 9.8) (holonomic (lambda (t q) (+ 1 (square q)))))
+                (up 0 (up 1 0) (up 0 0))))))
+
+(skip-unless bigfloats? no-bigfloats
+  (test-case "in thirty digits the rod keeps its length as well as the motion is known"
+    (define advance (state-advancer pendulum 1 1 98/10))
+    (define last (advance (up 0 (up 3/5 -4/5) (up 0 0)) 1 1e-22 #:precision 100))
+    (check-true (< (abs (bigfloat->exact (- (square (coordinate last)) 1))) 1e-20))
+    (check-exn #rx"^state-advancer: the state does not keep"
+               (lambda () (advance (up 0 (up 3 4) (up 0 0)) 1 #:precision 100)))))
 
 (test-case "redundant constraints do not hinder a motion"
   (define (twice t q) (* 3 ((rod-of-length 1) t q)))
