@@ -58,12 +58,15 @@
 (define (equation-first? parts)
   (and (pair? (cdr parts)) (equal? (cadr parts) "=")))
 
-;; The width of the first part, or of the equation that it begins, on one line.
+;; The width on one line of the first part, or of the equation that it begins, with the comma
+;; that may follow.
 (define (width-together parts)
   (define (flat part) (string-length (part->text part +inf.0 0)))
+  (define (with-comma width rest)
+    (if (and (pair? rest) (equal? (car rest) ",")) (+ width 1) width))
   (if (equation-first? parts)
-      (+ (flat (car parts)) 3 (flat (caddr parts)))
-      (flat (car parts))))
+      (with-comma (+ (flat (car parts)) 3 (flat (caddr parts))) (cdddr parts))
+      (with-comma (flat (car parts)) (cdr parts))))
 
 (define (end-column text from)
   (define last-line (regexp-match #rx"\n([^\n]*)$" text))
