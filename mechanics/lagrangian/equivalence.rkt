@@ -153,9 +153,9 @@
 (define (equivalence->text e)
   (case (equivalence-kind e)
     [(total-derivative)
-     (format "equivalent: the second Lagrangian is the first~a" (plus-derivative e))]
+     (format "equivalent: the second is the first~a" (plus-derivative e))]
     [(proportional)
-     (format "equivalent: the second Lagrangian is ~a times the first~a"
+     (format "equivalent: the second is ~a times the first~a"
              (value->text (equivalence-factor e)) (plus-derivative e))]
     [(combination)
      (format "equivalent: the equations of the second Lagrangian combine those of the first~a"

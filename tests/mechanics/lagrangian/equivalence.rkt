@@ -18,16 +18,16 @@
   (check-eq? (equivalence-kind e) 'total-derivative)
   (check-eqv? (equivalence-factor e) 1)
   (check-equal? (expression (equivalence-gauge e)) '(* t (expt x 2)))
-  (check-equal? (text e) (string-append "equivalent: the second Lagrangian is the first, plus "
+  (check-equal? (text e) (string-append "equivalent: the second is the first, plus "
                                         "the total time derivative of\n  (* t (expt x 2))"))
-  (check-equal? (text (compare-Lagrangians L L line)) "equivalent: the second Lagrangian is the first"))
+  (check-equal? (text (compare-Lagrangians L L line)) "equivalent: the second is the first"))
 
 (test-case "one without a formula for its integral"
   (define L (L-oscillator 'm 'k))
   (define (F (up t x v)) (* (exp (square x)) v))
   (define e (compare-Lagrangians L (+ L F) line))
   (check-false (equivalence-gauge e))
-  (check-equal? (text e) "equivalent: the second Lagrangian is the first, plus a total time derivative"))
+  (check-equal? (text e) "equivalent: the second is the first, plus a total time derivative"))
 
 (test-case "a constant factor, and a total time derivative as well"
   (define L (L-oscillator 'm 'k))
@@ -37,7 +37,7 @@
   (check-equal? (expression (equivalence-gauge e)) '(sin x))
   (check-pred proved? (equivalence-verdict e))
   (check-equal? (text (compare-Lagrangians L (* 2 L) line))
-                "equivalent: the second Lagrangian is 2 times the first"))
+                "equivalent: the second is 2 times the first"))
 
 (test-case "equations that are combined: a matrix, a growing factor, a factor of the state"
   (define (L (up t (up x y) (up vx vy)))
