@@ -1,8 +1,10 @@
 #lang racket/base
-;; The programs for the exercises: which there are, and what each says of itself.  That they
-;; print what they should is tested in them.
+;; The programs for the exercises: which there are, what each says of itself, and how what it
+;; prints looks.  What it should be is tested in them.
 
-(require racket/file
+(require (only-in mechanics)
+         (only-in mechanics/book)
+         racket/file
          racket/list
          racket/runtime-path
          racket/string
@@ -33,3 +35,26 @@
     (check-true (< (string-length (exercise-subject e)) 60) (exercise-file e))
     (for ([text (list (exercise-subject e) (exercise-checked e) (exercise-how e))])
       (check-false (string-suffix? text ".") (exercise-file e)))))
+
+;; ---------------------------------------------------------------------------
+;; What they print
+
+(define-namespace-anchor here)
+
+;; In a namespace where the library is loaded already, and no program.
+(define (printed e)
+  (define out (open-output-string))
+  (define namespace (make-base-empty-namespace))
+  (for ([library (in-list '(mechanics mechanics/book))])
+    (namespace-attach-module (namespace-anchor->empty-namespace here) library namespace))
+  (parameterize ([current-namespace namespace] [current-output-port out])
+    (dynamic-require (build-path folder (exercise-file e)) #f))
+  (get-output-string out))
+
+(test-case "what they print fits a terminal, and nothing opaque is in it"
+  (for ([e (in-list (exercises))])
+    (define text (printed e))
+    (check-true (> (string-length text) 10) (exercise-file e))
+    (check-false (string-contains? text "#<") text)
+    (for ([line (in-list (string-split text "\n"))])
+      (check-true (< (string-length line) 80) (format "~a: ~a" (exercise-file e) line)))))
