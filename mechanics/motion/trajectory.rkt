@@ -130,12 +130,8 @@
   (run-system p s y start end visit (lambda (state) (so-far)))
   (so-far))
 
-;; Interpolants that compute share their room with those of other steps, so one thread
-;; reads at a time.
 (define (flonum-reading s)
-  (define lock (make-semaphore 1))
-  (define (state st t) (call-with-semaphore lock state-within #f s st t))
-  (reading real->double-flonum values state))
+  (reading real->double-flonum values (lambda (st t) (state-within s st t))))
 
 ;; Reckoned from the nearer end, so that rounding does not lead beyond.
 (define (time-within from to theta)

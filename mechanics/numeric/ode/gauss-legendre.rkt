@@ -61,7 +61,8 @@
     (f! y first)
     first)
 
-  (define (interpolant) (by-shorter-step (start A b) f! old y step))
+  (define between (by-shorter-steps (start A b) f!))
+  (define (interpolant) (between old y step))
 
   (for ([k (in-list ks)]) (f! y k))
   (stepper y slope try! accept! interpolant))

@@ -24,11 +24,13 @@
   (define (accept!)
     ((stepper-accept! s))
     (when (fl> (project! y) rounding) (f! y ((stepper-slope s)))))
+  ;; There is one room to project in: one thread at a time.
+  (define lock (make-semaphore 1))
   (define (interpolant)
     (define at ((stepper-interpolant s)))
     (lambda (theta out)
       (at theta out)
-      (project! out)
+      (call-with-semaphore lock project! #f out)
       (void)))
   (if (controlled-stepper? s)
       (controlled-stepper y (stepper-slope s) (stepper-try! s) accept! interpolant

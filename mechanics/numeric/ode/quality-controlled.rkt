@@ -43,7 +43,8 @@
     (flvector-copy! y z)
     (f! y first))
 
-  (define (interpolant) (by-shorter-step start f! old y step))
+  (define between (by-shorter-steps start f!))
+  (define (interpolant) (between old y step))
 
   (f! y first)
   (stepper y (lambda () first) try! accept! interpolant))

@@ -5,17 +5,22 @@
 (require racket/flonum
          "stepper.rkt" "vectors.rkt")
 
-(provide by-shorter-step)
+(provide by-shorter-steps)
 
-;; start : as in a method; y, z : the states before and after a step of length h
-(define (by-shorter-step start f! y z h)
-  (define from (flvector-copy y))
-  (define to (flvector-copy z))
-  (lambda (theta out)
-    (cond [(fl= theta 0.0) (flvector-copy! out from)]
-          [(fl= theta 1.0) (flvector-copy! out to)]
-          [else
-           (define s (start f! from))
-           ((stepper-try! s) (fl* theta h))
-           ((stepper-accept! s))
-           (flvector-copy! out (stepper-state s))])))
+;; start : as in a method -> (y z h -> interpolant), for the steps of one run, of length h
+;; and from the state y to z.  All of them compute in the room that f! has: one thread at
+;; a time.
+(define (by-shorter-steps start f!)
+  (define lock (make-semaphore 1))
+  (define (follow from h out)
+    (define s (start f! from))
+    ((stepper-try! s) h)
+    ((stepper-accept! s))
+    (flvector-copy! out (stepper-state s)))
+  (lambda (y z h)
+    (define from (flvector-copy y))
+    (define to (flvector-copy z))
+    (lambda (theta out)
+      (cond [(fl= theta 0.0) (flvector-copy! out from)]
+            [(fl= theta 1.0) (flvector-copy! out to)]
+            [else (call-with-semaphore lock follow #f from (fl* theta h) out)]))))

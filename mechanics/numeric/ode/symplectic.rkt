@@ -54,7 +54,8 @@
     (f! y dz)
     dz)
 
-  (define (interpolant) (by-shorter-step (start weights) f! old y step))
+  (define between (by-shorter-steps (start weights) f!))
+  (define (interpolant) (between old y step))
 
   (stepper y slope try! accept! interpolant))
 
