@@ -98,7 +98,8 @@
     (cond
       [(or (= k tries) (= points point-limit)) (values #f 0 bound points)]
       [else
-       (define-values (point value error) (at (if (or positive? (< k positive-points)) k (- positive-points k 1)) #hash()))
+       (define-values (point value error)
+         (at (if (or positive? (< k positive-points)) k (- positive-points k 1)) #hash()))
        (cond [(not (decent? value error)) (loop (+ k 1) bound points)]
              [(> (magnitude value) (* 4 error)) (values point value error points)]
              [else (loop (+ k 1) (max bound error) (+ points 1))])])))

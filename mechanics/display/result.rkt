@@ -30,7 +30,8 @@
     (regexp-replace* #rx"\n" (format "~v" result) (string-append "\n" indentation)))
   (string-append
    "(list " (text (car xs))
-   (apply string-append (for/list ([x (in-list (cdr xs))]) (string-append "\n" indentation (text x))))
+   (apply string-append
+          (for/list ([x (in-list (cdr xs))]) (string-append "\n" indentation (text x))))
    ")"))
 
 ;; Nothing that an editor would show as more than text.

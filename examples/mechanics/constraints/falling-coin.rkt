@@ -83,6 +83,16 @@ picture
     (check-eq? (verdict-status verdict) 'refuted)
     (check-eq? (verdict-status (prove-zero (substitute (verdict-residual verdict) (cos 'α) 0)))
                'proved))
+  (test-case "a rate of rolling above √(g/3R) keeps it upright, one below does not"
+    ;; s² = g/3R is where A m g R = C (C + m R²) s², with the moments of inertia A about a
+    ;; diameter and C about the axis
+    (define (furthest s lean)
+      (define rolled (roll (up 0. (up 0. 0. 0. (+ :pi/2 lean) 0.) (up s 0. 0. 0. s)) 20.))
+      (apply max (for/list ([t (in-range 0. 20. 0.25)])
+                   (abs (- (ref (coordinate (rolled t)) 3) :pi/2)))))
+    ;; above, ten times less is ten times less; below, it leans as far
+    (check-= (/ (furthest 0.65 1e-3) (furthest 0.65 1e-4)) 10 0.1)
+    (check-= (/ (furthest 0.5 1e-3) (furthest 0.5 1e-4)) 1 0.1))
   (test-case "it rolls without slipping, and keeps its energy"
     (define energy (Lagrangian->energy (L-coin 1 1 1)))
     (for ([t (in-range 0. 60. 5.)])

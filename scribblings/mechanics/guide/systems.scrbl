@@ -4,7 +4,9 @@
 @title[#:tag "systems"]{Worked systems}
 
 The programs on this page are in the source, with tests of what they claim. Copy
-one, change it, and see what its verdict says. References are to @|the-book|.
+one, change it, and see what its verdict says. References are to @|the-book|. Systems
+whose constraints have multipliers are on a page of their own,
+@secref["constrained-systems"].
 
 @section{The action of a free particle}
 
