@@ -10,6 +10,9 @@
 ;; For the quantities one asks about, M need not be inverted: ∂₂Q = w M with a w that
 ;; is known, and ∂₂Q a = w f.  Of a function of time and coordinates w is 0, of the
 ;; energy v, of a momentum a unit vector.
+;;
+;; Without an inverse of M several w may do, with rates that agree along motions only: if
+;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
 (require "Lagrange-equations.rkt" "external-force.rkt" "generic-state.rkt"
          "local-tuple.rkt" "state-derivative.rkt" "total-derivative.rkt"
@@ -27,8 +30,14 @@
   (check-arguments 'verify-conserved L Q)
   (check-generic-state 'verify-conserved local)
   (for ([f (in-list (list L Q))]) (check-parameters 'verify-conserved f (state-of local)))
-  (prove-zero ((rate 'verify-conserved L Q force) (state-of local))
-              #:variables (scalars local)))
+  (define state (state-of local))
+  (define v (prove-zero ((rate 'verify-conserved L Q force) state) #:variables (scalars local)))
+  (when (refuted? v) (check-accelerations L force state))
+  v)
+
+;; Refuses an M without an inverse, by which a state may be that of no motion.
+(define (check-accelerations L force state)
+  (void ((Lagrangian->acceleration L #:force force) state)))
 
 ;; (t, q, v) ↦ Q̇, of the shape of Q's value
 (define (rate-of-change L Q #:force [force #f])
@@ -71,11 +80,16 @@
   (define slope (((partial 2) Q) state))
   (define-values (value drift)
     (value-and-derivative-along Q state (up 1 v (g:* 0 v))))
-  (define w (multiplier L slope state))
-  (g:+ drift
-       (if w
-           (g:* (applied-force who L force state) w)
-           (g:* slope ((Lagrangian->acceleration L #:force force) state)))))
+  (define multipliers (multipliers-of L slope state))
+  (define (with-acceleration)
+    (g:+ drift (g:* slope ((Lagrangian->acceleration L #:force force) state))))
+  (cond [(null? multipliers) (with-acceleration)]
+        [else
+         (define f (applied-force who L force state))
+         (define rates (for/list ([w (in-list multipliers)]) (g:+ drift (g:* f w))))
+         (if (null? (cdr rates))
+             (car rates)
+             (or (findf vanishing? rates) (car rates)))]))
 
 ;; f = ∂₁L + force − ∂₀∂₂L − ∂₁∂₂L v: what Lagrange's equations are without
 ;; accelerations, turned round.
@@ -87,10 +101,10 @@
       (g:+ inside (force-like who inside ((external-force who force #f) state)))
       inside))
 
-;; A w with slope = w M, or #f if none is near at hand.
-(define (multiplier L slope state)
+;; Those w with slope = w M that are near at hand.
+(define (multipliers-of L slope state)
   (define M (((partial 2) ((partial 2) L)) state))
-  (for/first ([w (in-list (simple-multipliers (velocity state)))]
+  (for/list ([w (in-list (simple-multipliers (velocity state)))]
               #:when (vanishing? (g:- slope (g:* M w))))
     w))
 

@@ -10,7 +10,9 @@
 ;;   a matrix          C = M₂ M₁⁻¹, if M₁ and M₂ have inverses, and b₂ = C b₁.
 ;;
 ;; Failing these, the rows (M₁ b₁) and (M₂ b₂) must span the same space: as many of them
-;; are independent, and (M₂ b₂) takes to zero what (M₁ b₁) does.
+;; are independent, and (M₂ b₂) takes to zero what (M₁ b₁) does.  That speaks of states in
+;; general.  Where both equations restrict states, as y = 0 and y = 1 do, no motion is at
+;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
 
 (require "Lagrange-equations.rkt" "gauge.rkt" "generic-state.rkt" "local-tuple.rkt"
          "total-derivative.rkt"
@@ -114,7 +116,9 @@
   (define (regular? M) (not (zero-expression? (determinant M))))
   (if (and (regular? M1) (regular? M2))
       (by-matrix M1 M2 b1 b2 local)
-      (by-row-spaces (augmented rows1 b1) (augmented rows2 b2) local)))
+      (let ([A1 (augmented rows1 b1)] [A2 (augmented rows2 b2)])
+        (when (and (restricting? M1 A1) (restricting? M2 A2)) (raise-restricting who E1 E2))
+        (by-row-spaces A1 A2 local))))
 
 (define (by-matrix M1 M2 b1 b2 local)
   (define C (simplify (g:* M2 (g:invert M1))))
@@ -129,6 +133,19 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Rows that span the same space
+
+;; Are there accelerations at special states only?
+(define (restricting? M A) (< (rank M) (rank (apply matrix-by-rows A))))
+
+(define (raise-restricting who E1 E2)
+  (raise
+   (exn:fail:mechanics
+    (format (string-append
+             "~a: the equations of both Lagrangians restrict coordinates and velocities\n"
+             "  such equations are compared only where the ones are a constant multiple of "
+             "the others\n  residuals: ~a\n             ~a")
+            who (value->text (simplify (list->down E1))) (value->text (simplify (list->down E2))))
+    (current-continuation-marks))))
 
 (define (augmented rows b)
   (for/list ([row (in-list rows)] [x (in-list b)]) (append row (list x))))

@@ -77,7 +77,10 @@
   (define (L-free (up t q v)) (* 1/2 (square v)))
   (define (mixed (up t (up x y) (up vx vy))) (+ (* 3 (L (up t (up x y) (up vx vy)))) (* x vy) (* y vx)))
   (check-eq? (equivalence-kind (compare-Lagrangians L mixed plane)) 'proportional)
-  (for ([other (list L-free L-solved (lambda (local) 0))])
+  ;; both restrict states, the one to x = y and the other to rest
+  (check-exn #rx"^compare-Lagrangians: the equations of both Lagrangians restrict"
+             (lambda () (compare-Lagrangians L L-solved plane)))
+  (for ([other (list L-free (lambda (local) 0))])
     (check-pred refuted? (verify-equivalent-Lagrangians L other plane))
     (check-pred refuted? (verify-equivalent-Lagrangians other L plane))))
 
