@@ -15,7 +15,7 @@
          "../numeric/rows.rkt"
          "../value/simplify.rkt")
 
-(provide modes-of frequencies-of)
+(provide modes-of frequencies-of raise-not-positive)
 
 (lazy-require
  ["../numeric/normal-modes.rkt" (symmetric-modes gyroscopic-modes)])

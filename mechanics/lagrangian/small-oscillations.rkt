@@ -20,7 +20,9 @@
          (only-in "../value/signature.rkt" scalar?))
 
 (provide mass-matrix stiffness-matrix gyroscopic-matrix
-         normal-modes small-oscillation-frequencies)
+         normal-modes small-oscillation-frequencies
+         ;; for stability
+         check-autonomous)
 
 (lazy-require ["normal-modes.rkt" (modes-of frequencies-of)])
 
@@ -102,15 +104,19 @@
               who (value->text q) (value->text force))
       (current-continuation-marks)))))
 
+;; ∂₂L, too: what ∂₁∂₂L gains in time is a force.
 (define (check-autonomous who L q)
-  (define (matrices t)
+  (define t (string->uninterned-symbol "t"))
+  (define P ((partial 2) L))
+  (define (derivatives t)
     (define state (up t q (g:* 0 q)))
-    (up (((partial 2) ((partial 2) L)) state) (((partial 1) ((partial 1) L)) state)))
-  (when (refuted? (prove-zero ((D matrices) 't)))
+    (up (P state) (((partial 1) P) state) (((partial 2) P) state)
+        (((partial 1) ((partial 1) L)) state)))
+  (when (refuted? (prove-zero ((D derivatives) t) #:variables (list t)))
     (raise
      (exn:fail:contract
       (format "~a: the Lagrangian changes in time at these coordinates; ~a" who
-              "normal modes are those of a system that does not")
+              "small oscillations are those of a system that does not")
       (current-continuation-marks)))))
 
 ;; Components in order, in the shape of q.

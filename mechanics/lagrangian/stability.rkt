@@ -14,7 +14,7 @@
 ;;
 ;; K is positive if its leading minors are; if one of them is negative it is not.
 
-(require "Lagrange-equations.rkt" "equilibria.rkt" "small-oscillations.rkt"
+(require "Lagrange-equations.rkt" "equilibria.rkt" "normal-modes.rkt" "small-oscillations.rkt"
          "../algebra/expression.rkt" "../algebra/operation.rkt" "../algebra/simplify.rkt"
          "../algebra/solve.rkt"
          "../calculus/verdict.rkt"
@@ -36,9 +36,11 @@
 (define (equilibrium-stability L q)
   (check-Lagrangian 'equilibrium-stability L)
   (check-equilibrium L q)
+  (check-autonomous 'equilibrium-stability (scalar-valued 'equilibrium-stability L) q)
   (define-values (M K G)
     (values (entries (mass-matrix L q)) (entries (stiffness-matrix L q))
             (entries (gyroscopic-matrix L q))))
+  (check-inertia M)
   (define at-rest (judged 'stable (leading-minors K)))
   (cond [(eq? (stability-kind at-rest) 'stable)
          (if (and (pair? (stability-conditions at-rest)) (turning? G))
@@ -56,6 +58,12 @@
                              "  coordinates: ~a\n  residual: ~a")
               (value->text q) (value->text (verdict-residual v)))
       (current-continuation-marks)))))
+
+;; M > 0, unless its parameters leave that open.
+(define (check-inertia M)
+  (define signs (map known-sign (leading-minors M)))
+  (when (or (memv -1 signs) (memv 0 signs))
+    (raise-not-positive 'equilibrium-stability (matrix-rows M))))
 
 ;; A square matrix, of one entry for a scalar.
 (define (entries S)
