@@ -27,7 +27,7 @@
      (let solve ([equations equations] [found '()] [conditions '()])
        (define open (open-equations equations A))
        (define (involved e) (filter (lambda (x) (occurs? x e)) unknowns))
-       (cond [(null? open) (list (cons found conditions))]
+       (cond [(null? open) (list (cons (in-order found unknowns) conditions))]
              [(ormap (lambda (e) (null? (involved e))) open) '()]
              [else
               (define e (simplest open involved))
@@ -62,6 +62,9 @@
         (for/list ([entry (in-list found)])
           (cons (car entry)
                 (simplify-expression (put (cdr entry) (root-x r) (root-value r)) A)))))
+
+(define (in-order found unknowns)
+  (for*/list ([x (in-list unknowns)] [entry (in-value (assq x found))] #:when entry) entry))
 
 (define (put e x value) (substitute-expression e (list (cons x value))))
 
@@ -146,7 +149,7 @@
   (define (solution sign)
     (quotient-of (e:- (e:* sign (e:apply op:sqrt D)) (e:* 1/2 b)) a A))
   (define conditions (if (real? D) '() (list (list '>= D 0))))
-  (if (and (real? D) (negative? D))
+  (if (and (not (eqv? D 0)) (zero-everywhere? (e:+ D (e:apply op:abs D)) A))
       '()
       (for/list ([sign '(1 -1)]) (root x (solution sign) conditions '()))))
 

@@ -19,6 +19,7 @@
   (check-equal? (solutions (list (- (square 'x) 'a)) '(x))
                 '((((x (sqrt a))) (>= a 0)) (((x (* -1 (sqrt a)))) (>= a 0))))
   (check-equal? (solutions (list (+ (square 'x) 1)) '(x)) '())
+  (check-equal? (solutions (list (+ (square 'x) (square 'a))) '(x)) '())
   (check-equal? (solutions (list 'a) '(x)) '())
   (check-equal? (solutions (list 0) '(x)) '((()))))
 
@@ -30,7 +31,9 @@
 
 (test-case "several unknowns"
   (check-equal? (solutions (list (* 'x 'y) (- (+ 'x 'y) 1)) '(x y))
-                '((((y 1) (x 0))) (((x 1) (y 0)))))
+                '((((x 0) (y 1))) (((x 1) (y 0)))))
+  (check-equal? (solutions (list (* 'y (- (* 2 'x) 'y)) (* 'x (- 'x (* 2 'y)))) '(x y))
+                '((((x 0) (y 0)))))
   (check-equal? (solutions (list (- 'x 'y)) '(x y)) '((((x y))))))
 
 (test-case "what no factor can be solved for is answered by #f"
