@@ -125,12 +125,27 @@
 ;; f at numbers, from `start` along a straight line.
 (define (line-integral F slopes start at)
   (when (ormap symbolic? (scalars at)) (raise-no-closed-form F))
+  (check-start F slopes start)
   (define way (g:- at start))
   (define (slope-along s)
     (for/fold ([sum 0]) ([slope (in-list (gradient-at slopes (g:+ start (g:* s way))))]
                          [step (in-list (scalars way))])
       (g:+ sum (g:* slope step))))
   (integrate 'gauge-function slope-along 0 1 1e-12))
+
+;; The integrand may be 0/0 at the start and yet pass for 0 on all lines from there.
+(define (check-start F slopes start)
+  (unless (with-handlers ([exn:fail:contract? (lambda (e) #f)])
+            (andmap finite? (gradient-at slopes start)))
+    (raise
+     (exn:fail:mechanics
+      (format (string-append
+               "gauge-function: the integral for ~a cannot begin where it is not finite\n"
+               "  begin: ~a\n  another place to begin is given as #:from")
+              (value->text F) (value->text start))
+      (current-continuation-marks)))))
+
+(define (finite? x) (and (real? x) (< -inf.0 x +inf.0)))
 
 (define (raise-no-closed-form F)
   (raise

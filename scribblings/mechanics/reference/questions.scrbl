@@ -19,7 +19,8 @@ are in its symbols. None of them may be a parameter of the Lagrangian as well.
 
 Whether the quantity Q, a function of the local tuple @racket[(up t q v)], keeps its
 value along every motion of L. Its value may be a tuple; time may occur in it. The
-conditions of the verdict are equations between parameters.
+conditions of the verdict are equations between parameters. Where the mass matrix has no
+inverse, what cannot be proved raises @racket[exn:fail:mechanics:singular:matrix].
 
 @examples[#:eval session
 (define ((L-oscillator m k) (up t x v))
@@ -92,7 +93,8 @@ the list of indices that @racket[ref] takes.
 
 Whether F, a function of the local tuple, is D@subscript{t}f for some f: added to a
 Lagrangian, it then changes no equation. That is so if, and only if, its
-Euler-Lagrange expression, the residual, is zero at all local tuples. F may depend on
+Euler-Lagrange expression, the residual, is zero at all local tuples. Around a singularity
+of F, f may gain a constant in each turn, as an angle does. F may depend on
 derivatives up to the highest in the local tuple given; further ones in a residual are
 named after the coordinates, as @racketidfont{xddot} is.
 
@@ -116,7 +118,8 @@ Formulas are found for sums of products of powers, exponentials, sines and cosin
 for literal functions and their derivatives, and for what a substitution makes one of
 these. They have been differentiated, and D@subscript{t}f − F proved zero. Where there is
 no formula, f can be applied to numbers: it is then the integral along the straight line
-from @racket[start], at which f is 0, through which there must be no singularity.
+from @racket[start], at which f is 0, through which there must be no singularity; one at
+@racket[start] raises @racket[exn:fail:mechanics].
 
 An F that is not proved to be a total time derivative raises
 @racket[exn:fail:mechanics], and so does an f without a formula at symbols.
@@ -142,7 +145,9 @@ An F that is not proved to be a total time derivative raises
 Whether two Lagrangians give equivalent equations: the residual of the second is that
 of the first, multiplied by an invertible matrix, which may depend on the state. The
 comparison says how they are related. Where they are not, the residual of its verdict
-is what motions of one leave of the equations of the other.
+is what motions of one leave of the equations of the other. Where both mass matrices are
+without inverses and the equations restrict the states themselves, only constant
+multiples are recognised; other pairs raise @racket[exn:fail:mechanics].
 
 @examples[#:eval session
 (define V (literal-function 'V))
@@ -256,7 +261,8 @@ Lagrangian whose parameters are numbers.
 @defproc[(equilibrium-stability [L Lagrangian] [q coordinates]) stability?]{
 
 Whether the system stays near the equilibrium q when it starts there slowly. The kinetic
-energy is taken to be positive. An equilibrium is
+energy is taken to be positive where its parameters leave that open; one that is not
+raises @racket[exn:fail:contract], as does an L that changes in time. An equilibrium is
 
 @itemlist[
 @item{@italic{stable} where the stiffness matrix is positive: the energy is least;}

@@ -109,3 +109,12 @@
   "verify-total-time-derivative: expected a local tuple (up t q v ...); given (up t x), an up tuple of 2"]
  [((gauge-function F line) (up 0 (up 1 2)))
   "gauge-function: expected a local tuple like (up t x); given (up 0 (up 1 2)), an up tuple of 2"])
+
+(test-case "an integral does not begin at a singularity"
+  (define (turning (up t (up x y) (up vx vy))) (/ (- (* x vy) (* y vx)) (+ (square x) (square y))))
+  (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
+  (check-exn #rx"^gauge-function: the integral for turning cannot begin where it is not finite\n  begin: .up 0 .up 0 0.."
+             (lambda () ((gauge-function turning plane) (up 0 (up 1 2)))))
+  (check-within ((gauge-function turning plane #:from (up 0 (up 1 0))) (up 0 (up 1 2)))
+                (atan 2)
+                1e-11))
