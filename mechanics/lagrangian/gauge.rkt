@@ -32,7 +32,8 @@
   (check-question 'verify-total-time-derivative F local)
   (exactness 'verify-total-time-derivative F local))
 
-;; The function f of local tuples with D_t f = F.
+;; The function f of local tuples with D_t f = F.  It prints as the program that computes
+;; it, where a formula was found.
 ;; from : where f is 0 if it has to be evaluated by an integral
 (define (gauge-function F local #:from [from #f])
   (check-question 'gauge-function F local)
@@ -41,7 +42,11 @@
   (define start (if from (like from short) (g:* 0 short)))
   (define slopes (gradient (scalar-valued 'gauge-function F) (order-of local)))
   (define formula (closed-form F slopes local))
-  (unary-function (lambda () (list 'gauge-function (value->datum F))) (given)
+  (define (name)
+    (if formula
+        `(lambda (,(value->datum short)) ,(value->datum formula))
+        `(gauge-function ,(value->datum F))))
+  (unary-function name (given)
     (define at (like given short))
     (if formula
         (evaluate-generically formula (map cons (scalars short) (scalars at)))

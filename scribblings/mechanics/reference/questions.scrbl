@@ -114,6 +114,7 @@ named after the coordinates, as @racketidfont{xddot} is.
 A function f of local tuples with D@subscript{t}f = F, of one derivative less than F;
 it takes longer local tuples, too. It is determined but for a constant.
 
+The function prints as the program that computes it, where there is a formula.
 Formulas are found for sums of products of powers, exponentials, sines and cosines,
 for literal functions and their derivatives, and for what a substitution makes one of
 these. They have been differentiated, and D@subscript{t}f − F proved zero. Where there is
@@ -125,6 +126,7 @@ An F that is not proved to be a total time derivative raises
 @racket[exn:fail:mechanics], and so does an f without a formula at symbols.
 
 @examples[#:eval session
+(gauge-function F plane)
 ((gauge-function F plane) plane)
 ((gauge-function (Dt (compose sqrt square coordinate)) plane) plane)
 (define (H (up t x v)) (* (exp (square x)) v))

@@ -92,6 +92,14 @@
   (check-exn #rx"^gauge-function: F is a total time derivative, but no formula for its integral was found\n"
              (lambda () (f line))))
 
+(test-case "a gauge function prints as the program that computes it, or by its name"
+  (define (shown F) (expression (gauge-function F (up 't 'x 'v))))
+  (check-equal? (shown (lambda (local) (* (coordinate local) (velocity local))))
+                '(lambda ((up t x)) (* 1/2 (expt x 2))))
+  (check-equal? (car (shown (lambda (local) (* (exp (square (coordinate local)))
+                                               (velocity local)))))
+                'gauge-function))
+
 (test-case "what is no total derivative has no gauge function"
   (define (F (up t x v)) (square v))
   (check-exn (lambda (e)
