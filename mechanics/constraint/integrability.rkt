@@ -17,18 +17,19 @@
          "../calculus/verdict.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/structure.rkt"
+         "../lagrangian/generic-state.rkt"
          "../numeric/failure.rkt"
          "../value/assumptions.rkt" "../value/linear-algebra.rkt" "../value/shape.rkt")
 
-(provide Frobenius-test constraint-integral)
+(provide Frobenius-test constraint-integral check-generic)
 
 ;; q : coordinates that are symbols.  Proved: the constraints together are integrable.
 (define (Frobenius-test constraints q)
   (define who 'Frobenius-test)
-  (check-symbols who q)
+  (define cs (gather who constraints))
+  (check-coordinates who cs q)
   (define variables (cons 't (scalars q)))
-  (prove-zero (Frobenius-residual who variables (forms who (gather who constraints) q))
-              #:variables variables))
+  (prove-zero (Frobenius-residual who variables (forms who cs q)) #:variables variables))
 
 ;; Time is left out if nothing depends on it.
 (define (Frobenius-residual who variables forms)
@@ -39,6 +40,20 @@
       (residual-of who (cdr variables)
                    (for/list ([w (in-list forms)]) (list->vector (cdr (vector->list w)))))
       (residual-of who variables forms)))
+
+;; The local tuple stands for any state, and none of its symbols is a parameter of the
+;; constraints as well.
+(define (check-generic who cs local)
+  (check-generic-state who local)
+  (check-parameters who
+                    (unary-function (lambda () (constraints->datum cs)) (local)
+                      (apply constraint-values who cs (vector->list (structure-elements local))))
+                    local))
+
+(define (check-coordinates who cs q)
+  (check-symbols who q)
+  (define v (scalars->structure q (lambda (k) (string->uninterned-symbol (format "v~a" k)))))
+  (check-generic who cs (up 't q v)))
 
 (define (check-symbols who q)
   (unless (and (andmap symbol? (scalars q)) (not (memq 't (scalars q))))
@@ -97,8 +112,8 @@
 ;; several constraints the tuple of theirs, each being integrable by itself.
 (define (constraint-integral constraints q)
   (define who 'constraint-integral)
-  (check-symbols who q)
   (define cs (gather who constraints))
+  (check-coordinates who cs q)
   (define variables (cons 't (scalars q)))
   (define integrals
     (for/list ([w (in-list (forms who cs q))]) (integral-of who cs w variables)))

@@ -10,6 +10,7 @@
          "../calculus/verdict.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/structure.rkt"
+         "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/total-derivative.rkt"
          "../value/linear-algebra.rkt" "../value/shape.rkt")
@@ -51,6 +52,8 @@
   (unless (and (procedure? substitute) (accepts? substitute 3))
     (raise-argument-error who "a function (t q v) of velocities that keep the constraints"
                           substitute))
+  (check-generic who cs state)
+  (check-parameters who L state)
   (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
   (define true-v (substitute t q v))
   (check-substitution who cs t q true-v)
