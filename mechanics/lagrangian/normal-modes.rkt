@@ -62,9 +62,16 @@
   (cond [(and (andmap (lambda (xs) (andmap real? xs)) all)
               (ormap (lambda (xs) (ormap flonum? xs)) all))
          (numeric-modes who M K G)]
-        [(= 1 (vector-length M)) (one-mode (entry M 0 0) (entry K 0 0))]
-        [(= 2 (vector-length M)) (two-modes M K G)]
-        [else (scaled-modes who M K G)]))
+        [(> (vector-length M) 2) (scaled-modes who M K G)]
+        [(g:zero? (simplify (det M))) (raise-not-positive who M)]
+        [(= (vector-length M) 2) (two-modes M K G)]
+        [else (one-mode (entry M 0 0) (entry K 0 0))]))
+
+;; Of one row or two.
+(define (det A)
+  (if (= (vector-length A) 1)
+      (entry A 0 0)
+      (g:- (g:* (entry A 0 0) (entry A 1 1)) (g:* (entry A 0 1) (entry A 1 0)))))
 
 (define (entries rows) (for*/list ([row (in-vector rows)] [x (in-vector row)]) x))
 
@@ -75,7 +82,6 @@
 
 (define (two-modes M K G)
   (define g (entry G 0 1))
-  (define (det A) (g:- (g:* (entry A 0 0) (entry A 1 1)) (g:* (entry A 0 1) (entry A 1 0))))
   (define a (det M))
   (define b
     (g:+ (g:* (entry M 0 0) (entry K 1 1)) (g:* (entry M 1 1) (entry K 0 0))

@@ -11,6 +11,10 @@
 (define (L-disguised (up t x v))
   (+ (- (* 1/2 (square v)) (* 1/2 (square x))) (* t x v)))
 
+;; Without inertia in the direction of y.
+(define (L-half (up t (up x y) (up vx vy)))
+  (- (* 1/2 (square vx)) (* 1/2 (+ (square x) (square y)))))
+
 (define (changes who)
   (string-append who ": the Lagrangian changes in time at these coordinates; "
                  "small oscillations are those of a system that does not"))
@@ -22,7 +26,10 @@
  [(small-oscillation-frequencies L-disguised 0) (changes "small-oscillation-frequencies")]
  [(equilibrium-stability (- (L-driven (lambda (t) 1))) 0)
   "equilibrium-stability: the kinetic energy is not positive for all velocities at this "
-  "equilibrium\n  mass matrix: (matrix-by-rows (-1))"])
+  "equilibrium\n  mass matrix: (matrix-by-rows (-1))"]
+ [(normal-modes L-half (up 0 0))
+  "normal-modes: the kinetic energy is not positive for all velocities at this equilibrium\n"
+  "  mass matrix: (matrix-by-rows (0))"])
 
 (test-case "the same oscillator without its disguise"
   (define f (* -1/2 time (compose square coordinate)))
