@@ -121,7 +121,7 @@
 
 ;; The value at x, or #f where there is none.
 (define (value-at e x value A)
-  (with-handlers ([exn:fail:contract? (lambda (e) #f)])
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
     (simplify-expression (put e x value) A)))
 
 (define (linear-root f x xs A)

@@ -15,9 +15,9 @@
 
 (provide
  ;; made by the user
- holonomic nonholonomic constraint? holonomic? constraint-function
+ holonomic nonholonomic constraint? holonomic?
  ;; a set of them
- gather constraint-set-parts constraint-set-single? constraint-set?
+ gather constraint-set-parts constraint-set-single?
  all-holonomic? constraints->datum
  value-of shape-values check-linear)
 

@@ -26,9 +26,9 @@
     (exn:fail:mechanics:singular-where e)
     (map (lambda (y) (structure 'up y)) found))))
 
-;; A basis of the y with Σ yⱼ (row j) = 0, vectors; none if that is not known.
+;; A basis of the y with Σ yⱼ (row j) = 0, vectors; none if elimination gives up.
 (define (dependences who J)
-  (with-handlers ([exn:fail? (lambda (e) '())])
+  (with-handlers ([exn:fail:mechanics? (lambda (e) '())])
     (rows-null-space who J (rows-transpose (list->vector J)))))
 
 ;; The last constraint in it, by the others.

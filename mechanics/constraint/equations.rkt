@@ -13,7 +13,7 @@
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt")
 
-(provide constrained-Lagrange-equations augmented-Lagrangian check-multipliers)
+(provide constrained-Lagrange-equations augmented-Lagrangian)
 
 ;; (((constrained-Lagrange-equations L constraints) q lambda) t)
 ;; -> (up residual-of-Lagrange's-equations values-of-the-constraints)

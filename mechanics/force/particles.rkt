@@ -13,7 +13,7 @@
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/signature.rkt" scalar?))
 
-(provide takes? check-positions check-positions-value check-local check-displacement
+(provide takes? check-positions check-local check-displacement
          positions-at motion-at scaled-sum complain)
 
 (define (complain format-string . arguments)
