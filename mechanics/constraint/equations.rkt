@@ -21,7 +21,8 @@
   (define who 'constrained-Lagrange-equations)
   (define cs (gather who constraints))
   (define free (Lagrange-equations L #:force Q))
-  (define (residual given-q given-multipliers)
+  (define (residual given-q [given-multipliers #f])
+    (unless given-multipliers (raise-no-multipliers who cs))
     (define q (path who given-q))
     (define multipliers (multiplier-path who given-multipliers))
     (define residual (free q))
@@ -40,6 +41,15 @@
     `(,who ,(value->datum L) ,(constraints->datum cs)
            ,@(if Q (list '#:force (value->datum Q)) '())))
   (make-function residual 4 (lambda () name-datum)))
+
+(define (raise-no-multipliers who cs)
+  (raise
+   (exn:fail:contract
+    (format (string-append "~a: the multipliers are missing; they are an argument beside the path"
+                           "\n  constraints: ~a"
+                           "\n  (eliminate-multipliers L constraints) makes equations without them")
+            who (value->text (constraints->datum cs)))
+    (current-continuation-marks))))
 
 (define (multiplier-path who given)
   (unless (procedure? given)

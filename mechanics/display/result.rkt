@@ -19,10 +19,21 @@
   (cond [(in-notation? x)
          (define-values (shown assumptions) (as-shown x))
          (laid-out (value->lines shown width assumptions))]
-        [(and (list? x) (ormap verdict? x) (textual? x)) (laid-out (stacked x width))]
+        [(and (list? x) (ormap ours? x) (textual? x)) (list-result x width)]
         [else (simplified-elements x width)]))
 
-;; A list in which there are verdicts, which take several lines: each element begins one.
+;; Each element of a list begins a line if one is told in words, as a verdict is, so that
+;; nothing else would part it from the next; and if together they are too long for a line.
+(define (list-result xs width)
+  (define row (and (not (ormap in-words? xs)) (simplified-elements xs width)))
+  (if (and row (<= (string-length (format "~v" row)) width))
+      row
+      (laid-out (stacked xs width))))
+
+(define (in-words? x)
+  (or (verdict? x)
+      (and (ours? x) (regexp-match? #rx"^[^(\"]* " (format "~v" x)))))
+
 (define (stacked xs width)
   (define indentation "      ")
   (define (text x)
@@ -36,7 +47,7 @@
 
 ;; Nothing that an editor would show as more than text.
 (define (textual? x)
-  (or (in-notation? x) (number? x) (string? x) (boolean? x)
+  (or (ours? x) (number? x) (string? x) (boolean? x)
       (and (list? x) (andmap textual? x))))
 
 (define (simplified-elements x width)
@@ -66,6 +77,13 @@
       (has-kind? x)
       (verdict? x)
       (unprintable? x)))
+
+;; The rest of what we write, such as equilibria and trajectories, which is not simplified:
+;; it prints itself, and is never a part of quoted data.
+(define (ours? x)
+  (or (in-notation? x)
+      (and (custom-write? x) (custom-print-quotable? x)
+           (eq? 'never (custom-print-quotable-accessor x)))))
 
 ;; A procedure that Racket would print as #<procedure:its-name>.
 (define (unprintable? x)

@@ -30,7 +30,8 @@
   (check-arguments 'verify-conserved L Q)
   (check-generic-state 'verify-conserved local)
   (define state (state-of local))
-  (for ([f (in-list (list L Q force))] #:when (procedure? f))
+  (define outside (external-force 'verify-conserved force #f))
+  (for ([f (in-list (list L Q outside))] #:when f)
     (check-parameters 'verify-conserved f state))
   (define v (prove-zero ((rate 'verify-conserved L Q force) state) #:variables (scalars local)))
   (when (refuted? v) (check-accelerations L force state))
@@ -59,7 +60,7 @@
     (raise
      (exn:fail:contract
       (format "~a: a quantity is a function of the local tuple (up t q v); given ~a~a"
-              who (describe-with-value Q)
+              who (describe-function Q)
               (if (and (procedure? L) (scalar? Q))
                   "\n  the Lagrangian comes first, then the quantity" ""))
       (current-continuation-marks)))))

@@ -5,24 +5,15 @@
 ;; (t, q, 0, 0); of an L that does not change in time that is −∂₁L there.
 
 (require "Lagrange-equations.rkt" "generic-state.rkt" "local-tuple.rkt" "total-derivative.rkt"
-         "external-force.rkt"
+         "equilibrium.rkt" "external-force.rkt"
          "../algebra/expression.rkt" "../algebra/operation.rkt" "../algebra/solve.rkt"
          "../calculus/root.rkt" "../calculus/verdict.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
          "../numeric/failure.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt")
 
 (provide verify-equilibrium equilibria find-equilibrium
          equilibrium? equilibrium-coordinates equilibrium-conditions)
-
-;; conditions : for the coordinates to be real, such as (<= e 1)
-(struct equilibrium (coordinates conditions)
-  #:authentic
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (e port mode)
-    (write-value `(equilibrium ,(equilibrium-coordinates e) ,@(equilibrium-conditions e)) port)))
 
 ;; A verdict on the residual of a system at rest at q, at all times.
 (define (verify-equilibrium L q #:force [force #f])
@@ -56,7 +47,8 @@
 (define (equilibria L local #:force [force #f])
   (check-Lagrangian 'equilibria L)
   (check-generic-state 'equilibria local)
-  (for ([f (in-list (list L force))] #:when (procedure? f))
+  (define outside (external-force 'equilibria force #f))
+  (for ([f (in-list (list L outside))] #:when f)
     (check-parameters 'equilibria f ((clip-state 3) local)))
   (define q (coordinate local))
   (define residual (simplify (residual-at-rest 'equilibria L force (time local) q)))
@@ -89,10 +81,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Complaints
-
-(define (check-coordinates who q)
-  (unless (or (scalar? q) (and (tuple? q) (up? q)))
-    (raise-argument-error who "coordinates: a scalar, or an up tuple of scalars" q)))
 
 (define (check-constant who residual t)
   (define name (string->uninterned-symbol "t"))

@@ -21,12 +21,24 @@
 (define (external-force who Q F)
   (unless (or (not Q) (procedure? Q))
     (raise-argument-error who "a force: a function of the local tuple" Q))
+  (when (and Q (not (accepts? Q 1))) (raise-arity-of-force who Q))
   (unless (or (not F) (and (procedure? F) (accepts? F 1)))
     (raise-argument-error who "a dissipation function: a function of the local tuple" F))
   (define slope (and F ((partial 2) (scalar-dissipation who F))))
   (cond [(and Q F) (g:- Q slope)]
         [F (g:negate slope)]
         [else Q]))
+
+;; Newton's forces are functions of time, positions and velocities; these are not.
+(define (raise-arity-of-force who Q)
+  (raise
+   (exn:fail:contract
+    (format "~a: a force is a function of the local tuple (up t q v); given ~a~a"
+            who (describe-function Q)
+            (if (accepts? Q 3)
+                "\n  of a force on particles, (F t r v), (generalized-force r F) makes one"
+                ""))
+    (current-continuation-marks))))
 
 ;; F, refusing to go on when its value is a tuple, as that of a force is.
 (define (scalar-dissipation who F)

@@ -54,7 +54,11 @@
 
 (define (check-question who F local)
   (unless (and (procedure? F) (accepts? F 1))
-    (raise-argument-error who "a function of the local tuple" F))
+    (raise
+     (exn:fail:contract
+      (format "~a: expected a function of the local tuple (up t q v); given ~a"
+              who (describe-function F))
+      (current-continuation-marks))))
   (check-generic-state who local)
   (check-parameters who F local))
 

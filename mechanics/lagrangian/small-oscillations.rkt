@@ -12,12 +12,11 @@
 ;; not: its entries are what turning frames and magnetic fields add.
 
 (require racket/lazy-require
-         "Lagrange-equations.rkt" "local-tuple.rkt"
+         "Lagrange-equations.rkt" "equilibrium.rkt" "local-tuple.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
          "../calculus/derivative.rkt" "../calculus/verdict.rkt"
          "../value/linear.rkt" "../value/matrix.rkt" "../value/shape.rkt"
-         "../value/simplify.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+         "../value/simplify.rkt")
 
 (provide mass-matrix stiffness-matrix gyroscopic-matrix
          normal-modes small-oscillation-frequencies
@@ -52,15 +51,6 @@
   (if (tuple? q) (s->m q S q) S))
 
 (define (at-rest q) (up 't q (g:* 0 q)))
-
-(define (check-coordinates who q)
-  (unless (or (scalar? q) (and (tuple? q) (up? q)))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected coordinates, a scalar or an up tuple of scalars\n  given: ~a~a"
-              who (describe-with-value q)
-              (if (list? q) "\n  a list is not a tuple; use (up x y ...)" ""))
-      (current-continuation-marks)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Modes

@@ -14,7 +14,8 @@
 ;;
 ;; K is positive if its leading minors are; if one of them is negative it is not.
 
-(require "Lagrange-equations.rkt" "equilibria.rkt" "normal-modes.rkt" "small-oscillations.rkt"
+(require "Lagrange-equations.rkt" "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt"
+         "small-oscillations.rkt"
          "../algebra/expression.rkt" "../algebra/operation.rkt" "../algebra/simplify.rkt"
          "../algebra/solve.rkt"
          "../calculus/verdict.rkt"
@@ -35,6 +36,7 @@
 ;; q : coordinates of an equilibrium of an L that does not change in time
 (define (equilibrium-stability L q)
   (check-Lagrangian 'equilibrium-stability L)
+  (check-coordinates 'equilibrium-stability q)
   (check-equilibrium L q)
   (check-autonomous 'equilibrium-stability (scalar-valued 'equilibrium-stability L) q)
   (define-values (M K G)

@@ -150,8 +150,8 @@
 
 (says
  [(verify-equilibrium (L-ring 1 1 1 1) '(1 2))
-  "verify-equilibrium: contract violation\n"
-  "  expected: coordinates: a scalar, or an up tuple of scalars\n  given: '(1 2)"]
+  "verify-equilibrium: expected coordinates, a scalar or an up tuple of scalars\n"
+  "  given: (1 2), a list\n  a list is not a tuple; use (up x y ...)"]
  [(equilibrium-stability (L-potential square) 'h)
   "equilibrium-stability: these coordinates are not an equilibrium\n"
   "  coordinates: h\n  residual: (* 2 h)"])

@@ -112,7 +112,7 @@
 
 (says
  [(gauge-function 3 line)
-  "gauge-function: contract violation\n  expected: a function of the local tuple\n  given: 3"]
+  "gauge-function: expected a function of the local tuple (up t q v); given the number 3"]
  [(verify-total-time-derivative F (up 't 'x))
   "verify-total-time-derivative: expected a local tuple (up t q v ...); given (up t x), an up tuple of 2"]
  [((gauge-function F line) (up 0 (up 1 2)))

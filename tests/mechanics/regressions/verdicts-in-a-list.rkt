@@ -28,3 +28,18 @@
 (test-case "beside what is more than text, Racket prints the list"
   (define b (box 1))
   (check-eq? (cadr (simplified-result (list (prove-zero 0) b) 60)) b))
+
+(test-case "answers in words, each on a line"
+  (define (L (up t x v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square x))))
+  (check-equal? (shown (list (equilibrium-stability L 0) 'x))
+                (string-append "(list stable if (> k 0), unstable if that is reversed\n"
+                               "      x)")))
+
+(test-case "a list stays in one line if it fits, and is broken between its elements if not"
+  (define (L (up t x v)) (- (* 1/2 'm (square v)) (* 1/4 (square (- (square x) (square 'a))))))
+  (define places (equilibria L (up 't 'x 'v)))
+  (check-equal? (shown (list (car places) (up 'a 'b))) "(list (equilibrium 0) (up a b))")
+  (define lines (regexp-split #rx"\n" (shown (append places places))))
+  (check-equal? (length lines) (* 2 (length places)))
+  (check-equal? (shown (list (up 'a (* 'long-name 'another-name)) (up 'a (* 'long-name 'b))))
+                "(list (up a (* another-name long-name))\n      (up a (* b long-name)))"))

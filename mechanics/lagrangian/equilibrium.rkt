@@ -1,0 +1,28 @@
+#lang racket/base
+;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
+
+(require "../generic/describe.rkt" "../generic/structure.rkt"
+         (only-in "../value/signature.rkt" scalar?))
+
+(provide (struct-out equilibrium) check-coordinates)
+
+;; conditions : for the coordinates to be real, such as (<= e 1)
+(struct equilibrium (coordinates conditions)
+  #:authentic
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (e port mode)
+    (write-value `(equilibrium ,(equilibrium-coordinates e) ,@(equilibrium-conditions e)) port)))
+
+(define (check-coordinates who q)
+  (unless (or (scalar? q) (and (tuple? q) (up? q)))
+    (raise
+     (exn:fail:contract
+      (format "~a: expected coordinates, a scalar or an up tuple of scalars\n  given: ~a~a"
+              who (if (equilibrium? q) q (describe-with-value q)) (hint q))
+      (current-continuation-marks)))))
+
+(define (hint q)
+  (cond [(list? q) "\n  a list is not a tuple; use (up x y ...)"]
+        [(equilibrium? q) "\n  its coordinates are (equilibrium-coordinates e)"]
+        [else ""]))
