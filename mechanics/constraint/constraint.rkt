@@ -45,11 +45,17 @@
   (constraint 'nonholonomic A #f))
 
 (define (check-function who f n arguments)
-  (unless (and (procedure? f) (accepts? f n))
+  (unless (and (of-functions? f) (accepts? f n))
     (complain "~a: expected a function of ~a\n  given: ~a~a" who arguments
               (describe-with-value f)
-              (cond [(not (procedure? f)) ""]
+              (cond [(not (of-functions? f)) ""]
                     [else (format ", which takes ~a~a" (arity->text f) (arity-hint who f))]))))
+
+;; A tuple of functions is one; a tuple of values can be applied, but to no avail.
+(define (of-functions? f)
+  (if (tuple? f)
+      (andmap of-functions? (vector->list (structure-elements (adopt f))))
+      (procedure? f)))
 
 (define (arity-hint who f)
   (cond [(and (eq? who 'holonomic) (accepts? f 3))

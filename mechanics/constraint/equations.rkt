@@ -57,9 +57,11 @@
      (exn:fail:contract
       (format "~a: multipliers are functions of time, as paths are; given ~a~a" who
               (describe-with-value given)
-              (if (symbol? given)
-                  (format "\n  (literal-function '~a) makes a function of that name" given)
-                  ""))
+              (cond [(symbol? given)
+                     (format "\n  (literal-function '~a) makes a function of that name" given)]
+                    [(number? given)
+                     (format "\n  a constant one is (lambda (t) ~a)" given)]
+                    [else ""]))
       (current-continuation-marks))))
   (path who given))
 

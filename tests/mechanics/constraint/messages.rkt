@@ -15,6 +15,9 @@
 (test-case "what is no constraint"
   (check-says "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the symbol x"
               (holonomic 'x))
+  (check-says "nonholonomic: expected a function of the time, the coordinates and the velocities, (A t q v)\n  given: (up a b), an up tuple of 2"
+              (nonholonomic (up 'a 'b)))
+  (check-true (constraint? (holonomic (up on-circle on-circle))))
   (define (of-velocities t q v) (ref v 0))
   (check-says "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the procedure `of-velocities`, which takes 3 arguments\n  a constraint on the velocities is nonholonomic: (nonholonomic A)"
               (holonomic of-velocities))
@@ -86,3 +89,7 @@
              (lambda () (augmented-Lagrangian L (nonholonomic (lambda (t q v) (ref v 0))))))
   (check-says "augmented-Lagrangian: expected coordinates with multipliers, (up q lambda); given the symbol x"
               ((augmented-Lagrangian L circle) (up 't 'x 'v))))
+
+(test-case "a multiplier that is a number"
+  (check-says "constrained-Lagrange-equations: multipliers are functions of time, as paths are; given the number 0\n  a constant one is (lambda (t) 0)"
+              ((constrained-Lagrange-equations L circle) xy 0)))
