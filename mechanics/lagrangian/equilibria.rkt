@@ -66,8 +66,9 @@
 (define (find-equilibrium L start #:force [force #f])
   (check-Lagrangian 'find-equilibrium L)
   (check-coordinates 'find-equilibrium start)
-  (define q
-    (find-root (lambda (q) (residual-at-rest 'find-equilibrium L force 0 q)) start))
+  (define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))
+  (check-no-symbols (residual-at start))
+  (define q (find-root residual-at start))
   (define (residual t) (residual-at-rest 'find-equilibrium L force t q))
   (check-constant 'find-equilibrium (simplify (residual 't)) 't)
   q)
@@ -81,6 +82,18 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Complaints
+
+;; Newton's method is one of numbers.
+(define (check-no-symbols residual)
+  (when (ormap symbolic? (scalars (simplify residual)))
+    (raise
+     (exn:fail:contract
+      (format (string-append
+               "find-equilibrium: symbols are left in the force on the system at rest\n"
+               "  residual: ~a\n"
+               "  give the Lagrangian numbers as parameters; equilibria finds formulas in symbols")
+              (value->text (simplify residual)))
+      (current-continuation-marks)))))
 
 (define (check-constant who residual t)
   (define name (string->uninterned-symbol "t"))

@@ -59,3 +59,13 @@
   (check-says (string-append "verify-conserved: a quantity is a function of the local tuple "
                              "(up t q v); given the procedure `f`, which takes 3 arguments")
               (verify-conserved L f (up 't 'x 'v))))
+
+(test-case "an equilibrium is looked for by numbers"
+  (define text
+    (string-append
+     "find-equilibrium: symbols are left in the force on the system at rest\n  residual: ~a\n"
+     "  give the Lagrangian numbers as parameters; equilibria finds formulas in symbols"))
+  (define ((L-spring k) (up t x v)) (- (* 1/2 (square v)) (* 1/2 k (square (- x 2)))))
+  (check-says (format text "(* -1 k)") (find-equilibrium (L-spring 'k) 1))
+  (check-says (format text "(- x 2)") (find-equilibrium (L-spring 1) 'x))
+  (check-= 2 (find-equilibrium (L-spring 1) 1) 1e-9))
