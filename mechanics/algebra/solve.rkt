@@ -22,12 +22,13 @@
 ;; that is left out may be anything; #f if one of the equations cannot be solved.
 ;; A condition is (<= -1 e 1) or (>= e 0); solutions without come first.
 (define (solve-equations equations unknowns A)
+  (define flonums? (ormap flonum-in? equations))
   (let/ec return
     (unconditional-first
      (let solve ([equations equations] [found '()] [conditions '()])
        (define open (open-equations equations A))
        (define (involved e) (filter (lambda (x) (occurs? x e)) unknowns))
-       (cond [(null? open) (list (cons (in-order found unknowns) conditions))]
+       (cond [(null? open) (list (cons (in-order found unknowns flonums?) conditions))]
              [(ormap (lambda (e) (null? (involved e))) open) '()]
              [else
               (define e (simplest open involved))
@@ -63,8 +64,16 @@
           (cons (car entry)
                 (simplify-expression (put (cdr entry) (root-x r) (root-value r)) A)))))
 
-(define (in-order found unknowns)
-  (for*/list ([x (in-list unknowns)] [entry (in-value (assq x found))] #:when entry) entry))
+;; Factors of what has flonums are of whole numbers: in the end, a quotient of these is a
+;; flonum.
+(define (in-order found unknowns flonums?)
+  (define (presented e)
+    (if (and flonums? (real? e) (exact? e) (not (integer? e))) (exact->inexact e) e))
+  (for*/list ([x (in-list unknowns)] [entry (in-value (assq x found))] #:when entry)
+    (cons x (presented (cdr entry)))))
+
+(define (flonum-in? e)
+  (node-fold e flonum? (lambda (n found) (ormap values found))))
 
 (define (put e x value) (substitute-expression e (list (cons x value))))
 
@@ -148,8 +157,10 @@
   (define D (simplify-expression (e:- (e:expt (e:* 1/2 b) 2) (e:* a c)) A))
   (define (solution sign)
     (quotient-of (e:- (e:* sign (e:apply op:sqrt D)) (e:* 1/2 b)) a A))
-  (define conditions (if (real? D) '() (list (list '>= D 0))))
-  (if (and (not (eqv? D 0)) (zero-everywhere? (e:+ D (e:apply op:abs D)) A))
+  (define size (e:apply op:abs D))
+  (define (known? sign) (zero-everywhere? (e:- D (e:* sign size)) A))
+  (define conditions (if (known? 1) '() (list (list '>= D 0))))
+  (if (and (known? -1) (not (known? 1)))
       '()
       (for/list ([sign '(1 -1)]) (root x (solution sign) conditions '()))))
 

@@ -23,7 +23,7 @@
   (define (judge q)
     (prove-zero (residual-at-rest 'verify-equilibrium L force t q) #:variables (list t)))
   (define v (judge q))
-  (define exactly (and (refuted? v) (with-exact-angles q)))
+  (define exactly (and (not (proved? v)) (with-exact-angles q)))
   (define w (if exactly (judge exactly) v))
   (if (proved? w) w v))
 

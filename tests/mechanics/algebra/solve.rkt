@@ -2,7 +2,8 @@
 ;; Equations solved by factors: known ones, and every solution put back.
 
 (require rackunit
-         (only-in mechanics + - * / expt square sin cos expression simplify substitute proved? prove-zero)
+         (only-in mechanics
+                  + - * / expt square sin cos expression simplify substitute proved? prove-zero)
          mechanics/algebra/assumptions mechanics/algebra/solve
          "../laws/random.rkt")
 
@@ -20,8 +21,19 @@
                 '((((x (sqrt a))) (>= a 0)) (((x (* -1 (sqrt a)))) (>= a 0))))
   (check-equal? (solutions (list (+ (square 'x) 1)) '(x)) '())
   (check-equal? (solutions (list (+ (square 'x) (square 'a))) '(x)) '())
+  (check-equal? (solutions (list (- (square 'x) (square 'a))) '(x)) '((((x a))) (((x (* -1 a))))))
+  (check-equal? (solutions (list (* 'x (- (square 'x) (* 2 (square 'a))))) '(x))
+                '((((x 0))) (((x (* a (sqrt 2))))) (((x (* -1 a (sqrt 2)))))))
   (check-equal? (solutions (list 'a) '(x)) '())
   (check-equal? (solutions (list 0) '(x)) '((()))))
+
+(test-case "flonums stay what they are"
+  (check-equal? (solutions (list (- (* 3.0 'x) 0.3)) '(x)) `((((x ,(/ 0.3 3.0))))))
+  (check-equal? (solutions (list (* 2.0 (- 'x 0.1)) (* 4.0 (- 'x 0.1) 'y)) '(x y))
+                '((((x 0.1)))))
+  (check-equal? (solutions (list (* 3.0 'x (- 'x 0.1))) '(x)) '((((x 0))) (((x 0.1)))))
+  (check-equal? (solutions (list (- (* 4 (cos 'x) (sin 'x)) (* 9.8 (sin 'x)))) '(x))
+                '((((x 0))) (((x 3.141592653589793))))))
 
 (test-case "sines and cosines of one angle, once each turn"
   (check-equal? (solutions (list (cos (* 2 'x))) '(x)) '((((x 0.7853981633974483))) (((x -0.7853981633974483)))))

@@ -95,6 +95,7 @@
 (test-case "verdicts: a right proposal, and a plausible wrong one with its condition"
   (define L (L-ring 'm 'R 'g 'omega))
   (check-pred proved? (verify-equilibrium L pi))
+  (check-pred proved? (verify-equilibrium (+ (compose square velocity) (compose cos coordinate)) pi))
   (define v (verify-equilibrium L (acos (/ 'c (square 'omega)))))
   (check-pred refuted? v)
   (check-equal? (map expression (verdict-conditions v)) '((= g (* R c))))
