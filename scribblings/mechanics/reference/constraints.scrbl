@@ -216,7 +216,8 @@ the velocities.
 Are the constraints on the velocities, taken together, constraints on the coordinates in
 disguise? Proved means that they are integrable, so that some functions of time and
 coordinates are constant along all motions that keep them; refuted, that they are truly
-nonholonomic. @racket[q] is made of symbols, to stand for any coordinates.
+nonholonomic. @racket[q] is made of symbols, to stand for any coordinates; none of them may
+be a parameter of the constraints.
 
 @examples[#:eval session
 (Frobenius-test (nonholonomic blade) (up 'x 'y 'theta))
