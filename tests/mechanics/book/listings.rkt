@@ -189,7 +189,9 @@ LISTING
 (define L (- (T 'm) (V (literal-function 'U))))
 (define (force-on-angles) (list (ref (((partial 1) L) state) 1) (ref (((partial 1) L) state) 2)))
 (force-on-angles)
-;=> (list (+ (* c (sin theta)) (* m (expt phidot 2) (expt r 2) (cos theta) (sin theta))) 0)
+;=> (list (+ (* c (sin theta))
+;=>          (* m (expt phidot 2) (expt r 2) (cos theta) (sin theta)))
+;=>       0)
 (define state (up 't (up 'r :pi/2 'phi) (up 'rdot 0 'phidot)))
 (cadr (force-on-angles))
 ;=> 0
