@@ -6,10 +6,10 @@
 (define pkg-authors '("the mechanics authors"))
 (define deps '(("base" #:version "8.7")
                "gui-lib"
+               "math-lib"
                "pict-lib"
                "plot-lib"))
 (define build-deps '("drracket-tool-text-lib"
-                     "math-lib"
                      "racket-doc"
                      "rackunit-lib"
                      "sandbox-lib"
