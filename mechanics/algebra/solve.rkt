@@ -11,7 +11,8 @@
 ;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
 ;; solutions to be real are kept with them.
 
-(require "evaluate.rkt" "expression.rkt" "factorization.rkt" "operation.rkt" "simplify.rkt")
+(require "evaluate.rkt" "expression.rkt" "factorization.rkt" "operation.rkt" "simplify.rkt"
+         "symbols.rkt")
 
 (provide solve-equations expression-factors)
 
@@ -76,9 +77,6 @@
   (node-fold e flonum? (lambda (n found) (ormap values found))))
 
 (define (put e x value) (substitute-expression e (list (cons x value))))
-
-(define (occurs? x e)
-  (node-fold e (lambda (leaf) (eq? leaf x)) (lambda (n found) (ormap values found))))
 
 ;; Each once.
 (define (unconditional-first solutions)

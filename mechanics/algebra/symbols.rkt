@@ -4,9 +4,12 @@
 
 (require "expression.rkt")
 
-(provide symbols-in)
+(provide symbols-in occurs?)
 
 (define (symbols-in e)
   (define found (make-hasheq))
   (node-fold e (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t))) void)
   (sort (hash-keys found) symbol<?))
+
+(define (occurs? name e)
+  (node-fold e (lambda (leaf) (eq? leaf name)) (lambda (n found) (ormap values found))))

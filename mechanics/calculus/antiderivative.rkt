@@ -17,7 +17,7 @@
 
 (require "expression-function.rkt"
          "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt"
-         "../algebra/simplify.rkt")
+         "../algebra/simplify.rkt" "../algebra/symbols.rkt")
 
 (provide antiderivative)
 
@@ -193,7 +193,7 @@
 (define (integral-in u e x A)
   (define y (string->uninterned-symbol "u"))
   (define in-y (substitute-expression e (list (cons u y))))
-  (define integral (and (not (depends? in-y x)) (integral-of-waves in-y y A)))
+  (define integral (and (not (occurs? x in-y)) (integral-of-waves in-y y A)))
   (and integral (simplify-expression (substitute-expression integral (list (cons y u))) A)))
 
 ;; The arguments, other than x, of functions and powers in e that depend on x, and
@@ -231,8 +231,3 @@
                   #:unless (zero? count))
         (cons (car other) count)))
     (make-node (make-literal-head (literal-head-name head) index) (node-args n))))
-
-(define (depends? e x)
-  (node-fold e
-             (lambda (leaf) (eq? leaf x))
-             (lambda (n depends) (ormap values depends))))

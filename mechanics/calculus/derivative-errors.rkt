@@ -2,16 +2,12 @@
 ;; What D and partial say when they are misused.
 
 (require "literal-function.rkt"
-         "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
-         "../generic/kind.rkt" "../generic/elementary.rkt"
+         "../generic/complain.rkt" "../generic/structure.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/elementary.rkt"
          "../algebra/datum.rkt")
 
 (provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated raise-no-such-component
          raise-not-differentiable-at check-path)
-
-(define (complain format-string . args)
-  (raise (exn:fail:contract (apply format format-string args)
-                            (current-continuation-marks))))
 
 (define (raise-needs-function who x)
   (complain "~a: needs a function; ~a is ~a~a"

@@ -1,14 +1,11 @@
 #lang racket/base
 ;; What gradient and its kin say when they are misused.
 
-(require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+(require "../generic/complain.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt"
          "../value/structure.rkt" (only-in "../value/signature.rkt" scalar?))
 
 (provide raise-not-scalar raise-takes-no-point check-increment check-covector)
-
-(define (complain format-string . args)
-  (raise (exn:fail:contract (apply format format-string args)
-                            (current-continuation-marks))))
 
 ;; f returned y where a scalar was wanted.
 (define (raise-not-scalar who f y)

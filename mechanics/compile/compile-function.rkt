@@ -8,8 +8,8 @@
 
 (require racket/flonum
          "cache.rkt" "program.rkt" "trace.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../numeric/failure.rkt"
+         "../generic/complain.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../numeric/failure.rkt"
          "../value/shape.rkt")
 
 (provide
@@ -160,6 +160,3 @@
 
 (define (raise-not-a-number who what x)
   (complain "~a: the ~a holds ~a; expected real numbers" who what (describe-with-value x)))
-
-(define (complain text . parts)
-  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))

@@ -8,8 +8,8 @@
 ;; The value of such a function is a number, or an up tuple of numbers if it states
 ;; several constraints.  Constraints may also come one by one, as a list or an up tuple.
 
-(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt"
+(require "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/structure.rkt"
          "../calculus/derivative.rkt" "../calculus/verdict.rkt"
          "../value/shape.rkt" (only-in "../value/signature.rkt" scalar?))
 
@@ -133,6 +133,3 @@
 
 (define (symbols-like q name)
   (scalars->structure q (lambda (k) (string->uninterned-symbol (format "~a~a" name k)))))
-
-(define (complain text . parts)
-  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))

@@ -7,18 +7,14 @@
 ;;
 ;; Here is checked what the user gives; what is computed is in the files beside this one.
 
-(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt"
+(require "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/structure.rkt"
          "../calculus/derivative.rkt"
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/signature.rkt" scalar?))
 
 (provide takes? check-positions check-local check-displacement
          positions-at motion-at scaled-sum complain)
-
-(define (complain format-string . arguments)
-  (raise (exn:fail:contract (apply format format-string arguments)
-                            (current-continuation-marks))))
 
 ;; ---------------------------------------------------------------------------
 ;; Positions and how they move

@@ -16,7 +16,7 @@
 
 (require "Lagrange-equations.rkt" "gauge.rkt" "generic-state.rkt" "local-tuple.rkt"
          "total-derivative.rkt"
-         "../algebra/expression.rkt" "../algebra/vanishing.rkt"
+         "../algebra/expression.rkt" "../algebra/symbols.rkt" "../algebra/vanishing.rkt"
          "../calculus/derivative.rkt" "../calculus/verdict.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../numeric/failure.rkt"
@@ -83,9 +83,6 @@
        (not (eqv? ratio 0))
        (not (ormap (lambda (name) (occurs? name ratio)) (scalars local)))
        ratio))
-
-(define (occurs? name e)
-  (node-fold e (lambda (leaf) (eq? leaf name)) (lambda (n found) (ormap values found))))
 
 (define (zero-expression? e) (vanishes? e (assumptions-in-force)))
 

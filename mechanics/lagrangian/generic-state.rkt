@@ -3,7 +3,7 @@
 ;; symbols, each of which may be any number.
 
 (require "local-tuple.rkt" "total-derivative.rkt"
-         "../algebra/expression.rkt"
+         "../algebra/expression.rkt" "../algebra/symbols.rkt"
          "../generic/describe.rkt" "../value/shape.rkt" "../value/structure.rkt")
 
 (provide check-generic-state check-parameters lengthened)
@@ -42,9 +42,6 @@
                "  local tuple: ~a\n  give one of them another name")
               who name (value->text f) (value->text local))
       (current-continuation-marks)))))
-
-(define (occurs? name e)
-  (node-fold e (lambda (leaf) (eq? leaf name)) (lambda (n found) (ormap values found))))
 
 ;; The local tuple with derivatives up to `length` components in all; new ones are
 ;; named after the coordinates: xddot, xdddot, and so on.

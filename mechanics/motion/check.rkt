@@ -3,8 +3,8 @@
 
 (require racket/flonum
          "../algebra/expression.rkt" "../algebra/symbols.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/structure.rkt"
+         "../generic/compare.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
          "../value/shape.rkt")
 
 (provide
@@ -14,9 +14,6 @@
  checked-monitor check-maker takes-state-only? raise-arguments
  ;; states and their derivatives
  state-vector check-derivative check-clock)
-
-(define (complain text . parts)
-  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers

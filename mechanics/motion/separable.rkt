@@ -10,7 +10,7 @@
 
 (require racket/flonum
          "system.rkt"
-         "../generic/describe.rkt"
+         "../generic/complain.rkt" "../generic/describe.rkt"
          "../numeric/ode/stepper.rkt")
 
 (provide check-separable)
@@ -71,6 +71,3 @@
 (define (instead m)
   (format "\n  use ~a, or a method that chooses its own steps"
           ((method-alternative m) (method-step m))))
-
-(define (complain text . parts)
-  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))

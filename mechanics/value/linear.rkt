@@ -7,7 +7,8 @@
 
 (require "structure.rkt" "matrix.rkt" "linear-algebra.rkt"
          (only-in "signature.rkt" scalar?)
-         "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
+         "../generic/complain.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
+         "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/dispatch.rkt" "../generic/arithmetic.rkt")
 
 (provide transpose determinant trace
@@ -87,9 +88,6 @@
   (define elements (structure-elements (structure-of who s)))
   (unless (and (positive? (vector-length elements)) (for/and ([x (in-vector elements)]) (tuple? x)))
     (complain "~a: expected a tuple of tuples; given ~a" who (describe-with-value s))))
-
-(define (complain format-string . args)
-  (raise (exn:fail:contract (apply format format-string args) (current-continuation-marks))))
 
 ;; ---------------------------------------------------------------------------
 ;; Transposition

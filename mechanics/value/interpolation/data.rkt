@@ -4,14 +4,11 @@
 ;; Points are real numbers.  Values are anything that can be added and multiplied by
 ;; numbers: numbers, symbols, tuples of them.
 
-(require "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/structure.rkt"
-         "../../generic/tracing.rkt")
+(require "../../generic/compare.rkt" "../../generic/complain.rkt" "../../generic/describe.rkt"
+         "../../generic/structure.rkt" "../../generic/tracing.rkt")
 
 (provide points values-at check-increasing check-distinct
          location complain)
-
-(define (complain text . parts)
-  (raise (exn:fail:contract (apply format text parts) (current-continuation-marks))))
 
 ;; A list, vector or tuple as a vector.
 (define (->vector who what xs)

@@ -10,8 +10,8 @@
 ;; Terms are computed when asked for, and remembered.
 
 (require "coefficients.rkt" "operate.rkt"
-         "../../generic/kind.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
-         "../../generic/structure.rkt" "../../generic/arithmetic.rkt"
+         "../../generic/complain.rkt" "../../generic/kind.rkt" "../../generic/describe.rkt"
+         "../../generic/function.rkt" "../../generic/structure.rkt" "../../generic/arithmetic.rkt"
          "../../generic/elementary.rkt" "../../generic/compare.rkt"
          "../../algebra/expression.rkt")
 
@@ -104,9 +104,6 @@
              "they are equal\n  first: ~a\n  second: ~a\n"
              "  compare as many terms as matter: (series:head s n)")
             compared-terms (value->text a) (value->text b)))
-
-(define (complain format-string . args)
-  (raise (exn:fail:contract (apply format format-string args) (current-continuation-marks))))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
