@@ -48,7 +48,7 @@ docs: compile
 compile: racket
 	@if [ ! -e mechanics/compiled/main_rkt.zo ]; then \
 	    echo 'Compiling mechanics (the first time only) ...'; \
-	    $(RACO) make -j $(JOBS) $(wildcard mechanics/*/*.rkt) mechanics/main.rkt; \
+	    $(RACO) make -j $(JOBS) $(wildcard mechanics/*/*.rkt mechanics/*/*/*.rkt) mechanics/main.rkt; \
 	else \
 	    $(RACO) make mechanics/main.rkt; \
 	fi

@@ -2,21 +2,21 @@
 ;; The mathematics without the mechanics: structures, generic arithmetic,
 ;; literals, derivatives, simplification, verdicts.
 
-(require "generic/arithmetic.rkt" "generic/elementary.rkt" "generic/compare.rkt"
+(require "algebra/expression/datum.rkt"
+         "calculus/derivative.rkt" "calculus/gradient.rkt" "calculus/literal-function.rkt"
+         "calculus/Taylor.rkt"
+         "generic/arithmetic.rkt" "generic/compare.rkt" "generic/elementary.rkt"
          "generic/loops.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
+         "lang/pattern/pattern.rkt"
+         "numeric/failure.rkt"
          (except-in "value/assumptions.rkt" assumptions-in-force note-used! undeclared)
-         "value/constants.rkt" "value/eigenvalues.rkt" "value/function.rkt"
-         (except-in "value/linear.rkt" square-entries) "value/matrix.rkt"
-         "value/operator.rkt" "value/principal-value.rkt" "value/signature.rkt"
-         "value/simplify.rkt" "value/forms.rkt"
-         (except-in "value/structure.rkt" up down)
-         "value/vector.rkt"
+         "value/constants.rkt" "value/eigenvalues.rkt" "value/forms.rkt" "value/function.rkt"
+         (except-in "value/linear.rkt" square-entries) "value/matrix.rkt" "value/operator.rkt"
+         "value/principal-value.rkt" "value/signature.rkt" "value/simplify.rkt"
+         (except-in "value/structure.rkt" up down) "value/vector.rkt"
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
-         "calculus/derivative.rkt" "calculus/gradient.rkt" "calculus/Taylor.rkt"
-         "calculus/literal-function.rkt" "calculus/verdict.rkt"
-         "algebra/datum.rkt" "numeric/failure.rkt"
-         "lang/pattern.rkt")
+         "verdict/verdict.rkt")
 
 (provide
  ;; binding forms with structure patterns

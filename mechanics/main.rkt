@@ -4,25 +4,27 @@
 
 (require racket/match
          "base.rkt"
-         "compile/on-demand.rkt"
-         (only-in "compile/integral.rkt" definite-integral definite-integral-with-tolerance)
          "calculus/elliptic.rkt"
-         "calculus/on-demand.rkt"
-         "constraint/on-demand.rkt" "constraint/verify.rkt"
+         (only-in "compile/integral.rkt" definite-integral definite-integral-with-tolerance)
+         "compile/on-demand.rkt"
+         "constraint/on-demand.rkt"
+         "display/print-expression.rkt"
          "force/on-demand.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
-         "lagrangian/frames.rkt" "lagrangian/Lagrange-equations.rkt" "lagrangian/Noether.rkt"
-         "lagrangian/state-derivative.rkt"
-         (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/on-demand.rkt"
-         "lagrangian/path.rkt" "lagrangian/total-derivative.rkt"
-         "lagrangian/variation.rkt"
+         "lagrangian/frames.rkt" "lagrangian/Lagrange-equations.rkt"
+         (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/Noether.rkt"
+         "lagrangian/path.rkt" "lagrangian/state-derivative.rkt"
+         "lagrangian/total-derivative.rkt" "lagrangian/variation.rkt"
+         "lang/application.rkt" "lang/Scheme.rkt" "lang/session.rkt"
+         "lang/redefinition/module.rkt"
          "map/on-demand.rkt"
-         "motion/on-demand.rkt" (only-in "numeric/progress.rkt" report-progress)
-         "value/on-demand.rkt"
-         "display/print-expression.rkt"
+         "motion/on-demand.rkt"
+         (only-in "numeric/progress.rkt" report-progress)
+         "question/on-demand.rkt" "question/verify.rkt"
+         "search/on-demand.rkt"
          "teach/derivation.rkt"
-         "lang/application.rkt" "lang/module.rkt" "lang/Scheme.rkt" "lang/session.rkt")
+         "value/on-demand.rkt")
 
 (provide
  (all-from-out racket/base racket/match "base.rkt")
@@ -62,7 +64,7 @@
  ;; energies and other integrals of the motion
  Lagrangian->energy Lagrangian->power-loss Noether-integral
  ;; questions about a system
- (all-from-out "lagrangian/on-demand.rkt")
+ (all-from-out "question/on-demand.rkt")
  ;; functions of local tuples
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
  derivation-steps show-derivation

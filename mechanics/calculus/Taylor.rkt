@@ -6,11 +6,11 @@
 ;; 7, 15, … as more are wanted.  The terms for a given dx, which may be a tuple as x
 ;; may, are the coefficients of ε in f(x + ε dx).
 
-(require "perturbed.rkt" "jet.rkt" "extract.rkt" "derivative.rkt" "derivative-errors.rkt"
-         "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../value/series/coefficients.rkt" "../value/series/series.rkt"
-         "../algebra/expression.rkt")
+(require "derivative-errors.rkt" "derivative.rkt" "extract.rkt" "jet.rkt" "perturbed.rkt"
+         "../algebra/expression/expression.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/structure.rkt"
+         "../value/series/coefficients.rkt" "../value/series/series.rkt")
 
 (provide Taylor-series Taylor-series-coefficients)
 

@@ -16,8 +16,9 @@
 ;; sin³x cos x looks better with u = sin x than as a sum of waves.
 
 (require "expression-function.rkt"
-         "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt"
-         "../algebra/simplify.rkt" "../algebra/symbols.rkt")
+         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/simplify/simplify.rkt")
 
 (provide antiderivative)
 

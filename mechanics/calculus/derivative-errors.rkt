@@ -2,9 +2,9 @@
 ;; What D and partial say when they are misused.
 
 (require "literal-function.rkt"
-         "../generic/complain.rkt" "../generic/structure.rkt" "../generic/function.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/elementary.rkt"
-         "../algebra/datum.rkt")
+         "../algebra/expression/datum.rkt"
+         "../generic/complain.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/structure.rkt")
 
 (provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated raise-no-such-component
          raise-not-differentiable-at check-path)

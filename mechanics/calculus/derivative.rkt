@@ -6,12 +6,13 @@
 ;; argument; a matrix is taken for the tuples it stands for.  Several arguments
 ;; are taken together as one up tuple (SICM p. 516).
 
-(require "perturbed.rkt" "dual.rkt" "jet.rkt" "extract.rkt" "derivative-errors.rkt"
-         "../generic/kind.rkt" "../generic/structure.rkt" "../generic/function.rkt"
-         "../generic/describe.rkt" "../generic/arithmetic.rkt"
+(require "derivative-errors.rkt" "dual.rkt" "extract.rkt" "jet.rkt" "perturbed.rkt"
+         "../algebra/expression/expression.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/structure.rkt"
+         "../numeric/failure.rkt"
          "../value/matrix.rkt" "../value/operator.rkt"
-         "../value/series/series.rkt" "../value/series/calculus.rkt"
-         "../algebra/expression.rkt" "../numeric/failure.rkt")
+         "../value/series/calculus.rkt" "../value/series/series.rkt")
 
 (provide D partial derivative-at derivatives-at derivative-function value-and-derivative-along
          name-functions)

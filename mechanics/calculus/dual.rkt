@@ -7,8 +7,8 @@
 ;; and Pearlmutter 2005): every ε carries a tag of its own (perturbed.rkt).
 
 (require "perturbed.rkt" "slopes.rkt"
-         "../generic/kind.rkt" "../generic/describe.rkt" "../generic/arithmetic.rkt"
-         "../algebra/expression.rkt")
+         "../algebra/expression/expression.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt")
 
 (provide dual? dual-tag dual-tangent perturb
          make-dual primal-part tangent-part constant?)

@@ -16,9 +16,9 @@
 
 (require racket/lazy-require
          "number.rkt" "perturbed.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/rounding.rkt"
-         (prefix-in carlson: "../numeric/carlson.rkt"))
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/kind.rkt" "../generic/rounding.rkt"
+         (prefix-in carlson: "../numeric/quadrature/carlson.rkt"))
 
 (provide first-elliptic-integral second-elliptic-integral elliptic-integrals
          elliptic-integral-F elliptic-integral-E

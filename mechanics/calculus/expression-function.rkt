@@ -3,7 +3,7 @@
 ;; of numbers, expressions, and what derivatives are taken with.
 
 (require "derivative.rkt" "literal-function.rkt"
-         "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
          "../generic/structure.rkt")
 

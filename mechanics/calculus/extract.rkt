@@ -8,9 +8,10 @@
 ;; function runs.  To rename within a function is to rename in its values, after
 ;; shielding its arguments in the same way.
 
-(require "containers.rkt" "perturbed.rkt" "dual.rkt"
-         "../generic/kind.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../value/operator.rkt" "../algebra/expression.rkt")
+(require "containers.rkt" "dual.rkt" "perturbed.rkt"
+         "../algebra/expression/expression.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../value/operator.rkt")
 
 (provide extract extract-tangent)
 

@@ -7,10 +7,10 @@
 ;; f(b) b' ε, to higher order the Taylor series that this begins.  Where a gradient
 ;; is taken, the derivative by each variable is the integral of that of f.
 
-(require "perturbed.rkt" "dual.rkt" "jet.rkt" "recorded.rkt" "tape.rkt" "derivative.rkt"
-         "number.rkt"
+(require "derivative.rkt" "dual.rkt" "jet.rkt" "number.rkt" "perturbed.rkt" "recorded.rkt"
+         "tape.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../numeric/improper-quadrature.rkt")
+         "../numeric/quadrature/improper-quadrature.rkt")
 
 (provide integrate)
 

@@ -9,9 +9,9 @@
 ;; A jet carries a tag as dual numbers do, and nests with them: its coefficients
 ;; are any values that contain lesser tags only.
 
-(require "perturbed.rkt" (only-in "dual.rkt" constant?)
-         "../algebra/expression.rkt"
-         "../generic/kind.rkt" "../generic/describe.rkt" "../generic/arithmetic.rkt"
+(require (only-in "dual.rkt" constant?) "perturbed.rkt"
+         "../algebra/expression/expression.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
          "../generic/recurrence.rkt"
          "../value/series/coefficients.rkt" "../value/series/operate.rkt"
          "../value/series/series.rkt")

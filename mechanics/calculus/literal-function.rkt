@@ -6,12 +6,13 @@
 ;; being further literal functions.  One whose range is a structure is that
 ;; structure of literal functions: `f^0 f^1` when up, `f_0 f_1` when down.
 
-(require "perturbed.rkt" "dual.rkt" "jet.rkt" "recorded.rkt"
-         "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/recurrence.rkt"
+(require "dual.rkt" "jet.rkt" "perturbed.rkt" "recorded.rkt"
+         "../algebra/expression/datum.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/kind.rkt" "../generic/recurrence.rkt" "../generic/structure.rkt"
          "../value/signature.rkt"
-         "../value/series/coefficients.rkt" "../value/series/series.rkt"
-         "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/datum.rkt")
+         "../value/series/coefficients.rkt" "../value/series/series.rkt")
 
 (provide literal-function literal-function? literal-function-takes?
          literal-up literal-down literal-number

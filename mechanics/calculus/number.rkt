@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Where only numbers will do: what the numerical algorithms are given.
 
-(require "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt"
-         "../algebra/expression.rkt")
+(require "../algebra/expression/expression.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt")
 
 (provide number check-function-of-one-variable)
 

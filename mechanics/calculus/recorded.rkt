@@ -7,11 +7,12 @@
 ;; outermost.  The value and the factors contain only lesser tags.
 
 (require (for-syntax racket/base)
-         racket/fixnum racket/flonum
-         "perturbed.rkt" "slopes.rkt" "dual.rkt" "tape.rkt"
-         "../generic/kind.rkt" "../generic/describe.rkt" "../generic/arithmetic.rkt"
-         "../generic/record.rkt"
-         (only-in "../algebra/expression.rkt" symbolic?))
+         racket/fixnum
+         racket/flonum
+         "dual.rkt" "perturbed.rkt" "slopes.rkt" "tape.rkt"
+         (only-in "../algebra/expression/expression.rkt" symbolic?)
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
+         "../generic/record.rkt")
 
 ;; Fields are read after the test for the type: no need to test again, which
 ;; takes half of the time.

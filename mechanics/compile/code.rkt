@@ -13,9 +13,9 @@
 ;; other; several threads may run the code at once, each with room of its own.
 
 (require racket/linklet
-         "../algebra/operation.rkt"
-         "../numeric/factored-system.rkt"
-         "program.rkt")
+         "program.rkt"
+         "../algebra/expression/operation.rkt"
+         "../numeric/linear/factored-system.rkt")
 
 (provide program->maker)
 
@@ -200,7 +200,7 @@
        (solve-dense! A ,n (unsafe-vector-ref systems ,(+ place 2)) b)
        b)))
 
-;; As `wrap` of algebra/operation.rkt has it.  What is not a number stays so.
+;; As `wrap` of algebra/expression/operation.rkt has it.  What is not a number stays so.
 (define (wrapping x low cut period)
   (define turns `(unsafe-flfloor (unsafe-fl/ (unsafe-fl- ,x ,low) ,period)))
   `(if (if (unsafe-fl<= ,low ,x) (unsafe-fl< ,x ,cut) #f)

@@ -9,7 +9,8 @@
 ;; out.
 
 (require "builder.rkt" "instruction.rkt"
-         "../algebra/operation.rkt" "../algebra/expression.rkt" "../algebra/tape.rkt")
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/tape.rkt")
 
 (provide
  ;; the program

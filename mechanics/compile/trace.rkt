@@ -8,7 +8,7 @@
 ;; placeholder not being a number.
 
 (require "program.rkt"
-         "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/describe.rkt" "../generic/tracing.rkt"
          "../value/shape.rkt")
 

@@ -13,13 +13,14 @@
 ;; which keeps formulas short, for M is diagonal more often than not.  Where it has none,
 ;; there may be inertia in all directions that are left: then both are solved together.
 
-(require "constraint.rkt" "linearized.rkt" "dependence.rkt"
+(require "constraint.rkt" "dependence.rkt" "linearized.rkt"
+         "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/structure.rkt"
-         "../calculus/derivative.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
-         "../numeric/failure.rkt" "../numeric/rows.rkt"
+         "../numeric/failure.rkt"
+         "../numeric/linear/rows.rkt"
          "../value/linear-algebra.rkt" "../value/shape.rkt")
 
 (provide constrained-accelerations constraint-forces

@@ -8,10 +8,11 @@
 ;; The value of such a function is a number, or an up tuple of numbers if it states
 ;; several constraints.  Constraints may also come one by one, as a list or an up tuple.
 
-(require "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
+(require "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/structure.rkt"
-         "../calculus/derivative.rkt" "../calculus/verdict.rkt"
-         "../value/shape.rkt" (only-in "../value/signature.rkt" scalar?))
+         "../value/shape.rkt" (only-in "../value/signature.rkt" scalar?)
+         "../verdict/verdict.rkt")
 
 (provide
  ;; made by the user

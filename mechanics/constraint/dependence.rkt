@@ -3,7 +3,8 @@
 ;; its multipliers are not determined, in words.
 
 (require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
-         "../numeric/failure.rkt" "../numeric/rows.rkt"
+         "../numeric/failure.rkt"
+         "../numeric/linear/rows.rkt"
          "../value/linear-algebra.rkt" "../value/simplify.rkt")
 
 (provide raise-undetermined independent-rows dependences dependence->text)

@@ -8,11 +8,11 @@
 ;; the residual that is left is that of the Lagrangian in these coordinates.
 
 (require "constraint.rkt" "linearized.rkt"
+         "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/structure.rkt"
-         "../calculus/derivative.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
-         "../numeric/rows.rkt"
+         "../numeric/linear/rows.rkt"
          "../value/function.rkt" "../value/linear-algebra.rkt" "../value/shape.rkt")
 
 (provide eliminate-multipliers)

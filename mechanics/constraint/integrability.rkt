@@ -11,15 +11,16 @@
 ;; coordinate x: of these, (log μ)' = (∂_i ω_x − ∂_x ω_i)/ω_i has to be a function of x.
 
 (require "constraint.rkt" "linearized.rkt"
-         "../algebra/evaluate.rkt" "../algebra/expression.rkt" "../algebra/operation.rkt"
-         "../algebra/simplify.rkt"
+         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt"
+         "../algebra/simplify/simplify.rkt"
          "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"
-         "../calculus/verdict.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/structure.rkt"
          "../lagrangian/generic-state.rkt"
          "../numeric/failure.rkt"
-         "../value/assumptions.rkt" "../value/linear-algebra.rkt" "../value/shape.rkt")
+         "../value/assumptions.rkt" "../value/linear-algebra.rkt" "../value/shape.rkt"
+         "../verdict/verdict.rkt")
 
 (provide Frobenius-test constraint-integral check-generic)
 

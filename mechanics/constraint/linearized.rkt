@@ -12,9 +12,10 @@
 ;; Everything is in rows here: scalars of the coordinates and of the constraints in order.
 
 (require "constraint.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
          "../calculus/derivative.rkt"
-         "../value/shape.rkt" "../numeric/rows.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../numeric/linear/rows.rkt"
+         "../value/shape.rkt")
 
 (provide constraint-values jacobian-rows drifts force-of-multipliers check-count
          positions-and-velocities rows-of-function shaped)

@@ -7,13 +7,12 @@
 ;; into the equations of the substituted Lagrangian.
 
 (require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
-         "../calculus/verdict.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/structure.rkt"
-         "../lagrangian/generic-state.rkt"
-         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
-         "../lagrangian/total-derivative.rkt"
-         "../value/linear-algebra.rkt" "../value/shape.rkt")
+         "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
+         "../value/linear-algebra.rkt" "../value/shape.rkt"
+         "../verdict/verdict.rkt")
 
 (provide reduce-by-substitution reduction? reduction-integrability reduction-agreement)
 

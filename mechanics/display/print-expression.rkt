@@ -2,7 +2,9 @@
 ;; Printing values on demand, simplified: what the prompt does to results.
 
 (require "layout.rkt" "result.rkt" "text.rkt"
-         "../calculus/verdict.rkt" "../generic/describe.rkt" "../value/series/access.rkt")
+         "../generic/describe.rkt"
+         "../value/series/access.rkt"
+         "../verdict/verdict.rkt")
 
 (provide print-expression pe show-expression se series:print print-labelled print-assumptions)
 

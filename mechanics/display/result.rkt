@@ -6,10 +6,10 @@
 ;; pictures) stays as it is for Racket to print, its elements simplified.
 
 (require "text.rkt"
-         "../calculus/verdict.rkt"
-         "../algebra/expression.rkt"
+         "../algebra/expression/expression.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt"
-         "../value/simplify.rkt")
+         "../value/simplify.rkt"
+         "../verdict/verdict.rkt")
 
 (provide simplified-result plain-result)
 

@@ -3,7 +3,9 @@
 ;; reports.
 
 (require "layout.rkt"
-         "../algebra/datum.rkt" "../generic/describe.rkt" "../calculus/verdict.rkt")
+         "../algebra/expression/datum.rkt"
+         "../generic/describe.rkt"
+         "../verdict/verdict.rkt")
 
 (provide value->lines note->text)
 

@@ -4,10 +4,11 @@
 
 (require "d-Alembert.rkt" "displacement.rkt" "force.rkt" "generalized-force.rkt"
          "kinetic-energy.rkt" "particles.rkt"
+         "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../calculus/derivative.rkt" "../calculus/verdict.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/function.rkt")
+         "../value/function.rkt"
+         "../verdict/verdict.rkt")
 
 (provide Newton-steps Newton-identities)
 

@@ -8,8 +8,8 @@
 ;; in expressions.
 
 (require racket/flonum
-         "naming.rkt" "kind.rkt" "structure.rkt" "function.rkt" "dispatch.rkt" "record.rkt"
-         "../algebra/operation.rkt" "../algebra/expression.rkt")
+         "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "record.rkt" "structure.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt")
 
 ;; What is taken apart here has just been recognized, and the kind of a carrier is a
 ;; kind: to test that again would take a fifth of a derivative's time.

@@ -5,9 +5,9 @@
 ;; equality at a generic point; an order between values that are not constant
 ;; does not exist, and asking for it is an error that names the value.
 
-(require "naming.rkt" "kind.rkt" "structure.rkt" "arithmetic.rkt" "describe.rkt"
-         "singular-derivative.rkt" "tracing.rkt"
-         "../algebra/expression.rkt")
+(require "arithmetic.rkt" "describe.rkt" "kind.rkt" "naming.rkt" "singular-derivative.rkt"
+         "structure.rkt" "tracing.rkt"
+         "../algebra/expression/expression.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
          g:max g:min g:add1 g:sub1

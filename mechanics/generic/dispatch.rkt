@@ -7,8 +7,8 @@
 ;; other kind brings its own methods.
 
 (require racket/flonum
-         "kind.rkt" "structure.rkt" "function.rkt" "describe.rkt"
-         "../algebra/expression.rkt")
+         "describe.rkt" "function.rkt" "kind.rkt" "structure.rkt"
+         "../algebra/expression/expression.rkt")
 
 (provide dispatch-unary dispatch-binary dispatch-carriers raise-inapplicable raise-inapplicable-because raise-unary-arity
          arithmetic-value?)

@@ -7,9 +7,9 @@
 
 (require (for-syntax racket/base)
          racket/flonum
-         "naming.rkt" "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt" "compare.rkt"
-         "record.rkt" "singular-derivative.rkt"
-         "../algebra/operation.rkt" "../algebra/expression.rkt")
+         "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt" "record.rkt"
+         "singular-derivative.rkt" "structure.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt")
 
 (provide g:sqrt g:exp g:log g:sin g:cos g:tan g:asin g:acos g:atan
          g:sinh g:cosh g:tanh g:asinh g:acosh g:atanh g:abs g:sgn g:expt

@@ -7,10 +7,9 @@
 ;; of values of any kind; and together with the operation's value in one procedure,
 ;; of flonums, which saves the most of what calls and dispatch cost.
 
-(require (for-syntax racket/base "flonum-form.rkt")
-         racket/flonum
-         "kind.rkt"
-         "../algebra/operation-table.rkt" "../algebra/operation.rkt")
+(require racket/flonum
+         (for-syntax racket/base "flonum-form.rkt") "kind.rkt"
+         "../algebra/expression/operation-table.rkt" "../algebra/expression/operation.rkt")
 
 (provide define-record define-composite-record case-at-flonums)
 

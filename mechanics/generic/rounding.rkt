@@ -6,8 +6,9 @@
 ;; constant between their jumps, where they have no derivative: their values are
 ;; plain numbers, which may count and index.
 
-(require "naming.rkt" "kind.rkt" "structure.rkt" "dispatch.rkt" "arithmetic.rkt" "compare.rkt"
-         "elementary.rkt" "record.rkt" "singular-derivative.rkt" "../algebra/expression.rkt")
+(require "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "elementary.rkt" "kind.rkt" "naming.rkt"
+         "record.rkt" "singular-derivative.rkt" "structure.rkt"
+         "../algebra/expression/expression.rkt")
 
 (provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude
          rounding-operations)

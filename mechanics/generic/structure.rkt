@@ -6,9 +6,10 @@
 ;; arithmetic means; the scalar `+` and `*` it needs are passed in, so that it
 ;; stands below the generic arithmetic that uses it.
 
-(require racket/flonum (submod racket/performance-hint begin-encourage-inline)
-         "kind.rkt" "describe.rkt"
-         (only-in "../algebra/expression.rkt" expression?))
+(require racket/flonum
+         (submod racket/performance-hint begin-encourage-inline)
+         "describe.rkt" "kind.rkt"
+         (only-in "../algebra/expression/expression.rkt" expression?))
 
 (provide
  ;; data

@@ -6,7 +6,8 @@
 ;; the same calls `look-inside` first; while a function is traced, that leaves
 ;; it.  At all other times it does nothing.
 
-(require "describe.rkt" "../algebra/expression.rkt")
+(require "describe.rkt"
+         "../algebra/expression/expression.rkt")
 
 (provide call-traced being-traced? look-inside make-placeholder open-value? open-leaf?)
 

@@ -3,8 +3,9 @@
 ;; symbols, each of which may be any number.
 
 (require "local-tuple.rkt" "total-derivative.rkt"
-         "../algebra/expression.rkt" "../algebra/symbols.rkt"
-         "../generic/describe.rkt" "../value/shape.rkt" "../value/structure.rkt")
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../generic/describe.rkt"
+         "../value/shape.rkt" "../value/structure.rkt")
 
 (provide check-generic-state check-parameters lengthened)
 

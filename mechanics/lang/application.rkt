@@ -15,11 +15,10 @@
 ;; tested on its way: ((callable operator) argument ...).
 
 (require (for-syntax racket/base)
-         "../generic/describe.rkt"
-         (only-in "../generic/dispatch.rkt" raise-unary-arity)
+         (only-in "pattern/mismatch.rkt" short-text list-hint)
+         "../generic/describe.rkt" (only-in "../generic/dispatch.rkt" raise-unary-arity)
          (only-meta-in 1 "../generic/elementary.rkt")
-         (only-in "../generic/structure.rkt" vector->up)
-         (only-in "mismatch.rkt" short-text list-hint))
+         (only-in "../generic/structure.rkt" vector->up))
 
 (provide (rename-out [application #%app]))
 

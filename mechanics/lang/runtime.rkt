@@ -2,7 +2,8 @@
 ;; What a session of mechanics sets when it starts.  Required by
 ;; `configure-runtime` submodules only, never by a library.
 
-(require "printer.rkt" "unbound.rkt")
+(require "printer.rkt"
+         "mistake/unbound.rkt")
 
 (print-as-expression #t)
 (install-printer!)

@@ -1,9 +1,10 @@
 #lang racket/base
 ;; The prompt.
 
-(require "printer.rkt" "unbound.rkt"
-         (only-in "../numeric/progress.rkt" current-reporter terminal-reporter)
-         (for-syntax racket/base))
+(require (for-syntax racket/base)
+         "printer.rkt"
+         "mistake/unbound.rkt"
+         (only-in "../numeric/progress.rkt" current-reporter terminal-reporter))
 
 (provide (rename-out [top-interaction #%top-interaction])
          #%top)

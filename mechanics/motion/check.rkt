@@ -2,7 +2,7 @@
 ;; What integration is asked, checked once, at the edge.
 
 (require racket/flonum
-         "../algebra/expression.rkt" "../algebra/symbols.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../generic/compare.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
          "../value/shape.rkt")

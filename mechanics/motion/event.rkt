@@ -12,7 +12,7 @@
 
 (require racket/flonum
          "check.rkt"
-         "../algebra/expression.rkt"
+         "../algebra/expression/expression.rkt"
          "../compile/compile-function.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt"

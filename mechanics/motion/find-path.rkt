@@ -14,8 +14,9 @@
          "check.rkt" "path-action.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/structure.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
-         "../numeric/definite.rkt" "../numeric/failure.rkt" "../numeric/newton.rkt"
-         "../numeric/progress.rkt" "../numeric/quasi-newton.rkt"
+         "../numeric/failure.rkt" "../numeric/progress.rkt"
+         "../numeric/linear/definite.rkt"
+         "../numeric/search/newton.rkt" "../numeric/search/quasi-newton.rkt"
          "../value/shape.rkt")
 
 (provide find-path)

@@ -18,7 +18,7 @@
          "../compile/compile-function.rkt"
          "../generic/structure.rkt"
          "../lagrangian/Lagrange-equations.rkt"
-         "../numeric/end-polynomials.rkt" "../numeric/gauss-legendre.rkt"
+         "../numeric/quadrature/end-polynomials.rkt" "../numeric/quadrature/gauss-legendre.rkt"
          "../value/shape.rkt")
 
 (provide compile-Lagrangian path-action points-between)

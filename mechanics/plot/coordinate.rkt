@@ -5,7 +5,7 @@
 ;; left out of the picture: it becomes a NaN.  What is no number is an error.
 
 (require racket/string
-         "../algebra/expression.rkt" "../algebra/symbols.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/structure.rkt")
 

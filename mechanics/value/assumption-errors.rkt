@@ -1,7 +1,8 @@
 #lang racket/base
 ;; What is wrong with a relation that cannot be declared or withdrawn.
 
-(require "../generic/describe.rkt" "../algebra/datum.rkt")
+(require "../algebra/expression/datum.rkt"
+         "../generic/describe.rkt")
 
 (provide complaint raise-contradiction raise-not-declared)
 
@@ -9,7 +10,7 @@
   (raise (exn:fail:contract (apply string-append (format "~a: " who) lines)
                             (current-continuation-marks))))
 
-;; -> what to call with a reason and a part of the relation (algebra/relation.rkt)
+;; -> what to call with a reason and a part of the relation (algebra/assumption/relation.rkt)
 (define ((complaint who relation) reason part)
   (raise-complaint who
                    (explain reason part)

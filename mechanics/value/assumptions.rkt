@@ -7,9 +7,12 @@
 ;; result rests on.
 
 (require (for-syntax racket/base)
-         "assumption-errors.rkt" "../generic/describe.rkt"
-         (except-in "../algebra/assumptions.rkt" assumptions) "../algebra/declare.rkt"
-         "../algebra/expression.rkt" "../algebra/relation.rkt" "../algebra/simplify.rkt")
+         "assumption-errors.rkt"
+         (except-in "../algebra/assumption/assumptions.rkt" assumptions)
+         "../algebra/assumption/relation.rkt"
+         "../algebra/expression/expression.rkt"
+         "../algebra/simplify/declare.rkt" "../algebra/simplify/simplify.rkt"
+         "../generic/describe.rkt")
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions
          ;; for those who call the algebra

@@ -8,11 +8,11 @@
 ;; symbols a bigfloat stands for its own exact value, a fraction, so that nothing is
 ;; lost where a program is traced on them.
 
-(require "../algebra/expression.rkt"
+(require (prefix-in m: math/bigfloat)
+         "../algebra/expression/expression.rkt"
          "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
          "../numeric/bigfloat/arithmetic.rkt" "../numeric/bigfloat/linear-systems.rkt"
-         "../numeric/rows.rkt"
-         (prefix-in m: math/bigfloat))
+         "../numeric/linear/rows.rkt")
 
 (provide bigfloat bigfloat? bigfloat-precision bigfloat->exact
          ;; linear systems

@@ -9,11 +9,13 @@
 ;; polynomial, and any other is the last coefficient of the characteristic
 ;; polynomial, in n⁴/4 products.
 
-(require "assumptions.rkt" "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/kind.rkt"
-         "../algebra/expression.rkt" "../algebra/vanishing.rkt"
+(require "assumptions.rkt"
+         "../algebra/expression/expression.rkt"
          "../algebra/linear/characteristic.rkt" "../algebra/linear/elimination.rkt"
          "../algebra/linear/minors.rkt"
-         "../numeric/rows.rkt")
+         "../algebra/zero/vanishing.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/kind.rkt"
+         "../numeric/linear/rows.rkt")
 
 (provide ring-determinant ring-solutions
          generic-ring entry-columns zero-value?)

@@ -8,17 +8,18 @@
 ;; Greater blocks lead to equations of higher degree: those of flonums are left to
 ;; the algorithms of numeric/, others are refused.
 
-(require racket/flonum racket/lazy-require
-         "linear.rkt" "linear-algebra.rkt"
-         (only-in "signature.rkt" scalar?)
+(require racket/flonum
+         racket/lazy-require
+         "linear-algebra.rkt" "linear.rkt" (only-in "signature.rkt" scalar?)
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../numeric/failure.rkt" "../numeric/rows.rkt" "../numeric/unit.rkt")
+         "../numeric/failure.rkt"
+         "../numeric/linear/rows.rkt" "../numeric/linear/unit.rkt")
 
 (provide characteristic-polynomial eigenvalues)
 
 (lazy-require
- ["../numeric/eigenvalues.rkt" (real-matrix-eigenvalues)]
- ["../numeric/symmetric-eigenvalues.rkt" (symmetric-eigenvalues)])
+ ["../numeric/linear/eigenvalues.rkt" (real-matrix-eigenvalues)]
+ ["../numeric/linear/symmetric-eigenvalues.rkt" (symmetric-eigenvalues)])
 
 ;; |x - m|, a polynomial in x: a scalar, or a square matrix.
 (define (characteristic-polynomial m x)

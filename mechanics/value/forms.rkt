@@ -5,11 +5,13 @@
 ;; asked for, where others are simplified first; calculating with them goes on
 ;; as with any value, and `simplify` simplifies them.
 
-(require "assumptions.rkt" "../generic/describe.rkt"
-         "../algebra/expression.rkt" "../algebra/operation.rkt"
-         "../algebra/expand.rkt" "../algebra/collect-terms.rkt" "../algebra/quotient.rkt"
-         "../algebra/partial-fractions.rkt" "../algebra/factorization.rkt"
-         "../algebra/simplify.rkt")
+(require "assumptions.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/rewriting/collect-terms.rkt" "../algebra/rewriting/expand.rkt"
+         "../algebra/rewriting/factorization.rkt" "../algebra/rewriting/partial-fractions.rkt"
+         "../algebra/rewriting/quotient.rkt"
+         "../algebra/simplify/simplify.rkt"
+         "../generic/describe.rkt")
 
 (provide expand factor collect coefficient together apart
          (rename-out [numerator-of numerator] [denominator-of denominator]))

@@ -5,7 +5,7 @@
 ;; into blocks (algebra/linear/pattern.rkt), each treated by itself:
 ;;
 ;; - exact numbers by elimination without fractions (algebra/linear/bareiss.rkt),
-;; - numbers, some of them flonums, with partial pivoting (numeric/linear-systems.rkt),
+;; - numbers, some of them flonums, with partial pivoting (numeric/linear/linear-systems.rkt),
 ;; - those of higher precision likewise (numeric/bigfloat/linear-systems.rkt),
 ;; - anything else without divisions (division-free.rkt).
 ;;
@@ -13,11 +13,11 @@
 
 (require racket/lazy-require
          "division-free.rkt" "open-system.rkt" "singular.rkt"
-         "../generic/arithmetic.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
-         "../algebra/expression.rkt"
+         "../algebra/expression/expression.rkt"
          "../algebra/linear/characteristic.rkt" "../algebra/linear/coefficients.rkt"
          "../algebra/linear/elimination.rkt" "../algebra/linear/pattern.rkt"
-         "../numeric/linear-systems.rkt" "../numeric/rows.rkt")
+         "../generic/arithmetic.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
+         "../numeric/linear/linear-systems.rkt" "../numeric/linear/rows.rkt")
 
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
          rows-rank rows-null-space rows-characteristic rows-diagonal-blocks

@@ -3,9 +3,10 @@
 ;; with numbers: no formula for their solution is as short, or as exact, as an
 ;; elimination.
 
-(require "../algebra/expression.rkt" (only-in "../algebra/operation.rkt" op:solution op:component)
+(require "../algebra/expression/expression.rkt"
+         (only-in "../algebra/expression/operation.rkt" op:solution op:component)
          "../generic/tracing.rkt"
-         "../numeric/rows.rkt")
+         "../numeric/linear/rows.rkt")
 
 (provide open-system? open-solutions)
 

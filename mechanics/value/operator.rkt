@@ -10,11 +10,11 @@
 ;;
 ;; whose values are series.
 
-(require "../generic/kind.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt"
-         "../generic/dispatch.rkt" "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../algebra/expression.rkt"
-         "series/coefficients.rkt" "series/series.rkt")
+(require "series/coefficients.rkt" "series/series.rkt"
+         "../algebra/expression/expression.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
+         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../generic/structure.rkt")
 
 (provide make-operator make-primitive-operator operator?
          I-operator commutator anticommutator)

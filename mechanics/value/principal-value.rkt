@@ -2,7 +2,7 @@
 ;; Angles brought back to one turn (SICM 1.7, p. 76).
 
 (require "constants.rkt"
-         "../algebra/expression.rkt" "../algebra/operation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/rounding.rkt" "../generic/structure.rkt" "../generic/tracing.rkt")
 

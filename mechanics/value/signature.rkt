@@ -6,8 +6,8 @@
 ;; 'Real or a structure of shapes, so that shapes and values are walked alike
 ;; (SICM p. 31 and the appendix on notation).
 
-(require "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
-         "../algebra/expression.rkt")
+(require "../algebra/expression/expression.rkt"
+         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/structure.rkt")
 
 (provide
  ;; vocabulary

@@ -1,8 +1,10 @@
 #lang racket/base
 ;; The algebra of expressions, applied to every scalar of a value.
 
-(require "assumptions.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
-         "../algebra/expression.rkt" "../algebra/simplify.rkt" "../algebra/evaluate.rkt")
+(require "assumptions.rkt"
+         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/simplify/simplify.rkt"
+         "../generic/describe.rkt" "../generic/kind.rkt")
 
 (provide expression simplify simplify/assumptions as-shown substitute with-literals)
 

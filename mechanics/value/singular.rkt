@@ -2,10 +2,14 @@
 ;; A matrix without an inverse, in words: which rows depend on which, what it
 ;; takes to zero, whether the system still has solutions.
 
-(require "assumptions.rkt" "../generic/describe.rkt"
-         "../algebra/expression.rkt" "../algebra/linear/coefficients.rkt"
-         "../algebra/linear/elimination.rkt" "../algebra/simplify.rkt" "../algebra/vanishing.rkt"
-         "../numeric/failure.rkt" "../numeric/linear-systems.rkt" "../numeric/rows.rkt")
+(require "assumptions.rkt"
+         "../algebra/expression/expression.rkt"
+         "../algebra/linear/coefficients.rkt" "../algebra/linear/elimination.rkt"
+         "../algebra/simplify/simplify.rkt"
+         "../algebra/zero/vanishing.rkt"
+         "../generic/describe.rkt"
+         "../numeric/failure.rkt"
+         "../numeric/linear/linear-systems.rkt" "../numeric/linear/rows.rkt")
 
 (provide raise-singular-matrix matrix-kernel raise-no-scalars raise-too-large)
 

@@ -10,10 +10,13 @@
 ;; beyond a bound the attempt is given up.
 
 (require "bareiss.rkt"
-         "../expression.rkt" "../operation.rkt" "../collect.rkt" "../field.rkt" "../kernel.rkt"
-         "../normalize.rkt" "../present.rkt" "../walk.rkt"
-         "../polynomial/polynomial.rkt" "../polynomial/fraction.rkt"
-         "../../numeric/rows.rkt")
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../field/field.rkt" "../field/walk.rkt"
+         "../kernel/collect.rkt" "../kernel/kernel.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../presentation/present.rkt"
+         "../simplify/normalize.rkt"
+         "../../numeric/linear/rows.rkt")
 
 (provide (struct-out coefficients) call-with-coefficients exact-numbers?)
 

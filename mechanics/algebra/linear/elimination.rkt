@@ -5,8 +5,9 @@
 ;;
 ;; Every answer is #f where the attempt was given up as too large.
 
-(require "bareiss.rkt" "coefficients.rkt" "pattern.rkt" "../assumptions.rkt"
-         "../../numeric/rows.rkt")
+(require "bareiss.rkt" "coefficients.rkt" "pattern.rkt"
+         "../assumption/assumptions.rkt"
+         "../../numeric/linear/rows.rkt")
 
 (provide eliminated-determinant eliminated-solutions
          (struct-out kernel-basis) eliminated-kernel)

@@ -5,7 +5,7 @@
 ;; that is known to any digit.
 
 (require math/bigfloat
-         "../rows.rkt")
+         "../linear/rows.rkt")
 
 (provide solutions)
 

@@ -28,9 +28,11 @@
 ;; rate.  So it stays for the next step where convergence was fast; and if the step is to
 ;; be hardly longer it keeps its length, so that the matrices stay as well.
 
-(require racket/fixnum racket/flonum
-         "differentiated.rkt" "implicit-matrices.rkt" "predictive.rkt" "stepper.rkt" "vectors.rkt"
-         "../factored-system.rkt")
+(require racket/fixnum
+         racket/flonum
+         "differentiated.rkt" "implicit-matrices.rkt" "predictive.rkt" "stepper.rkt"
+         "vectors.rkt"
+         "../linear/factored-system.rkt")
 
 (provide radau-iia-5)
 

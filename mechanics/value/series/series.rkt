@@ -10,10 +10,10 @@
 ;; Terms are computed when asked for, and remembered.
 
 (require "coefficients.rkt" "operate.rkt"
-         "../../generic/complain.rkt" "../../generic/kind.rkt" "../../generic/describe.rkt"
-         "../../generic/function.rkt" "../../generic/structure.rkt" "../../generic/arithmetic.rkt"
-         "../../generic/elementary.rkt" "../../generic/compare.rkt"
-         "../../algebra/expression.rkt")
+         "../../algebra/expression/expression.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/complain.rkt"
+         "../../generic/describe.rkt" "../../generic/elementary.rkt" "../../generic/function.rkt"
+         "../../generic/kind.rkt" "../../generic/structure.rkt")
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series

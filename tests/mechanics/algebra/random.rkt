@@ -3,7 +3,9 @@
 ;; and random rewrites, sound and unsound.
 
 (require racket/list
-         mechanics/algebra/expression mechanics/algebra/operation mechanics/algebra/evaluate)
+         mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation
+         mechanics/algebra/expression/evaluate)
 
 (provide with-seeds
          random-expression random-lookup close? value-at

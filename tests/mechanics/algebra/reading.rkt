@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Tests write expressions as they print.
 
-(require mechanics/algebra/read)
+(require mechanics/algebra/expression/read)
 
 (provide datum->expression)

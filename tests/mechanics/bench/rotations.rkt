@@ -5,7 +5,8 @@
 ;; Turns of the plane commute: the sums of many such chains, done in one order
 ;; and in the opposite one, differ by nothing, unless one angle is changed.
 
-(require mechanics/algebra/expression mechanics/algebra/operation)
+(require mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation)
 
 (provide rotations-residual tree-size graph-size)
 

@@ -4,15 +4,10 @@
 
 (require racket/promise
          (prefix-in m: mechanics)
-         (only-in mechanics/algebra/fingerprint fingerprint)
-         (only-in mechanics/algebra/zero-test zero-test zero-test-status)
-         "derivatives.rkt"
-         "matrices.rkt"
-         "integrals.rkt" "motion.rkt"
-         "pictures.rkt"
-         "rotations.rkt"
-         "systems.rkt"
-         "task.rkt")
+         (only-in mechanics/algebra/zero/fingerprint fingerprint)
+         (only-in mechanics/algebra/zero/zero-test zero-test zero-test-status)
+         "derivatives.rkt" "integrals.rkt" "matrices.rkt" "motion.rkt" "pictures.rkt"
+         "rotations.rkt" "systems.rkt" "task.rkt")
 
 (provide tasks micros growths (struct-out scaling) find-task find-micro)
 

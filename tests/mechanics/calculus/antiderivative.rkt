@@ -2,9 +2,11 @@
 ;; Antiderivatives: known ones, and the derivative of each is what it was asked of.
 
 (require rackunit
-         (only-in mechanics + - * / expt sqrt square exp log sin cos tan literal-function D partial
+         (only-in mechanics + - * / expt sqrt square exp log sin cos tan literal-function D
+                  partial
                   expression proved? verify-equal)
-         mechanics/algebra/assumptions mechanics/calculus/antiderivative
+         mechanics/algebra/assumption/assumptions
+         mechanics/calculus/antiderivative
          mechanics/calculus/expression-function
          "../laws/random.rkt")
 

@@ -3,8 +3,10 @@
 ;; be that is written on paper: a few nodes for each node, at any depth.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/loops
-         mechanics/algebra/expression
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/loops
+         mechanics/algebra/expression/expression
          mechanics/calculus/derivative)
 
 ;; Of the graph as it was made, equal nodes made apart counted apart.

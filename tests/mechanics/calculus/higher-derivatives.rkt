@@ -2,12 +2,20 @@
 ;; Derivatives of higher order in one run: they agree with repeated derivatives.
 
 (require rackunit
-         mechanics/algebra/expression mechanics/algebra/simplify
-         mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
-         mechanics/generic/kind mechanics/generic/rounding mechanics/generic/structure
+         mechanics/algebra/expression/expression
+         mechanics/algebra/simplify/simplify
+         mechanics/generic/arithmetic
+         mechanics/generic/compare
+         mechanics/generic/elementary
+         mechanics/generic/kind
+         mechanics/generic/rounding
+         mechanics/generic/structure
          (only-in mechanics/compile/integral definite-integral)
-         mechanics/calculus/derivative mechanics/calculus/literal-function
-         mechanics/value/function mechanics/value/matrix mechanics/value/operator
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/value/function
+         mechanics/value/matrix
+         mechanics/value/operator
          mechanics/value/signature
          "../laws/derivation.rkt" "../laws/law.rkt" "../laws/random.rkt" "../laws/same.rkt")
 

@@ -3,9 +3,13 @@
 
 (require racket/flonum
          rackunit
-         mechanics/algebra/evaluate mechanics/algebra/expression mechanics/algebra/operation
-         mechanics/compile/code mechanics/compile/program
-         mechanics/generic/arithmetic mechanics/generic/elementary
+         mechanics/algebra/expression/evaluate
+         mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation
+         mechanics/compile/code
+         mechanics/compile/program
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
          (prefix-in random: "../algebra/random.rkt"))
 
 (define (refuse e) (raise-argument-error 'program-of "an expression of the inputs" e))

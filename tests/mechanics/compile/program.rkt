@@ -2,8 +2,11 @@
 ;; Programs: what is written once, what is computed beforehand, what is dropped.
 
 (require rackunit
-         mechanics/algebra/expression mechanics/algebra/operation
-         mechanics/compile/program mechanics/generic/arithmetic mechanics/generic/elementary)
+         mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation
+         mechanics/compile/program
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary)
 
 (define (refuse e) (raise (list 'no-value e)))
 

@@ -2,11 +2,16 @@
 ;; How values print and how messages name them.
 
 (require rackunit
-         mechanics/algebra/datum
-         mechanics/generic/arithmetic mechanics/generic/describe mechanics/generic/elementary
+         mechanics/algebra/expression/datum
+         mechanics/generic/arithmetic
+         mechanics/generic/describe
+         mechanics/generic/elementary
          mechanics/generic/structure
-         mechanics/value/matrix mechanics/calculus/derivative mechanics/calculus/dual
-         mechanics/calculus/literal-function mechanics/value/signature)
+         mechanics/value/matrix
+         mechanics/calculus/derivative
+         mechanics/calculus/dual
+         mechanics/calculus/literal-function
+         mechanics/value/signature)
 
 (test-case "every kind of value has a description"
   (for ([x (list 3 'a (g:sin 'a) (up 1 2) (down 1) (vector 1 2) sin (g:+ sin cos) D

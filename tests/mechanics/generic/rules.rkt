@@ -5,8 +5,12 @@
 ;; real line.  A new entry in the table of operations is tested by being there.
 
 (require rackunit
-         mechanics/algebra/evaluate mechanics/algebra/operation mechanics/algebra/expression
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/kind
+         mechanics/algebra/expression/evaluate
+         mechanics/algebra/expression/operation
+         mechanics/algebra/expression/expression
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/kind
          mechanics/generic/rounding
          mechanics/value/structure
          mechanics/calculus/derivative

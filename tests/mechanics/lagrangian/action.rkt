@@ -2,10 +2,14 @@
 ;; Actions (SICM 1.4): V1 and what they say of what is no number.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/structure
          mechanics/value/structure
-         mechanics/calculus/derivative mechanics/calculus/minimum
-         mechanics/lagrangian/action mechanics/lagrangian/local-tuple
+         mechanics/calculus/derivative
+         mechanics/search/minimum
+         mechanics/lagrangian/action
+         mechanics/lagrangian/local-tuple
          "systems.rkt")
 
 (define (test-path t) (up (g:+ (g:* 4 t) 7) (g:+ (g:* 3 t) 5) (g:+ (g:* 2 t) 1)))

@@ -4,7 +4,7 @@
 
 (require (only-in mechanics/generic/arithmetic g:+ g:*)
          mechanics/lang/application
-         mechanics/lang/pattern
+         mechanics/lang/pattern/pattern
          rackunit)
 
 (define-syntax-rule (message-of expression)

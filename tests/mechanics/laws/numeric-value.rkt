@@ -10,7 +10,8 @@
 ;; summed over all scalars x of its arguments, which makes all its partial
 ;; derivatives known: each brings down its factor a or b.
 
-(require mechanics/algebra/expression mechanics/algebra/operation)
+(require mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation)
 
 (provide numeric-value symbol-value)
 

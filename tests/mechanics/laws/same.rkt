@@ -7,10 +7,16 @@
 ;; same as the constant function, the multiple of the identity matrix or operator,
 ;; or the series of one term that it stands for.
 
-(require mechanics/algebra/expression
-         (only-in mechanics/generic/arithmetic g:*) mechanics/generic/structure mechanics/generic/function
-         mechanics/value/matrix mechanics/value/operator mechanics/value/series/series
-         mechanics/calculus/perturbed mechanics/calculus/dual mechanics/calculus/literal-function
+(require mechanics/algebra/expression/expression
+         (only-in mechanics/generic/arithmetic g:*)
+         mechanics/generic/structure
+         mechanics/generic/function
+         mechanics/value/matrix
+         mechanics/value/operator
+         mechanics/value/series/series
+         mechanics/calculus/perturbed
+         mechanics/calculus/dual
+         mechanics/calculus/literal-function
          "numeric-value.rkt")
 
 (provide same? close? close-to)

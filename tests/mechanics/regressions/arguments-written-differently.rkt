@@ -3,8 +3,9 @@
 ;; written in different angles, or roots.
 
 (require rackunit
-         mechanics/algebra/simplify mechanics/algebra/expression
-         mechanics/algebra/zero-test
+         mechanics/algebra/simplify/simplify
+         mechanics/algebra/expression/expression
+         mechanics/algebra/zero/zero-test
          "../algebra/reading.rkt")
 
 (define (simplified datum) (expression->datum (simplify-expression (datum->expression datum))))

@@ -4,9 +4,13 @@
 ;; 1/√x, log x³ 3 log x, and √(cosh²√x) cosh √x, which is a cosine.
 
 (require rackunit
-         mechanics/algebra/simplify mechanics/algebra/expression mechanics/algebra/assumptions
-         mechanics/algebra/declare mechanics/algebra/evaluate
-         mechanics/algebra/proof mechanics/algebra/tape
+         mechanics/algebra/simplify/simplify
+         mechanics/algebra/expression/expression
+         mechanics/algebra/assumption/assumptions
+         mechanics/algebra/simplify/declare
+         mechanics/algebra/expression/evaluate
+         mechanics/algebra/zero/proof
+         mechanics/algebra/expression/tape
          "../algebra/reading.rkt")
 
 (define negative-x (declare-relations no-assumptions '((< x 0))))

@@ -3,7 +3,9 @@
 ;; nothing was said of it.
 
 (require rackunit
-         mechanics/algebra/simplify mechanics/algebra/expression mechanics/algebra/assumptions
+         mechanics/algebra/simplify/simplify
+         mechanics/algebra/expression/expression
+         mechanics/algebra/assumption/assumptions
          "../algebra/reading.rkt")
 
 (define (simplified datum [A no-assumptions])

@@ -2,7 +2,9 @@
 ;; Hyperbolic functions of logarithms were not powers; and of log(1 - a) and
 ;; log((1 - a)²) one took a to be below 1, the other above.
 
-(require rackunit mechanics/algebra/simplify mechanics/algebra/expression
+(require rackunit
+         mechanics/algebra/simplify/simplify
+         mechanics/algebra/expression/expression
          "../algebra/reading.rkt")
 
 (define (simplified datum)

@@ -4,7 +4,9 @@
 ;; was counted in a thousand digits.
 
 (require rackunit
-         mechanics/algebra/expression mechanics/algebra/datum mechanics/display/layout)
+         mechanics/algebra/expression/expression
+         mechanics/algebra/expression/datum
+         mechanics/display/layout)
 
 (define (shared n)
   (for/fold ([e 'x]) ([_ (in-range n)]) (e:+ (e:* e e) 1)))

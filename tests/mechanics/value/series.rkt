@@ -2,14 +2,23 @@
 ;; Series: arithmetic, functions of them, application, laziness, printing.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
-         mechanics/generic/kind mechanics/generic/structure
-         mechanics/value/function mechanics/value/matrix mechanics/value/operator
-         mechanics/value/simplify mechanics/value/structure
-         mechanics/value/series/access mechanics/value/series/calculus
-         mechanics/value/series/named mechanics/value/series/series
-         mechanics/calculus/derivative mechanics/calculus/literal-function
-         mechanics/calculus/verdict
+         mechanics/generic/arithmetic
+         mechanics/generic/compare
+         mechanics/generic/elementary
+         mechanics/generic/kind
+         mechanics/generic/structure
+         mechanics/value/function
+         mechanics/value/matrix
+         mechanics/value/operator
+         mechanics/value/simplify
+         mechanics/value/structure
+         mechanics/value/series/access
+         mechanics/value/series/calculus
+         mechanics/value/series/named
+         mechanics/value/series/series
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/verdict/verdict
          "../laws/element.rkt" "../laws/law.rkt" "../laws/random.rkt" "../laws/ring.rkt"
          "../laws/same.rkt")
 

@@ -3,9 +3,13 @@
 ;; relations.
 
 (require rackunit
-         mechanics/algebra/expression mechanics/algebra/operation mechanics/algebra/simplify
-         mechanics/algebra/linear/bareiss mechanics/algebra/linear/elimination
-         "../../laws/random.rkt" "../../laws/same.rkt" "matrices.rkt")
+         mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation
+         mechanics/algebra/simplify/simplify
+         mechanics/algebra/linear/bareiss
+         mechanics/algebra/linear/elimination
+         "matrices.rkt"
+         "../../laws/random.rkt" "../../laws/same.rkt")
 
 (define (integer) (random-integer -5 5))
 (define no-limit 1000000)

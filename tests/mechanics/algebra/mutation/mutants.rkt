@@ -10,107 +10,107 @@
 
 (define-mutants mutants
   ;; relations between kernels
-  ["sin² + cos² = 2" "field.rkt"
+  ["sin² + cos² = 2" "field/field.rkt"
    "(if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one))"
    "(if (eqv? (circle-sign o) 1) (poly- R (poly-constant R 2) cosine²) (poly- R cosine² one))"]
-  ["cosh² + sinh² = 1" "field.rkt"
+  ["cosh² + sinh² = 1" "field/field.rkt"
    "(if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one))"
    "(poly- R one cosine²)"]
-  ["the relation of an absolute value is |u|² = u" "field.rkt"
+  ["the relation of an absolute value is |u|² = u" "field/field.rkt"
    "(reduce-fraction F (fraction-expt (field-ring F) u 2))"
    "(reduce-fraction F u)"]
-  ["what is left of a reduced power is all of it" "field.rkt"
+  ["what is left of a reduced power is all of it" "field/field.rkt"
    "(cons (cons (remainder (car entry) q) (cdr entry)) part)"
    "(cons (cons (car entry) (cdr entry)) part)"]
-  ["a relation is applied to quotients of powers only" "field.rkt"
+  ["a relation is applied to quotients of powers only" "field/field.rkt"
    "(fraction-expt R (relation-radicand r) j)"
    "(relation-radicand r)"]
   ;; angles
-  ["cos(a + b) = cos a cos b + sin a sin b" "walk.rkt"
+  ["cos(a + b) = cos a cos b + sin a sin b" "field/walk.rkt"
    "(scale sign (product (cdr t) (cdr u)))"
    "(scale (- sign) (product (cdr t) (cdr u)))"]
-  ["sin(a + b) = sin a cos b + sin a sin b" "walk.rkt"
+  ["sin(a + b) = sin a cos b + sin a sin b" "field/walk.rkt"
    "(list (product (cdr t) (car u)) (product (car t) (cdr u)))"
    "(list (product (cdr t) (car u)) (product (cdr t) (cdr u)))"]
-  ["sin(-a) = sin a" "walk.rkt"
+  ["sin(-a) = sin a" "field/walk.rkt"
    "(if (negative? n) (scale -1 sine) sine)"
    "sine"]
-  ["tan = cos / sin" "walk.rkt"
+  ["tan = cos / sin" "field/walk.rkt"
    "[else ((arithmetic-quotient A) (cdr turn) (car turn))]"
    "[else ((arithmetic-quotient A) (car turn) (cdr turn))]"]
-  ["cos(asin u) = 1 - u²" "angles.rkt"
+  ["cos(asin u) = 1 - u²" "kernel/angles.rkt"
    "(values u (root (e:- 1 (square u))))"
    "(values u (e:- 1 (square u)))"]
-  ["atan(y, x) = atan(x, y)" "angles.rkt"
+  ["atan(y, x) = atan(x, y)" "kernel/angles.rkt"
    "(values (e:/ u r) (e:/ x r))"
    "(values (e:/ x r) (e:/ u r))"]
-  ["cos(a - b) is taken for cos(a + b)" "contract.rkt"
+  ["cos(a - b) is taken for cos(a + b)" "presentation/contract.rkt"
    "(if cosine? (- alike) alike)"
    "alike"]
-  ["a lattice with a coordinate wrong" "lattice.rkt"
+  ["a lattice with a coordinate wrong" "kernel/lattice.rkt"
    "(cons position (* d (coordinate v k)))"
    "(cons position (abs (* d (coordinate v k))))"]
   ;; sines and cosines shown
-  ["1 - cos² = -sin²" "squares.rkt"
+  ["1 - cos² = -sin²" "presentation/squares.rkt"
    "(define without-sines (merge R p cosine sine -1 sign))"
    "(define without-sines (merge R p cosine sine -1 (- sign)))"]
   ;; exponentials, logarithms, absolute values
-  ["e^(k log b) = b^(-k)" "exponentials.rkt"
+  ["e^(k log b) = b^(-k)" "kernel/exponentials.rkt"
    "(exact-exponent (car t))))"
    "(- (exact-exponent (car t)))))"]
-  ["sinh = cosh" "exponentials.rkt"
+  ["sinh = cosh" "kernel/exponentials.rkt"
    "(define sine (e:* 1/2 (e:- up down)))"
    "(define sine (e:* 1/2 (e:+ up down)))"]
-  ["products of exponentials forget their exponents" "exponentials.rkt"
+  ["products of exponentials forget their exponents" "kernel/exponentials.rkt"
    "(e:+ sum (e:* (cdr p) (exponential-exponent (kernel-relation (car p)))))"
    "(e:+ sum (exponential-exponent (kernel-relation (car p))))"]
-  ["log xy = log x - log y" "logarithms.rkt"
+  ["log xy = log x - log y" "kernel/logarithms.rkt"
    "(e:+ sum (e:* (car p) (part-logarithm c (cdr p))))"
    "(e:- sum (e:* (car p) (part-logarithm c (cdr p))))"]
-  ["log √u = 2 log u" "logarithms.rkt"
+  ["log √u = 2 log u" "kernel/logarithms.rkt"
    "(values (car (node-args f)) 1/2)"
    "(values (car (node-args f)) 2)"]
-  ["signs are taken for granted in silence" "ledger.rkt"
+  ["signs are taken for granted in silence" "assumption/ledger.rkt"
    "(note! l (relation-datum r))"
    "(void)"]
-  ["|xy| = x |y|" "logarithms.rkt"
+  ["|xy| = x |y|" "kernel/logarithms.rkt"
    "(define sign (if (even? e) 1 "
    "(define sign (if (or (symbol? f) (even? e)) 1 "]
-  ["|-3 x| = -3 |x|" "logarithms.rkt"
+  ["|-3 x| = -3 |x|" "kernel/logarithms.rkt"
    "(for/fold ([product (abs number)])"
    "(for/fold ([product number])"]
   ;; roots
-  ["√(u²) = -u" "radicand.rkt"
+  ["√(u²) = -u" "simplify/radicand.rkt"
    "(values (e:* (present F (power-product F (map whole-part parts)))"
    "(values (e:* (present F (power-product F (cons (cons -1 1) (map whole-part parts))))"]
-  ["√(x³) = x √(x²)" "radicand.rkt"
+  ["√(x³) = x √(x²)" "simplify/radicand.rkt"
    "(define e (- (cdr part) (cdr (whole-part part))))"
    "(define e (cdr part))"]
-  ["√6 = √2 √3 √5" "root-class.rkt"
+  ["√6 = √2 √3 √5" "kernel/root-class.rkt"
    "(if (number? f)
         (fraction-scale R (expt f e) w)"
    "(if (number? f)
         (fraction-scale R (expt (abs f) (+ e 1)) w)"]
-  ["a norm is to the first power" "rationalize.rkt"
+  ["a norm is to the first power" "field/rationalize.rkt"
    "(fraction-expt R norm e)"
    "norm"]
-  ["a conjugate is multiplied below only" "rationalize.rkt"
+  ["a conjugate is multiplied below only" "field/rationalize.rkt"
    "(fraction* R (above) (reduce-fraction F (fraction-expt R (from c) e)))"
    "(above)"]
   ;; presentation
-  ["x √x = √x" "form.rkt"
+  ["x √x = √x" "presentation/form.rkt"
    "(+ (cdr p) (* (root-degree r) (cdr x)))"
    "(cdr p)"]
-  ["a content loses its sign" "term.rkt"
+  ["a content loses its sign" "presentation/term.rkt"
    "(values signed powers"
    "(values c powers"]
-  ["a denominator's sign is dropped" "present.rkt"
+  ["a denominator's sign is dropped" "presentation/present.rkt"
    "(expt (* (if flip? -1 1) (term-coefficient below))"
    "(expt (* 1 (term-coefficient below))"]
-  ["a radicand comes back with the wrong power" "pieces.rkt"
+  ["a radicand comes back with the wrong power" "presentation/pieces.rkt"
    "(* k (base-degree b))"
    "(* k (+ 1 (base-degree b)))"]
-  ["squares of sums have a wrong middle sign" "squares-of-sums.rkt"
+  ["squares of sums have a wrong middle sign" "presentation/squares-of-sums.rkt"
    "(cons (term (* sign ratio) (term-powers new))"
    "(cons (term ratio (term-powers new))"]
   ;; polynomials and fractions
@@ -139,34 +139,34 @@
    "(basis-insert R add others d (add k e))"
    "(basis-insert R add others d k)"]
   ;; fingerprints and verdicts
-  ["the fingerprint of a difference is that of a sum" "residues.rkt"
+  ["the fingerprint of a difference is that of a sum" "zero/residues.rkt"
    "(mod- (one) (two) p)"
    "(mod+ (one) (two) p)"]
-  ["the fingerprint of the circle is off it" "residues.rkt"
+  ["the fingerprint of the circle is off it" "zero/residues.rkt"
    "(mod* (mod* 2 t p) inverse p)"
    "(mod* t inverse p)"]
-  ["fingerprints take derivatives for their functions" "fingerprint.rkt"
+  ["fingerprints take derivatives for their functions" "zero/fingerprint.rkt"
    "(cons (literal-head-name head) (literal-head-index head))"
    "(literal-head-name head)"]
-  ["a fingerprint looks at one residue and calls it zero" "fingerprint.rkt"
+  ["a fingerprint looks at one residue and calls it zero" "zero/fingerprint.rkt"
    "[(eqv? value 0) (loop (+ chain 1))]"
    "[(even? value) (loop (+ chain 1))]"]
-  ["whatever has a witness is proved" "zero-test.rkt"
+  ["whatever has a witness is proved" "zero/zero-test.rkt"
    "(cond [witness (make-zero-test 'refuted "
    "(cond [witness (make-zero-test 'proved "]
-  ["a witness has another value" "witness.rkt"
+  ["a witness has another value" "zero/witness.rkt"
    "(values (reverse point) (best-known value value-of-e error-of-e) error-of-e)"
    "(values (reverse point) (- (best-known value value-of-e error-of-e)) error-of-e)"]
-  ["flonums are proved" "flonums.rkt"
+  ["flonums are proved" "zero/flonums.rkt"
    "(and (number? e) (not (exact? e)))"
    "#f"]
   ;; expressions
-  ["functions of the same arguments in another order are equal" "expression.rkt"
+  ["functions of the same arguments in another order are equal" "expression/expression.rkt"
    "(define (commutative? head) (or (eq? head op:+) (eq? head op:*)))"
    "(define (commutative? head) #t)"]
-  ["x - y = y - x" "expression.rkt"
+  ["x - y = y - x" "expression/expression.rkt"
    "[(exact-zero? a) (e:negate b)]"
    "[(exact-zero? a) b]"]
-  ["(x^m)^n = x^(m + n)" "expression.rkt"
+  ["(x^m)^n = x^(m + n)" "expression/expression.rkt"
    "(e:expt (car (node-args b)) (* n (cadr (node-args b))))"
    "(e:expt (car (node-args b)) (+ n (cadr (node-args b))))"])

@@ -2,8 +2,11 @@
 ;; The part of the suite that a mutant is tried with: random expressions of every
 ;; class, nothing shrunk, until something fails; and a few sums by name.
 
-(require "../property/run.rkt" "../property/property.rkt" "../reading.rkt"
-         mechanics/algebra/simplify mechanics/algebra/zero-test mechanics/algebra/fingerprint)
+(require mechanics/algebra/simplify/simplify
+         mechanics/algebra/zero/zero-test
+         mechanics/algebra/zero/fingerprint
+         "../reading.rkt"
+         "../property/property.rkt" "../property/run.rkt")
 
 (provide probe)
 

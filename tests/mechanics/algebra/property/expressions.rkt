@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Random expressions of the class that simplification decides, and beyond.
 
-(require mechanics/algebra/expression mechanics/algebra/operation)
+(require mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation)
 
 (provide random-expression random-leaf choose application classes class-kinds class-depth)
 

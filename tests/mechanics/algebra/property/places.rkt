@@ -4,7 +4,7 @@
 ;; A place is a list of positions of operands, from the root down.  What is
 ;; rebuilt is rebuilt raw: no constructor tidies up what a rewrite has made.
 
-(require mechanics/algebra/expression)
+(require mechanics/algebra/expression/expression)
 
 (provide places at-place replace-at tree-size)
 

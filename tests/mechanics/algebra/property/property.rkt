@@ -5,10 +5,14 @@
 ;; text that says what went wrong.  Values are compared at points where the
 ;; assumptions simplification reports hold: elsewhere it claims nothing.
 
-(require mechanics/algebra/expression mechanics/algebra/operation
-         mechanics/algebra/simplify mechanics/algebra/fingerprint mechanics/algebra/zero-test
-         mechanics/algebra/evaluate
-         "../reading.rkt" "value.rkt")
+(require mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation
+         mechanics/algebra/simplify/simplify
+         mechanics/algebra/zero/fingerprint
+         mechanics/algebra/zero/zero-test
+         mechanics/algebra/expression/evaluate
+         "value.rkt"
+         "../reading.rkt")
 
 (provide value-kept idempotent
          same-by-form same-by-print same-by-fingerprint same-by-verdict

@@ -11,7 +11,8 @@
 ;;             too long to be freed of roots: results may print otherwise
 ;;   outside   the same, where the expression is not under another function
 
-(require mechanics/algebra/expression mechanics/algebra/operation)
+(require mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation)
 
 (provide (struct-out rule) rules rule-named)
 

@@ -8,10 +8,12 @@
 ;; and counts them by kind.  `--only N` runs the seed N alone; with `--quick`
 ;; nothing is shrunk; what takes longer than `--limit` seconds is told as hanging.
 
-(require racket/cmdline racket/list
-         mechanics/algebra/expression mechanics/algebra/operation
-         mechanics/algebra/simplify
-         "expressions.rkt" "rules.rkt" "places.rkt" "property.rkt" "shrink.rkt" "value.rkt")
+(require racket/cmdline
+         racket/list
+         mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation
+         mechanics/algebra/simplify/simplify
+         "expressions.rkt" "places.rkt" "property.rkt" "rules.rkt" "shrink.rkt" "value.rkt")
 
 (provide run-seed (struct-out failure) failure->string)
 

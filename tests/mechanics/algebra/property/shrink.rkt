@@ -5,7 +5,9 @@
 ;; long as the property still fails: each step makes the expression smaller, so
 ;; it ends, and the steps tried are counted.
 
-(require mechanics/algebra/expression mechanics/algebra/operation "places.rkt")
+(require mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation
+         "places.rkt")
 
 (provide shrink)
 

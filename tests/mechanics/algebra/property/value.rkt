@@ -13,7 +13,8 @@
 ;; function, and each of its derivatives, a smooth function of its own, so that equal
 ;; arguments give equal values.
 
-(require mechanics/algebra/expression mechanics/algebra/operation)
+(require mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation)
 
 (provide value-at-point value-with differ? agree? precise?)
 

@@ -1,0 +1,257 @@
+#lang racket/base
+;; Expressions: numbers, symbols, and immutable nodes over them.
+;;
+;; A node holds a head (an operation or a literal head), its operands, and a
+;; hash computed when it is made.  Code that runs on symbols builds *graphs* of
+;; nodes with much sharing; written out as trees they can be exponentially
+;; large.  Hence every walk is memoised on node identity, and equality is
+;; decided in time of the graph.
+;;
+;; `+` and `*` commute: their hash does not see the order of operands and
+;; equality compares them as multisets, while the operands keep the order in
+;; which they were written, for reading.
+;;
+;; The constructors do cheap work only: they fold numbers, drop neutral
+;; elements and flatten short sums and products.  Everything dearer is
+;; simplification.
+
+(require "datum.rkt" "operation.rkt")
+
+(provide
+ ;; kinds
+ expression? symbolic? node? node-head node-args
+ make-node expression=? expression-hash
+ node-mark set-node-mark!
+ ;; forms that were asked for
+ requested? requested-assumptions request-form
+ ;; constructors
+ e:+ e:- e:* e:/ e:expt e:negate e:apply e:application
+ ;; walks
+ expression->datum make-memo node-fold)
+
+;; ---------------------------------------------------------------------------
+;; The node
+
+;; mark : of the last walk that came by, a hint that it alone believes (tape.rkt)
+(struct node (head args hash [mark #:auto #:mutable])
+  #:authentic
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (n port mode) (write-datum (expression->datum n) port))
+  #:property prop:equal+hash
+  (list (lambda (a b recur) (expression=? a b))
+        (lambda (n recur) (node-hash n))
+        (lambda (n recur) (node-hash n))))
+
+(define (make-node head args)
+  (node head args (hash-node head args)))
+
+;; A node in a form that was asked for (expanded, factored ...), and what finding
+;; it assumed: a node like any other, but shown as it stands.
+(struct requested node (assumptions) #:authentic)
+
+(define (request-form e assumptions)
+  (if (node? e)
+      (requested (node-head e) (node-args e) (node-hash e) assumptions)
+      e))
+
+;; A value the algebra can hold.
+(define (expression? x) (or (number? x) (symbolic? x)))
+(define (symbolic? x) (or (symbol? x) (node? x)))
+
+;; ---------------------------------------------------------------------------
+;; Hash and equality
+
+(define-syntax-rule (mask n) (bitwise-and n #xFFFFFFFFFFFF))
+
+(define (expression-hash e)
+  (if (node? e) (node-hash e) (mask (equal-hash-code e))))
+
+(define (commutative? head) (or (eq? head op:+) (eq? head op:*)))
+
+;; Mixed so that two equal operands do not just double the sum: in towers of
+;; squares that would lose a bit at every level.
+(define (scatter k) (bitwise-xor (* 3 k) (arithmetic-shift k -23)))
+
+(define (hash-node head args)
+  (define start (mask (head-hash head)))
+  (if (commutative? head)
+      (for/fold ([h start]) ([a (in-list args)])
+        (mask (+ h (scatter (expression-hash a)))))
+      (for/fold ([h start]) ([a (in-list args)])
+        (mask (+ (* 31 h) (expression-hash a))))))
+
+;; Pairs already found equal are remembered, so that two graphs built apart are
+;; compared in time proportional to their nodes.
+(define (expression=? a b)
+  (define seen #f)
+  (define (known? a b)
+    (and seen (let ([bs (hash-ref seen a #f)]) (and bs (memq b bs) #t))))
+  (define (learn! a b)
+    (unless seen (set! seen (make-hasheq)))
+    (hash-update! seen a (lambda (bs) (cons b bs)) '()))
+  (define (same? a b)
+    (cond [(eq? a b) #t]
+          [(and (node? a) (node? b))
+           (and (= (node-hash a) (node-hash b))
+                (head=? (node-head a) (node-head b))
+                (or (known? a b)
+                    (and (or (same-list? (node-args a) (node-args b))
+                             (and (commutative? (node-head a))
+                                  (same-multiset? (node-args a) (node-args b))))
+                         (begin (learn! a b) #t))))]
+          [else (eqv? a b)]))
+  (define (same-list? as bs)
+    (cond [(null? as) (null? bs)]
+          [(null? bs) #f]
+          [else (and (same? (car as) (car bs)) (same-list? (cdr as) (cdr bs)))]))
+  (define (same-multiset? as bs)
+    (cond [(null? as) (null? bs)]
+          [else (define rest (remove-one (car as) bs))
+                (and rest (same-multiset? (cdr as) rest))]))
+  (define (remove-one a bs)
+    (cond [(null? bs) #f]
+          [(same? a (car bs)) (cdr bs)]
+          [else (define rest (remove-one a (cdr bs)))
+                (and rest (cons (car bs) rest))]))
+  (same? a b))
+
+;; ---------------------------------------------------------------------------
+;; Constructors
+
+;; Longer operands are kept nested: flattening them again and again would make
+;; n additions cost n².
+(define flatten-limit 8)
+
+(define (exact-zero? x) (eq? x 0))
+(define (exact-one? x) (eq? x 1))
+
+(define (headed? e head) (and (node? e) (eq? (node-head e) head)))
+
+;; The operands of e if it is a short node with this head, else e alone.
+(define (operands e head)
+  (if (and (headed? e head) (short? (node-args e) flatten-limit))
+      (node-args e)
+      (list e)))
+
+(define (short? xs limit)
+  (cond [(null? xs) #t]
+        [(eqv? limit 0) #f]
+        [else (short? (cdr xs) (- limit 1))]))
+
+(define (e:+ a b)
+  (cond [(and (number? a) (number? b)) (+ a b)]
+        [(exact-zero? a) b]
+        [(exact-zero? b) a]
+        [(number? b) (e:+ b a)]
+        [(number? a) (add-constant a b)]
+        [else
+         (define-values (m as) (split-constant a op:+ 0))
+         (define-values (n bs) (split-constant b op:+ 0))
+         (rejoin op:+ (+ m n) 0 (append as bs))]))
+
+(define (add-constant c e)
+  (define-values (n rest) (split-constant e op:+ 0))
+  (rejoin op:+ (+ c n) 0 rest))
+
+(define (e:* a b)
+  (cond [(and (number? a) (number? b)) (* a b)]
+        [(exact-zero? a) 0]
+        [(exact-zero? b) 0]
+        [(exact-one? a) b]
+        [(exact-one? b) a]
+        [else
+         (define-values (m as) (split-constant a op:* 1))
+         (define-values (n bs) (split-constant b op:* 1))
+         (rejoin op:* (* m n) 1 (append as bs))]))
+
+;; e as a number and its other operands under this head.
+(define (split-constant e head neutral)
+  (cond [(number? e) (values e '())]
+        [(headed? e head)
+         (define args (operands e head))
+         (if (number? (car args))
+             (values (car args) (cdr args))
+             (values neutral args))]
+        [else (values neutral (list e))]))
+
+(define (rejoin head constant neutral args)
+  (cond [(null? args) constant]
+        [(and (eq? head op:*) (exact-zero? constant)) 0]
+        [(eqv? constant neutral)
+         (if (null? (cdr args)) (car args) (make-node head args))]
+        [else (make-node head (cons constant args))]))
+
+(define (e:- a b)
+  (cond [(and (number? a) (number? b)) (- a b)]
+        [(exact-zero? b) a]
+        [(exact-zero? a) (e:negate b)]
+        [(number? b) (e:+ (- b) a)]
+        [(expression=? a b) 0]
+        [else (make-node op:- (list a b))]))
+
+(define (e:negate a) (e:* -1 a))
+
+(define (e:/ a b)
+  (cond [(number? b)
+         (when (exact-zero? b) (raise-division-by-zero a))
+         (e:* (/ 1 b) a)]
+        [(exact-zero? a) 0]
+        [(expression=? a b) 1]
+        [else (make-node op:/ (list a b))]))
+
+(define (raise-division-by-zero a)
+  (raise (exn:fail:contract:divide-by-zero
+          (format "/: division by zero\n  in: (/ ~a 0)"
+                  (datum->text (expression->datum a)))
+          (current-continuation-marks))))
+
+(define (e:expt b n)
+  (cond [(and (number? b) (number? n)) (expt b n)]
+        [(exact-zero? n) 1]
+        [(exact-one? n) b]
+        [(exact-one? b) 1]
+        [(and (exact-zero? b) (exact-positive-integer? n)) 0]
+        [(and (exact-integer? n) (headed? b op:expt)
+              (exact-integer? (cadr (node-args b))))
+         (e:expt (car (node-args b)) (* n (cadr (node-args b))))]
+        [else (make-node op:expt (list b n))]))
+
+;; An operation on expressions; numbers are computed.
+(define (e:apply op . args)
+  (define numeric (operation-numeric op))
+  (if (and numeric (andmap number? args))
+      (apply numeric args)
+      (make-node op args)))
+
+;; A literal function, by its head, applied to expressions.
+(define (e:application head args) (make-node head args))
+
+;; ---------------------------------------------------------------------------
+;; Walks
+
+;; (make-memo) -> (node thunk -> value): thunk's value, computed once a node.
+(define (make-memo)
+  (define table (make-hasheq))
+  (lambda (n thunk)
+    (define v (hash-ref table n table))
+    (cond [(eq? v table)
+           (define new (thunk))
+           (hash-set! table n new)
+           new]
+          [else v])))
+
+;; Fold a graph from its leaves: (leaf e) for numbers and symbols, and
+;; (combine node values) for a node whose operands have these values.
+(define (node-fold e leaf combine)
+  (define memo (make-memo))
+  (let walk ([e e])
+    (if (node? e)
+        (memo e (lambda () (combine e (map walk (node-args e)))))
+        (leaf e))))
+
+;; The plain S-expression.  Shared nodes give shared pairs.
+(define (expression->datum e)
+  (node-fold e
+             values
+             (lambda (n args) (cons (head->datum (node-head n)) args))))

@@ -1,0 +1,108 @@
+#lang racket/base
+;; Sines and cosines, circular and hyperbolic, of angles that may depend on each
+;; other.
+;;
+;; Angles are gathered as linear forms over atoms, the terms they are sums of;
+;; when all are known, a lattice basis gives the basic angles.  So sin(ωt + φ)
+;; stays as it is unless φ or ωt occur apart, and only then is expanded.
+;; Inverse functions within an angle go at once, by the addition formulas and
+;;
+;;     sin(asin u) = u,  cos(asin u) = √(1 - u²),  sin(atan(y, x)) = y/√(x² + y²),
+;;     cosh(log u) = (u + 1/u)/2 ...
+
+(require "circle.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "lattice.rkt"
+         "../assumption/services.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt")
+
+(provide visit-angle! settle-angles! doubled-circles dependent-angles?)
+
+(define circular-functions (list op:sin op:cos op:tan))
+
+(define (visit-angle! c n)
+  (define head (node-head n))
+  (define circular? (and (memq head circular-functions) #t))
+  (define terms ((services-terms (collector-services c)) (car (node-args n))))
+  (define inverse (and circular? (for/first ([t (in-list terms)] #:when (inverse-term? t)) t)))
+  (cond [inverse (resolve-alias! c n (unfold head inverse terms))]
+        [(and (not circular?) (ormap logarithm-term? terms)) (hyperbolic->exponential! c n)]
+        [else
+         (resolve! c n
+                   (circular head
+                             (intern-angle! c (if circular? 'circular 'hyperbolic)
+                                            (linear-form c terms))))]))
+
+;; ---------------------------------------------------------------------------
+;; Inverse functions
+
+(define (inverse-term? t)
+  (and (exact-integer? (car t))
+       (<= (abs (car t)) 16)
+       (node? (cdr t))
+       (memq (node-head (cdr t)) (list op:asin op:acos op:atan))
+       #t))
+
+;; The function of Σ terms with one of the inverse functions in t taken away.
+(define (unfold head t terms)
+  (define-values (s c) (inverse-functions (cdr t)))
+  (define step (if (positive? (car t)) 1 -1))
+  (define rest
+    (for/fold ([sum 0]) ([u (in-list terms)])
+      (e:+ sum (e:* (if (eq? u t) (- (car u) step) (car u)) (cdr u)))))
+  (define (of op) (if (eqv? rest 0) ((operation-numeric op) 0) (make-node op (list rest))))
+  (define sine (e:+ (e:* step (e:* s (of op:cos))) (e:* c (of op:sin))))
+  (define cosine (e:- (e:* c (of op:cos)) (e:* step (e:* s (of op:sin)))))
+  (cond [(eq? head op:sin) sine]
+        [(eq? head op:cos) cosine]
+        [else (e:/ sine cosine)]))
+
+;; -> the sine and the cosine of (asin u), (acos u), (atan u) or (atan y x).
+(define (inverse-functions e)
+  (define args (node-args e))
+  (define u (car args))
+  (define (root u) (make-node op:sqrt (list u)))
+  (define (square u) (e:expt u 2))
+  (cond [(eq? (node-head e) op:asin) (values u (root (e:- 1 (square u))))]
+        [(eq? (node-head e) op:acos) (values (root (e:- 1 (square u))) u)]
+        [else
+         (define x (if (null? (cdr args)) 1 (cadr args)))
+         (define r (root (e:+ (square x) (square u))))
+         (values (e:/ u r) (e:/ x r))]))
+
+;; ---------------------------------------------------------------------------
+;; Basic angles
+
+;; Multiples of an angle up to this are expanded.
+(define multiple-limit 32)
+
+(define (settle-angles! c kind sign)
+  (define angles
+    (for/list ([(key a) (in-hash (collector-angles c))] #:when (eq? (car key) kind)) a))
+  (define ordered (sort-forms c angles))
+  (define-values (basis coordinates) (modest-basis (map angle-form ordered) multiple-limit))
+  (define basics (for/vector ([form (in-list basis)]) (basic-angle c sign form)))
+  (for ([a (in-list ordered)] [v (in-list coordinates)])
+    (set-angle-multiples! a
+      (for/list ([x (in-list v)])
+        (define basic (vector-ref basics (car x)))
+        (cons (car basic) (* (cdr basic) (cdr x)))))))
+
+(define (basic-angle c sign form)
+  (signed-angle (collector-services c) (form->expression c form)
+                 (lambda (u) (make-circle u sign (lambda (e o) (intern-kernel! c e o))))))
+
+;; The basic angles that occurred doubled.
+(define (doubled-circles c)
+  (for*/list ([(key a) (in-hash (collector-angles c))]
+              #:when (eq? (car key) 'circular)
+              [multiples (in-value (angle-multiples a))]
+              #:when (and (pair? multiples) (null? (cdr multiples))
+                          (eqv? 2 (abs (cdar multiples)))))
+    (caar multiples)))
+
+;; Was any angle a combination of basic ones?
+(define (dependent-angles? c)
+  (for/or ([(key a) (in-hash (collector-angles c))])
+    (and (memq (car key) '(circular hyperbolic))
+         (let ([multiples (angle-multiples a)])
+           (and (pair? multiples)
+                (or (pair? (cdr multiples)) (not (eqv? 1 (abs (cdar multiples))))))))))

@@ -1,0 +1,72 @@
+#lang racket/base
+;; Circles: basic angles, and the combinations of them that presentation asks for;
+;; and other kernels it makes up.
+;;
+;; An angle is known up to its sign: of u and -u the one with a positive leading
+;; term has the circle.
+
+(require "kernel.rkt"
+         "../assumption/services.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt")
+
+(provide signed-angle make-circle make-circles combine-circles! whole-kernel!)
+
+;; What make gives for u with 1, or for -u with -1 if u has a negative leading
+;; term.
+(define (signed-angle services u make)
+  (define simple ((services-simplify services) u))
+  (define leading
+    (if (number? simple) simple (caar ((services-terms services) simple))))
+  (if (and (real? leading) (negative? leading))
+      (cons (make ((services-simplify services) (e:negate simple))) -1)
+      (cons (make simple) 1)))
+
+;; intern : expression relation -> kernel
+(define (make-circle u sign intern)
+  (define o (circle u sign #f #f))
+  (define circular? (eqv? sign 1))
+  (define (of op) (make-node op (list u)))
+  (set-circle-sine! o (intern (of (if circular? op:sin op:sinh)) o))
+  (set-circle-cosine! o (intern (of (if circular? op:cos op:cosh)) #f))
+  o)
+
+;; ---------------------------------------------------------------------------
+;; Circles by their angles, with all kernels by rank
+
+(struct circles (circular hyperbolic wholes services [ranked #:mutable]) #:authentic)
+
+(define (make-circles kernels services)
+  (define cs
+    (circles (make-hash) (make-hash) (make-hash) services
+             (sort (vector->list kernels) < #:key kernel-rank)))
+  (for ([k (in-vector kernels)] #:when (circle? (kernel-relation k)))
+    (define o (kernel-relation k))
+    (hash-set! (circles-of cs (circle-sign o)) (circle-expression o) o))
+  cs)
+
+(define (circles-of cs sign)
+  (if (eqv? sign 1) (circles-circular cs) (circles-hyperbolic cs)))
+
+;; The circle of a linear combination ((circle . integer) ...) of angles of one
+;; sign, not empty, and ±1.
+(define (combine-circles! cs multiples)
+  (define sign (circle-sign (caar multiples)))
+  (define u
+    (for/fold ([sum 0]) ([m (in-list multiples)])
+      (e:+ sum (e:* (cdr m) (circle-expression (car m))))))
+  (define table (circles-of cs sign))
+  (signed-angle (circles-services cs) u
+                 (lambda (u)
+                   (or (hash-ref table u #f)
+                       (let ([o (make-circle u sign (lambda (e o) (add-kernel! cs e o)))])
+                         (hash-set! table u o)
+                         o)))))
+
+;; The kernel of an expression that presentation takes as a whole.
+(define (whole-kernel! cs e relation)
+  (hash-ref! (circles-wholes cs) e (lambda () (add-kernel! cs e relation))))
+
+(define (add-kernel! cs expression relation)
+  (define k (make-kernel expression relation))
+  (set-circles-ranked! cs (insert-kernel! k (circles-ranked cs)))
+  k)

@@ -1,0 +1,123 @@
+#lang racket/base
+;; What finding kernels keeps, and what it finds.
+
+(require "kernel.rkt" "lattice.rkt"
+         "../assumption/services.rkt"
+         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/order.rkt")
+
+(provide
+ ;; what stands for a node
+ (struct-out circular) (struct-out surd) (struct-out exponential-power) (struct-out alias)
+ ;; the collector
+ (struct-out collector) make-collector
+ resolve! resolve-alias! intern-kernel! add-relation!
+ ;; linear forms over atoms
+ linear-form form->expression intern-angle! sort-forms)
+
+;; A node that is not arithmetic is a kernel, or one of these:
+;; function ∈ sin cos tan sinh cosh tanh of an angle;
+(struct circular (function angle) #:authentic)
+;; outer^power · (root^degree-of-root)^(power/degree);
+(struct surd (outer root degree power) #:authentic)
+;; a product of powers of basic exponentials;
+(struct exponential-power (angle) #:authentic)
+;; another expression.
+(struct alias (expression) #:authentic)
+
+;; visit : expression -> void, the walk itself, for expressions that stand for
+;; others.  resolutions : node, symbol or odd number -> what stands for it.
+;; angles : (kind . form) -> angle, for the kinds 'circular, 'hyperbolic and
+;; 'exponential.  logarithms : simplified argument -> nodes.  roots : radicand ->
+;; root.  tower : roots, and kernels of absolute values, the last met first: so
+;; those within others come after them.  inexact?, inexact-forms? : did a flonum
+;; occur, in arithmetic or in a form?
+(struct collector (services visit root blocked kernels resolutions atoms angles logarithms
+                   roots [tower #:mutable] [inexact? #:mutable] [inexact-forms? #:mutable])
+  #:authentic)
+
+(define (make-collector services visit root blocked)
+  (collector services visit root blocked
+             (make-hash) (make-hasheqv) (make-atoms) (make-hash) (make-hash)
+             (make-hash) '() #f #f))
+
+(define (resolve! c n resolution)
+  (hash-set! (collector-resolutions c) n resolution))
+
+;; e stands for n.
+(define (resolve-alias! c n e)
+  ((collector-visit c) c e)
+  (resolve! c n (alias e)))
+
+(define (intern-kernel! c expression [relation #f])
+  (define kernels (collector-kernels c))
+  (or (hash-ref kernels expression #f)
+      (let ([k (make-kernel expression relation)])
+        (hash-set! kernels expression k)
+        k)))
+
+(define (add-relation! c r)
+  (unless (memq r (collector-tower c))
+    (set-collector-tower! c (cons r (collector-tower c)))))
+
+;; ---------------------------------------------------------------------------
+;; Linear forms
+
+;; Atoms are numbered as they come: expression -> key, and key -> expression.
+(struct atoms (keys expressions) #:authentic)
+(define (make-atoms) (atoms (make-hash) (make-hasheqv)))
+
+(define (atom-key! table e)
+  (define keys (atoms-keys table))
+  (or (hash-ref keys e #f)
+      (let ([k (hash-count keys)])
+        (hash-set! keys e k)
+        (hash-set! (atoms-expressions table) k e)
+        k)))
+
+;; A longer sum than this is an atom of its own.
+(define form-limit 40)
+
+;; The sum of ((number . expression) ...) as a vector over atoms.
+(define (linear-form c terms)
+  (if (> (length terms) form-limit)
+      (linear-form c (list (cons 1 (sum-of terms))))
+      (short-linear-form c terms)))
+
+(define (sum-of terms)
+  (make-node op:+ (for/list ([t (in-list terms)]) (e:* (car t) (cdr t)))))
+
+(define (short-linear-form c terms)
+  (for/fold ([form '()]) ([t (in-list terms)])
+    (unless (exact? (car t)) (set-collector-inexact-forms?! c #t))
+    (vector-add form (list (cons (atom-key! (collector-atoms c) (cdr t))
+                                 (inexact->exact (car t)))))))
+
+(define (form->expression c form)
+  (define expressions (atoms-expressions (collector-atoms c)))
+  (for/fold ([sum 0]) ([entry (in-list form)])
+    (e:+ sum (e:* (present-number (cdr entry) (collector-inexact-forms? c))
+                  (hash-ref expressions (car entry))))))
+
+(define (intern-angle! c kind form)
+  (hash-ref! (collector-angles c) (cons kind form) (lambda () (angle form #f))))
+
+;; Angles with the simplest forms first: fewest atoms, then by the order of
+;; expressions.
+(define (sort-forms c angles)
+  (cond [(or (null? angles) (null? (cdr angles))) angles]
+        [else
+         (define compare (make-order))
+         (define (either-sign form)     ; the later of the angle and its opposite
+           (define u (form->expression c form))
+           (define v (form->expression c (vector-scale -1 form)))
+           (if (< (compare u v) 0) v u))
+         (define entries
+           (for/list ([a (in-list angles)])
+             (vector (length (angle-form a)) (either-sign (angle-form a)) a)))
+         (define (simpler? a b)
+           (define k (- (vector-ref a 0) (vector-ref b 0)))
+           (or (< k 0)
+               (and (eqv? k 0)
+                    (< (compare (vector-ref a 1) (vector-ref b 1)) 0))))
+         (for/list ([entry (in-list (sort entries simpler?))]) (vector-ref entry 2))]))

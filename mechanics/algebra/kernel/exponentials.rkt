@@ -1,0 +1,192 @@
+#lang racket/base
+;; Exponentials and symbolic powers.
+;;
+;; e^(a + b) = e^a e^b, and bⁿ is e^(n log b): so the exponents of both are
+;; linear forms over atoms, and a lattice basis of them gives basic exponentials
+;; of which all others are products of integer powers.  A rational multiple of a
+;; logarithm in an exponent is a power: e^(2 log b) = b².
+;;
+;; Hyperbolic functions stay as they are unless their arguments depend on those
+;; of exponentials; then they are written as exponentials.
+
+(require "circle.rkt" "collector.rkt" "kernel.rkt" "lattice.rkt"
+         "../assumption/services.rkt"
+         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt")
+
+(provide visit-exponential! visit-symbolic-power! settle-exponentials!
+         combine-exponentials merge-exponentials
+         logarithm-term? hyperbolic->exponential!)
+
+;; (exp u)
+(define (visit-exponential! c n)
+  (visit-terms! c n ((services-terms (collector-services c)) (car (node-args n)))))
+
+;; base^k, k not a rational number
+(define (visit-symbolic-power! c n base k)
+  (define logarithm (make-node op:log (list base)))
+  (visit-terms! c n ((services-terms (collector-services c)) (make-node op:* (list k logarithm)))))
+
+;; e to the sum of the terms ((rational . expression) ...) stands for n.
+(define (visit-terms! c n terms)
+  (define powers (filter logarithm-term? terms))
+  (define others (filter (lambda (t) (not (logarithm-term? t))) terms))
+  (cond [(null? powers)
+         (resolve! c n (exponential-power (intern-angle! c 'exponential (linear-form c others))))]
+        [else
+         (define rest (for/fold ([sum 0]) ([t (in-list others)]) (e:+ sum (e:* (car t) (cdr t)))))
+         (define exponential (if (eqv? rest 0) 1 (make-node op:exp (list rest))))
+         (resolve-alias! c n
+                         (for/fold ([product exponential]) ([t (in-list powers)])
+                           (e:* product (logarithm-power t))))]))
+
+;; e^(k log b) = b^k
+(define (logarithm-power t)
+  (make-node op:expt (list (car (node-args (cdr t))) (exact-exponent (car t)))))
+
+(define (logarithm-term? t)
+  (and (node? (cdr t))
+       (eq? (node-head (cdr t)) op:log)
+       (exact-exponent (car t))
+       #t))
+
+;; ---------------------------------------------------------------------------
+;; Basic exponentials
+
+;; Powers of an exponential up to this are taken for powers.
+(define power-limit 1000)
+
+(define (settle-exponentials! c)
+  (settle-hyperbolics! c)
+  (define ordered (sort-forms c (angles-of c 'exponential)))
+  (define-values (basis coordinates) (modest-basis (map angle-form ordered) power-limit))
+  (define s (collector-services c))
+  (define basics
+    (for/vector ([form (in-list basis)])
+      (signed-angle s (form->expression c form)
+                    (lambda (u)
+                      (intern-kernel! c (exponential-expression s u) (exponential u s))))))
+  (for ([a (in-list ordered)] [v (in-list coordinates)])
+    (set-angle-multiples! a
+      (for/list ([x (in-list v)])
+        (define basic (vector-ref basics (car x)))
+        (cons (car basic) (* (cdr basic) (cdr x)))))))
+
+(define (angles-of c kind)
+  (for/list ([(key a) (in-hash (collector-angles c))] #:when (eq? (car key) kind)) a))
+
+;; e^u, as bⁿ if u is n log b.
+(define (exponential-expression s u)
+  (define terms ((services-terms s) u))
+  (define b (common-base terms))
+  (if b
+      (make-node op:expt
+                 (list b ((services-simplify s)
+                          (for/fold ([sum 0]) ([t (in-list terms)])
+                            (e:+ sum (e:* (car t) (without-logarithm (cdr t))))))))
+      (make-node op:exp (list u))))
+
+;; The b such that every term is a multiple of (log b), or #f.
+(define (common-base terms)
+  (define bases (for/list ([t (in-list terms)]) (logarithm-base (cdr t))))
+  (and (pair? bases)
+       (car bases)
+       (for/and ([b (in-list (cdr bases))]) (equal? b (car bases)))
+       (car bases)))
+
+(define (logarithm? e) (and (node? e) (eq? (node-head e) op:log)))
+
+(define (logarithm-base e)
+  (and (node? e)
+       (eq? (node-head e) op:*)
+       (for/first ([f (in-list (node-args e))] #:when (logarithm? f)) (car (node-args f)))))
+
+(define (without-logarithm e)
+  (define logarithm (for/first ([f (in-list (node-args e))] #:when (logarithm? f)) f))
+  (for/fold ([product 1]) ([f (in-list (remq logarithm (node-args e)))]) (e:* product f)))
+
+;; ---------------------------------------------------------------------------
+;; Combining for presentation
+
+;; powers : ((kernel . exponent) ...) -> one expression for the product of the
+;; exponentials among them, or #f, and the other powers.  A power of b goes
+;; into the exponent of bⁿ.
+(define (combine-exponentials powers)
+  (define (exponential-power? p) (exponential? (kernel-relation (car p))))
+  (define es (filter exponential-power? powers))
+  (define others (filter (lambda (p) (not (exponential-power? p))) powers))
+  (cond [(null? es) (values #f powers)]
+        [else (absorb-base (exponential-product es) others)]))
+
+(define (exponential-product es)
+  (if (and (null? (cdr es)) (eqv? 1 (cdar es)))
+      (kernel-expression (caar es))
+      (exponential-expression (exponential-services (kernel-relation (caar es)))
+                              (total-exponent es))))
+
+(define (total-exponent es)
+  ((services-simplify (exponential-services (kernel-relation (caar es))))
+   (for/fold ([sum 0]) ([p (in-list es)])
+     (e:+ sum (e:* (cdr p) (exponential-exponent (kernel-relation (car p))))))))
+
+;; The powers with the product of their exponentials as one kernel.
+;; intern : expression relation -> kernel
+(define (merge-exponentials powers intern)
+  (define-values (e others) (combine-exponentials powers))
+  (define es (filter (lambda (p) (exponential? (kernel-relation (car p)))) powers))
+  (if e
+      (cons (cons (intern e (exponential (total-exponent es)
+                                         (exponential-services (kernel-relation (caar es)))))
+                  1)
+            others)
+      powers))
+
+(define (absorb-base e others)
+  (define base
+    (and (eq? (node-head e) op:expt)
+         (for/first ([p (in-list others)]
+                     #:when (equal? (kernel-expression (car p)) (car (node-args e))))
+           p)))
+  (if base
+      (values (make-node op:expt
+                         (list (car (node-args e))
+                               (simple-sum (cdr base) (cadr (node-args e)))))
+              (remq base others))
+      (values e others)))
+
+;; An integer and a simplified exponent added.
+(define (simple-sum k n)
+  (cond [(and (node? n) (eq? (node-head n) op:+)) (e:+ k n)]
+        [(positive? k) (make-node op:+ (list k n))]
+        [else (make-node op:- (list n (- k)))]))
+
+;; ---------------------------------------------------------------------------
+;; Hyperbolic functions
+
+;; Those whose arguments depend on exponents become exponentials, all or none.
+(define (settle-hyperbolics! c)
+  (define hyperbolic (angles-of c 'hyperbolic))
+  (define exponents (angles-of c 'exponential))
+  (unless (or (null? hyperbolic) (null? exponents)
+              (= (rank (append hyperbolic exponents))
+                 (+ (rank hyperbolic) (rank exponents))))
+    (for ([(n r) (in-hash (hash-copy (collector-resolutions c)))]
+          #:when (and (circular? r) (memq (circular-angle r) hyperbolic)))
+      (hyperbolic->exponential! c n))
+    (for ([a (in-list hyperbolic)])
+      (hash-remove! (collector-angles c) (cons 'hyperbolic (angle-form a))))))
+
+(define (rank angles)
+  (define-values (basis coordinates) (integer-basis (map angle-form angles)))
+  (length basis))
+
+;; The node, of a hyperbolic function, by exponentials.
+(define (hyperbolic->exponential! c n)
+  (define u (car (node-args n)))
+  (define up (make-node op:exp (list u)))
+  (define down (make-node op:exp (list (e:negate u))))
+  (define sine (e:* 1/2 (e:- up down)))
+  (define cosine (e:* 1/2 (e:+ up down)))
+  (resolve-alias! c n
+                  (cond [(eq? (node-head n) op:sinh) sine]
+                        [(eq? (node-head n) op:cosh) cosine]
+                        [else (e:/ sine cosine)])))

@@ -1,0 +1,99 @@
+#lang racket/base
+;; Kernels: the variables of the polynomials an expression is written in.
+;;
+;; A kernel is a symbol, a literal function applied, the sine or the cosine of
+;; an angle, a root ...: anything the arithmetic takes as a whole.  Some kernels
+;; satisfy a relation:
+;;
+;;     sin²θ = 1 - cos²θ,   sinh²u = cosh²u - 1,   rᵠ = u for r = u^(1/q),   |u|² = u².
+;;
+;; When all kernels of an expression are known each gets an `index` as a
+;; variable, a `rank`, which orders the factors of a product, and a `place`,
+;; which orders the terms of a sum.  Symbols come first in both, by the
+;; alphabet; after them a sum shows the highest derivatives first, a product
+;; last.  Presentation may add kernels, which are ranked between the others.
+
+(require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
+         "../expression/size.rkt")
+
+(provide (struct-out kernel) make-kernel sum-kernel? circular-kernel? hyperbolic-kernel?
+         place-kernels! insert-kernel!
+         (struct-out circle) (struct-out angle) (struct-out root)
+         (struct-out modulus) (struct-out exponential))
+
+;; relation : #f, or the circle, root, modulus or exponential this kernel is of
+;; size : of the expression, as written
+(struct kernel (expression relation size
+                           [index #:mutable] [rank #:mutable] [place #:mutable])
+  #:authentic)
+
+(define (make-kernel expression relation)
+  (kernel expression relation (expression-size expression) #f #f #f))
+
+;; Is it a sum taken as a whole?
+(define (sum-kernel? k) (headed? (kernel-expression k) op:+ op:-))
+
+;; Is it a sine or a cosine?
+(define (circular-kernel? k) (headed? (kernel-expression k) op:sin op:cos))
+(define (hyperbolic-kernel? k) (headed? (kernel-expression k) op:sinh op:cosh))
+
+(define (headed? e a b)
+  (and (node? e) (or (eq? (node-head e) a) (eq? (node-head e) b))))
+
+;; The sine and the cosine of a basic angle; hyperbolic ones if sign is -1.
+(struct circle (expression sign [sine #:mutable] [cosine #:mutable])
+  #:authentic)
+
+;; An angle occurring under a sine or cosine: a linear form over atoms, and how
+;; many times each basic angle it is, ((circle . integer) ...).  An exponent is an
+;; angle too; there it is ((kernel . integer) ...), powers of basic exponentials.
+(struct angle (form [multiples #:mutable])
+  #:authentic)
+
+;; The root of this degree of a radicand.  What is known of it grows until all is
+;; met: the degree, and candidates ((radicand . scale) ...) for a more readable
+;; radicand, scale^degree times the one it began with.
+(struct root ([radicand #:mutable] [degree #:mutable] [scale #:mutable]
+              [candidates #:mutable] [kernel #:mutable])
+  #:authentic)
+
+;; The absolute value of an expression.
+(struct modulus (argument) #:authentic)
+
+;; e^exponent, and the services to simplify exponents with.
+(struct exponential (exponent services) #:authentic)
+
+;; ---------------------------------------------------------------------------
+;; Places
+
+;; Gives every kernel its index, rank and place; -> the kernels as a vector.
+(define (place-kernels! kernels)
+  (define by-rank (sort kernels (kernel-before? (make-order))))
+  (for ([k (in-list by-rank)] [rank (in-naturals)]) (set-rank! k rank))
+  (define by-place (sort by-rank < #:key kernel-place))
+  (for ([k (in-list by-place)] [index (in-naturals)]) (set-kernel-index! k index))
+  (list->vector by-place))
+
+(define ((kernel-before? compare) a b)
+  (< (compare (kernel-expression a) (kernel-expression b)) 0))
+
+;; Symbols first, then by descending order of differentiation.
+(define (set-rank! k rank)
+  (define e (kernel-expression k))
+  (define class (if (symbol? e) 0 (- 1000 (derivative-order e))))
+  (set-kernel-rank! k rank)
+  (set-kernel-place! k (+ rank (* 1000000 class))))
+
+;; Ranks a new kernel among others, a list by rank; -> the list with it.
+(define (insert-kernel! k ranked)
+  (define before? (kernel-before? (make-order)))
+  (define (between a b)
+    (cond [(and a b) (/ (+ (kernel-rank a) (kernel-rank b)) 2)]
+          [a (+ (kernel-rank a) 1)]
+          [b (- (kernel-rank b) 1)]
+          [else 0]))
+  (let loop ([previous #f] [rest ranked])
+    (cond [(or (null? rest) (before? k (car rest)))
+           (set-rank! k (between previous (and (pair? rest) (car rest))))
+           (cons k rest)]
+          [else (cons (car rest) (loop (car rest) (cdr rest)))])))

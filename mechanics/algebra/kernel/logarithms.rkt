@@ -1,0 +1,225 @@
+#lang racket/base
+;; Logarithms and absolute values, by the factors of their arguments.
+;;
+;; log eᵘ = u, log √u = 1/2 log u, log 1/u = -log u.  Else a single logarithm
+;; stays as it is, but for that of a power of what has a known sign; where several
+;; occur, or an exponential is a factor, arguments are split, log(4x²y) = 2 log 2 +
+;; 2 log x + log y, the factors being known or assumed not to be negative.  Where
+;; nothing is known and nothing may be assumed, log x² = 2 log|x|, and factors to odd
+;; powers stay together.
+;;
+;; Of what is not real the logarithm stays as it is: log e^(it) is it up to 2πi.
+;;
+;; |c x²y| = |c| x² |y|, and |y|² = y²; |y| is y or -y if the sign of y is known.
+
+(require "collector.rkt" "kernel.rkt"
+         "../assumption/services.rkt"
+         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt")
+
+(provide visit-logarithm! settle-logarithms! visit-modulus!)
+
+;; ---------------------------------------------------------------------------
+;; Logarithms
+
+(define (visit-logarithm! c n)
+  (define u ((services-simplify (collector-services c)) (car (node-args n))))
+  (cond [(eqv? u 1) (resolve-alias! c n 0)]
+        [(not ((services-real? (collector-services c)) u))
+         (resolve! c n (intern-kernel! c (make-node op:log (list u))))]
+        [(headed? u op:exp) (resolve-alias! c n (car (node-args u)))]
+        [(and (symbolic-power? u)
+              (eqv? 1 (services-branch (collector-services c) (car (node-args u)))))
+         (resolve-alias! c n (e:* (cadr (node-args u))
+                                  (make-node op:log (list (car (node-args u))))))]
+        [else
+         (hash-update! (collector-logarithms c) u (lambda (nodes) (cons n nodes)) '())]))
+
+(define (headed? e op) (and (node? e) (eq? (node-head e) op)))
+
+(define (symbolic-power? e)
+  (and (headed? e op:expt) (not (number? (cadr (node-args e))))))
+
+;; When all logarithms have been met.  What stands for one may hold others.
+(define (settle-logarithms! c)
+  (define table (collector-logarithms c))
+  (let loop ([several? (> (hash-count table) 1)])
+    (define met (hash->list table))
+    (hash-clear! table)
+    (define all-parts
+      (alike-squares c (for/list ([entry (in-list met)]) (logarithm-parts c (car entry)))))
+    (for ([entry (in-list met)] [parts (in-list all-parts)])
+      (settle-logarithm! c (car entry) parts (cdr entry) several?))
+    (unless (null? met) (loop #t))))
+
+;; Squares of what occurs with one sign elsewhere are those of that: beside
+;; log(1 - a), log (a - 1)² is 2 log(1 - a).
+(define (alike-squares c all-parts)
+  (define single
+    (for*/hash ([parts (in-list all-parts)] [p (in-list parts)] #:unless (even-power? p))
+      (values (cdr p) #t)))
+  (define (alike p)
+    (define f (cdr p))
+    (define other (and (even-power? p) (symbolic? f) (not (hash-ref single f #f)) (opposite c f)))
+    (if (and other (hash-ref single other #f)) (cons (car p) other) p))
+  (if (zero? (hash-count single))
+      all-parts
+      (for/list ([parts (in-list all-parts)]) (map alike parts))))
+
+(define (even-power? p) (and (integer? (car p)) (even? (car p))))
+
+;; parts : of log u, ((rational . expression) ...)
+(define (settle-logarithm! c u parts nodes several?)
+  (define whole (list (cons 1 u)))
+  (define split? (or several? (for/or ([p (in-list parts)]) (headed? (cdr p) op:exp))))
+  (define signed
+    (cond [(equal? parts whole) parts]
+          [(lone? parts) (if (negative-part? c (car parts)) (signed-parts c parts) parts)]
+          [split? (signed-parts c parts)]
+          [else (or (power-parts c parts) whole)]))
+  (cond [(equal? signed whole)
+         (define k (intern-kernel! c (make-node op:log (list u))))
+         (for ([n (in-list nodes)]) (resolve! c n k))]
+        [else
+         (define sum (sum-of-logarithms c signed))
+         (for ([n (in-list nodes)]) (resolve-alias! c n sum))]))
+
+;; A single part that is not negative if the argument is not.
+(define (lone? parts)
+  (and (pair? parts) (null? (cdr parts)) (not (even? (numerator (caar parts))))))
+
+;; Then log x³ is 3 log x, but for a negative x: log -1 + 3 log(-x).
+(define (negative-part? c p)
+  (and (symbolic? (cdr p)) (eqv? -1 ((services-sign (collector-services c)) (cdr p)))))
+
+;; The part of an even power of what has a known sign, or #f.
+(define (power-parts c parts)
+  (define f (and (pair? parts) (null? (cdr parts)) (cdar parts)))
+  (define sign (and f (symbolic? f) (services-ask (collector-services c) f)))
+  (and sign (list (cons (caar parts) (if (eqv? sign 1) f (opposite c f))))))
+
+;; ---------------------------------------------------------------------------
+;; Signs of parts
+
+;; The same sum with logarithms of what is not negative.  Of a negative part the
+;; opposite stands in it; if that changes the sign of the whole, so does one other.
+(define (signed-parts c parts)
+  (define s (collector-services c))
+  (define-values (positive negative unknown)
+    (for/fold ([positive '()] [negative '()] [unknown '()]) ([p (in-list parts)])
+      (define sign (if (symbolic? (cdr p)) (services-branch s (cdr p)) 1))
+      (cond [(eqv? sign 1) (values (cons p positive) negative unknown)]
+            [(and sign (integer? (car p))) (values positive (cons p negative) unknown)]
+            [else (values positive negative (cons p unknown))])))
+  (define-values (powers odd) (partition-even-powers unknown))
+  (define sign (expt -1 (for/sum ([p (in-list negative)]) (car p))))
+  (append (reverse positive)
+          (for/list ([p (in-list powers)]) (cons (car p) (make-node op:abs (list (cdr p)))))
+          (if (null? odd)
+              (opposite-parts c (reverse negative) sign)
+              (cons (cons 1 (joined c odd sign)) (opposite-parts c (reverse negative) 1)))))
+
+(define (partition-even-powers parts)
+  (values (filter even-power? parts)
+          (filter (lambda (p) (not (even-power? p))) parts)))
+
+;; The product of the parts' powers, and a sign.
+(define (joined c parts sign)
+  ((services-simplify (collector-services c))
+   (for/fold ([u sign]) ([p (in-list parts)]) (e:* u (e:expt (cdr p) (car p))))))
+
+;; If the sign is -1, a part that is no power stays negative, or -1 is a part.
+(define (opposite-parts c parts sign)
+  (define kept
+    (and (eqv? sign -1) (for/first ([p (in-list parts)] #:when (eqv? 1 (car p))) p)))
+  (define others
+    (for/list ([p (in-list parts)] #:unless (eq? p kept)) (cons (car p) (opposite c (cdr p)))))
+  (cond [kept (cons kept others)]
+        [(eqv? sign -1) (cons (cons 1 -1) others)]
+        [else others]))
+
+;; ---------------------------------------------------------------------------
+;; Factors
+
+;; log u as ((rational . expression) ...), a multiple of the logarithm of each.
+(define (logarithm-parts c u)
+  (define-values (number factors) ((services-factors (collector-services c)) u))
+  (define-values (positive signed) (absorb-sign c number factors))
+  (append (number-parts positive (collector-inexact? c))
+          (append* (for/list ([f (in-list signed)]) (factor-parts c (car f) (cdr f))))))
+
+(define (append* lists) (apply append lists))
+
+;; log f^e, where f may be a root
+(define (factor-parts c f e)
+  (define-values (base exponent) (root-parts f))
+  (if exponent
+      (for/list ([p (in-list (logarithm-parts c base))])
+        (cons (* e exponent (car p)) (cdr p)))
+      (list (cons e f))))
+
+(define (root-parts f)
+  (cond [(headed? f op:sqrt) (values (car (node-args f)) 1/2)]
+        [(and (headed? f op:expt) (rational? (cadr (node-args f))))
+         (values (car (node-args f)) (cadr (node-args f)))]
+        [else (values f #f)]))
+
+;; A negative number makes the first factor to an odd power its opposite.
+(define (absorb-sign c number factors)
+  (define odd (for/first ([f (in-list factors)] #:when (odd? (cdr f))) f))
+  (if (and (negative? number) odd)
+      (values (- number)
+              (for/list ([f (in-list factors)])
+                (if (eq? f odd) (cons (opposite c (car f)) (cdr f)) f)))
+      (values number factors)))
+
+(define (opposite c e) ((services-simplify (collector-services c)) (e:negate e)))
+
+;; By primes, unless these are so large that the number was a flonum.
+(define (number-parts x inexact?)
+  (define factors (if (positive? x) (number-factors x) '()))
+  (cond [(eqv? x 1) '()]
+        [(and (pair? factors) (andmap (lambda (f) (< (car f) 1000000)) factors))
+         (for/list ([f (in-list factors)]) (cons (cdr f) (car f)))]
+        [else (list (cons 1 (present-number x inexact?)))]))
+
+(define (sum-of-logarithms c parts)
+  (for/fold ([sum 0]) ([p (in-list parts)])
+    (e:+ sum (e:* (car p) (part-logarithm c (cdr p))))))
+
+;; Of what was factored already, so it is not visited again; but for exponentials.
+(define (part-logarithm c f)
+  (cond [(headed? f op:exp) (car (node-args f))]
+        [(symbolic-power? f)
+         (e:* (cadr (node-args f)) (make-node op:log (list (car (node-args f)))))]
+        [else
+         (define n (make-node op:log (list f)))
+         (resolve! c n (intern-kernel! c n))
+         n]))
+
+;; ---------------------------------------------------------------------------
+;; Absolute values
+
+(define (visit-modulus! c n)
+  (define s (collector-services c))
+  (define u ((services-simplify s) (car (node-args n))))
+  (define sign ((services-sign s) u))
+  (cond [sign (resolve-alias! c n (e:* sign u))]
+        [((services-real? s) u) (resolve-alias! c n (product-of-moduli c u))]
+        [else (resolve! c n (intern-kernel! c (make-node op:abs (list u))))]))
+
+(define (product-of-moduli c u)
+  (define-values (number factors) ((services-factors (collector-services c)) u))
+  (for/fold ([product (abs number)]) ([f (in-list factors)])
+    (e:* product (modulus-power c (car f) (cdr f)))))
+
+;; |f|^e, the kernel |f| being interned.
+(define (modulus-power c f e)
+  (define sign (if (even? e) 1 (services-ask (collector-services c) f)))
+  (cond [sign (e:* sign (e:expt f e))]
+        [else
+         (define n (make-node op:abs (list f)))
+         (define k (intern-kernel! c n (modulus f)))
+         ((collector-visit c) c f)
+         (add-relation! c k)
+         (resolve! c n k)
+         (e:expt n e)]))

@@ -1,0 +1,34 @@
+#lang racket/base
+;; The factors of a denominator: the parts that depend on the value alone, unless
+;; the factors it came with have fewer terms; x² - 1, but the distances from two
+;; centres apart.
+
+(require "../field/field.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
+
+(provide denominator-factors)
+
+;; Finding the parts of longer factors would cost more than it is worth.
+(define parts-limit 100)
+
+;; -> number and ((polynomial . exponent) ...), their product being the
+;; denominator of f.
+(define (denominator-factors F f)
+  (define R (field-ring F))
+  (define given (fraction-denominator-factors f))
+  (define factors
+    (if (<= (additions given) parts-limit)
+        (fewer-terms (fraction-denominator-parts R f) given)
+        given))
+  (values (/ (leading given) (leading factors)) factors))
+
+(define (fewer-terms parts given)
+  (if (< (additions given) (additions parts)) given parts))
+
+(define (additions factors)
+  (for/sum ([h (in-list factors)]) (- (poly-term-count (car h)) 1)))
+
+;; The product's leading coefficient.
+(define (leading factors)
+  (for/fold ([c 1]) ([h (in-list factors)])
+    (* c (expt (poly-leading-coefficient (car h)) (cdr h)))))

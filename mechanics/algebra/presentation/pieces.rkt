@@ -1,0 +1,215 @@
+#lang racket/base
+;; Taking a fraction apart so that each part keeps only the denominator it needs.
+;;
+;; Over a common denominator m ẍ + μ x/r³ is (m ẍ r³ + μ x)/r³, and with r² = u
+;; worked out the numerator is long.  The terms of the numerator are grouped by
+;; the kernels that the denominator's factor h has nothing to do with; a group
+;; divisible by h gives it back, and groups left over the same denominator
+;; belong together.
+;;
+;; For a root r = u^(1/q) the factor is u, counting as r^q: so powers of r,
+;; which a reduced numerator cannot hold, come back.
+
+(require "denominator.rkt" "squares.rkt"
+         "../field/field.rkt"
+         "../kernel/kernel.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt" "../polynomial/ring.rkt")
+
+(provide fraction->piece fraction->pieces fraction->piece-lists (struct-out piece))
+
+;; numerator · ∏ kernel^exponent / ∏ factor^exponent.  powers : ((kernel .
+;; integer) ...), the integers of either sign; factors : ((polynomial .
+;; positive) ...), of several terms each.
+(struct piece (numerator powers factors) #:authentic)
+
+;; All of the fraction as one piece.
+(define (fraction->piece F f)
+  (absorb-radicands F (occurring-roots F f) (split-denominator F f)))
+
+(define (fraction->pieces F f)
+  (define-values (whole by-roots by-factors) (fraction->piece-lists F f))
+  by-factors)
+
+;; -> the fraction as one piece, taken apart by its roots alone, and by the factors
+;; of its denominator as well; the same list where that makes no difference.
+(define (fraction->piece-lists F f)
+  (define roots (occurring-roots F f))
+  (define whole (list (absorb-radicands F roots (split-denominator F f))))
+  (define by-roots
+    (for/fold ([pieces whole]) ([r (in-list roots)])
+      (split-all F (lambda (p) (split-by-root F r p)) pieces)))
+  (define by-factors
+    (for/fold ([pieces by-roots]) ([h (in-list (distinct-factors by-roots))])
+      (split-all F (lambda (p) (split-by-factor F h p)) pieces)))
+  (values whole by-roots by-factors))
+
+(define (split-all F split pieces)
+  (define parts (map split pieces))
+  (if (andmap whole? pieces parts) pieces (join F (apply append parts))))
+
+;; Is this all one part, as it was?
+(define (whole? p parts)
+  (and (null? (cdr parts))
+       (poly=? (piece-numerator p) (piece-numerator (car parts)))
+       (equal? (piece-powers p) (piece-powers (car parts)))))
+
+;; ---------------------------------------------------------------------------
+;; The denominator
+
+;; Factors of a single term, sin²θ for 1 - cos²θ among them, become powers.
+(define (split-denominator F f)
+  (define-values (content factors) (denominator-factors F f))
+  (for/fold ([p (piece (poly-scale (field-ring F) (/ 1 content) (fraction-numerator f)) '() '())])
+            ([h (in-list factors)])
+    (define short (shortest-squares F (car h)))
+    (if (null? (cdr short))
+        (divide-by-term F p (car short) (cdr h))
+        (piece (piece-numerator p) (piece-powers p) (cons h (piece-factors p))))))
+
+(define (divide-by-term F p t e)
+  (define R (field-ring F))
+  (piece (poly-scale R (expt (cdr t) (- e)) (piece-numerator p))
+         (for/fold ([powers (piece-powers p)]) ([v (in-list (monomial-factors R (car t)))])
+           (add-power powers (vector-ref (field-kernels F) (car v)) (- (* (cdr v) e))))
+         (piece-factors p)))
+
+;; A root r that occurs, of degree q: r^q = content · radicand / below, with a
+;; primitive polynomial of several terms and factors ((polynomial . exponent) ...).
+(struct base (kernel degree content radicand below) #:authentic)
+
+(define (occurring-roots F f)
+  (define R (field-ring F))
+  (define (occurs? i)
+    (or (positive? (poly-degree R (fraction-numerator f) i))
+        (for/or ([h (in-list (fraction-denominator-factors f))])
+          (positive? (poly-degree R (car h) i)))))
+  (for*/list ([r (in-list (field-relations F))]
+              [k (in-value (vector-ref (field-kernels F) (relation-index r)))]
+              #:when (and (root? (kernel-relation k)) (occurs? (relation-index r)))
+              [p (in-value (fraction-numerator (relation-radicand r)))]
+              #:when (and (pair? p) (pair? (cdr p))))
+    (define-values (content primitive) (poly-primitive R p))
+    (base k (relation-degree r) content primitive
+          (fraction-denominator-factors (relation-radicand r)))))
+
+;; Factors of the denominator that are radicands become powers of their roots.
+(define (absorb-radicands F roots p)
+  (for/fold ([p p]) ([b (in-list roots)])
+    (define h
+      (for/first ([h (in-list (piece-factors p))] #:when (poly=? (car h) (base-radicand b))) h))
+    (if h
+        (multiply-by-base F b (- (cdr h))
+                          (piece (piece-numerator p) (piece-powers p) (remq h (piece-factors p))))
+        p)))
+
+;; The piece times radicand^k, that is (r^q below / content)^k.
+(define (multiply-by-base F b k p)
+  (define scaled
+    (piece (poly-scale (field-ring F) (expt (base-content b) (- k)) (piece-numerator p))
+           (add-power (piece-powers p) (base-kernel b) (* k (base-degree b)))
+           (piece-factors p)))
+  (for/fold ([p scaled]) ([h (in-list (base-below b))])
+    (multiply-by-factor F p (car h) (* k (cdr h)))))
+
+;; The piece times h^k.
+(define (multiply-by-factor F p h k)
+  (define R (field-ring F))
+  (define old (for/first ([g (in-list (piece-factors p))] #:when (poly=? (car g) h)) g))
+  (define left (- (if old (cdr old) 0) k))
+  (define others (if old (remq old (piece-factors p)) (piece-factors p)))
+  (cond [(null? (cdr h))
+         (divide-by-term F p (car h) (- k))]
+        [(positive? left)
+         (piece (piece-numerator p) (piece-powers p) (cons (cons h left) others))]
+        [else
+         (piece (poly* R (piece-numerator p) (poly-expt R h (- left))) (piece-powers p) others)]))
+
+(define (add-power powers k n)
+  (define old (assq k powers))
+  (define sum (+ n (if old (cdr old) 0)))
+  (define others (if old (remq old powers) powers))
+  (if (eqv? sum 0) others (cons (cons k sum) others)))
+
+;; ---------------------------------------------------------------------------
+;; Splitting
+
+(define (split-by-root F b p)
+  (define R (field-ring F))
+  (define i (kernel-index (base-kernel b)))
+  (for*/list ([group (in-list (groups F (piece-numerator p) (base-radicand b)))]
+              [low+rest (in-list (poly-coefficients R group i))])
+    (define-values (quotient times) (divide-out R (cdr low+rest) (base-radicand b) #f))
+    (multiply-by-base F b times
+                      (piece quotient
+                             (add-power (piece-powers p) (base-kernel b) (car low+rest))
+                             (piece-factors p)))))
+
+(define (split-by-factor F h p)
+  (define R (field-ring F))
+  (define factor (for/first ([g (in-list (piece-factors p))] #:when (poly=? (car g) h)) g))
+  (if factor
+      (for/list ([group (in-list (groups F (piece-numerator p) h))])
+        (define-values (quotient times) (divide-out R group h (cdr factor)))
+        (define left (- (cdr factor) times))
+        (define others (remq factor (piece-factors p)))
+        (piece quotient
+               (piece-powers p)
+               (if (eqv? left 0) others (cons (cons h left) others))))
+      (list p)))
+
+;; -> p / h^times and times, the greatest possible, up to limit unless that is #f.
+(define (divide-out R p h limit)
+  (let loop ([p p] [times 0])
+    (define q (and (not (eqv? times limit)) (poly-divide R p h)))
+    (if q
+        (loop q (+ times 1))
+        (values p times))))
+
+;; The terms of p grouped by the part of their monomials that holds none of the
+;; variables of h.
+(define (groups F p h)
+  (define R (field-ring F))
+  (define own (poly-variables R h))
+  (define outside
+    (monomial-part R (filter (lambda (i) (not (memv i own))) (range (ring-size R)))))
+  (define table (make-monomial-hash R))
+  (define order
+    (for/fold ([order '()]) ([t (in-list p)])
+      (define m (outside (car t)))
+      (define group (hash-ref table m '()))
+      (hash-set! table m (cons t group))
+      (if (null? group) (cons m order) order)))
+  (for/list ([m (in-list (reverse order))]) (reverse (hash-ref table m))))
+
+(define (range n) (for/list ([i (in-range n)]) i))
+
+;; ---------------------------------------------------------------------------
+;; Joining
+
+;; Pieces over one denominator added.
+(define (join F pieces)
+  (define R (field-ring F))
+  (for/fold ([joined '()] #:result (reverse joined)) ([p (in-list pieces)])
+    (define same (for/first ([q (in-list joined)] #:when (same-denominator? p q)) q))
+    (cond [same
+           (for/list ([q (in-list joined)])
+             (if (eq? q same)
+                 (piece (poly+ R (piece-numerator p) (piece-numerator q))
+                        (piece-powers q) (piece-factors q))
+                 q))]
+          [else (cons p joined)])))
+
+(define (same-denominator? p q)
+  (define ((same-power? same-base?) a b)
+    (and (eqv? (cdr a) (cdr b)) (same-base? (car a) (car b))))
+  (and (same-set? (piece-powers p) (piece-powers q) (same-power? eq?))
+       (same-set? (piece-factors p) (piece-factors q) (same-power? poly=?))))
+
+(define (same-set? as bs same?)
+  (and (= (length as) (length bs))
+       (for/and ([a (in-list as)]) (for/or ([b (in-list bs)]) (same? a b)))))
+
+(define (distinct-factors pieces)
+  (for*/fold ([kept '()] #:result (reverse kept))
+             ([p (in-list pieces)] [h (in-list (piece-factors p))])
+    (if (for/or ([k (in-list kept)]) (poly=? k (car h))) kept (cons (car h) kept))))

@@ -1,0 +1,67 @@
+#lang racket/base
+;; Choosing between sin² and cos².
+;;
+;; A reduced polynomial holds no sin².  For each basic angle the same value is
+;; also written without cos², and in either form pairs of terms are merged,
+;;
+;;     X - X cos²θ = X sin²θ,      X - X sin²θ = X cos²θ
+;;
+;; (hyperbolic: X cosh²u - X = X sinh²u, X + X sinh²u = X cosh²u).  The form
+;; with fewer terms is kept, the one without sin² if they tie.
+
+(require "../field/field.rkt"
+         "../kernel/kernel.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/monomial.rkt" "../polynomial/polynomial.rkt"
+         "../polynomial/ring.rkt")
+
+(provide shortest-squares)
+
+;; A polynomial equal to p modulo the relations, in which sines may be squared.
+(define (shortest-squares F p)
+  (for/fold ([p p]) ([r (in-list (field-relations F))])
+    (define o (kernel-relation (vector-ref (field-kernels F) (relation-index r))))
+    (if (and (circle? o) (squared? F p (kernel-index (circle-cosine o))))
+        (choose F p o)
+        p)))
+
+(define (squared? F p i)
+  (for/or ([t (in-list p)]) (>= (monomial-exponent (field-ring F) (car t) i) 2)))
+
+(define (choose F p o)
+  (define R (field-ring F))
+  (define sign (circle-sign o))
+  (define sine (kernel-index (circle-sine o)))
+  (define cosine (kernel-index (circle-cosine o)))
+  (define without-sines (merge R p cosine sine -1 sign))
+  (define without-cosines (merge R (eliminate R p cosine sine sign) sine cosine (- sign) 1))
+  (if (< (poly-term-count without-cosines) (poly-term-count without-sines))
+      without-cosines
+      without-sines))
+
+;; p with cos² = 1 - sign sin².
+(define (eliminate R p cosine sine sign)
+  (define one (poly-constant R 1))
+  (define cosine² (poly- R one (poly-scale R sign (poly-variable R sine 2))))
+  (fraction-numerator
+   (lower R (relation cosine 2 (fraction-from-poly R cosine²)) p)))
+
+;; Pairs X m + (ratio X) m xᵢ² become (factor X) m xⱼ².
+(define (merge R p i j ratio factor)
+  (define xi² (variable-power R i 2))
+  (define xj² (variable-power R j 2))
+  (define table (make-monomial-hash R))
+  (for ([t (in-list p)]) (hash-set! table (car t) (cdr t)))
+  (define merged
+    (for*/list ([t (in-list p)]
+                #:when (>= (monomial-exponent R (car t) i) 2)
+                [low (in-value (monomial- (car t) xi²))]
+                [x (in-value (hash-ref table low #f))]
+                #:when (and x (hash-has-key? table (car t)) (= (cdr t) (* ratio x))))
+      (hash-remove! table (car t))
+      (hash-remove! table low)
+      (list (cons (monomial+ low xj²) (* factor x)))))
+  (if (null? merged)
+      p
+      (poly+ R
+             (filter (lambda (t) (hash-has-key? table (car t))) p)
+             (poly-sum R merged))))

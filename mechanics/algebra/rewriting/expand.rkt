@@ -1,0 +1,101 @@
+#lang racket/base
+;; Expanding: products and powers of sums multiplied out, to one sum of terms.
+;;
+;; What is multiplied out is what stands there: sin² + cos² remains two terms.
+;; So sines and cosines are veiled before the normal form is found, as functions
+;; nobody knows anything of, and unveiled after.  A term keeps only those sums
+;; below it that it needs.
+
+(require "quotient.rkt"
+         (only-in "../assumption/assumptions.rkt" no-assumptions)
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../field/field.rkt"
+         "../kernel/kernel.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../presentation/form.rkt" "../presentation/pieces.rkt" "../presentation/term.rkt"
+         "../simplify/simplify.rkt")
+
+(provide expand-expression)
+
+;; -> expression and assumptions
+(define (expand-expression e [A no-assumptions])
+  (define-values (veiled assumed) (veil e A))
+  (define-values (F f assumptions) (normal-form veiled A))
+  (values (unveil (form-expression (expanded-form F f)))
+          (append assumed assumptions)))
+
+;; ---------------------------------------------------------------------------
+;; The sum
+
+(define (expanded-form F f)
+  (define pieces (fraction->pieces F f))
+  (define whole (filter (lambda (p) (null? (piece-factors p))) pieces))
+  (define others (filter (lambda (p) (pair? (piece-factors p))) pieces))
+  (define terms (apply append (map (lambda (p) (piece-terms F p)) whole)))
+  (define summands
+    (append (for/list ([t (in-list (in-order terms))]) (term-form t (inexact-field? F)))
+            (apply append (map (lambda (p) (quotient-forms F p)) others))))
+  (if (null? summands) (expression->form 0) (sum-form summands)))
+
+(define (piece-terms F p)
+  (multiply-terms (polynomial-terms F (piece-numerator p))
+                  (term-powers (make-term 1 (piece-powers p)))))
+
+;; A positive constant comes first.
+(define (in-order terms)
+  (define sorted (term-sort terms))
+  (define constant
+    (for/first ([t (in-list sorted)]
+                #:when (and (null? (term-powers t)) (positive? (term-coefficient t))))
+      t))
+  (if constant (cons constant (remq constant sorted)) sorted))
+
+(define (quotient-forms F p)
+  (define divisors
+    (for/list ([h (in-list (piece-factors p))])
+      (cons (expanded-form F (fraction-from-poly (field-ring F) (car h))) (cdr h))))
+  (for/list ([t (in-list (in-order (piece-terms F p)))])
+    (product-form (term-coefficient t) (term-powers t) '() divisors (inexact-field? F))))
+
+;; ---------------------------------------------------------------------------
+;; Veils
+
+(define veils
+  (for/list ([op (in-list (list op:sin op:cos op:tan op:sinh op:cosh op:tanh))])
+    (cons op (make-literal-head (string->uninterned-symbol (symbol->string (operation-name op)))))))
+
+(define arithmetic (list op:+ op:- op:* op:/))
+
+;; -> e with veiled functions, their arguments and those of roots simplified, and
+;; what that assumed.
+(define (veil e A)
+  (define assumptions '())
+  (define (simplified n)
+    (define-values (simple assumed) (simplify-expression/assumptions n A))
+    (set! assumptions (append assumptions assumed))
+    simple)
+  (define memo (make-memo))
+  ;; simple? : is e part of something simplified?
+  (define (walk e simple?)
+    (cond [(not (node? e)) e]
+          [(arithmetic? e) (memo e (lambda () (rebuilt e simple?)))]
+          [(not simple?) (memo e (lambda () (walk (simplified e) #t)))]
+          [(assq (node-head e) veils)
+           => (lambda (v) (make-node (cdr v) (node-args e)))]
+          [(memq (node-head e) (list op:sqrt op:expt)) (rebuilt e simple?)]
+          [else e]))
+  (define (rebuilt e simple?)
+    (make-node (node-head e) (for/list ([a (in-list (node-args e))]) (walk a simple?))))
+  (define veiled (walk e #f))
+  (values veiled assumptions))
+
+(define (arithmetic? e)
+  (or (memq (node-head e) arithmetic)
+      (and (eq? (node-head e) op:expt) (exact-integer? (cadr (node-args e))))))
+
+(define (unveil e)
+  (define (operation head)
+    (for/first ([v (in-list veils)] #:when (eq? (cdr v) head)) (car v)))
+  (node-fold e values
+             (lambda (n args)
+               (make-node (or (operation (node-head n)) (node-head n)) args))))

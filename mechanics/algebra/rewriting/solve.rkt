@@ -1,0 +1,240 @@
+#lang racket/base
+;; Equations in several unknowns, where formulas are short: one equation after
+;; another is factored, a factor solved for an unknown, and what was found put into
+;; the others.
+;;
+;; A factor is solved if it is linear in an unknown, with a coefficient in which no
+;; unknown occurs; and, if there is one unknown only, when it is a quadratic
+;; polynomial, or one of degree 1 in the sine and the cosine of one angle a x + b.
+;; Of angles one solution in each turn is given.
+;;
+;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
+;; solutions to be real are kept with them.
+
+(require "factorization.rkt"
+         "../expression/evaluate.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/symbols.rkt"
+         "../simplify/simplify.rkt")
+
+(provide solve-equations expression-factors)
+
+(define pi 3.141592653589793)
+
+;; equations : expressions that are to vanish; unknowns : symbols; A : assumptions
+;; -> a list of solutions (((unknown . expression) ...) condition ...), where an unknown
+;; that is left out may be anything; #f if one of the equations cannot be solved.
+;; A condition is (<= -1 e 1) or (>= e 0); solutions without come first.
+(define (solve-equations equations unknowns A)
+  (define flonums? (ormap flonum-in? equations))
+  (let/ec return
+    (unconditional-first
+     (let solve ([equations equations] [found '()] [conditions '()])
+       (define open (open-equations equations A))
+       (define (involved e) (filter (lambda (x) (occurs? x e)) unknowns))
+       (cond [(null? open) (list (cons (in-order found unknowns flonums?) conditions))]
+             [(ormap (lambda (e) (null? (involved e))) open) '()]
+             [else
+              (define e (simplest open involved))
+              (for*/list ([f (in-list (vanishing-factors e A))]
+                          [xs (in-value (involved f))]
+                          #:when (pair? xs)
+                          [root (in-list (or (solve-factor f xs A) (return #f)))]
+                          [solution (in-list (solve (replaced (remq e open) root)
+                                                    (extended found root A)
+                                                    (append conditions (root-conditions root))))])
+                solution)])))))
+
+;; x = value, under conditions.  waves : what sine and cosine are there, an alist
+(struct root (x value conditions waves) #:authentic)
+
+(define (open-equations equations A)
+  (for*/list ([e (in-list equations)] [s (in-value (simplify-expression e A))]
+                                      #:unless (eqv? s 0))
+    s))
+
+;; The equation with the fewest unknowns.
+(define (simplest equations involved)
+  (for/fold ([best (car equations)]) ([e (in-list (cdr equations))])
+    (if (< (length (involved e)) (length (involved best))) e best)))
+
+(define (replaced equations r)
+  (define replacements (cons (cons (root-x r) (root-value r)) (root-waves r)))
+  (for/list ([e (in-list equations)]) (substitute-expression e replacements)))
+
+(define (extended found r A)
+  (cons (cons (root-x r) (root-value r))
+        (for/list ([entry (in-list found)])
+          (cons (car entry)
+                (simplify-expression (put (cdr entry) (root-x r) (root-value r)) A)))))
+
+;; Factors of what has flonums are of whole numbers: in the end, a quotient of these is a
+;; flonum.
+(define (in-order found unknowns flonums?)
+  (define (presented e)
+    (if (and flonums? (real? e) (exact? e) (not (integer? e))) (exact->inexact e) e))
+  (for*/list ([x (in-list unknowns)] [entry (in-value (assq x found))] #:when entry)
+    (cons x (presented (cdr entry)))))
+
+(define (flonum-in? e)
+  (node-fold e flonum? (lambda (n found) (ormap values found))))
+
+(define (put e x value) (substitute-expression e (list (cons x value))))
+
+;; Each once.
+(define (unconditional-first solutions)
+  (define distinct
+    (for/fold ([kept '()] #:result (reverse kept)) ([s (in-list solutions)])
+      (if (member s kept) kept (cons s kept))))
+  (define (conditional? s) (pair? (cdr s)))
+  (append (filter (lambda (s) (not (conditional? s))) distinct) (filter conditional? distinct)))
+
+;; ---------------------------------------------------------------------------
+;; Factors
+
+(define (vanishing-factors e A)
+  (for/list ([f (in-list (expression-factors e A))] #:when (positive? (cdr f))) (car f)))
+
+;; ((factor . exponent) ...), their product being e
+(define (expression-factors e A)
+  (define-values (product grounds) (factored-expression e A))
+  (let walk ([e product] [power 1])
+    (define args (if (node? e) (node-args e) '()))
+    (define head (and (node? e) (node-head e)))
+    (cond [(eq? head op:*) (apply append (for/list ([a (in-list args)]) (walk a power)))]
+          [(eq? head op:/) (append (walk (car args) power) (walk (cadr args) (- power)))]
+          [(and (eq? head op:expt) (exact-integer? (cadr args)))
+           (walk (car args) (* power (cadr args)))]
+          [else (list (cons e power))])))
+
+;; -> roots, or #f
+(define (solve-factor f xs A)
+  (define (linear x) (linear-root f x xs A))
+  (define root (ormap linear xs))
+  (cond [root (list root)]
+        [(pair? (cdr xs)) #f]
+        [else (or (quadratic-roots f (car xs) A) (wave-roots f (car xs) A))]))
+
+;; ---------------------------------------------------------------------------
+;; Polynomials, known by their values
+
+(define (zero-everywhere? e A) (eqv? 0 (simplify-expression e A)))
+
+;; (a b) if e = a x + b with a ≠ 0, both without x; else #f.
+(define (line e x A)
+  (define b (value-at e x 0 A))
+  (define a (and b (value-at (e:- e b) x 1 A)))
+  (and a
+       (not (eqv? a 0))
+       (zero-everywhere? (e:- e (e:+ (e:* a x) b)) A)
+       (list a b)))
+
+;; The value at x, or #f where there is none.
+(define (value-at e x value A)
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+    (simplify-expression (put e x value) A)))
+
+(define (linear-root f x xs A)
+  (define ab (line f x A))
+  (and ab
+       (not (ormap (lambda (y) (occurs? y (car ab))) xs))
+       (root x (quotient-of (e:negate (cadr ab)) (car ab) A) '() '())))
+
+(define (quotient-of a b A) (simplify-expression (e:/ a b) A))
+
+;; a x² + b x + c
+(define (quadratic-roots f x A)
+  (define-values (c plus minus)
+    (values (value-at f x 0 A) (value-at f x 1 A) (value-at f x -1 A)))
+  (and c plus minus
+       (let* ([a (simplify-expression (e:- (e:* 1/2 (e:+ plus minus)) c) A)]
+              [b (simplify-expression (e:* 1/2 (e:- plus minus)) A)]
+              [square (e:+ (e:* a (e:expt x 2)) (e:+ (e:* b x) c))])
+         (and (not (eqv? a 0))
+              (zero-everywhere? (e:- f square) A)
+              (roots-of-square a b c x A)))))
+
+(define (roots-of-square a b c x A)
+  (define D (simplify-expression (e:- (e:expt (e:* 1/2 b) 2) (e:* a c)) A))
+  (define (solution sign)
+    (quotient-of (e:- (e:* sign (e:apply op:sqrt D)) (e:* 1/2 b)) a A))
+  (define size (e:apply op:abs D))
+  (define (known? sign) (zero-everywhere? (e:- D (e:* sign size)) A))
+  (define conditions (if (known? 1) '() (list (list '>= D 0))))
+  (if (and (known? -1) (not (known? 1)))
+      '()
+      (for/list ([sign '(1 -1)]) (root x (solution sign) conditions '()))))
+
+;; ---------------------------------------------------------------------------
+;; Angles
+
+;; A cos u + B sin u + C with u = a x + b
+(define (wave-roots f x A)
+  (define angles (angles-of f x))
+  (define u (and (pair? angles) (null? (cdr angles)) (car angles)))
+  (define ab (and u (line u x A)))
+  (define coefficients (and ab (wave-coefficients f x u A)))
+  (define solutions (and coefficients (angles-where coefficients A)))
+  (and solutions
+       (for/list ([s (in-list solutions)])
+         (root x
+               (quotient-of (e:- (turn-angle s) (cadr ab)) (car ab) A)
+               (turn-conditions s)
+               (for/list ([op (in-list (list op:cos op:sin))]
+                          [value (in-list (list (turn-cosine s) (turn-sine s)))]
+                          #:when value)
+                 (cons (make-node op (list u)) value))))))
+
+;; The arguments of sines and cosines in which x occurs.
+(define (angles-of f x)
+  (define found '())
+  (node-fold f
+             (lambda (leaf) (eq? leaf x))
+             (lambda (n moves)
+               (define u (car (node-args n)))
+               (when (and (memq (node-head n) (list op:sin op:cos))
+                          (car moves)
+                          (not (member u found)))
+                 (set! found (cons u found)))
+               (ormap values moves)))
+  found)
+
+;; (A B C), or #f
+(define (wave-coefficients f x u A)
+  (define (of op) (make-node op (list u)))
+  (define (with cosine sine)
+    (simplify-expression
+     (substitute-expression f (list (cons (of op:cos) cosine) (cons (of op:sin) sine))) A))
+  (define C (with 0 0))
+  (define-values (a b) (values (e:- (with 1 0) C) (e:- (with 0 1) C)))
+  (define-values (cosine sine) (values (simplify-expression a A) (simplify-expression b A)))
+  (define wave (e:+ (e:* cosine (of op:cos)) (e:+ (e:* sine (of op:sin)) C)))
+  (and (zero-everywhere? (e:- f wave) A)
+       (not (ormap (lambda (e) (occurs? x e)) (list cosine sine C)))
+       (list cosine sine C)))
+
+;; An angle with its cosine and its sine, #f for what has no short form.
+(struct turn (angle cosine sine conditions) #:authentic)
+
+;; -> a list of turns where A cos u + B sin u + C is 0, or #f
+(define (angles-where coefficients A)
+  (define-values (a b c) (apply values coefficients))
+  (define (inverse op x) (simplify-expression (e:apply op x) A))
+  (cond [(and (eqv? a 0) (eqv? c 0)) (list (turn 0 1 0 '()) (turn pi -1 0 '()))]
+        [(and (eqv? b 0) (eqv? c 0))
+         (list (turn (/ pi 2) 0 1 '()) (turn (/ pi -2) 0 -1 '()))]
+        [(eqv? b 0)
+         (define x (quotient-of (e:negate c) a A))
+         (for/list ([sign (in-list (if (within-one? x) '(1 -1) '()))])
+           (turn (e:* sign (inverse op:acos x)) x #f (bound-on x)))]
+        [(eqv? a 0)
+         (define x (quotient-of (e:negate c) b A))
+         (define u (inverse op:asin x))
+         (for/list ([angle (in-list (if (within-one? x) (list u (e:- pi u)) '()))])
+           (turn angle #f x (bound-on x)))]
+        [(eqv? c 0)
+         (define u (inverse op:atan (quotient-of (e:negate a) b A)))
+         (list (turn u #f #f '()) (turn (e:+ pi u) #f #f '()))]
+        [else #f]))
+
+(define (within-one? x) (or (not (real? x)) (<= -1 x 1)))
+(define (bound-on x) (if (real? x) '() (list (list '<= -1 x 1))))

@@ -1,0 +1,173 @@
+#lang racket/base
+;; Arguments that are equal though they are written differently.
+;;
+;; A function applied is known by its argument as that is presented, and the kernels
+;; an argument is written in depend on what occurs in it: sin 2a and 2 sin a cos a,
+;; each by itself, are written in the angles 2a and a.  So the arguments of all
+;; functions are looked at together: in the field of all their kernels those that are
+;; equal have one value.  Mostly every argument has the kernels there that it has by
+;; itself, and nothing is to be done.  Otherwise
+;;
+;; - the function of an argument is that of the least of those that are equal;
+;; - what exponentials, angles, roots and logarithms are taken of, whose terms and
+;;   factors count, is written in the kernels of all.
+
+(require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
+         "../expression/size.rkt"
+         "../field/field.rkt"
+         "../kernel/collect.rkt" "../kernel/kernel.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
+
+(provide align make-involved? least-expression)
+
+;; involved? : does a function occur in an expression? (make-involved?)
+;; alone : expression -> the kernels of its field, a vector
+;; simplify : expression -> expression
+;; atlas-of : expression -> atlas
+;; values-in : atlas expressions -> field and fractions, or #f #f if they grow too large
+;; -> an expression equal to e
+(define (align e involved? alone simplify atlas-of values-in)
+  (define (align-all es)
+    (node-args (align (make-node op:+ es) involved? alone simplify atlas-of values-in)))
+  (define arguments (involved-arguments e involved?))
+  (cond [(or (null? arguments) (null? (cdr arguments))) e]
+        [else
+         (define table (spellings arguments (align-all arguments) alone simplify atlas-of values-in))
+         (if table (respell e table) e)]))
+
+(define (least-expression es)
+  (for/fold ([best (car es)]) ([e (in-list (cdr es))])
+    (define k (- (expression-size e) (expression-size best)))
+    (if (or (< k 0) (and (eqv? k 0) (expression<? e best))) e best)))
+
+;; ---------------------------------------------------------------------------
+;; Arguments
+
+(define arithmetic (list op:+ op:- op:* op:/ op:up op:down))
+(define by-parts
+  (list op:sin op:cos op:tan op:sinh op:cosh op:tanh op:exp op:log op:sqrt op:expt op:abs))
+
+;; A node whose operands are no arguments.
+(define (arithmetic? n)
+  (or (memq (node-head n) arithmetic)
+      (and (eq? (node-head n) op:expt) (exact-integer? (cadr (node-args n))))))
+
+;; The arguments, each once, in which functions occur: others have one form.
+(define (involved-arguments e involved?)
+  (define seen (make-hasheq))
+  (define met (make-hash))
+  (let visit ([e e] [argument? #f])
+    (cond [(not (node? e)) (void)]
+          [(and argument? (not (memq (node-head e) (list op:up op:down))))
+           (when (and (involved? e) (not (hash-ref met e #f)))
+             (hash-set! met e (hash-count met)))]
+          [(not (hash-ref seen e #f))
+           (hash-set! seen e #t)
+           (for ([a (in-list (node-args e))])
+             (visit a (or argument? (not (arithmetic? e)))))]))
+  (map car (sort (hash->list met) < #:key cdr)))
+
+;; -> expression -> does a function other than an unknown one of symbols occur in it?
+(define (make-involved?)
+  (define memo (make-memo))
+  (define (involved? e)
+    (and (node? e)
+         (memo e (lambda ()
+                   (or (and (memq (node-head e) by-parts) (not (arithmetic? e)))
+                       (ormap involved? (node-args e)))))))
+  involved?)
+
+;; e with its arguments as (table argument parts?) has them.
+(define (respell e table)
+  (define memo (make-memo))
+  (define (walk e) (if (node? e) (memo e (lambda () (walk-node e))) e))
+  (define (walk-node n)
+    (define parts? (and (memq (node-head n) by-parts) #t))
+    (rebuilt n (if (arithmetic? n) walk (lambda (a) (argument a parts?)))))
+  (define (argument a parts?)
+    (cond [(not (node? a)) a]
+          [(memq (node-head a) (list op:up op:down))
+           (rebuilt a (lambda (b) (argument b parts?)))]
+          [else (table a parts?)]))
+  (walk e))
+
+(define (rebuilt n f)
+  (define args (map f (node-args n)))
+  (if (andmap eq? args (node-args n)) n (make-node (node-head n) args)))
+
+;; ---------------------------------------------------------------------------
+;; Spellings
+
+;; inner : the arguments, those of their own functions aligned.
+;; -> argument parts? -> expression; or #f if all may stay as they are
+(define (spellings arguments inner alone simplify atlas-of values-in)
+  (define atlas (atlas-of (make-node op:+ inner)))
+  (define own (map alone inner))
+  (define-values (F fractions)
+    (if (comparable? atlas own) (values #f #f) (values-in atlas inner)))
+  (cond [F (table-of arguments (spell-by-parts F inner fractions own)
+                     (spell-by-wholes F inner fractions simplify))]
+        [(andmap eq? arguments inner) #f]
+        [else (table-of arguments inner inner)]))
+
+(define (table-of arguments by-parts wholes)
+  (define table
+    (for/hash ([a (in-list arguments)] [p (in-list by-parts)] [w (in-list wholes)])
+      (values a (cons p w))))
+  (lambda (a parts?)
+    (define entry (hash-ref table a #f))
+    (cond [(not entry) a]
+          [parts? (car entry)]
+          [else (cdr entry)])))
+
+;; Has each argument by itself kernels that all together have, without roots that may
+;; depend on each other?
+(define (comparable? atlas own)
+  (define known
+    (for/hash ([k (in-list (atlas-kernels atlas))]) (values (kernel-expression k) #t)))
+  (define tower (atlas-tower atlas))
+  (and (or (null? tower) (null? (cdr tower)))
+       (for*/and ([kernels (in-list own)] [k (in-vector kernels)])
+         (hash-ref known (kernel-expression k) #f))))
+
+;; In the kernels of all, where these are not its own.
+(define (spell-by-parts F arguments fractions own)
+  (for/list ([a (in-list arguments)] [f (in-list fractions)] [kernels (in-list own)])
+    (define known
+      (for/hash ([k (in-vector kernels)]) (values (kernel-expression k) #t)))
+    (if (for/and ([k (in-list (fraction-kernels F f))])
+          (hash-ref known (kernel-expression k) #f))
+        a
+        (fraction->expression F f))))
+
+(define (fraction-kernels F f)
+  (define R (field-ring F))
+  (for*/list ([p (in-list (cons (fraction-numerator f) (map car (fraction-denominator-factors f))))]
+              [i (in-list (poly-variables R p))])
+    (vector-ref (field-kernels F) i)))
+
+(define (fraction->expression F f)
+  (e:/ (poly->expression F (fraction-numerator f))
+       (for/fold ([product 1]) ([h (in-list (fraction-denominator-factors f))])
+         (e:* product (e:expt (poly->expression F (car h)) (cdr h))))))
+
+(define (poly->expression F p)
+  (for/fold ([sum 0]) ([t (in-list (poly-terms (field-ring F) p))])
+    (e:+ sum
+         (for/fold ([product (car t)]) ([power (in-list (cdr t))])
+           (e:* product
+                (e:expt (kernel-expression (vector-ref (field-kernels F) (car power)))
+                        (cdr power)))))))
+
+;; The least of those that are equal, simplified by itself.
+(define (spell-by-wholes F arguments fractions simplify)
+  (define R (field-ring F))
+  (define groups (make-hasheqv))        ; hash -> ((fraction . argument) ...)
+  (for ([f (in-list fractions)] [a (in-list arguments)])
+    (hash-update! groups (fraction-hash R f) (lambda (group) (cons (cons f a) group)) '()))
+  (for/list ([f (in-list fractions)] [a (in-list arguments)])
+    (define equals
+      (for/list ([g (in-list (hash-ref groups (fraction-hash R f)))]
+                 #:when (fraction=? R f (car g)))
+        (cdr g)))
+    (if (null? (cdr equals)) a (least-expression (map simplify equals)))))

@@ -1,0 +1,47 @@
+#lang racket/base
+;; Declaring relations: they are read, simplified and added to a set.
+;;
+;; A set knows signs by the simplified form of expressions, which depends on the
+;; set: with x > 0, |x| - 1 becomes x - 1.  So relations that simplify to something
+;; else in the new set are added in that form too.
+
+(require "normalize.rkt" "simplify.rkt"
+         "../assumption/assumptions.rkt" "../assumption/narrowing.rkt"
+         "../assumption/relation.rkt")
+
+(provide declare-relations declared-relations without-relations
+         (struct-out exn:algebra:contradiction))
+
+;; data : relations between two expressions, as datums
+;; rejection : datum -> what to call if it is no relation (see assumption/relation.rkt)
+;; Raises exn:algebra:contradiction.
+(define (declare-relations A data [rejection (lambda (d) raise-no-relation)])
+  (define new
+    (for/list ([d (in-list data)])
+      (simplified (read-relation d (rejection d)) no-assumptions)))
+  (define extended (add A new))
+  (add extended
+       (for*/list ([r (in-list (assumptions-relations extended))]
+                   [s (in-value (simplified r extended))]
+                   #:unless (equal? (relation-expression r) (relation-expression s)))
+         s)))
+
+(define (add A new)
+  (define w (make-workspace (with-automatic-assumptions no-assumptions #f)))
+  (if (null? new) A (add-relations A new (workspace-services w))))
+
+(define (simplified r A)
+  (relation (relation-datum r)
+            (simplify-expression (relation-expression r) (with-automatic-assumptions A #f))
+            (relation-signs r)))
+
+;; The datums of the relations, each once, in the order of declaration.
+(define (declared-relations A)
+  (for/fold ([data '()] #:result (reverse data)) ([r (in-list (assumptions-relations A))])
+    (define d (relation-datum r))
+    (if (member d data) data (cons d data))))
+
+;; The set without those of these datums; what they implied is gone.
+(define (without-relations A data)
+  (declare-relations (with-automatic-assumptions no-assumptions (assumptions-automatic? A))
+                     (filter (lambda (d) (not (member d data))) (declared-relations A))))

@@ -1,0 +1,201 @@
+#lang racket/base
+;; Roots by the factors of their radicands: (c^q w)^(1/q) = c w^(1/q).
+;;
+;; The radicand is factored into primes, square-free polynomials and, where it
+;; holds roots or exponentials as factors, what stands in these.  Each factor g^e
+;; contributes a whole power of g and g^(a/d) in lowest terms; factors with one d are
+;; one root, so (4x²y)^(1/4) = √(2x) y^(1/4).
+;;
+;; What is taken out, or to a lower root, must not be negative, but for an even
+;; power.  The opposite of a factor known to be negative is put in its place, and a
+;; minus sign under the root.  Where nothing is known and nothing may be assumed, an
+;; even number of factors under an even root is one of |g|.  Of factors that are not real
+;; all stay under one root: √(e^(2it)) is e^(it) or its opposite.
+
+(require "../assumption/services.rkt"
+         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
+         "../field/field.rkt"
+         (only-in "../kernel/collect.rkt" atlas-services) "../kernel/kernel.rkt"
+         "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../presentation/present.rkt" "../presentation/squares.rkt")
+
+(provide split-root fraction-factors fraction-factors/irreducible)
+
+;; branch : expression -> 1 or -1, as its sign is known or taken to be, or #f
+;; all-real? : is all that f holds plainly real?
+;; -> outer and ((inner . exponent) ...), expressions and rationals, with
+;; f^(1/q) = outer ∏ inner^exponent.
+(define (split-root F f q branch all-real?)
+  (define (real? p)
+    (or all-real? ((services-real? (field-services F)) (present-poly F p))))
+  (cond
+    [(fraction-zero? f) (values 0 '())]
+    [else
+     (define-values (number factors) (value-parts F f))
+     (define-values (roots others) (partition-roots F factors real?))
+     (define-values (sign known unknown) (by-signs F others q branch real?))
+     (define parts (append (number-parts (* sign number) q (field-inexact? F))
+                           (for/list ([g (in-list known)]) (cons (car g) (/ (cdr g) q)))))
+     (define-values (outer lower kept) (careful-roots F unknown q real?))
+     (define rest (append (filter pair? (map fractional-part parts)) kept))
+     (values (e:* (present F (power-product F (map whole-part parts))) outer)
+             (append (for/list ([r (in-list roots)]) (lower-root (car r) (/ (cdr r) q)))
+                     (if (and (pair? kept)
+                              (or (odd? q) (not (andmap real? (map car unknown)))))
+                         (list (one-root F rest q))
+                         (grouped-roots F rest))
+                     lower))]))
+
+;; Factors ((polynomial . integer) ...) by their signs, if these matter: -> 1 or -1 and
+;; factors that together are those of known signs, and those of unknown sign.
+(define (by-signs F factors q branch real?)
+  (for/fold ([sign 1] [known '()] [unknown '()]
+             #:result (values sign (reverse known) (reverse unknown)))
+            ([g (in-list factors)])
+    (define s
+      (cond [(sign-matters? (cdr g) q) (branch (present-poly F (car g)))]
+            [(not (real? (car g))) #f]
+            [(negative? (cdr g)) (known-sign F (car g))]
+            [else 1]))
+    (cond [(eqv? s 1) (values sign (cons g known) unknown)]
+          [s (values (* sign (expt -1 (cdr g)))
+                     (cons (cons (poly-negate (field-ring F) (car g)) (cdr g)) known)
+                     unknown)]
+          [else (values sign known (cons g unknown))])))
+
+;; Does some of the factor g^n leave the root, wholly or for a lower one?
+(define (sign-matters? n q)
+  (define e (/ n q))
+  (not (or (and (integer? e) (even? e))
+           (and (odd? n) (even? (truncate e)) (eqv? q (denominator e))))))
+
+(define (field-services F) (atlas-services (field-atlas F)))
+
+;; 1/√x is √(1/x) unless x is negative.
+(define (known-sign F p) (or ((services-sign (field-services F)) (present-poly F p)) 1))
+
+(define (present-poly F p) (present F (fraction-from-poly (field-ring F) p)))
+
+;; Factors of unknown sign: -> an expression outside, roots ((inner . exponent) ...),
+;; and parts ((polynomial . exponent) ...) to be left under the root with others.
+(define (careful-roots F factors q real?)
+  (for/fold ([outer 1] [roots '()] [kept '()]) ([g (in-list factors)])
+    (define x (present-poly F (car g)))
+    (define size (make-node op:abs (list x)))
+    (define e (/ (cdr g) q))
+    (define k (truncate e))
+    (define rest (- e k))
+    (cond [(not (real? (car g))) (values outer roots (cons (cons (car g) e) kept))]
+          [(even? (/ q (denominator e)))
+           (values (e:* outer (e:expt size k))
+                   (if (eqv? rest 0) roots (cons (cons size rest) roots))
+                   kept)]
+          [(even? q) (values (e:* outer (e:expt size k)) roots (cons (cons (car g) rest) kept))]
+          [else
+           (define even (- k (remainder k 2)))
+           (values (e:* outer (e:expt x even)) roots (cons (cons (car g) (- e even)) kept))])))
+
+;; All parts under one root of degree q.
+(define (one-root F parts q)
+  (cons (present F (power-product F (for/list ([p (in-list parts)]) (cons (car p) (* q (cdr p))))))
+        (/ 1 q)))
+
+;; Factors that are roots or exponentials, as ((root . integer) ...), and the others.
+(define (partition-roots F factors real?)
+  (for/fold ([roots '()] [others '()] #:result (values (reverse roots) (reverse others)))
+            ([g (in-list factors)])
+    (define r (and (real? (car g)) (lone-root F (car g))))
+    (if r
+        (values (cons (cons r (cdr g)) roots) others)
+        (values roots (cons g others)))))
+
+;; (radicand . exponent) for the root raised to the exponent e.
+(define (lower-root r e)
+  (if (root? r)
+      (cons (root-radicand r) (/ e (root-degree r)))
+      (cons (make-node op:exp (list (e:* e (exponential-exponent r)))) 1)))
+
+;; The root or exponential that the polynomial is, or #f.
+(define (lone-root F p)
+  (define variables (poly-variables (field-ring F) p))
+  (define r
+    (and (null? (cdr p)) (pair? variables) (null? (cdr variables))
+         (kernel-relation (vector-ref (field-kernels F) (car variables)))))
+  (and (or (exponential? r)
+           (and (root? r) (not (eqv? (root-radicand r) -1))))
+       r))
+
+;; ((base . exponent) ...), bases being numbers and polynomials.  A number that
+;; came from a flonum is split only if nothing is left.
+(define (number-parts x q inexact?)
+  (define factors
+    (for/list ([f (in-list (number-factors (abs x)))]) (cons (car f) (/ (cdr f) q))))
+  (define sign (if (negative? x) (list (cons -1 (/ 1 q))) '()))
+  (cond [(eqv? x 1) '()]
+        [(and inexact? (not (andmap (lambda (f) (integer? (cdr f))) factors)))
+         (list (cons x (/ 1 q)))]
+        [else (append factors sign)]))
+
+;; Numbers keep a positive exponent below the root, polynomials their sign.
+(define (whole-part part)
+  (define e (cdr part))
+  (cons (car part) (if (number? (car part)) (floor e) (truncate e))))
+(define (fractional-part part)
+  (define e (- (cdr part) (cdr (whole-part part))))
+  (if (eqv? e 0) '() (cons (car part) e)))
+
+;; Parts with fractions for exponents, those of one denominator in one root: its
+;; radicand is no power itself, unless it is negative.
+(define (grouped-roots F parts)
+  (define degrees (distinct (for/list ([p (in-list parts)]) (denominator (cdr p)))))
+  (for/list ([d (in-list degrees)])
+    (define group (filter (lambda (p) (eqv? d (denominator (cdr p)))) parts))
+    (define signed? (assv -1 group))
+    (define common (apply gcd (for/list ([p (in-list group)]) (numerator (cdr p)))))
+    (define sign (if (andmap (lambda (p) (negative? (cdr p))) group) -1 1))
+    (define power (if signed? 1 (* sign common)))
+    (cons (present F (power-product F (for/list ([p (in-list group)])
+                                        (cons (car p) (/ (numerator (cdr p)) power)))))
+          (/ power d))))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (memv x kept) kept (cons x kept))))
+
+(define (power-product F powers)
+  (define R (field-ring F))
+  (for/fold ([f (fraction-from-poly R (poly-constant R 1))]) ([g (in-list powers)])
+    (if (number? (car g))
+        (fraction-scale R (expt (car g) (cdr g)) f)
+        (fraction* R f (fraction-expt R (fraction-from-poly R (car g)) (cdr g))))))
+
+;; -> number and ((polynomial . integer) ...), whose product f is: the parts of
+;; numerator and denominator.  In the form with fewest terms 1 - cos² is a square.
+(define (value-parts F f)
+  (define R (field-ring F))
+  (define p (shortest-squares F (fraction-numerator f)))
+  (define above (poly-parts R p))
+  (define below (fraction-denominator-parts R f))
+  (values (/ (* (poly-leading-coefficient p) (leading below))
+             (* (leading above) (leading (fraction-denominator-factors f))))
+          (append above (for/list ([h (in-list below)]) (cons (car h) (- (cdr h)))))))
+
+(define (leading factors)
+  (for/fold ([c 1]) ([h (in-list factors)])
+    (* c (expt (poly-leading-coefficient (car h)) (cdr h)))))
+
+;; The fraction as a number and ((expression . integer) ...), factors with a
+;; positive leading coefficient.
+(define (fraction-factors F f) (show-factors F f (lambda (p) (list (cons p 1)))))
+
+;; The same, factored as far as possible.
+(define (fraction-factors/irreducible F f)
+  (show-factors F f (lambda (p) (poly-factor (field-ring F) p))))
+
+(define (show-factors F f factor)
+  (cond [(fraction-zero? f) (values 0 '())]
+        [else
+         (define-values (number parts) (value-parts F f))
+         (values number
+                 (for*/list ([g (in-list parts)] [h (in-list (factor (car g)))])
+                   (cons (present-poly F (car h)) (* (cdr g) (cdr h)))))]))

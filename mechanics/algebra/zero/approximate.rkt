@@ -1,0 +1,125 @@
+#lang racket/base
+;; Numeric values with a bound on their rounding error.
+;;
+;; A value is a pair (number . error), the true value being within `error` of
+;; the number: exact arithmetic has error 0, a flonum that was given may be the
+;; result of a few operations on others, such as (square (sqrt 2)), and is taken
+;; to be uncertain by a few units in its last place, and every operation passes errors on to
+;; first order and adds its own rounding.  So "not zero" can be told from
+;; "zero within rounding".
+
+(require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/tape.rkt")
+
+(provide approximate-tape)
+
+(define unit (expt 2.0 -52))
+
+;; Exact numbers of more bits than these become flonums: what powers of powers
+;; come to would not fit into memory.
+(define bit-limit 2000)
+
+;; lookup : as for evaluate-expression, giving plain numbers.
+;; refuse! : #f, or called if a value is not real, which ends the evaluation
+;; -> number and error; the number is not finite where e is not defined or refused.
+(define (approximate-tape t lookup [refuse! #f])
+  (define items (tape-items t))
+  (define n (vector-length items))
+  (define values-so-far (make-vector n #f))
+  (define (values-of ks)
+    (if (null? ks)
+        '()
+        (cons (vector-ref values-so-far (car ks)) (values-of (cdr ks)))))
+  (define result
+    (for/fold ([v #f]) ([head (in-vector (tape-heads t))] [ks (in-vector (tape-operands t))]
+                        [k (in-naturals)]
+                        #:break (and refuse! v (not-real? (car v))))
+      (define new (item-value (vector-ref items k) head (values-of ks) lookup))
+      (vector-set! values-so-far k new)
+      new))
+  (cond [(and refuse! (not-real? (car result))) (refuse!) (values +nan.0 0)]
+        [else (values (car result) (cdr result))]))
+
+(define (not-real? x) (and (number? x) (not (real? x))))
+
+(define (item-value e head args lookup)
+  (cond [(operation? head) (approximate head args)]
+        [head (plain (lookup e (map bare args)))]
+        [(symbol? e) (plain (lookup e '()))]
+        [else (constant e)]))
+
+(define (plain x) (cons x 0))
+(define (constant x) (cons x (if (exact? x) 0 (* 4.0 unit (magnitude x)))))
+
+;; The value alone, of tuples too.
+(define (bare v)
+  (if (symbol? (car v)) (cons (car v) (map bare (cdr v))) (car v)))
+
+(define (rounded x error)
+  (cond [(fixnum? x) (cons x error)]
+        [(not (exact? x)) (cons x (+ error (* unit (magnitude x))))]
+        [(<= (bits x) bit-limit) (cons x error)]
+        [else
+         (define y (exact->inexact x))
+         (cons y (+ error (* unit (magnitude y))))]))
+
+(define (bits x)
+  (if (real? x)
+      (+ (integer-length (numerator x)) (integer-length (denominator x)))
+      (+ (bits (real-part x)) (bits (imag-part x)))))
+
+;; ---------------------------------------------------------------------------
+
+(define (approximate op args)
+  (define f (operation-numeric op))
+  (cond [(not f) (cons (operation-name op) args)]
+        [(eq? op op:+) (for/fold ([s (car args)]) ([a (in-list (cdr args))]) (add + s a))]
+        [(eq? op op:-) (add - (car args) (cadr args))]
+        [(eq? op op:*) (for/fold ([p (car args)]) ([a (in-list (cdr args))]) (multiply p a))]
+        [(eq? op op:/) (divide (car args) (cadr args))]
+        [(and (eq? op op:expt) (enormous? (caar args) (caadr args)))
+         (approximate op (cons (inexact (car args)) (cdr args)))]
+        [else
+         (define value (apply f (map car args)))
+         (rounded value (propagated op (map car args) (map cdr args) value))]))
+
+(define (add f a b)
+  (rounded (f (car a) (car b)) (+ (cdr a) (cdr b))))
+
+(define (multiply a b)
+  (rounded (* (car a) (car b))
+           (+ (* (magnitude (car a)) (cdr b))
+              (* (magnitude (car b)) (cdr a))
+              (* (cdr a) (cdr b)))))
+
+(define (divide a b)
+  (define q (/ (car a) (car b)))
+  (define room (- (magnitude (car b)) (cdr b)))
+  (rounded q (if (positive? room)
+                 (/ (+ (cdr a) (* (magnitude q) (cdr b))) room)
+                 +inf.0)))
+
+;; Would the power be an exact number of too many bits?
+(define (enormous? base n)
+  (and (exact? base) (exact? n) (real? n)
+       (not (memv base '(0 1 -1)))
+       (> (* (bits base) (abs n)) bit-limit)))
+
+(define (inexact a) (rounded (exact->inexact (car a)) (cdr a)))
+
+;; The error of value = op(xs) due to those of xs: |derivative| · error.
+(define (propagated op xs errors value)
+  (cond [(andmap (lambda (e) (eqv? e 0)) errors) 0]
+        [(memq op (list op:sin op:cos op:tanh op:abs)) (apply + errors)]
+        [else
+         (for/sum ([e (in-list errors)] [k (in-naturals)] #:unless (eqv? e 0))
+           (* e (slope op xs k value)))]))
+
+;; A bound for the derivative by argument k, from a difference quotient, with
+;; room for its change over the error.
+(define (slope op xs k value)
+  (define x (list-ref xs k))
+  (define h (* 1e-6 (max 1.0 (magnitude x))))
+  (define (at dx)
+    (define moved (for/list ([y (in-list xs)] [i (in-naturals)]) (if (eqv? i k) (+ y dx) y)))
+    (magnitude (- (apply (operation-numeric op) moved) value)))
+  (* 2.0 (/ (max (at h) (at (- h))) h)))

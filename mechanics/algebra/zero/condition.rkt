@@ -1,0 +1,194 @@
+#lang racket/base
+;; What makes a residual vanish: factor × core, and equations for parameters.
+;;
+;; Every factor of the numerator is not zero at a generic point; the *core* is
+;; the one that can vanish by a choice of parameters: a relation between
+;; parameters alone, if there is one, else the largest factor.  Under assumptions,
+;; what has a sign cannot vanish.
+;;
+;; A core that moves, with a time t say, vanishes at all times if its coefficients
+;; along sin ωt, cos ωt, t ... do: each may give an equation.
+
+(require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/size.rkt"
+         "../field/field.rkt"
+         "../kernel/kernel.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../presentation/present.rkt")
+
+(provide factor-and-core)
+
+;; variables : symbols that are no parameters
+;; may-vanish? : expression -> boolean
+;; -> factor core conditions: the value is factor · core; conditions are equations
+;; (= expression expression), as data, which together make the core 0; there may be
+;; none.
+(define (factor-and-core F f variables may-vanish?)
+  (define (parameter? e) (constant-expression? e variables))
+  (define candidates (vanishing-factors F (fraction-numerator f) may-vanish?))
+  (define core (choose-core F candidates parameter?))
+  (cond [core
+         (define-values (factor p)
+           (with-flonums-in-core
+            F f (presentable-sign F (fraction-from-poly (field-ring F) core))))
+         (values (present F factor)
+                 (present F p)
+                 (conditions F core parameter? may-vanish?))]
+        [else (values (present F f) 1 '())]))
+
+;; -> f/p and p, or multiples of them with the product f.  A flonum is a whole number
+;; over a power of 2, which the parts of f do not show: where there are flonums, their
+;; common content goes to the core, which gives its terms the numbers they have in f.
+(define (with-flonums-in-core F f p)
+  (define R (field-ring F))
+  (define factor (fraction/ R f p))
+  (define content (poly-content (fraction-numerator factor)))
+  (if (field-inexact? F)
+      (values (fraction-scale R (/ 1 content) factor) (fraction-scale R content p))
+      (values factor p)))
+
+;; Parts of p with several terms that may be zero.
+(define (vanishing-factors F p may-vanish?)
+  (define R (field-ring F))
+  (for/list ([g (in-list (poly-parts R p))]
+             #:when (and (eqv? (cdr g) 1)
+                         (> (poly-term-count (car g)) 1)
+                         (may-vanish? (present F (fraction-from-poly R (car g))))))
+    (car g)))
+
+;; Is it made of symbols that are no variables?
+(define (constant-expression? e variables)
+  (node-fold e
+             (lambda (leaf) (not (memq leaf variables)))
+             (lambda (n constant?s) (and (operation? (node-head n)) (andmap values constant?s)))))
+
+(define (kernel-at F i) (kernel-expression (vector-ref (field-kernels F) i)))
+
+;; The polynomial or its negative, whichever has its first term positive.
+(define (presentable-sign F p)
+  (if (negative? (car (car (linear-terms F p))))
+      (fraction-negate (field-ring F) p)
+      p))
+
+;; The first that is a relation between symbols, or between parameters, else the
+;; one with most terms; #f of none.
+(define (choose-core F candidates parameter?)
+  (define (related? kind?) (lambda (p) (and (all-kernels? F p kind?) (relation-for F p) p)))
+  (or (ormap (related? (lambda (e) (and (symbol? e) (parameter? e)))) candidates)
+      (ormap (related? parameter?) candidates)
+      (for/fold ([best #f]) ([p (in-list candidates)])
+        (if (and best (>= (poly-term-count best) (poly-term-count p))) best p))))
+
+(define (all-kernels? F p kind?)
+  (for/and ([i (in-list (poly-variables (field-ring F) p))]) (kind? (kernel-at F i))))
+
+;; ---------------------------------------------------------------------------
+;; Conditions
+
+;; More equations than these tell nobody anything.
+(define equation-limit 3)
+
+(define (conditions F p parameter? may-vanish?)
+  (define equations
+    (for/list ([c (in-list (moving-coefficients F p parameter?))])
+      (condition F c parameter? may-vanish?)))
+  (if (and (andmap values equations) (<= (length equations) equation-limit))
+      (distinct equations)
+      '()))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (member x kept) kept (cons x kept))))
+
+;; An equation that makes a polynomial in parameters vanish, or #f.
+(define (condition F p parameter? may-vanish?)
+  (define core (choose-core F (vanishing-factors F p may-vanish?) parameter?))
+  (and core (relation-for F core)))
+
+;; The coefficients of p, seen as a polynomial in the kernels that are no parameters,
+;; short ones first.
+(define (moving-coefficients F p parameter?)
+  (define R (field-ring F))
+  (define (moving? power) (not (parameter? (kernel-at F (car power)))))
+  (define groups (make-hash))
+  (define keys
+    (for/fold ([keys '()] #:result (reverse keys)) ([t (in-list (poly-terms R p))])
+      (define key (filter moving? (cdr t)))
+      (define known (hash-ref groups key '()))
+      (hash-set! groups key (cons (term->poly R (car t) (remove-all moving? (cdr t))) known))
+      (if (null? known) (cons key keys) keys)))
+  (sort (for/list ([key (in-list keys)]) (poly-sum R (hash-ref groups key)))
+        < #:key (lambda (c) (+ (* 100 (poly-term-count c)) (poly-total-degree R c)))))
+
+(define (remove-all bad? xs) (filter (lambda (x) (not (bad? x))) xs))
+
+(define (term->poly R c powers)
+  (for/fold ([p (poly-constant R c)]) ([f (in-list powers)])
+    (poly* R p (poly-expt R (poly-variable R (car f)) (cdr f)))))
+
+;; ---------------------------------------------------------------------------
+;; Equations
+
+;; p = 0 as the equation that is read most easily, or #f.
+(define (relation-for F p)
+  (define open (open-symbols F p))
+  (define (solve simple? powers) (for/or ([i (in-list open)]) (solve-for F p i simple? powers)))
+  (define (first-power? n) (eqv? n 1))
+  (define (higher-power? n) (> n 1))
+  (or (solve poly-constant? first-power?)
+      (and (all-kernels? F p symbol?)
+           (or (two-sides F p)
+               (solve monomial? first-power?)
+               (and (mixed-signs? F p) (solve monomial? higher-power?))
+               (solve short? first-power?)))))
+
+(define (monomial? p) (eqv? (poly-term-count p) 1))
+(define (short? p) (<= (poly-term-count p) 4))
+
+(define (mixed-signs? F p)
+  (define coefficients (map car (poly-terms (field-ring F) p)))
+  (and (ormap positive? coefficients) (ormap negative? coefficients)))
+
+;; Kernels of p that are symbols standing in no other kernel of it.
+(define (open-symbols F p)
+  (define is (poly-variables (field-ring F) p))
+  (define (elsewhere? s)
+    (for/or ([i (in-list is)])
+      (define e (kernel-at F i))
+      (and (node? e) (not (constant-expression? e (list s))))))
+  (for/list ([i (in-list is)]
+             #:when (and (symbol? (kernel-at F i)) (not (elsewhere? (kernel-at F i)))))
+    i))
+
+;; p solved for a power of variable i, if no other power of it occurs and its
+;; coefficient is simple.
+(define (solve-for F p i simple? power?)
+  (define R (field-ring F))
+  (define cs (poly-coefficients R p i))
+  (define n (caar cs))
+  (and (power? n)
+       (simple? (cdar cs))
+       (or (null? (cdr cs)) (and (eqv? (caadr cs) 0) (null? (cddr cs))))
+       (let ([rest (if (null? (cdr cs)) (poly-constant R 0) (cdadr cs))])
+         (equation (e:expt (kernel-at F i) n)
+                   (present F (fraction/ R
+                                         (fraction-from-poly R (poly-negate R rest))
+                                         (fraction-from-poly R (cdar cs))))))))
+
+;; A difference of two terms as an equation between them, the shorter one and what
+;; is no number on the left.
+(define (two-sides F p)
+  (define R (field-ring F))
+  (define terms (poly-terms R p))
+  (and (mixed-signs? F p)
+       (null? (cddr terms))
+       (let ([sides (for/list ([t (in-list terms)])
+                      (present F (fraction-from-poly R (term->poly R (abs (car t)) (cdr t)))))])
+         (if (left-before? (car sides) (cadr sides))
+             (equation (car sides) (cadr sides))
+             (equation (cadr sides) (car sides))))))
+
+(define (left-before? a b)
+  (and (not (number? a))
+       (or (number? b) (<= (expression-size a) (expression-size b)))))
+
+(define (equation left right) (list '= (expression->datum left) (expression->datum right)))

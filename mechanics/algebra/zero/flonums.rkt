@@ -1,0 +1,54 @@
+#lang racket/base
+;; What holds whatever the flonums of an expression are.
+;;
+;; A flonum may be the rounded result of others, so that an expression vanishes for
+;; the number it is tells little: 0.1 + 0.2 - 0.30000000000000004 does.  Hence each is
+;; replaced by an unknown, the same for a number and its negative.  What vanishes then
+;; vanishes for any g in place of 9.8, and rounding has no part in it.  What numbers
+;; alone make of each other, as 2 · 4.9 does of 9.8, is Racket's arithmetic and is done
+;; before an expression is made; so expressions without a symbol prove nothing.
+
+(require "proof.rkt"
+         "../assumption/assumptions.rkt"
+         "../expression/evaluate.rkt" "../expression/expression.rkt" "../expression/tape.rkt")
+
+(provide contains-flonum? vanishes-for-any-flonums?)
+
+;; Numbers under functions count: they are no better known than others.
+(define (contains-flonum? t)
+  (for/or ([e (in-vector (tape-items t))]) (and (number? e) (not (exact? e)))))
+
+;; A : assumptions.  The proof may not rest on what the unknowns are.
+(define (vanishes-for-any-flonums? t A)
+  (define unknowns (make-hasheqv))
+  (define grounds
+    (and (for/or ([e (in-vector (tape-items t))]) (symbolic-leaf? e))
+         (prove-vanishing (expression->tape (generalized t unknowns)) A)))
+  (and grounds
+       (not (mentions-any? grounds (hash-values unknowns)))))
+
+(define (symbolic-leaf? e)
+  (or (symbol? e) (and (node? e) (null? (node-args e)))))
+
+;; The expression on the tape, its flonums replaced.
+(define (generalized t unknowns)
+  (define n (tape-length t))
+  (define parts (make-vector n #f))
+  (for ([e (in-vector (tape-items t))] [ks (in-vector (tape-operands t))] [k (in-naturals)])
+    (vector-set! parts k
+                 (cond [(node? e)
+                        (rebuild (node-head e) (for/list ([j (in-list ks)]) (vector-ref parts j)))]
+                       [(and (number? e) (inexact? e)) (unknown e unknowns)]
+                       [else e])))
+  (vector-ref parts (- n 1)))
+
+(define (unknown x unknowns)
+  (define below? (and (real? x) (negative? x)))
+  (define key (if below? (- x) x))
+  (define symbol (hash-ref! unknowns key (lambda () (string->uninterned-symbol "c"))))
+  (if below? (e:negate symbol) symbol))
+
+(define (mentions-any? datum symbols)
+  (cond [(pair? datum)
+         (or (mentions-any? (car datum) symbols) (mentions-any? (cdr datum) symbols))]
+        [else (and (memq datum symbols) #t)]))

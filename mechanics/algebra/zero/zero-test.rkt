@@ -1,0 +1,180 @@
+#lang racket/base
+;; Is an expression zero?  Proved, refuted, or undecided.
+;;
+;; *Proved* rests on the canonical form being 0, whatever numbers stand in place of
+;; the flonums (flonums.rkt).  *Refuted* rests on a point where the value is farther from zero than rounding can
+;; explain: small integers for the symbols and for the literal functions
+;; applied, which a person can put in by hand; all assumptions hold there.
+;; Otherwise the test is *undecided* and says at how many points it found zero,
+;; and to what bound.  The points are always the same.
+;;
+;; A large graph is first judged modulo primes (fingerprint.rkt): if it is not
+;; zero, a point is found for it as it stands, and it is expanded only when its
+;; residual is asked for.  If it is zero there, proofs are tried (proof.rkt); should
+;; none be found, the test is undecided, with a bound of 0 at those points.  The
+;; roots there are those of positive numbers: under assumptions they decide nothing.
+
+(require "condition.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt" "region.rkt" "witness.rkt"
+         "../assumption/assumptions.rkt" "../assumption/relation.rkt"
+         (only-in "../assumption/signs.rkt" signs-within? zero)
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/tape.rkt"
+         "../field/bounds.rkt" (only-in "../field/field.rkt" field-atlas)
+         (only-in "../kernel/collect.rkt" atlas-services)
+         "../polynomial/fraction.rkt"
+         "../simplify/simplify.rkt")
+
+(provide zero-test
+         zero-test-status zero-test-residual zero-test-witness zero-test-value
+         zero-test-bound zero-test-points zero-test-factor zero-test-core
+         zero-test-conditions zero-test-assumptions zero-test-left-unexpanded)
+
+;; status : 'proved, 'refuted or 'undecided
+;; witness : #f or ((expression . number) ...)  value : the residual's there
+;; bound : the greatest rounding error at the points tried without a decision; 0 if
+;; those were points modulo primes
+;; points : how many those were
+;; form : box of a form, or of a thunk that makes it
+(struct zero-test (status witness value bound points form)
+  #:name zero-test-result
+  #:constructor-name make-zero-test)
+
+;; residual : expression, simplified             factor, core : residual = factor · core
+;; conditions : equations, as data, for which core = 0
+;; notes : datums, such as (>= R 0) for what the residual rests on and
+;; (left-unexpanded e) for what would have grown too large
+(struct form (residual factor core conditions notes) #:authentic)
+
+(define (zero-test-residual z) (form-residual (settled-form z)))
+(define (zero-test-factor z) (form-factor (settled-form z)))
+(define (zero-test-core z) (form-core (settled-form z)))
+(define (zero-test-conditions z) (form-conditions (settled-form z)))
+(define (zero-test-assumptions z) (filter assumption? (form-notes (settled-form z))))
+(define (zero-test-left-unexpanded z)
+  (for/list ([note (in-list (form-notes (settled-form z)))] #:unless (assumption? note))
+    (cadr note)))
+
+(define (settled-form z)
+  (define content (unbox (zero-test-form z)))
+  (cond [(form? content) content]
+        [else
+         (define made (content))
+         (set-box! (zero-test-form z) made)
+         made]))
+
+(define (make-form e A variables)
+  (if (and (number? e) (not (rational? (magnitude e))))
+      (form e 1 e '() '())
+      (make-form-of-finite e A variables)))
+
+(define (make-form-of-finite e A variables)
+  (define-values (F f simple notes) (normal-form+simplified e A))
+  (cond [(fraction-zero? f) (form 0 1 0 '() notes)]
+        [(and (readable? f) (andmap assumption? notes) (holds-sum? simple))
+         (define-values (factor core conditions)
+           (factor-and-core F f variables (lambda (p) (may-vanish? A F p))))
+         (form simple factor core conditions notes)]
+        [else (form simple 1 simple '() notes)]))
+
+;; Has a product or quotient a sum among its factors?  Else, as in -5 b sin 3t, there
+;; is no core.
+(define (holds-sum? e)
+  (and (node? e)
+       (cond [(memq (node-head e) (list op:* op:/ op:expt)) (ormap holds-sum? (node-args e))]
+             [else (memq (node-head e) (list op:+ op:-))])
+       #t))
+
+(define (assumption? note) (not (eq? (car note) 'left-unexpanded)))
+
+;; Do the assumptions allow the expression over F to be zero?
+(define (may-vanish? A F e)
+  (define k (infer-signs A (atlas-services (field-atlas F)) e))
+  (signs-within? zero (known-signs k)))
+
+;; ---------------------------------------------------------------------------
+;; The test
+
+;; A : assumptions the expression is judged under
+;; variables : symbols that no condition may speak of, such as the time of a path
+(define (zero-test e [A no-assumptions] [variables '()])
+  (or (and (number? e) (inexact? e) (test-flonum e A))
+      (test-if-enormous e A variables (expression->plain-tape e))
+      (test-expression e A variables (expression->tape e))))
+
+;; A flonum that stands alone does not tell what it is the difference of; one
+;; this small may be what rounding left of numbers about 1.  Infinity is not
+;; zero, and of what is not a number nothing can be said.
+;; -> a verdict, or #f for an ordinary flonum
+(define (test-flonum x A)
+  (define size (magnitude x))
+  (define form (later x A '()))
+  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 form)]
+        [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 form)]
+        [(rational? size) #f]
+        [else (make-zero-test 'undecided #f x 0 0 form)]))
+
+(define (later e A variables) (box (lambda () (make-form e A variables))))
+
+;; More items than `middling` are judged by the fingerprint first.  No more than
+;; `large` are expanded even if they do not vanish: a witness then names only what
+;; the residual depends on.
+(define middling 300)
+(define large 2000)
+
+;; Graphs of more nodes than these are asked before equal nodes are looked for, which
+;; takes longer than to see that most residuals do not vanish.
+(define enormous 20000)
+
+;; -> a refutation, or #f
+(define (test-if-enormous e A variables t)
+  (and (> (tape-length t) enormous)
+       (eq? (tape-fingerprint t) 'nonzero)
+       (refute-at-once e A variables t)))
+
+(define (test-expression e A variables t)
+  (define n (tape-length t))
+  (define print (if (> n middling) (tape-fingerprint t) 'unknown))
+  (or (and (eq? print 'nonzero) (> n large) (refute-at-once e A variables t))
+      (and (eq? print 'zero) (prove-indirectly t A))
+      (test-canonically e A variables t print)))
+
+;; -> a refutation, or #f
+(define (refute-at-once e A variables t)
+  (define-values (witness value bound points)
+    (find-witness t t (make-region (assumptions-relations A) t) #f))
+  (and witness
+       (make-zero-test 'refuted witness value bound points (later e A variables))))
+
+;; -> a proof, or #f
+(define (prove-indirectly t A)
+  (define grounds (prove-vanishing t A))
+  (and grounds
+       (vanishing-test t (form 0 1 0 '() grounds) A)))
+
+;; Of flonums only what holds whatever they are is proved.
+(define (vanishing-test t f A)
+  (define proved? (or (not (contains-flonum? t)) (vanishes-for-any-flonums? t A)))
+  (make-zero-test (if proved? 'proved 'undecided) #f 0 0 0 (box f)))
+
+;; print : what the fingerprint said, if it was asked
+(define (test-canonically e A variables t print)
+  (define f (make-form e A variables))
+  (cond [(eqv? (form-residual f) 0) (vanishing-test t f A)]
+        [(and (eq? print 'zero) (null? (assumptions-relations A)))
+         (make-zero-test 'undecided #f 0 0 fingerprint-points (box f))]
+        [else (test-by-points e A t f)]))
+
+(define (test-by-points e A t f)
+  (define grounds (filter assumption? (form-notes f)))
+  (define-values (witness value bound points)
+    (find-witness t
+                  (expression->tape (form-residual f))
+                  (make-region (append (assumptions-relations A) (taken-relations A grounds)) t)
+                  (pair? grounds)))
+  (cond [witness (make-zero-test 'refuted witness value bound points (box f))]
+        [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
+        [else (make-zero-test 'undecided #f value bound points (box f))]))
+
+;; What is among the grounds without being in A.
+(define (taken-relations A grounds)
+  (define declared (map relation-datum (assumptions-relations A)))
+  (for/list ([d (in-list grounds)] #:unless (member d declared)) (read-relation d)))

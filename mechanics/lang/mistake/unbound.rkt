@@ -1,0 +1,108 @@
+#lang racket/base
+;; Names without a definition.  The commonest is a symbol whose quote was
+;; forgotten, as in (L-harmonic m k), so whoever meets one says how a symbol is
+;; written: the expander in a module, the error display at the prompt.  Where a
+;; name that is known is spelt nearly so, or another library of the package defines it,
+;; that is said first.
+
+(require "call-hint.rkt" "elsewhere.rkt" (for-syntax racket/base "elsewhere.rkt" "spelling.rkt")
+         "spelling.rkt")
+
+(provide (rename-out [top #%top])
+         install-hints!)
+
+;; ---------------------------------------------------------------------------
+;; In a module
+
+;; Among definitions, a name may be one that is defined further down: it is
+;; looked up again when all of them are known.
+(define-syntax (top stx)
+  (syntax-case stx ()
+    [(_ . id)
+     (identifier? #'id)
+     (cond
+       [(or (not (syntax-transforming-module-expression?)) (identifier-binding #'id))
+        (syntax/loc stx (#%top . id))]
+       [(eq? (syntax-local-context) 'expression) (raise-unbound #'id)]
+       [else (syntax/loc stx (#%expression id))])]
+    [(_ . other) (syntax/loc stx (#%top . other))]))
+
+(begin-for-syntax
+  (define (meant-instead name known)
+    (define library (library-of name))
+    (define names (if library '() (likely-names name known)))
+    (cond [library (format "(require ~a) defines it; " library)]
+          [(pair? names) (format "did you mean ~a? " (alternatives names))]
+          [else ""]))
+
+  (define (raise-unbound id)
+    (define name (syntax-e id))
+    (raise-syntax-error
+     #f (format "unbound identifier; ~aas a symbol it is written '~s"
+                (meant-instead name (syntax-bound-symbols id))
+                name)
+     id #:exn exn:fail:syntax:unbound)))
+
+;; ---------------------------------------------------------------------------
+;; At the prompt
+
+;; A value of `error-display-handler`; `other` is the handler it wraps.
+(struct hinting-display (other)
+  #:property prop:procedure
+  (lambda (display message e)
+    (define hint (hint-for message e))
+    (define other (hinting-display-other display))
+    (if hint
+        (other (string-append message hint) (with-hint e hint))
+        (other message e))))
+
+;; Make the current error display ours; again is no harm.
+(define (install-hints!)
+  (define display (error-display-handler))
+  (unless (hinting-display? display)
+    (error-display-handler (hinting-display display))))
+
+(define (hint-for message e)
+  (cond [(exn:fail:contract:variable? e)
+         (define id (exn:fail:contract:variable-id e))
+         (cond [(regexp-match? #rx"cannot reference an identifier before its definition" message)
+                (hint-for-unknown id message)]
+               [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
+               [else #f])]
+        [(exn:fail:contract? e) (hint-for-call message)]
+        [else #f]))
+
+;; Names that the prompt knows nothing of, not those that a module uses too
+;; early: they need no quote.
+(define (hint-for-unknown id message)
+  (and (or (regexp-match? #rx"in module: top-level$" message)
+           (unknown-in-module? id))
+       (format "~a\n  as a symbol it is written '~s" (meant-instead id) id)))
+
+;; What a module defines once is built into what it defines besides.
+(define (hint-for-constant id)
+  (format (string-append
+           "\n  the module was compiled with ~s as it is: change it there and run it again, or"
+           "\n  in DrRacket switch off \"Enforce constant definitions\""
+           " in Choose Language, Show Details")
+          id))
+
+(define (meant-instead id)
+  (define library (library-of id))
+  (define names (if library '() (likely-names id (namespace-mapped-symbols))))
+  (cond [library (format "\n  (require ~a) defines it" library)]
+        [(pair? names) (format "\n  did you mean ~a?" (alternatives names))]
+        [else ""]))
+
+;; Is the prompt inside a module, as in DrRacket, which does not define the name?
+(define (unknown-in-module? id)
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (and (variable-reference->module-source (eval '(#%variable-reference)))
+         (not (identifier-binding (namespace-symbol->identifier id))))))
+
+(define (with-hint e hint)
+  (define message (string-append (exn-message e) hint))
+  (define marks (exn-continuation-marks e))
+  (if (exn:fail:contract:variable? e)
+      (exn:fail:contract:variable message marks (exn:fail:contract:variable-id e))
+      (exn:fail:contract message marks)))

@@ -1,0 +1,96 @@
+#lang racket/base
+;; What destructuring does at run time: one check of shape for each pattern,
+;; and a message that says where a value departs from the pattern.
+
+(require "../../algebra/expression/datum.rkt"
+         "../../generic/describe.rkt"
+         (only-in "../../generic/structure.rkt" structure? structure-orientation
+                  structure-elements up? down?))
+
+(provide components short-text list-hint)
+
+;; The components of x, known to be a tuple of that orientation and length.
+;; `orientation` and `pattern`, a datum, are literals; the whole pattern and the
+;; whole value it was to match are for the message alone.
+(define-syntax-rule (components x orientation n who what pattern whole)
+  (if (and (structure? x)
+           (eq? (structure-orientation x) 'orientation)
+           (eq? (vector-length (structure-elements x)) n))
+      (structure-elements x)
+      (other-components x 'orientation n who what 'pattern whole)))
+
+;; A Racket vector stands for an up tuple; nothing else is left that fits.
+(define (other-components x orientation n who what pattern whole)
+  (if (and (vector? x) (eq? orientation 'up) (= (vector-length x) n))
+      (plain-vector x)
+      (raise-mismatch who what pattern whole)))
+
+;; Components are fetched without going through a chaperone.
+(define (plain-vector v)
+  (if (impersonator? v)
+      (let ([copy (make-vector (vector-length v))])
+        (vector-copy! copy 0 v)
+        copy)
+      v))
+
+;; ---------------------------------------------------------------------------
+;; The message
+
+;; A departure is where a value first leaves its pattern: the path there, the
+;; part of the value found there, and the part of the pattern.
+(struct departure (path part pattern))
+
+(define (find-departure pattern x)
+  (if (fits? pattern x)
+      (for/or ([p (in-list (cdr pattern))]
+               [component (in-vector (elements x))]
+               [i (in-naturals)])
+        (define d (and (pair? p) (find-departure p component)))
+        (and d (departure (cons i (departure-path d))
+                          (departure-part d)
+                          (departure-pattern d))))
+      (departure '() x pattern)))
+
+(define (fits? pattern x)
+  (and (if (eq? (car pattern) 'up) (up? x) (down? x))
+       (= (vector-length (elements x)) (length (cdr pattern)))))
+
+(define (elements x) (if (vector? x) x (structure-elements x)))
+
+(define (raise-mismatch who what pattern whole)
+  (define d (find-departure pattern whole))
+  (define path (departure-path d))
+  (raise
+   (exn:fail:contract
+    (format "~a: ~a does not match the pattern ~a:~a expected ~a, given ~a~a~a"
+            who what (datum->text pattern)
+            (if (null? path) "" (string-append " at " (place path) ","))
+            (expectation (departure-pattern d))
+            (given (departure-part d)) (hint (departure-part d))
+            (if (null? path) "" (format "\n  in: ~a" (short-text whole))))
+    (current-continuation-marks))))
+
+;; "component 0 of component 1", for what (ref x 1 0) selects.
+(define (place path)
+  (define (component i) (format "component ~a" i))
+  (for/fold ([text (component (car path))]) ([i (in-list (cdr path))])
+    (string-append (component i) " of " text)))
+
+(define (expectation pattern)
+  (format "~a ~a tuple of ~a"
+          (if (eq? (car pattern) 'up) "an" "a") (car pattern) (length (cdr pattern))))
+
+(define (given x) (format "~a (~a)" (short-text x) (describe x)))
+
+(define (hint x)
+  (cond [(list? x) (list-hint x)]
+        [(and (procedure? x) (not (structure? x)))
+         "; apply the function to its argument first, or use compose"]
+        [else ""]))
+
+(define (list-hint x)
+  (format "; a list is not a tuple; use ~a" (short-text (list->vector x))))
+
+;; A value within a message: never longer than a few lines.
+(define (short-text x)
+  (parameterize ([print-limit 60]) (value->text x)))

@@ -1,0 +1,71 @@
+#lang racket/base
+;; Names that a module both imports and defines.
+
+(require (only-in racket/list append-map)
+         racket/require-transform
+         "module-definitions.rkt" (for-template racket/base "start-with.rkt"))
+
+(provide bound-outside? start-as-outside
+         require-without-clashes)
+
+;; ---------------------------------------------------------------------------
+;; From the language, or from the module around a submodule
+
+;; Does the name mean something outside the module?
+(define (bound-outside? id)
+  (define binding (identifier-binding id))
+  (and (pair? binding)
+       (let-values ([(path base) (module-path-index-split (car binding))])
+         (and path #t))))
+
+;; A form that defines it as that.
+(define (start-as-outside id)
+  #`(start-with #,id #,(bound-as (syntax-e id) (identifier-binding id))))
+
+;; An identifier with this binding, whatever else its name may mean.
+(define (bound-as name binding)
+  (syntax-binding-set->syntax
+   (syntax-binding-set-extend (syntax-binding-set) name 0 (car binding)
+                              #:source-symbol (cadr binding))
+   name))
+
+;; ---------------------------------------------------------------------------
+;; By `require`
+
+;; Forms for a `require` of names that the module defines: they are not imported,
+;; but those used or defined before get the values that would be.  #f for all
+;; other forms.
+(define (require-without-clashes ds form)
+  (syntax-case form ()
+    [(keyword spec ...)
+     (and (identifier? #'keyword) (free-identifier=? #'keyword #'require))
+     (let* ([specs (syntax->list #'(spec ...))]
+            [clashes (for/list ([spec (in-list specs)]) (clashing-names ds spec))])
+       (and (ormap pair? clashes)
+            (append-map (lambda (spec ids) (without-clashes ds #'keyword spec ids))
+                        specs clashes)))]
+    [_ #f]))
+
+;; A specification that is wrong has none: `require` itself will say so.
+(define (clashing-names ds spec)
+  (define-values (imports sources)
+    (with-handlers ([exn:fail? (lambda (e) (values '() '()))])
+      (expand-import spec)))
+  (for/list ([i (in-list imports)]
+             #:when (and (eqv? (import-mode i) 0)
+                         (defining-occurrence ds (import-local-id i))))
+    (import-local-id i)))
+
+;; keyword : `require` as it was written, for editors
+(define (without-clashes ds keyword spec ids)
+  (define wanted (filter (lambda (id) (or (used-early? ds id) (defined? ds id))) ids))
+  (define hidden (for/list ([id (in-list wanted)]) (datum->syntax #'here (syntax-e id))))
+  (append
+   (list (if (null? ids) #`(#,keyword #,spec) #`(#,keyword (except-in #,spec #,@ids))))
+   (if (null? wanted) '() (list #`(#,keyword (only-in #,spec #,@(map list wanted hidden)))))
+   (for/list ([id (in-list wanted)] [h (in-list hidden)])
+     #`(start-with #,(defining-occurrence ds id) #,(as-if-written h)))))
+
+;; For editors, which tell a library that is not used by what is written.
+(define (as-if-written id)
+  (syntax-property id 'original-for-check-syntax #t))

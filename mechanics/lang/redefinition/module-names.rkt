@@ -1,0 +1,114 @@
+#lang racket/base
+;; The names that a form uses, as far as it is seen before expansion: those of a
+;; given table that stand in it, but for quotations and for what the commonest
+;; forms bind, that is arguments, `let` and definitions inside bodies.  Names are
+;; told apart by how they are spelt.
+
+(require "../pattern/pattern-syntax.rkt"
+         (for-template racket/base (prefix-in pattern: "../pattern/pattern.rkt")))
+
+(provide names-in
+         defined-by-define procedure-form?)
+
+;; known : symbol -> true value
+(define (names-in stx known)
+  (define found (make-hasheq))
+  (define (note! name)
+    (when (hash-ref known name #f) (hash-set! found name #t)))
+  (walk stx (hasheq) note!)
+  (hash-keys found))
+
+;; local : symbol -> #t, the names that are bound around stx
+(define (walk stx local note!)
+  (define (walk-inside stx) (walk stx local note!))
+  (syntax-case stx (quote)
+    [name
+     (identifier? #'name)
+     (unless (hash-ref local (syntax-e #'name) #f) (note! (syntax-e #'name)))]
+    [(quote _) (void)]
+    [(keyword formals . body)
+     (among? #'keyword procedure-forms)
+     (walk-procedure (list #'formals) #'body local note!)]
+    [(keyword (head . formals) . body)
+     (among? #'keyword definition-forms)
+     (walk-procedure (argument-lists #'(head . formals)) #'body local note!)]
+    [(keyword ([left right] next . others) . body)
+     (among? #'keyword sequential-let-forms)
+     (begin (walk-inside #'right)
+            (walk #'(keyword (next . others) . body) (bind #'left local) note!))]
+    [(keyword ([left right] ...) . body)
+     (among? #'keyword let-forms)
+     (begin (walk-inside #'(right ...))
+            (walk-body #'body (bind #'(left ...) local) note!))]
+    [(keyword loop ([left right] ...) . body)
+     (and (identifier? #'loop) (among? #'keyword let-forms))
+     (begin (walk-inside #'(right ...))
+            (walk-body #'body (bind #'(loop left ...) local) note!))]
+    [(first . others) (begin (walk-inside #'first) (walk-inside #'others))]
+    [#(part ...) (walk-inside #'(part ...))]
+    [_ (void)]))
+
+(define (walk-body body local note!)
+  (define forms (or (syntax->list body) '()))
+  (define inside (bind (filter values (map defined-by-define forms)) local))
+  (for ([form (in-list forms)]) (walk form inside note!)))
+
+;; The argument lists of a head, from the inside out.
+(define (argument-lists head)
+  (syntax-case head ()
+    [(inner . formals) (append (argument-lists #'inner) (list #'formals))]
+    [_ '()]))
+
+(define (walk-procedure argument-lists body local note!)
+  (walk-body body
+             (for/fold ([local local]) ([formals (in-list argument-lists)])
+               (walk-arguments formals local note!))
+             note!))
+
+;; The names in default values; what is bound after the arguments.
+(define (walk-arguments formals local note!)
+  (syntax-case formals ()
+    [((name default) . more)
+     (and (identifier? #'name) (not (pattern? #'(name default))))
+     (begin (walk #'default local note!)
+            (walk-arguments #'more (bind #'name local) note!))]
+    [(a . more) (walk-arguments #'more (bind #'a local) note!)]
+    [rest (bind #'rest local)]))
+
+;; Add the symbols in stx.
+(define (bind stx local)
+  (define d (if (syntax? stx) (syntax-e stx) stx))
+  (cond [(symbol? d) (hash-set local d #t)]
+        [(pair? d) (bind (cdr d) (bind (car d) local))]
+        [else local]))
+
+;; ---------------------------------------------------------------------------
+;; Forms
+
+;; The name that a `define` defines, or #f if the form is none.
+(define (defined-by-define form)
+  (syntax-case form ()
+    [(keyword head . _)
+     (among? #'keyword definition-forms)
+     (head-name #'head)]
+    [_ #f]))
+
+(define (head-name head)
+  (syntax-case head ()
+    [(inner . _) (head-name #'inner)]
+    [_ (and (identifier? head) head)]))
+
+;; Is it a procedure, written out?
+(define (procedure-form? form)
+  (syntax-case form ()
+    [(keyword . _) (among? #'keyword procedure-forms)]
+    [_ #f]))
+
+(define (among? id ids)
+  (and (identifier? id)
+       (ormap (lambda (other) (free-identifier=? id other)) ids)))
+
+(define procedure-forms (list #'pattern:lambda #'pattern:λ #'lambda #'λ))
+(define definition-forms (list #'pattern:define #'define))
+(define sequential-let-forms (list #'pattern:let* #'let*))
+(define let-forms (list #'pattern:let #'pattern:let* #'let #'let* #'letrec))

@@ -1,0 +1,153 @@
+#lang racket/base
+;; The body of a `#lang mechanics` module, which is read like a session: a name
+;; may be defined again further down, functions defined before see the new
+;; definition, and what the language exports may be used until it is replaced.
+;;
+;; Each form is expanded until it shows what it defines, and the second
+;; definition of a variable becomes its assignment:
+;;
+;;     (define (f) (g 1))        (define-values (f) (lambda () (g 1)))
+;;     (define (g x) x)     =>   (define-values (g) (lambda (x) x))
+;;     (define (g x) 'new)       (define-values () (begin (set! g (lambda (x) 'new)) (values)))
+;;
+;; A variable that is replaced after it was imported and used is first defined
+;; as what was imported.  All other forms stay as they are.
+
+(require (prefix-in core: '#%kernel)
+         "early-use.rkt"
+         (for-syntax racket/base
+                     "module-definitions.rkt"
+                     "module-imports.rkt" "module-listing.rkt")
+         "start-with.rkt"
+         "../printer.rkt")
+
+(provide (rename-out [module-begin #%module-begin]))
+
+;; A program run from the module has our session, unless the module brings its own.
+(define-syntax (module-begin stx)
+  (syntax-case stx ()
+    [(_ form ...)
+     (let* ([forms (syntax->list #'(form ...))]
+            [listing (read-listing forms)]
+            [outside (filter bound-outside? (all-early listing))])
+       (with-syntax ([state (datum->syntax #f (make-definitions listing))]
+                     [(configuration ...)
+                      (if (ormap configuration? forms)
+                          '()
+                          #'((module configure-runtime '#%kernel
+                               (#%require mechanics/lang/runtime))))]
+                     [(start ...) (map start-as-outside outside)]
+                     [(later ...)
+                      (for/list ([ids (in-list (listing-early listing))])
+                        (for/list ([id (in-list (remq* outside ids))])
+                          (cons (syntax-e id) (syntax-line id))))])
+         (syntax/loc stx
+           (#%plain-module-begin
+            configuration ...
+            (module-form state () start) ... (module-form state later form) ...))))]
+    [_ (raise-syntax-error #f "bad syntax" stx)]))
+
+(define-for-syntax (configuration? form)
+  (syntax-case form (module module*)
+    [(module name . _) (eq? (syntax-e #'name) 'configure-runtime)]
+    [(module* name . _) (eq? (syntax-e #'name) 'configure-runtime)]
+    [_ #f]))
+
+;; ---------------------------------------------------------------------------
+;; Form by form
+
+;; state : the definitions that are known of; later : ((name . line) ...), what the
+;; form may use before its definition
+(define-syntax (module-form stx)
+  (syntax-case stx ()
+    [(_ state later form)
+     (let* ([ds (syntax-e #'state)]
+            [replaced (require-without-clashes ds #'form)])
+       (if replaced
+           (splice (quasisyntax/loc stx (begin #,@replaced)) #'state #'later)
+           (expand-form ds #'state #'later (mark-variable ds #'form))))]))
+
+(begin-for-syntax
+  (define (expand-form ds state later form)
+    (define e (local-expand form 'module stops))
+    (syntax-case e (begin define-values define-syntaxes)
+      [(begin . _) (splice e state later)]
+      [(define-values (id ...) value)
+       (expand-variables ds later e (syntax->list #'(id ...)) #'value)]
+      [(define-syntaxes (id ...) _)
+       (begin (for ([id (in-list (syntax->list #'(id ...)))]) (add-macro! ds id))
+              e)]
+      [(head . _) (no-expression? #'head) e]
+      [_ (quasisyntax/loc e (print-results #,(watched e later)))]))
+
+  (define (splice e state later)
+    (define keyword (car (syntax-e e)))
+    (datum->syntax
+     e
+     (cons keyword
+           (for/list ([form (in-list (cdr (syntax->list e)))])
+             #`(module-form #,state #,later #,(syntax-track-origin form e keyword))))
+     e))
+
+  (define (no-expression? head)
+    (and (identifier? head)
+         (ormap (lambda (other) (free-identifier=? head other)) no-expressions)))
+
+  (define no-expressions
+    (syntax->list
+     #'(begin-for-syntax module module* #%module-begin #%require #%provide #%declare)))
+
+  ;; Where the expansion of a form stops: the core of the language.
+  (define stops
+    (append
+     no-expressions
+     (syntax->list
+      #'(core:begin core:define-values core:define-syntaxes core:quote core:quote-syntax
+         core:#%top core:lambda core:case-lambda core:let-values core:letrec-values
+         core:begin0 core:set! core:with-continuation-mark core:if core:#%app
+         core:#%expression core:#%variable-reference)))))
+
+(define-syntax (print-results stx)
+  (syntax-case stx ()
+    [(_ expression)
+     #'(#%plain-app call-with-values (lambda () expression) print-and-return)]))
+
+(define (print-and-return . results)
+  (for-each print-result results)
+  (apply values results))
+
+;; ---------------------------------------------------------------------------
+;; Definitions
+
+(begin-for-syntax
+  ;; e : the definition of ids as the value.  It stands as it is, unless some of
+  ;; them are defined already or it may use what is defined later.
+  (define (expand-variables ds later e ids value)
+    (define old (filter (lambda (id) (defined? ds id)) ids))
+    (for ([id (in-list ids)]) (add-variable! ds id))
+    (define safe-value (if (run-by-definition? (list value)) (watched value later) value))
+    (cond [(pair? old) (assignment e ids old safe-value)]
+          [(eq? value safe-value) e]
+          [else (definition e ids safe-value)]))
+
+  (define (definition e ids value)
+    (datum->syntax e (list #'define-values ids value) e e))
+
+  ;; An assignment of the old ones among ids, a definition of the others.
+  (define (assignment e ids old value)
+    (define new (remq* old ids))
+    (define temporaries
+      (for/hasheq ([id (in-list ids)]) (values id (datum->syntax #'here (syntax-e id)))))
+    (define (temporary id) (hash-ref temporaries id))
+    (definition
+      e new
+      #`(let-values ([#,(map temporary ids) #,value])
+          #,@(for/list ([id (in-list old)]) #`(set! #,id #,(temporary id)))
+          (values #,@(map temporary new)))))
+
+  ;; An expression that says so if it uses one of these too early.
+  (define (watched expression later)
+    (if (null? (syntax-e later))
+        expression
+        (quasisyntax/loc expression
+          (#%plain-app call-with-later-definitions (lambda () #,expression) '#,later)))))

@@ -1,0 +1,125 @@
+#lang racket/base
+;; Quantities along the motions of a Lagrangian: how fast do they change, and do
+;; they at all?  (SICM 1.8)
+;;
+;; Along a motion the accelerations are a = M⁻¹ f, with M = ∂₂∂₂L and f the rest of
+;; Lagrange's equations M a − f = 0, so that the rate of Q(t, q, v) is
+;;
+;;   Q̇ = ∂₀Q + ∂₁Q v + ∂₂Q a.
+;;
+;; For the quantities one asks about, M need not be inverted: ∂₂Q = w M with a w that
+;; is known, and ∂₂Q a = w f.  Of a function of time and coordinates w is 0, of the
+;; energy v, of a momentum a unit vector.
+;;
+;; Without an inverse of M several w may do, with rates that agree along motions only: if
+;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
+
+(require "../algebra/expression/expression.rkt"
+         "../algebra/zero/vanishing.rkt"
+         "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../lagrangian/state-derivative.rkt" "../lagrangian/total-derivative.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt"
+         (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt"
+         "../verdict/verdict.rkt")
+
+(provide rate-of-change verify-conserved)
+
+;; Does Q keep its value along every motion?  A verdict on its rate of change at a
+;; local tuple (up t q v) of symbols.
+(define (verify-conserved L Q local #:force [force #f])
+  (check-arguments 'verify-conserved L Q)
+  (check-generic-state 'verify-conserved local)
+  (define state (state-of local))
+  (define outside (external-force 'verify-conserved force #f))
+  (for ([f (in-list (list L Q outside))] #:when f)
+    (check-parameters 'verify-conserved f state))
+  (define v (prove-zero ((rate 'verify-conserved L Q force) state) #:variables (scalars local)))
+  (when (refuted? v) (check-accelerations L force state))
+  v)
+
+;; Refuses an M without an inverse, by which a state may be that of no motion.
+(define (check-accelerations L force state)
+  (void ((Lagrangian->acceleration L #:force force) state)))
+
+;; (t, q, v) ↦ Q̇, of the shape of Q's value
+(define (rate-of-change L Q #:force [force #f])
+  (check-arguments 'rate-of-change L Q)
+  (define at (rate 'rate-of-change L Q force))
+  (define (name)
+    `(rate-of-change ,(value->datum L) ,(value->datum Q)
+                     ,@(if force (list '#:force (value->datum force)) '())))
+  (unary-function name (local)
+    (check-local-tuple 'rate-of-change local)
+    (at (state-of local))))
+
+(define (state-of local) ((clip-state 3) local))
+
+(define (check-arguments who L Q)
+  (check-Lagrangian who L)
+  (unless (and (procedure? Q) (accepts? Q 1))
+    (raise
+     (exn:fail:contract
+      (format "~a: a quantity is a function of the local tuple (up t q v); given ~a~a"
+              who (describe-function Q)
+              (if (and (procedure? L) (scalar? Q))
+                  "\n  the Lagrangian comes first, then the quantity" ""))
+      (current-continuation-marks)))))
+
+;; ---------------------------------------------------------------------------
+;; The rate at a state
+
+(define ((rate who L Q force) state)
+  (define L-scalar (scalar-valued who L))
+  (let rate-of ([Q Q] [value (Q state)])
+    (cond [(tuple? value)
+           (s:generate (s:length value) (structure-orientation value)
+                       (lambda (i)
+                         (rate-of (lambda (local) (s:ref (Q local) i)) (s:ref value i))))]
+          [else (scalar-rate who L-scalar Q force state)])))
+
+(define (scalar-rate who L Q force state)
+  (define v (velocity state))
+  (define slope (((partial 2) Q) state))
+  (define-values (value drift)
+    (value-and-derivative-along Q state (up 1 v (g:* 0 v))))
+  (define multipliers (multipliers-of L slope state))
+  (define (with-acceleration)
+    (g:+ drift (g:* slope ((Lagrangian->acceleration L #:force force) state))))
+  (cond [(null? multipliers) (with-acceleration)]
+        [else
+         (define f (applied-force who L force state))
+         (define rates (for/list ([w (in-list multipliers)]) (g:+ drift (g:* f w))))
+         (if (null? (cdr rates))
+             (car rates)
+             (or (findf vanishing? rates) (car rates)))]))
+
+;; f = ∂₁L + force − ∂₀∂₂L − ∂₁∂₂L v: what Lagrange's equations are without
+;; accelerations, turned round.
+(define (applied-force who L force state)
+  (define at-no-acceleration
+    (up (time state) (coordinate state) (velocity state) (g:* 0 (velocity state))))
+  (define inside (g:negate ((Euler-Lagrange-operator L) at-no-acceleration)))
+  (if force
+      (g:+ inside (force-like who inside ((external-force who force #f) state)))
+      inside))
+
+;; Those w with slope = w M that are near at hand.
+(define (multipliers-of L slope state)
+  (define M (((partial 2) ((partial 2) L)) state))
+  (for/list ([w (in-list (simple-multipliers (velocity state)))]
+              #:when (vanishing? (g:- slope (g:* M w))))
+    w))
+
+;; Zero, the velocities, and the unit vectors.
+(define (simple-multipliers v)
+  (define n (shape-length v))
+  (list* (g:* 0 v) v
+         (for/list ([k (in-range n)])
+           (scalars->structure v (lambda (i) (if (= i k) 1 0))))))
+
+(define (vanishing? x)
+  (define A (assumptions-in-force))
+  (for/and ([e (in-list (scalars x))]) (and (expression? e) (vanishes? e A))))

@@ -1,0 +1,119 @@
+#lang racket/base
+;; Equilibria: coordinates at which a system that rests stays at rest.
+;;
+;; A constant path q solves Lagrange's equations if the residual vanishes at
+;; (t, q, 0, 0); of an L that does not change in time that is −∂₁L there.
+
+(require "equilibrium.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/rewriting/solve.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../lagrangian/total-derivative.rkt"
+         "../numeric/failure.rkt"
+         "../search/root.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../verdict/verdict.rkt")
+
+(provide verify-equilibrium equilibria find-equilibrium
+         equilibrium? equilibrium-coordinates equilibrium-conditions)
+
+;; A verdict on the residual of a system at rest at q, at all times.
+(define (verify-equilibrium L q #:force [force #f])
+  (check-Lagrangian 'verify-equilibrium L)
+  (check-coordinates 'verify-equilibrium q)
+  (define t (string->uninterned-symbol "t"))
+  (define (judge q)
+    (prove-zero (residual-at-rest 'verify-equilibrium L force t q) #:variables (list t)))
+  (define v (judge q))
+  (define exactly (and (not (proved? v)) (with-exact-angles q)))
+  (define w (if exactly (judge exactly) v))
+  (if (proved? w) w v))
+
+;; q with multiples of acos 0 in place of flonums that are those of π/2, as near as can
+;; be; #f if there are none.
+(define (with-exact-angles q)
+  (define exact (map exact-angle (scalars q)))
+  (and (ormap values exact)
+       (scalars->structure q (lambda (k) (or (list-ref exact k) (list-ref (scalars q) k))))))
+
+(define (exact-angle x)
+  (define turns (and (flonum? x) (rational? x) (round (/ x (/ pi 2)))))
+  (and turns
+       (not (zero? turns))
+       (<= (abs (- x (* turns (/ pi 2)))) (* 4e-16 (abs x)))
+       (e:* (inexact->exact turns) (make-node op:acos '(0)))))
+
+(define pi 3.141592653589793)
+
+;; A list of them, by formulas in the parameters.
+(define (equilibria L local #:force [force #f])
+  (check-Lagrangian 'equilibria L)
+  (check-generic-state 'equilibria local)
+  (define outside (external-force 'equilibria force #f))
+  (for ([f (in-list (list L outside))] #:when f)
+    (check-parameters 'equilibria f ((clip-state 3) local)))
+  (define q (coordinate local))
+  (define residual (simplify (residual-at-rest 'equilibria L force (time local) q)))
+  (check-constant 'equilibria residual (time local))
+  (define solutions (solve-equations (scalars residual) (scalars q) (assumptions-in-force)))
+  (unless solutions (raise-no-formula residual))
+  (for/list ([s (in-list solutions)])
+    (define names (scalars q))
+    (define (value k)
+      (define entry (assq (list-ref names k) (car s)))
+      (if entry (cdr entry) (list-ref names k)))
+    (equilibrium (scalars->structure q value) (cdr s))))
+
+;; The coordinates of one near the start, by numbers.
+(define (find-equilibrium L start #:force [force #f])
+  (check-Lagrangian 'find-equilibrium L)
+  (check-coordinates 'find-equilibrium start)
+  (define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))
+  (check-no-symbols (residual-at start))
+  (define q (find-root residual-at start))
+  (define (residual t) (residual-at-rest 'find-equilibrium L force t q))
+  (check-constant 'find-equilibrium (simplify (residual 't)) 't)
+  q)
+
+(define (residual-at-rest who L force t q)
+  (define rest (g:* 0 q))
+  (define inside ((Euler-Lagrange-operator (scalar-valued who L)) (up t q rest rest)))
+  (if force
+      (g:- inside (force-like who inside ((external-force who force #f) (up t q rest))))
+      inside))
+
+;; ---------------------------------------------------------------------------
+;; Complaints
+
+;; Newton's method is one of numbers.
+(define (check-no-symbols residual)
+  (when (ormap symbolic? (scalars (simplify residual)))
+    (raise
+     (exn:fail:contract
+      (format (string-append
+               "find-equilibrium: symbols are left in the force on the system at rest\n"
+               "  residual: ~a\n"
+               "  give the Lagrangian numbers as parameters; equilibria finds formulas in symbols")
+              (value->text (simplify residual)))
+      (current-continuation-marks)))))
+
+(define (check-constant who residual t)
+  (define name (string->uninterned-symbol "t"))
+  (define (at value) (substitute residual t value))
+  (when (refuted? (prove-zero (g:- (at name) residual)))
+    (raise
+     (exn:fail:contract
+      (format "~a: the force on the system at rest changes in time\n  residual: ~a"
+              who (value->text residual))
+      (current-continuation-marks)))))
+
+(define (raise-no-formula residual)
+  (raise
+   (exn:fail:mechanics
+    (format (string-append
+             "equilibria: no formula was found for the zeros of ~a\n"
+             "  find-equilibrium finds one near given coordinates, by numbers")
+            (value->text residual))
+    (current-continuation-marks))))

@@ -1,0 +1,192 @@
+#lang racket/base
+;; Do two Lagrangians give equivalent equations?
+;;
+;; Their residuals E₁ and E₂ are linear in the accelerations: E = M a + b.  They vanish
+;; together if E₂ = C E₁ with an invertible C, which may depend on the state.  In order of
+;; what they say about the Lagrangians:
+;;
+;;   C = 1             L₂ − L₁ is a total time derivative;
+;;   C a constant c    L₂ − c L₁ is one;
+;;   a matrix          C = M₂ M₁⁻¹, if M₁ and M₂ have inverses, and b₂ = C b₁.
+;;
+;; Failing these, the rows (M₁ b₁) and (M₂ b₂) must span the same space: as many of them
+;; are independent, and (M₂ b₂) takes to zero what (M₁ b₁) does.  That speaks of states in
+;; general.  Where both equations restrict states, as y = 0 and y = 1 do, no motion is at
+;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
+
+(require "gauge.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/zero/vanishing.rkt"
+         "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
+         "../numeric/failure.rkt"
+         "../value/assumptions.rkt" "../value/linear.rkt" "../value/matrix.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
+         "../verdict/verdict.rkt")
+
+(provide verify-equivalent-Lagrangians compare-Lagrangians
+         equivalence? equivalence-kind equivalence-factor equivalence-gauge
+         equivalence-verdict)
+
+;; kind : 'total-derivative, 'proportional, 'combination, or #f if not equivalent
+;; factor : C with E₂ = C E₁, a scalar or a matrix; #f if not known
+;; gauge : f at the local tuple with L₂ = C L₁ + D_t f; #f if not known
+(struct equivalence (kind factor gauge verdict)
+  #:authentic
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (e port mode) (write-string (equivalence->text e) port)))
+
+;; local : a local tuple of symbols (up t q v)
+(define (verify-equivalent-Lagrangians L1 L2 local)
+  (equivalence-verdict (compared 'verify-equivalent-Lagrangians L1 L2 local)))
+
+(define (compare-Lagrangians L1 L2 local)
+  (compared 'compare-Lagrangians L1 L2 local))
+
+(define (compared who L1 L2 given)
+  (check-Lagrangian who L1)
+  (check-Lagrangian who L2)
+  (check-generic-state who given)
+  (for ([L (in-list (list L1 L2))]) (check-parameters who L ((clip-state 3) given)))
+  (define local (lengthened ((clip-state 3) given) 4))
+  (define-values (S1 S2) (values (scalar-valued who L1) (scalar-valued who L2)))
+  (define-values (E1 E2) (values (residual S1 local) (residual S2 local)))
+  (or (proportional S1 S2 E1 E2 local 1 'total-derivative)
+      (let ([c (constant-ratio E1 E2 local)])
+        (and c (proportional S1 S2 E1 E2 local c 'proportional)))
+      (combined who (mass-rows S1 local) (mass-rows S2 local) E1 E2 local)))
+
+;; A list of scalars.
+(define (residual L local) (scalars ((Euler-Lagrange-operator L) local)))
+
+;; ---------------------------------------------------------------------------
+;; A constant factor
+
+(define (proportional L1 L2 E1 E2 local c kind)
+  (define v (judged (map (lambda (a b) (g:- b (g:* c a))) E1 E2) local))
+  (and (proved? v)
+       (equivalence kind c (gauge-at (g:- L2 (g:* c L1)) ((clip-state 3) local)) v)))
+
+(define (gauge-at F local)
+  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+    (simplify ((gauge-function F local) local))))
+
+(define (judged xs local)
+  (prove-zero (if (null? (cdr xs)) (car xs) (list->down xs)) #:variables (scalars local)))
+
+;; The quotient of two components if it is no function of the state; else #f.
+(define (constant-ratio E1 E2 local)
+  (define ratio
+    (for/first ([a (in-list E1)] [b (in-list E2)] #:unless (zero-expression? a))
+      (simplify (g:/ b a))))
+  (and ratio
+       (not (eqv? ratio 0))
+       (not (ormap (lambda (name) (occurs? name ratio)) (scalars local)))
+       ratio))
+
+(define (zero-expression? e) (vanishes? e (assumptions-in-force)))
+
+;; ---------------------------------------------------------------------------
+;; A matrix
+
+;; M as rows of scalars, by the accelerations in the residual.
+(define (mass-rows L local)
+  (define q (coordinate local))
+  (define (residual-at a)
+    ((Euler-Lagrange-operator L) (up (time local) q (velocity local) a)))
+  (define slopes (scalars ((D residual-at) (g:* 0 q))))
+  (define n (shape-length q))
+  (for/list ([i (in-range n)])
+    (for/list ([j (in-range n)]) (simplify (list-ref slopes (+ (* n j) i))))))
+
+;; The parts of the residual without accelerations.
+(define (without-accelerations E local)
+  (define rest
+    (for/fold ([e (list->down E)]) ([a (in-list (scalars (acceleration local)))])
+      (substitute e a 0)))
+  (map simplify (scalars rest)))
+
+(define (combined who rows1 rows2 E1 E2 local)
+  (define-values (b1 b2)
+    (values (without-accelerations E1 local) (without-accelerations E2 local)))
+  (define-values (M1 M2) (values (apply matrix-by-rows rows1) (apply matrix-by-rows rows2)))
+  (define (regular? M) (not (zero-expression? (determinant M))))
+  (if (and (regular? M1) (regular? M2))
+      (by-matrix M1 M2 b1 b2 local)
+      (let ([A1 (augmented rows1 b1)] [A2 (augmented rows2 b2)])
+        (when (and (restricting? M1 A1) (restricting? M2 A2)) (raise-restricting who E1 E2))
+        (by-row-spaces A1 A2 local))))
+
+(define (by-matrix M1 M2 b1 b2 local)
+  (define C (simplify (g:* M2 (g:invert M1))))
+  (define v (judged (map g:- b2 (matrix-times-list C b1)) local))
+  (define factor (if (null? (cdr b1)) (matrix-ref C 0 0) C))
+  (equivalence (and (proved? v) 'combination) (and (proved? v) factor) #f v))
+
+(define (matrix-times-list C b)
+  (for/list ([i (in-range (length b))])
+    (for/fold ([sum 0]) ([x (in-list b)] [j (in-naturals)])
+      (g:+ sum (g:* (matrix-ref C i j) x)))))
+
+;; ---------------------------------------------------------------------------
+;; Rows that span the same space
+
+;; Are there accelerations at special states only?
+(define (restricting? M A) (< (rank M) (rank (apply matrix-by-rows A))))
+
+(define (raise-restricting who E1 E2)
+  (raise
+   (exn:fail:mechanics
+    (format (string-append
+             "~a: the equations of both Lagrangians restrict coordinates and velocities\n"
+             "  such equations are compared only where the ones are a constant multiple of "
+             "the others\n  residuals: ~a\n             ~a")
+            who (value->text (simplify (list->down E1))) (value->text (simplify (list->down E2))))
+    (current-continuation-marks))))
+
+(define (augmented rows b)
+  (for/list ([row (in-list rows)] [x (in-list b)]) (append row (list x))))
+
+;; What one takes to zero the other must, the one of the lesser rank being asked first.
+(define (by-row-spaces A1 A2 local)
+  (define-values (m1 m2) (values (apply matrix-by-rows A1) (apply matrix-by-rows A2)))
+  (define v
+    (if (<= (rank m1) (rank m2))
+        (judged (images A2 (null-space m1)) local)
+        (judged (images A1 (null-space m2)) local)))
+  (equivalence (and (proved? v) 'combination) #f #f v))
+
+(define (images rows vectors)
+  (for*/list ([vector (in-list vectors)] [row (in-list rows)])
+    (for/fold ([sum 0]) ([a (in-list row)] [x (in-list (scalars vector))])
+      (g:+ sum (g:* a x)))))
+
+;; ---------------------------------------------------------------------------
+;; In words
+
+(define (equivalence->text e)
+  (case (equivalence-kind e)
+    [(total-derivative)
+     (format "equivalent: the second is the first~a" (plus-derivative e))]
+    [(proportional)
+     (format "equivalent: the second is ~a times the first~a"
+             (value->text (equivalence-factor e)) (plus-derivative e))]
+    [(combination)
+     (format "equivalent: the equations of the second Lagrangian combine those of the first~a"
+             (if (equivalence-factor e)
+                 (format "\n  factor: ~a" (value->text (equivalence-factor e)))
+                 ""))]
+    [else (format "~a\n~a"
+                  (if (refuted? (equivalence-verdict e))
+                      "not equivalent: motions of one Lagrangian leave a residual of the other"
+                      "undecided whether the equations are equivalent")
+                  (equivalence-verdict e))]))
+
+(define (plus-derivative e)
+  (define f (equivalence-gauge e))
+  (cond [(not f) ", plus a total time derivative"]
+        [(number? f) ""]
+        [else (format ", plus the total time derivative of\n  ~a" (value->text f))]))

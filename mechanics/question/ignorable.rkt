@@ -1,0 +1,75 @@
+#lang racket/base
+;; Ignorable coordinates, also called cyclic: those that L does not depend on.  The
+;; momenta ∂₂L that belong to them are conserved (SICM 1.8, p. 79).
+
+(require "../calculus/derivative.rkt"
+         "../generic/describe.rkt"
+         "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
+         "../verdict/verdict.rkt")
+
+(provide verify-ignorable ignorable-coordinates conserved-momenta)
+
+;; A verdict on the component of ∂₁L at a local tuple of symbols.
+;; which : the coordinate's symbol, or its index, or a list of indices
+(define (verify-ignorable L which local)
+  (check-question 'verify-ignorable L local)
+  (define chain (index-chain which (coordinate local)))
+  (prove-zero (component-at (slope 'verify-ignorable L 1 local) chain)
+              #:variables (scalars local)))
+
+;; The symbols of all coordinates for which that is proved.
+(define (ignorable-coordinates L local)
+  (check-question 'ignorable-coordinates L local)
+  (map car (ignorable 'ignorable-coordinates L local)))
+
+;; A list of (up coordinate momentum), one for each.
+(define (conserved-momenta L local)
+  (check-question 'conserved-momenta L local)
+  (define found (ignorable 'conserved-momenta L local))
+  (define momenta (slope 'conserved-momenta L 2 local))
+  (for/list ([entry (in-list found)])
+    (up (car entry) (simplify (component-at momenta (cdr entry))))))
+
+(define (check-question who L local)
+  (check-Lagrangian who L)
+  (check-generic-state who local)
+  (check-parameters who L ((clip-state 3) local)))
+
+;; ((coordinate . chain) ...)
+(define (ignorable who L local)
+  (define slopes (slope who L 1 local))
+  (for/list ([entry (in-list (chains (coordinate local)))]
+             #:when (proved? (prove-zero (component-at slopes (cdr entry)))))
+    entry))
+
+(define (slope who L slot local)
+  (((partial slot) (scalar-valued who L)) ((clip-state 3) local)))
+
+;; ---------------------------------------------------------------------------
+;; Coordinates by name and by place
+
+(define (component-at x chain) (if (null? chain) x (apply ref x chain)))
+
+;; ((symbol index ...) ...)
+(define (chains q)
+  (let walk ([x q] [path '()])
+    (if (tuple? x)
+        (apply append (for/list ([e (in-list (structure->list x))] [i (in-naturals)])
+                        (walk e (cons i path))))
+        (list (cons x (reverse path))))))
+
+(define (index-chain which q)
+  (define known (chains q))
+  (define chain (if (exact-nonnegative-integer? which) (list which) which))
+  (cond [(assq which known) => cdr]
+        [(for/or ([entry (in-list known)]) (and (equal? (cdr entry) chain) chain))]
+        [else
+         (raise
+          (exn:fail:contract
+           (format (string-append
+                    "verify-ignorable: expected a coordinate: its symbol, its index, "
+                    "or a list of indices\n  given: ~a\n  coordinates: ~a")
+                   (value->text which) (value->text q))
+           (current-continuation-marks)))]))

@@ -1,0 +1,158 @@
+#lang racket/base
+;; Frequencies ω and shapes v with (K − ω²M + iωG) v = 0.
+;;
+;; Coordinates that do not act on one another are parted first.  One coordinate has
+;; ω² = K/M; for two the determinant is a quadratic equation in ω²,
+;;
+;;   |M| ω⁴ − (M₁₁K₂₂ + M₂₂K₁₁ − 2M₁₂K₁₂ + g²) ω² + |K| = 0,     g = G₁₂.
+;;
+;; More coordinates are left to numbers: where M and K are numbers but for a factor
+;; each, as in a chain of equal pendulums, the factors come out of the square root.
+
+(require racket/lazy-require
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt"
+         "../numeric/linear/rows.rkt"
+         "../value/simplify.rkt")
+
+(provide modes-of frequencies-of raise-not-positive)
+
+(lazy-require
+ ["../numeric/linear/normal-modes.rkt" (symmetric-modes gyroscopic-modes)])
+
+;; M, K, G : vectors of rows of simplified scalars
+;; -> a list of (frequency component ...)
+(define (modes-of who M K G)
+  (define n (vector-length M))
+  (define found
+    (apply append
+           (for/list ([block (in-list (components n (list M K G)))])
+             (define (part rows) (submatrix rows block block))
+             (for/list ([mode (in-list (block-modes who (part M) (part K) (part G)))])
+               (cons (car mode) (spread (cdr mode) block n))))))
+  (if (andmap (lambda (mode) (real? (car mode))) found) (sort found < #:key car) found))
+
+(define (frequencies-of who M K G) (map car (modes-of who M K G)))
+
+;; Zeros where the block has no coordinate.
+(define (spread shape block n)
+  (for/list ([i (in-range n)])
+    (or (for/first ([j (in-list block)] [x (in-list shape)] #:when (= i j)) x) 0)))
+
+;; Lists of the indices that are joined by entries other than zero.
+(define (components n matrices)
+  (define (joined? i j)
+    (for/or ([rows (in-list matrices)])
+      (not (and (g:zero? (entry rows i j)) (g:zero? (entry rows j i))))))
+  (define (reached found todo)
+    (cond [(null? todo) (sort found <)]
+          [else
+           (define new
+             (for/list ([j (in-range n)]
+                        #:unless (memv j found) #:when (joined? (car todo) j))
+               j))
+           (reached (append new found) (append (cdr todo) new))]))
+  (let loop ([i 0] [blocks '()])
+    (cond [(= i n) (reverse blocks)]
+          [(ormap (lambda (block) (memv i block)) blocks) (loop (+ i 1) blocks)]
+          [else (loop (+ i 1) (cons (reached (list i) (list i)) blocks))])))
+
+(define (block-modes who M K G)
+  (define all (map entries (list M K G)))
+  (cond [(and (andmap (lambda (xs) (andmap real? xs)) all)
+              (ormap (lambda (xs) (ormap flonum? xs)) all))
+         (numeric-modes who M K G)]
+        [(> (vector-length M) 2) (scaled-modes who M K G)]
+        [(g:zero? (simplify (det M))) (raise-not-positive who M)]
+        [(= (vector-length M) 2) (two-modes M K G)]
+        [else (one-mode (entry M 0 0) (entry K 0 0))]))
+
+;; Of one row or two.
+(define (det A)
+  (if (= (vector-length A) 1)
+      (entry A 0 0)
+      (g:- (g:* (entry A 0 0) (entry A 1 1)) (g:* (entry A 0 1) (entry A 1 0)))))
+
+(define (entries rows) (for*/list ([row (in-vector rows)] [x (in-vector row)]) x))
+
+;; ---------------------------------------------------------------------------
+;; One coordinate and two
+
+(define (one-mode m k) (list (list (simplify (g:sqrt (g:/ k m))) 1)))
+
+(define (two-modes M K G)
+  (define g (entry G 0 1))
+  (define a (det M))
+  (define b
+    (g:+ (g:* (entry M 0 0) (entry K 1 1)) (g:* (entry M 1 1) (entry K 0 0))
+         (g:* -2 (entry M 0 1) (entry K 0 1)) (g:square g)))
+  (define root (simplify (g:sqrt (simplify (g:- (g:square b) (g:* 4 a (det K)))))))
+  (define (frequency sign) (simplify (g:sqrt (simplify (g:/ (g:+ b (g:* sign root)) (g:* 2 a))))))
+  (if (g:zero? root)
+      (equal-frequencies (frequency 1) M K G)
+      (for/list ([sign '(-1 1)])
+        (define omega (frequency sign))
+        (cons omega (null-vector M K G omega)))))
+
+;; Of two that coincide each displacement is a mode, unless G keeps one from moving alone.
+(define (equal-frequencies omega M K G)
+  (if (g:zero? (entry G 0 1))
+      (list (list omega 1 0) (list omega 0 1))
+      (let ([shape (null-vector M K G omega)])
+        (list (cons omega shape) (cons omega shape)))))
+
+;; At right angles to a row of K − ω²M + iωG that is not zero; its first component 1
+;; where it has one.
+(define (null-vector M K G omega)
+  (define (A i j)
+    (simplify (g:+ (entry K i j) (g:* -1 (g:square omega) (entry M i j))
+                   (g:* +i omega (entry G i j)))))
+  (define-values (x y)
+    (if (and (g:zero? (A 0 0)) (g:zero? (A 0 1)))
+        (values (A 1 1) (g:negate (A 1 0)))
+        (values (g:negate (A 0 1)) (A 0 0))))
+  (if (g:zero? x) '(0 1) (list 1 (simplify (g:/ y x)))))
+
+;; ---------------------------------------------------------------------------
+;; Numbers
+
+(define (numeric-modes who M K G)
+  (define modes
+    (if (andmap g:zero? (entries G)) (symmetric-modes M K) (gyroscopic-modes M K G)))
+  (or modes (raise-not-positive who M)))
+
+;; M = μ M₀, K = κ K₀: ω² is κ/μ times that of the numbers M₀ and K₀.
+(define (scaled-modes who M K G)
+  (define-values (mu M0) (numbers-with-factor M))
+  (define-values (kappa K0) (numbers-with-factor K))
+  (unless (and M0 K0 (andmap g:zero? (entries G))) (raise-no-formula who M))
+  (for/list ([mode (in-list (or (symmetric-modes M0 K0) (raise-not-positive who M)))])
+    (cons (simplify (g:* (car mode) (g:sqrt (g:/ kappa mu)))) (cdr mode))))
+
+;; The first entry that is not zero, unless it is a number, and the quotients by it;
+;; #f in their place if some are not numbers.
+(define (numbers-with-factor rows)
+  (define first-entry (for/first ([x (in-list (entries rows))] #:unless (g:zero? x)) x))
+  (define factor (if (or (not first-entry) (number? first-entry)) 1 first-entry))
+  (define quotients
+    (for/vector ([row (in-vector rows)])
+      (for/vector ([x (in-vector row)]) (simplify (g:/ x factor)))))
+  (values factor (and (all-entries? real? quotients) quotients)))
+
+(define (raise-no-formula who M)
+  (raise
+   (exn:fail:contract
+    (format (string-append
+             "~a: ~a coordinates act on one another, and formulas are for 1 and 2\n"
+             "  give the parameters numbers, some of them decimal, for numbers in return")
+            who (vector-length M))
+    (current-continuation-marks))))
+
+(define (raise-not-positive who M)
+  (raise
+   (exn:fail:contract
+    (format (string-append
+             "~a: the kinetic energy is not positive for all velocities at this equilibrium\n"
+             "  mass matrix: ~a")
+            who (value->text (cons 'matrix-by-rows (map vector->list (vector->list M)))))
+    (current-continuation-marks))))

@@ -1,0 +1,115 @@
+#lang racket/base
+;; Small oscillations about an equilibrium.
+;;
+;; Where the force ∂₁L vanishes at rest, a system that starts nearby moves as the
+;; second derivatives of L say.  With M = ∂₂∂₂L, K = −∂₁∂₁L and B = ∂₁∂₂L there, the
+;; deviation x from the equilibrium obeys
+;;
+;;   M ẍ + G ẋ + K x = 0,       G = B − Bᵀ,
+;;
+;; the part of B that is symmetric being a total time derivative.  A normal mode is a
+;; solution v e^{iωt}: a null vector v of K − ω²M + iωG.  M and K are symmetric and G is
+;; not: its entries are what turning frames and magnetic fields add.
+
+(require racket/lazy-require
+         "equilibrium.rkt"
+         "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../value/linear.rkt" "../value/matrix.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../verdict/verdict.rkt")
+
+(provide mass-matrix stiffness-matrix gyroscopic-matrix
+         normal-modes small-oscillation-frequencies
+         ;; for stability
+         check-autonomous)
+
+(lazy-require ["normal-modes.rkt" (modes-of frequencies-of)])
+
+;; ---------------------------------------------------------------------------
+;; The linearised equations
+
+;; Each a matrix, or a scalar where q is one.
+(define (mass-matrix L q) (second-derivatives 'mass-matrix L q mass-form))
+(define (stiffness-matrix L q) (second-derivatives 'stiffness-matrix L q stiffness-form))
+(define (gyroscopic-matrix L q) (second-derivatives 'gyroscopic-matrix L q gyroscopic-form))
+
+(define (second-derivatives who L q form)
+  (check-Lagrangian who L)
+  (check-coordinates who q)
+  (form (scalar-valued who L) q))
+
+(define (mass-form L q) (form-in-coordinates ((partial 2) ((partial 2) L)) q))
+(define (stiffness-form L q) (g:negate (form-in-coordinates ((partial 1) ((partial 1) L)) q)))
+
+(define (gyroscopic-form L q)
+  (define B (form-in-coordinates ((partial 1) ((partial 2) L)) q))
+  (if (matrix? B) (g:- B (transpose B)) 0))
+
+;; The second derivative at rest as a bilinear form of two displacements.
+(define (form-in-coordinates second q)
+  (define S (second (at-rest q)))
+  (if (tuple? q) (s->m q S q) S))
+
+(define (at-rest q) (up 't q (g:* 0 q)))
+
+;; ---------------------------------------------------------------------------
+;; Modes
+
+;; A list of (up frequency shape), slow before fast where all are numbers.
+(define (normal-modes L q)
+  (define-values (M K G) (forms-at-equilibrium 'normal-modes L q))
+  (for/list ([mode (in-list (modes-of 'normal-modes M K G))])
+    (up (car mode) (like-coordinates (cdr mode) q))))
+
+;; The frequencies only.
+(define (small-oscillation-frequencies L q)
+  (define-values (M K G) (forms-at-equilibrium 'small-oscillation-frequencies L q))
+  (frequencies-of 'small-oscillation-frequencies M K G))
+
+;; -> the entries of the three matrices, vectors of rows
+(define (forms-at-equilibrium who L given)
+  (check-Lagrangian who L)
+  (check-coordinates who given)
+  (define L-scalar (scalar-valued who L))
+  (check-equilibrium who L-scalar given)
+  (define (entries form)
+    (define S (simplify (form L-scalar given)))
+    (if (matrix? S) (matrix-rows S) (vector (vector S))))
+  (define-values (M K G)
+    (values (entries mass-form) (entries stiffness-form) (entries gyroscopic-form)))
+  (check-autonomous who L-scalar given)
+  (values M K G))
+
+;; Rounded coordinates, as pi is one, leave a force of some roundings.
+(define (check-equilibrium who L q)
+  (define force (simplify (((partial 1) L) (at-rest q))))
+  (define v (prove-zero force))
+  (unless (or (not (refuted? v)) (<= (magnitude (verdict-value v)) 1e-8))
+    (raise
+     (exn:fail:contract
+      (format (string-append "~a: these coordinates are not an equilibrium; "
+                             "at rest there, a force remains\n"
+                             "  coordinates: ~a\n"
+                             "  ∂₁L: ~a")
+              who (value->text q) (value->text force))
+      (current-continuation-marks)))))
+
+;; ∂₂L, too: what ∂₁∂₂L gains in time is a force.
+(define (check-autonomous who L q)
+  (define t (string->uninterned-symbol "t"))
+  (define P ((partial 2) L))
+  (define (derivatives t)
+    (define state (up t q (g:* 0 q)))
+    (up (P state) (((partial 1) P) state) (((partial 2) P) state)
+        (((partial 1) ((partial 1) L)) state)))
+  (when (refuted? (prove-zero ((D derivatives) t) #:variables (list t)))
+    (raise
+     (exn:fail:contract
+      (format "~a: the Lagrangian changes in time at these coordinates; ~a" who
+              "small oscillations are those of a system that does not")
+      (current-continuation-marks)))))
+
+;; Components in order, in the shape of q.
+(define (like-coordinates components q)
+  (scalars->structure q (lambda (k) (list-ref components k))))

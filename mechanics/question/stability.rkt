@@ -1,0 +1,162 @@
+#lang racket/base
+;; Is an equilibrium stable?
+;;
+;; With the matrices of small oscillations M ẍ + G ẋ + K x = 0 and a kinetic energy that
+;; is positive, M > 0:
+;;
+;;   K > 0            stable: the energy is least there, and motions nearby are enclosed
+;;                    (Lagrange, Dirichlet), turning frames or not;
+;;   K has a negative direction and G = 0
+;;                    unstable: some ω² is negative;
+;;   otherwise        G may hold what K does not.  Two coordinates, with
+;;                    |M| ω⁴ − b ω² + |K| = 0, oscillate if b, |K| and b² − 4 |M| |K| are
+;;                    positive, and leave exponentially if one of these is negative.
+;;
+;; K is positive if its leading minors are; if one of them is negative it is not.
+
+(require "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "small-oscillations.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/rewriting/solve.rkt"
+         "../algebra/simplify/simplify.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../lagrangian/Lagrange-equations.rkt"
+         "../value/assumptions.rkt" "../value/linear.rkt" "../value/matrix.rkt"
+         "../value/simplify.rkt"
+         "../verdict/verdict.rkt")
+
+(provide equilibrium-stability stability? stability-kind stability-conditions)
+
+;; kind : 'stable 'linearly-stable 'unstable 'undecided
+;; conditions : inequalities (> e 0) for it to be stable, unstable if e < 0 in one
+(struct stability (kind conditions)
+  #:authentic
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda (s port mode) (write-string (stability->text s) port)))
+
+;; q : coordinates of an equilibrium of an L that does not change in time
+(define (equilibrium-stability L q)
+  (check-Lagrangian 'equilibrium-stability L)
+  (check-coordinates 'equilibrium-stability q)
+  (check-equilibrium L q)
+  (check-autonomous 'equilibrium-stability (scalar-valued 'equilibrium-stability L) q)
+  (define-values (M K G)
+    (values (entries (mass-matrix L q)) (entries (stiffness-matrix L q))
+            (entries (gyroscopic-matrix L q))))
+  (check-inertia M)
+  (define at-rest (judged 'stable (leading-minors K)))
+  (cond [(eq? (stability-kind at-rest) 'stable)
+         (if (and (pair? (stability-conditions at-rest)) (turning? G))
+             (turning-stability L q M K G)
+             at-rest)]
+        [(turning? G) (turning-stability L q M K G)]
+        [else at-rest]))
+
+(define (check-equilibrium L q)
+  (define v (verify-equilibrium L q))
+  (when (and (refuted? v) (> (magnitude (verdict-value v)) 1e-8))
+    (raise
+     (exn:fail:contract
+      (format (string-append "equilibrium-stability: these coordinates are not an equilibrium\n"
+                             "  coordinates: ~a\n  residual: ~a")
+              (value->text q) (value->text (verdict-residual v)))
+      (current-continuation-marks)))))
+
+;; M > 0, unless its parameters leave that open.
+(define (check-inertia M)
+  (define signs (map known-sign (leading-minors M)))
+  (when (or (memv -1 signs) (memv 0 signs))
+    (raise-not-positive 'equilibrium-stability (matrix-rows M))))
+
+;; A square matrix, of one entry for a scalar.
+(define (entries S)
+  (define simple (simplify S))
+  (if (matrix? simple) simple (matrix-by-rows (list simple))))
+
+(define (turning? G)
+  (not (for*/and ([row (in-vector (matrix-rows G))] [x (in-vector row)]) (g:zero? x))))
+
+(define (leading-minors K)
+  (for/list ([n (in-range 1 (add1 (m:num-rows K)))])
+    (simplify
+     (determinant
+      (m:generate n n (lambda (i j) (matrix-ref K i j)))))))
+
+;; ---------------------------------------------------------------------------
+;; Where velocities act
+
+(define (turning-stability L q M K G)
+  (cond [(= (m:num-rows M) 2) (judged 'linearly-stable (oscillation-conditions M K G))]
+        [else (by-frequencies (small-oscillation-frequencies L q))]))
+
+;; |K|, b and b² − 4 |M| |K|
+(define (oscillation-conditions M K G)
+  (define (times i j k l) (g:* (matrix-ref M i j) (matrix-ref K k l)))
+  (define b
+    (g:+ (times 0 0 1 1) (times 1 1 0 0) (g:* -2 (times 0 1 0 1))
+         (g:* (matrix-ref G 0 1) (matrix-ref G 0 1))))
+  (define product (g:* (determinant M) (determinant K)))
+  (map simplify (list (determinant K) b (g:- (g:* b b) (g:* 4 product)))))
+
+;; Of numbers: oscillations of different frequencies, or some that grow.
+(define (by-frequencies omegas)
+  (define scale (apply max (map magnitude omegas)))
+  (define (negligible? x) (<= (abs x) (* 1e-7 scale)))
+  (define sorted (sort (map real-part omegas) <))
+  (define apart?
+    (for/and ([a (in-list sorted)] [b (in-list (cdr sorted))]) (not (negligible? (- b a)))))
+  (cond [(ormap (lambda (w) (not (negligible? (imag-part w)))) omegas) (stability 'unstable '())]
+        [(and apart? (not (ormap negligible? sorted))) (stability 'linearly-stable '())]
+        [else (stability 'undecided '())]))
+
+;; ---------------------------------------------------------------------------
+;; Signs
+
+;; The verdict if all of these must be positive, and none may be negative.
+(define (judged kind quantities)
+  (define signs (map known-sign quantities))
+  (cond [(memv -1 signs) (stability 'unstable '())]
+        [(memv 0 signs) (stability 'undecided '())]
+        [else
+         (stability kind
+                    (distinct (for/list ([s (in-list signs)] #:unless (eqv? s 1))
+                                (list '> s 0))))]))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (member x kept) kept (cons x kept))))
+
+;; 1, 0 or −1, or an expression of the same sign.
+(define (known-sign e)
+  (define A (assumptions-in-force))
+  (cond [(real? e) (cond [(zero? e) 0] [(positive? e) 1] [else -1])]
+        [else
+         (define-values (sign open)
+           (for/fold ([sign 1] [open 1]) ([f (in-list (expression-factors e A))]
+                                          #:when (odd? (cdr f)))
+             (define s (factor-sign (car f) A))
+             (if s (values (* sign s) open) (values sign (e:* open (car f))))))
+         (if (eqv? open 1) sign (simplify-expression (e:* sign open) A))]))
+
+;; 1 or −1, or #f if it is not known.
+(define (factor-sign f A)
+  (define size (simplify-expression (e:apply op:abs f) A))
+  (define (zero? e) (eqv? 0 (simplify-expression e A)))
+  (cond [(zero? (e:- size f)) 1]
+        [(zero? (e:+ size f)) -1]
+        [else #f]))
+
+;; ---------------------------------------------------------------------------
+
+(define (stability->text s)
+  (define conditions (map value->text (stability-conditions s)))
+  (string-append
+   (case (stability-kind s)
+     [(stable) "stable"]
+     [(linearly-stable) "linearly stable"]
+     [(unstable) "unstable"]
+     [else "undecided: second derivatives do not tell"])
+   (cond [(null? conditions) ""]
+         [(null? (cdr conditions)) (format " if ~a, unstable if that is reversed" (car conditions))]
+         [else (apply string-append " if all of these hold, unstable if one is reversed"
+                      (for/list ([c (in-list conditions)]) (format "\n  ~a" c)))])))

@@ -1,0 +1,45 @@
+#lang racket/base
+;; Does a proposed path solve Lagrange's equations, with constraints or without?
+
+(require racket/lazy-require
+         "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../verdict/verdict.rkt")
+
+(lazy-require ["../constraint/equations.rkt" (constrained-Lagrange-equations)]
+              ["../constraint/eliminate.rkt" (eliminate-multipliers)])
+
+(provide verify-solution)
+
+;; The verdict on the residual of the path q at a symbolic time t.  With constraints but
+;; no multipliers the question is whether there are any.
+(define (verify-solution L q [dissipation #f] #:force [Q #f] #:order [n 1]
+                         #:constraints [constraints #f] #:multipliers [multipliers #f])
+  (when (or constraints multipliers) (check-constrained n constraints))
+  (with-handlers ([exn:fail:contract? (lambda (e) (raise (if (swapped? L q) (swap-error) e)))])
+    (define outside (external-force 'verify-solution Q dissipation))
+    (prove-zero
+     (cond [multipliers
+            ((constrained-Lagrange-equations L constraints #:force outside) q multipliers)]
+           [constraints ((eliminate-multipliers L constraints #:force outside) q)]
+           [else ((Lagrange-equations L #:force outside #:order n) q)]))))
+
+(define (check-constrained n constraints)
+  (unless constraints
+    (raise-arguments-error 'verify-solution
+                           "multipliers belong to constraints, and there are none"))
+  (unless (eqv? n 1)
+    (raise-arguments-error 'verify-solution "with constraints, the order of a Lagrangian is 1"
+                           "order" n)))
+
+;; Would the arguments do in the other order?  Asked only when they fail in this.
+(define (swapped? L q)
+  (define (works? thunk) (with-handlers ([exn:fail? (lambda (e) #f)]) (thunk) #t))
+  (and (procedure? L) (procedure? q)
+       (not (works? (lambda () (q 't))))
+       (works? (lambda () ((scalar-valued 'verify-solution q) ((Gamma L) 't))))))
+
+(define (swap-error)
+  (exn:fail:contract
+   "verify-solution: the Lagrangian comes first, then the path; these look swapped"
+   (current-continuation-marks)))

@@ -1,0 +1,36 @@
+#lang racket/base
+;; Derivatives of functions that only give numbers: measured ones, those that integrate
+;; a motion.  For all others there is D, which is exact.
+
+(require "../calculus/number.rkt"
+         "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../numeric/search/differences.rkt"
+         "../value/shape.rkt")
+
+(provide D-numeric richardson-derivative)
+
+;; ((D-numeric f) x): f a function of one number, of any shape of value; report :
+;; receives the derivative, its error and the evaluations.
+(define-plain (D-numeric f [tolerance 1e-8] #:report [report the-derivative])
+  (derivative-from-values 'D-numeric f tolerance #f report))
+
+;; step : a distance from x over which f changes noticeably and is defined
+(define-plain (richardson-derivative f tolerance [step #f] #:report [report the-derivative])
+  (unless (or (not step) (and (real? step) (< 0 step +inf.0)))
+    (raise-argument-error 'richardson-derivative "a positive step" step))
+  (derivative-from-values 'richardson-derivative f tolerance step report))
+
+(define (the-derivative value error count) value)
+
+(define (derivative-from-values who f tolerance step report)
+  (check-function-of-one-variable who f)
+  (lambda (x)
+    (define at (real->double-flonum (number who x)))
+    (define example (f at))
+    (define (complain y) (if (number? y) +nan.0 (number who y)))
+    (define (shape v) (flvector->structure example v))
+    (define-values (value error count)
+      (difference-derivative (lambda (x) (structure->flvector (f x) complain)) at
+                             #:step (or step (* 0.1 (max 1.0 (abs at))))
+                             #:tolerance tolerance #:shape shape #:name who))
+    (report (shape value) (shape error) count)))

@@ -1,0 +1,37 @@
+#lang racket/base
+;; The order on expressions is total, and equal expressions are not apart.
+
+(require rackunit
+         racket/list
+         mechanics/algebra/expression/order
+         "../reading.rkt")
+
+(define in-order
+  (map datum->expression
+       '(-1 1/2 2 a m x (+ a b) (+ a b c) (f t) (x t) (cos x) (sin x) ((D f) t)
+            (((expt D 2) f) t))))
+
+(test-case "numbers, symbols, sums, functions, derivatives"
+  (for ([tail (in-list (let loop ([es in-order]) (if (null? es) '() (cons es (loop (cdr es))))))]
+        #:when #t [b (in-list (cdr tail))])
+    (check-true (< (expression-compare (car tail) b) 0) (format "~a before ~a" (car tail) b))
+    (check-true (> (expression-compare b (car tail)) 0) (format "~a after ~a" b (car tail)))))
+
+(test-case "sorting does not depend on the order given"
+  (parameterize ([current-pseudo-random-generator (make-pseudo-random-generator)])
+    (random-seed 7)
+    (for ([_ (in-range 20)])
+      (check-equal? (sort (shuffle in-order) expression<?) in-order))))
+
+(test-case "operands of sums and products may be written in any order"
+  (check-equal? (expression-compare (datum->expression '(+ a (* b c)))
+                                    (datum->expression '(+ (* c b) a)))
+                0)
+  (check-not-equal? (expression-compare (datum->expression '(- a b))
+                                        (datum->expression '(- b a)))
+                    0))
+
+(test-case "derivatives count"
+  (define es (map datum->expression '(x (x t) ((D x) t) (((expt D 2) x) t))))
+  (check-equal? (map derivative-order es)
+                '(0 0 1 2)))

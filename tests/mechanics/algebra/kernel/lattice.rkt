@@ -1,0 +1,35 @@
+#lang racket/base
+;; Lattice bases: every vector is an integer combination of the basis.
+
+(require rackunit
+         mechanics/algebra/kernel/lattice)
+
+(define (combination basis coordinates)
+  (for/fold ([sum '()]) ([entry (in-list coordinates)])
+    (vector-add sum (vector-scale (cdr entry) (list-ref basis (car entry))))))
+
+(define (check-basis vectors)
+  (define-values (basis coordinates) (integer-basis vectors))
+  (for ([v (in-list vectors)] [c (in-list coordinates)])
+    (check-true (for/and ([entry (in-list c)]) (exact-integer? (cdr entry))))
+    (check-equal? (combination basis c) v))
+  basis)
+
+(define theta '((0 . 1)))
+(define phi '((1 . 1)))
+(define half '((0 . 1/2)))
+(define difference '((0 . 1) (1 . -1)))
+
+(test-case "independent vectors are their own basis"
+  (check-equal? (check-basis (list theta phi)) (list theta phi))
+  (check-equal? (check-basis (list difference)) (list difference)))
+
+(test-case "dependent vectors are written by earlier ones"
+  (check-equal? (check-basis (list theta phi difference)) (list theta phi))
+  (check-equal? (check-basis (list theta '((0 . 3)))) (list theta)))
+
+(test-case "fractions refine the basis"
+  (check-equal? (check-basis (list theta half)) (list half))
+  (check-equal? (length (check-basis (list difference (vector-scale 1/2 difference) theta))) 2)
+  (define multiples (list (vector-scale 2 difference) (vector-scale 3 difference)))
+  (check-equal? (length (check-basis multiples)) 1))

@@ -1,0 +1,66 @@
+#lang racket/base
+;; Equations solved by factors: known ones, and every solution put back.
+
+(require rackunit
+         (only-in mechanics
+                  + - * / expt square sin cos expression simplify
+                  substitute proved? prove-zero)
+         mechanics/algebra/assumption/assumptions
+         mechanics/algebra/rewriting/solve
+         "../../laws/random.rkt")
+
+(define (solutions equations unknowns)
+  (define found (solve-equations equations unknowns no-assumptions))
+  (and found
+       (for/list ([s found])
+         (cons (for/list ([entry (car s)]) (list (car entry) (expression (cdr entry))))
+               (expression (cdr s))))))
+
+(test-case "linear, quadratic and factored"
+  (check-equal? (solutions (list (- (* 'a 'x) 'b)) '(x)) '((((x (/ b a))))))
+  (check-equal? (solutions (list (* 'x (- 'x 'a))) '(x)) '((((x 0))) (((x a)))))
+  (check-equal? (solutions (list (- (square 'x) 'a)) '(x))
+                '((((x (sqrt a))) (>= a 0)) (((x (* -1 (sqrt a)))) (>= a 0))))
+  (check-equal? (solutions (list (+ (square 'x) 1)) '(x)) '())
+  (check-equal? (solutions (list (+ (square 'x) (square 'a))) '(x)) '())
+  (check-equal? (solutions (list (- (square 'x) (square 'a))) '(x)) '((((x a))) (((x (* -1 a))))))
+  (check-equal? (solutions (list (* 'x (- (square 'x) (* 2 (square 'a))))) '(x))
+                '((((x 0))) (((x (* a (sqrt 2))))) (((x (* -1 a (sqrt 2)))))))
+  (check-equal? (solutions (list 'a) '(x)) '())
+  (check-equal? (solutions (list 0) '(x)) '((()))))
+
+(test-case "flonums stay what they are"
+  (check-equal? (solutions (list (- (* 3.0 'x) 0.3)) '(x)) `((((x ,(/ 0.3 3.0))))))
+  (check-equal? (solutions (list (* 2.0 (- 'x 0.1)) (* 4.0 (- 'x 0.1) 'y)) '(x y))
+                '((((x 0.1)))))
+  (check-equal? (solutions (list (* 2.0 'x (- 'x 0.1))) '(x)) '((((x 0))) (((x 0.1)))))
+  (check-equal? (solutions (list (- (* 4 (cos 'x) (sin 'x)) (* 9.8 (sin 'x)))) '(x))
+                '((((x 0))) (((x 3.141592653589793))))))
+
+(test-case "sines and cosines of one angle, once each turn"
+  (check-equal? (solutions (list (cos (* 2 'x))) '(x)) '((((x 0.7853981633974483))) (((x -0.7853981633974483)))))
+  (check-equal? (solutions (list (- (* 2 (sin 'x)) 3)) '(x)) '())
+  (check-equal? (solutions (list (- (* 'a (sin 'x)) (* 'b (cos 'x)))) '(x))
+                '((((x (atan (/ b a))))) (((x (+ 3.141592653589793 (atan (/ b a)))))))))
+
+(test-case "several unknowns"
+  (check-equal? (solutions (list (* 'x 'y) (- (+ 'x 'y) 1)) '(x y))
+                '((((x 0) (y 1))) (((x 1) (y 0)))))
+  (check-equal? (solutions (list (* 'y (- (* 2 'x) 'y)) (* 'x (- 'x (* 2 'y)))) '(x y))
+                '((((x 0) (y 0)))))
+  (check-equal? (solutions (list (- 'x 'y)) '(x y)) '((((x y))))))
+
+(test-case "what no factor can be solved for is answered by #f"
+  (check-false (solutions (list (+ (expt 'x 5) 'x 1)) '(x)))
+  (check-false (solutions (list (- (sin 'x) 'x)) '(x))))
+
+(test-case "solutions of random linear systems with a product satisfy them"
+  (with-seed 77
+    (for ([_ (in-range 10)])
+      (define (linear) (+ (* (random-rational) 'x) (* (random-rational) 'y) (* (random-rational) 'a)))
+      (define equations (list (* (linear) (linear)) (linear)))
+      (define found (solve-equations equations '(x y) no-assumptions))
+      (check-equal? (length found) 2)
+      (for* ([s found] [e equations])
+        (define at (apply substitute e (apply append (for/list ([p (car s)]) (list (car p) (cdr p))))))
+        (check-pred proved? (prove-zero at))))))

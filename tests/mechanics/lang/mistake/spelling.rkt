@@ -1,0 +1,44 @@
+#lang racket/base
+;; Names that an unknown one may have been meant for.
+
+(require mechanics/lang/mistake/spelling
+         rackunit)
+
+(define known
+  '(Lagrange-equations Lagrangian->energy determinant invert simplify verify-solution
+    matrix? matrix-by-rows matrix-by-columns matrix-ref matrix-size
+    sin sinh D Gamma literal-function velocity))
+
+(define-check (check-suggests name names)
+  (define found (likely-names name known))
+  (unless (equal? found names)
+    (with-check-info (['name name] ['expected names] ['found found]) (fail-check))))
+
+(test-case "a letter left out, put in, exchanged or swapped"
+  (check-suggests 'Lagrange-equation '(Lagrange-equations))
+  (check-suggests 'literal--function '(literal-function))
+  (check-suggests 'determinent '(determinant))
+  (check-suggests 'simplfiy '(simplify))
+  (check-suggests 'gamma '(Gamma))
+  (check-suggests 'lagrangian->Energy '(Lagrangian->energy)))
+
+(test-case "the nearest alone, as many as there are"
+  (check-suggests 'sine '(sin sinh))
+  (check-suggests 'inverse '(invert)))
+
+(test-case "without a near one, the names that it begins, three at most; no predicates"
+  (check-suggests 'matrix '(matrix-by-columns matrix-by-rows matrix-ref)))
+
+(test-case "no suggestion for short names, for what is far away, for what is known"
+  (check-suggests 'm '())
+  (check-suggests 'd '())
+  (check-suggests 'sim '())
+  (check-suggests 'theta '())
+  (check-suggests 'omega '())
+  (check-suggests 'eigenvectors '())
+  (check-suggests 'simplify '()))
+
+(test-case "alternatives are told as a sentence would"
+  (check-equal? (alternatives '(a)) "a")
+  (check-equal? (alternatives '(a b)) "a or b")
+  (check-equal? (alternatives '(a b c)) "a, b or c"))

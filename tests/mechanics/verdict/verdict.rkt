@@ -1,0 +1,91 @@
+#lang racket/base
+;; Verdicts on values of every shape.  How an expression is judged is tested with
+;; the algebra.
+
+(require rackunit
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/structure
+         mechanics/value/matrix
+         mechanics/value/operator
+         mechanics/value/simplify
+         mechanics/value/signature
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/verdict/verdict)
+
+(define V (literal-function 'V))
+(define F (literal-function 'F (-> (X Real Real) Real)))
+(define pythagoras (g:- (g:+ (g:square (g:sin 'x)) (g:square (g:cos 'x))) 1))
+
+(test-case "scalars: proved or refuted"
+  (for ([x (list 0 pythagoras (g:- (V 't) (V 't)))])
+    (check-eq? (verdict-status (prove-zero x)) 'proved))
+  (for ([x (list 1 'a (g:- 'a 'b) (V 't) (g:+ 1 pythagoras))])
+    (check-eq? (verdict-status (prove-zero x)) 'refuted)))
+
+(test-case "a structure or matrix is zero when every scalar of it is"
+  (check-true (proved? (prove-zero (up 0 (down pythagoras (vector 0 0))))))
+  (check-true (refuted? (prove-zero (up 0 (down pythagoras 'a)))))
+  (check-true (proved? (prove-zero (matrix-by-rows (list pythagoras 0)))))
+  (check-true (refuted? (prove-zero (matrix-by-rows '(0 1)))))
+  (check-true (proved? (prove-zero (up)))))
+
+(test-case "a function is judged at symbolic arguments, also inside structures"
+  (check-true (proved? (prove-zero (g:- (D (g:square V)) (g:* 2 V (D V))))))
+  (check-true (refuted? (prove-zero (g:- (D V) V))))
+  (check-true (proved? (prove-zero (g:- ((partial 0) ((partial 1) F)) ((partial 1) ((partial 0) F))))))
+  (check-true (proved? (prove-zero (up (g:- V V) 0)))))
+
+(test-case "equality is a difference of zero"
+  (check-true (proved? (verify-equal (g:* 'a (g:+ 'b 'c)) (g:+ (g:* 'a 'b) (g:* 'a 'c)))))
+  (check-true (refuted? (verify-equal (up 'a 1) (up 1 'a))))
+  (check-exn #rx"their orientations differ" (lambda () (verify-equal (up 1) (down 1)))))
+
+(test-case "a witness is a point where the residual has the value that is given"
+  (for ([x (list (g:- 'a 'b) (g:- (g:square (g:sin 'a)) 1) (up 0 (g:- (V 't) 1))
+                 (g:- 'k (g:* 'm (g:square 'omega))))])
+    (define v (prove-zero x))
+    (define value
+      (simplify (apply substitute (verdict-residual v)
+                       (apply append (for/list ([w (verdict-witness v)]) (list (car w) (cdr w)))))))
+    (check-true (for/or ([scalar (if (structure? value) (structure-elements value) (list value))])
+                  (equal? scalar (verdict-value v))))
+    (check-false (equal? 0 (verdict-value v)))))
+
+(test-case "a proved verdict has no witness"
+  (define v (prove-zero pythagoras))
+  (check-false (verdict-witness v))
+  (check-false (verdict-value v))
+  (check-equal? (verdict-residual v) 0))
+
+(test-case "what cannot be judged is named"
+  (check-exn #rx"^prove-zero: expected a number, an expression, a tuple of them, or a function; given \"x\", a string$"
+             (lambda () (prove-zero "x")))
+  (check-exn #rx"^prove-zero: .*given [(]1 2[)], a list" (lambda () (prove-zero '(1 2))))
+  (check-exn #rx"^prove-zero: D is an operator; give it a function to act on" (lambda () (prove-zero D))))
+
+(test-case "a verdict prints its status first, in all three modes"
+  (for ([mode '("~a" "~s" "~v")])
+    (check-regexp-match #rx"^proved: " (format mode (prove-zero 0)))
+    (check-regexp-match #rx"^refuted: .*\n  residual: " (format mode (prove-zero 'a)))))
+
+;; ---------------------------------------------------------------------------
+;; The report
+
+(define (last-line v) (cadr (regexp-match #rx"([^\n]*)$" (format "~a" v))))
+
+(test-case "a bound is given to two digits, rounded upwards"
+  (check-equal? (last-line (prove-zero 1.234e-15)) "  evidence: at one point, zero to within 1.3e-15")
+  (check-regexp-match #px"^  evidence: at 12 points, zero to within [0-9]([.][0-9])?e-[0-9]+$"
+                      (last-line (verify-equal (g:* 0.1 'x) (g:/ 'x 10)))))
+
+(test-case "several conditions stand on one line, and none speaks of the time"
+  (define v (prove-zero (lambda (t) (g:+ (g:* (g:- 'a 'b) (g:sin t))
+                                         (g:* (g:- 'c (g:square 'd)) (g:cos t))))))
+  (check-regexp-match #rx"\n  zero if: a = b, c = [(]expt d 2[)]\n" (format "~a" v))
+  (check-equal? (verdict-conditions (prove-zero (lambda (t) (g:- 'g (g:* 6 'c t))))) '()))
+
+(test-case "a value of many digits is shown to six"
+  (check-equal? (last-line (prove-zero (g:* (expt 10 60) 'm))) "  value: 1e+60")
+  (check-equal? (last-line (prove-zero (g:/ 1 3))) "  value: 1/3"))
