@@ -2,7 +2,7 @@
 ;; The mathematics without the mechanics: structures, generic arithmetic,
 ;; literals, derivatives, simplification, verdicts.
 
-(require "algebra/expression/datum.rkt"
+(require "algebra/expression/write.rkt"
          "calculus/derivative.rkt" "calculus/gradient.rkt" "calculus/literal-function.rkt"
          "calculus/Taylor.rkt"
          "generic/arithmetic.rkt" "generic/compare.rkt" "generic/elementary.rkt"
@@ -10,10 +10,11 @@
          "lang/pattern/pattern.rkt"
          "numeric/failure.rkt"
          (except-in "value/assumptions.rkt" assumptions-in-force note-used! undeclared)
-         "value/constants.rkt" "value/eigenvalues.rkt" "value/forms.rkt" "value/function.rkt"
-         (except-in "value/linear.rkt" square-entries) "value/matrix.rkt" "value/operator.rkt"
-         "value/principal-value.rkt" "value/signature.rkt" "value/simplify.rkt"
-         (except-in "value/structure.rkt" up down) "value/vector.rkt"
+         "value/compose.rkt" "value/constants.rkt" "value/operator.rkt"
+         "value/principal-value.rkt" "value/rewrite.rkt" "value/signature.rkt"
+         "value/simplify.rkt" (except-in "value/structure.rkt" up down) "value/vector.rkt"
+         "value/linear/eigenvalues.rkt"
+         (except-in "value/linear/linear-algebra.rkt" square-entries) "value/linear/matrix.rkt"
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
          "verdict/verdict.rkt")

@@ -5,7 +5,8 @@
 (require racket/match
          "base.rkt"
          "calculus/elliptic.rkt"
-         (only-in "compile/integral.rkt" definite-integral definite-integral-with-tolerance)
+         (only-in "compile/definite-integral.rkt" definite-integral
+                  definite-integral-with-tolerance)
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
          "display/print-expression.rkt"
@@ -21,7 +22,7 @@
          "map/on-demand.rkt"
          "motion/on-demand.rkt"
          (only-in "numeric/progress.rkt" report-progress)
-         "question/on-demand.rkt" "question/verify.rkt"
+         "question/on-demand.rkt" "question/verify-solution.rkt"
          "search/on-demand.rkt"
          "teach/derivation.rkt"
          "value/on-demand.rkt")

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Pictures: frames as in the book, and what is drawn in them.
 
-(require "plot/contour.rkt" "plot/draw.rkt" "plot/frame.rkt" "plot/motion.rkt"
-         "plot/pict.rkt" "plot/save.rkt" "plot/show.rkt")
+(require "plot/contour.rkt" "plot/draw.rkt" "plot/frame.rkt" "plot/pict.rkt"
+         "plot/plot-trajectory.rkt" "plot/save.rkt" "plot/show.rkt")
 
 (provide
  ;; frames

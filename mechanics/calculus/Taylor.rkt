@@ -9,7 +9,7 @@
 (require "derivative-errors.rkt" "derivative.rkt" "extract.rkt" "jet.rkt" "perturbed.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")
 
 (provide Taylor-series Taylor-series-coefficients)

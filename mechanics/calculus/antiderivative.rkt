@@ -18,7 +18,7 @@
 (require "expression-function.rkt"
          "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/simplify/simplify.rkt")
+         "../algebra/simplify/simplify-expression.rkt")
 
 (provide antiderivative)
 

@@ -2,9 +2,9 @@
 ;; What D and partial say when they are misused.
 
 (require "literal-function.rkt"
-         "../algebra/expression/datum.rkt"
+         "../algebra/expression/write.rkt"
          "../generic/complain.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/structure.rkt")
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated raise-no-such-component
          raise-not-differentiable-at check-path)

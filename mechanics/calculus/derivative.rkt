@@ -9,9 +9,10 @@
 (require "derivative-errors.rkt" "dual.rkt" "extract.rkt" "jet.rkt" "perturbed.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/structure.rkt"
+         "../generic/kind.rkt" "../generic/up-down.rkt"
          "../numeric/failure.rkt"
-         "../value/matrix.rkt" "../value/operator.rkt"
+         "../value/operator.rkt"
+         "../value/linear/matrix.rkt"
          "../value/series/calculus.rkt" "../value/series/series.rkt")
 
 (provide D partial derivative-at derivatives-at derivative-function value-and-derivative-along

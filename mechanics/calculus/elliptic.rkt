@@ -18,7 +18,7 @@
          "number.rkt" "perturbed.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/kind.rkt" "../generic/rounding.rkt"
-         (prefix-in carlson: "../numeric/quadrature/carlson.rkt"))
+         (prefix-in carlson: "../numeric/quadrature/elliptic-integrals.rkt"))
 
 (provide first-elliptic-integral second-elliptic-integral elliptic-integrals
          elliptic-integral-F elliptic-integral-E

@@ -5,7 +5,7 @@
 (require "derivative.rkt" "literal-function.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
-         "../generic/structure.rkt")
+         "../generic/up-down.rkt")
 
 (provide evaluate-generically expression-derivative)
 

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; What gradient and its kin say when they are misused.
 
-(require "../generic/complain.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt"
-         "../value/structure.rkt" (only-in "../value/signature.rkt" scalar?))
+(require "../generic/complain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt")
 
 (provide raise-not-scalar raise-takes-no-point check-increment check-covector)
 

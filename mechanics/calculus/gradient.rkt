@@ -6,12 +6,13 @@
 ;; by all of them; so a gradient costs a few runs, be it in a million variables.
 ;; The values are those of D.
 
-(require "perturbed.rkt" (only-in "tape.rkt" tape-inputs finish-tape!) "recorded.rkt"
-         "derivative.rkt" "derivative-errors.rkt" "gradient-errors.rkt"
-         "../generic/structure.rkt" "../generic/function.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt"
-         "../value/operator.rkt" "../value/matrix.rkt" "../value/structure.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+(require "derivative-errors.rkt" "derivative.rkt" "gradient-errors.rkt"
+         (only-in "gradient-tape.rkt" tape-inputs finish-tape!) "perturbed.rkt" "recorded.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         "../value/operator.rkt" (only-in "../value/signature.rkt" scalar?)
+         "../value/structure.rkt"
+         "../value/linear/matrix.rkt")
 
 (provide gradient jacobian
          Hessian-vector-product jacobian-vector-product vector-jacobian-product

@@ -7,10 +7,10 @@
 ;; f(b) b' ε, to higher order the Taylor series that this begins.  Where a gradient
 ;; is taken, the derivative by each variable is the integral of that of f.
 
-(require "derivative.rkt" "dual.rkt" "jet.rkt" "number.rkt" "perturbed.rkt" "recorded.rkt"
-         "tape.rkt"
+(require "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "jet.rkt" "number.rkt" "perturbed.rkt"
+         "recorded.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../numeric/quadrature/improper-quadrature.rkt")
+         "../numeric/quadrature/improper.rkt")
 
 (provide integrate)
 

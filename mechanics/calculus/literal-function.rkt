@@ -7,10 +7,10 @@
 ;; structure of literal functions: `f^0 f^1` when up, `f_0 f_1` when down.
 
 (require "dual.rkt" "jet.rkt" "perturbed.rkt" "recorded.rkt"
-         "../algebra/expression/datum.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/operation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/write.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/kind.rkt" "../generic/recurrence.rkt" "../generic/structure.rkt"
+         "../generic/kind.rkt" "../generic/recurrence.rkt" "../generic/up-down.rkt"
          "../value/signature.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")
 

@@ -2,14 +2,14 @@
 ;; Recorded numbers: what a gradient runs a function on.
 ;;
 ;; A recorded number is a value and its differential, a factor times one of those
-;; on a tape (tape.rkt).  Each operation's own derivative rule gives the factors.
+;; on a tape (gradient-tape.rkt).  Each operation's own derivative rule gives the factors.
 ;; A tape has a tag as an ε has: where derivatives nest, it decides which is
 ;; outermost.  The value and the factors contain only lesser tags.
 
 (require (for-syntax racket/base)
          racket/fixnum
          racket/flonum
-         "dual.rkt" "perturbed.rkt" "slopes.rkt" "tape.rkt"
+         "dual.rkt" "gradient-tape.rkt" "perturbed.rkt" "slopes.rkt"
          (only-in "../algebra/expression/expression.rkt" symbolic?)
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
          "../generic/record.rkt")

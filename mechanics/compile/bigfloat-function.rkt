@@ -7,8 +7,8 @@
 ;; arithmetic, as for flonums.
 
 (require "program.rkt" "trace.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
-         "../numeric/bigfloat/arithmetic.rkt" "../numeric/bigfloat/linear-systems.rkt"
+         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
+         "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
          "../value/bigfloat.rkt" "../value/shape.rkt")
 
 (provide bigfloat-function

@@ -9,8 +9,8 @@
 ;; out.
 
 (require "builder.rkt" "instruction.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/tape.rkt")
+         "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
+         "../algebra/expression/operation.rkt")
 
 (provide
  ;; the program

@@ -16,12 +16,13 @@
 (require "constraint.rkt" "dependence.rkt" "linearized.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../numeric/failure.rkt"
          "../numeric/linear/rows.rkt"
-         "../value/linear-algebra.rkt" "../value/shape.rkt")
+         "../value/shape.rkt"
+         "../value/linear/row-systems.rkt")
 
 (provide constrained-accelerations constraint-forces
          ;; for motions: numbers in rows

@@ -10,7 +10,7 @@
 
 (require "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../value/shape.rkt" (only-in "../value/signature.rkt" scalar?)
          "../verdict/verdict.rkt")
 

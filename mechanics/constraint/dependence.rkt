@@ -2,10 +2,11 @@
 ;; Constraints that depend on each other, and directions without inertia: why a motion or
 ;; its multipliers are not determined, in words.
 
-(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../numeric/failure.rkt"
          "../numeric/linear/rows.rkt"
-         "../value/linear-algebra.rkt" "../value/simplify.rkt")
+         "../value/simplify.rkt"
+         "../value/linear/row-systems.rkt")
 
 (provide raise-undetermined independent-rows dependences dependence->text)
 

@@ -10,10 +10,11 @@
 (require "constraint.rkt" "linearized.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../numeric/linear/rows.rkt"
-         "../value/function.rkt" "../value/linear-algebra.rkt" "../value/shape.rkt")
+         "../value/compose.rkt" "../value/shape.rkt"
+         "../value/linear/row-systems.rkt")
 
 (provide eliminate-multipliers)
 

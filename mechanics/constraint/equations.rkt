@@ -9,7 +9,7 @@
 
 (require "constraint.rkt" "linearized.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt")
 

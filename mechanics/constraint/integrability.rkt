@@ -13,13 +13,14 @@
 (require "constraint.rkt" "linearized.rkt"
          "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt"
-         "../algebra/simplify/simplify.rkt"
+         "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt"
+         "../generic/up-down.rkt"
          "../lagrangian/generic-state.rkt"
          "../numeric/failure.rkt"
-         "../value/assumptions.rkt" "../value/linear-algebra.rkt" "../value/shape.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt"
+         "../value/linear/row-systems.rkt"
          "../verdict/verdict.rkt")
 
 (provide Frobenius-test constraint-integral check-generic)

@@ -13,7 +13,7 @@
 
 (require "constraint.rkt"
          "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../numeric/linear/rows.rkt"
          "../value/shape.rkt")
 

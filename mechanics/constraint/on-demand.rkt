@@ -11,7 +11,7 @@
  ["integrability.rkt" (Frobenius-test constraint-integral)]
  ["reduction.rkt" (reduce-by-substitution
                    reduction? reduction-integrability reduction-agreement)]
- ["motion.rkt" (constrained-state-derivative consistent-state)])
+ ["constrained-motion.rkt" (constrained-state-derivative consistent-state)])
 
 (provide holonomic nonholonomic constraint?
          constrained-Lagrange-equations augmented-Lagrangian eliminate-multipliers

@@ -8,10 +8,11 @@
 
 (require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
-         "../value/linear-algebra.rkt" "../value/shape.rkt"
+         "../value/shape.rkt"
+         "../value/linear/row-systems.rkt"
          "../verdict/verdict.rkt")
 
 (provide reduce-by-substitution reduction? reduction-integrability reduction-agreement)

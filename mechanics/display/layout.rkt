@@ -6,7 +6,7 @@
 ;; application fills its lines.  The text is bounded like that of `write-datum`:
 ;; after `print-limit` atoms it says how many it left out.
 
-(require "../algebra/expression/datum.rkt")
+(require "../algebra/expression/write.rkt")
 
 (provide layout)
 

@@ -3,7 +3,7 @@
 ;; reports.
 
 (require "layout.rkt"
-         "../algebra/expression/datum.rkt"
+         "../algebra/expression/write.rkt"
          "../generic/describe.rkt"
          "../verdict/verdict.rkt")
 

@@ -3,11 +3,10 @@
 ;; positions.  0 is no force, on a particle or on all.
 
 (require "particles.rkt" "several-arguments.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt"
          "../calculus/derivative.rkt"
-         "../value/structure.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt")
 
 (provide potential->force check-force forces-at)
 

@@ -3,7 +3,7 @@
 ;; the mass is a moment of inertia.
 
 (require "particles.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          (only-in "../value/signature.rkt" scalar?))
 
 (provide check-masses check-masses-fit times-masses masses->datum)

@@ -7,9 +7,9 @@
 ;;
 ;; Here is checked what the user gives; what is computed is in the files beside this one.
 
-(require "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt"
-         "../calculus/derivative.rkt"
+(require "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/signature.rkt" scalar?))
 

@@ -8,7 +8,7 @@
 ;; in expressions.
 
 (require racket/flonum
-         "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "record.rkt" "structure.rkt"
+         "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "record.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt")
 
 ;; What is taken apart here has just been recognized, and the kind of a carrier is a

@@ -6,7 +6,7 @@
 ;; does not exist, and asking for it is an error that names the value.
 
 (require "arithmetic.rkt" "describe.rkt" "kind.rkt" "naming.rkt" "singular-derivative.rkt"
-         "structure.rkt" "tracing.rkt"
+         "tracing.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?

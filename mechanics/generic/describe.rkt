@@ -2,7 +2,7 @@
 ;; What a value prints as, how messages name it, and how to reach its scalars.
 
 (require "kind.rkt"
-         "../algebra/expression/datum.rkt" "../algebra/expression/expression.rkt")
+         "../algebra/expression/expression.rkt" "../algebra/expression/write.rkt")
 
 (provide value->datum value->text write-value describe describe-with-value
          map-leaves procedure-datum)

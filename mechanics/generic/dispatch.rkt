@@ -7,7 +7,7 @@
 ;; other kind brings its own methods.
 
 (require racket/flonum
-         "describe.rkt" "function.rkt" "kind.rkt" "structure.rkt"
+         "describe.rkt" "function.rkt" "kind.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt")
 
 (provide dispatch-unary dispatch-binary dispatch-carriers raise-inapplicable raise-inapplicable-because raise-unary-arity

@@ -8,7 +8,7 @@
 (require (for-syntax racket/base)
          racket/flonum
          "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt" "record.rkt"
-         "singular-derivative.rkt" "structure.rkt"
+         "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt")
 
 (provide g:sqrt g:exp g:log g:sin g:cos g:tan g:asin g:acos g:atan

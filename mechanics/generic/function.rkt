@@ -5,7 +5,7 @@
 ;; wrapped together with the S-expression it prints as and its arity; a plain
 ;; Racket procedure serves as it is.
 
-(require "kind.rkt" "structure.rkt" "describe.rkt")
+(require "describe.rkt" "kind.rkt" "up-down.rkt")
 
 (provide (struct-out function) make-function unary-function pointwise?
          arity-mask accepts? arity->text

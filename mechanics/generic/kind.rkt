@@ -7,7 +7,7 @@
 ;; meet, the one of higher rank decides: a number times a tuple is the tuple's
 ;; affair, a tuple plus a function the function's.
 
-(require (only-in "../algebra/expression/datum.rkt" write-datum))
+(require (only-in "../algebra/expression/write.rkt" write-datum))
 
 (provide
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)

@@ -7,7 +7,7 @@
 ;; plain numbers, which may count and index.
 
 (require "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "elementary.rkt" "kind.rkt" "naming.rkt"
-         "record.rkt" "singular-derivative.rkt" "structure.rkt"
+         "record.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt")
 
 (provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude

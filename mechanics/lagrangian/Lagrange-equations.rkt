@@ -12,11 +12,10 @@
 ;; adds −∂₂F to it.
 
 (require "external-force.rkt" "local-tuple.rkt"
-         "../generic/kind.rkt" "../generic/structure.rkt" "../generic/describe.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/function.rkt"
          "../calculus/derivative.rkt"
-         (only-in "../value/function.rkt" compose)
-         (only-in "../value/signature.rkt" scalar?))
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
+         (only-in "../value/compose.rkt" compose) (only-in "../value/signature.rkt" scalar?))
 
 (provide Lagrange-equations generalized-LE
          equations? equations-Lagrangian equations-force equations-order

@@ -10,9 +10,9 @@
 ;; is constant, a component for each parameter.
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
-         "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/arithmetic.rkt"
          "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
          "../value/structure.rkt")
 
 (provide Noether-integral)

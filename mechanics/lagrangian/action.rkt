@@ -2,8 +2,8 @@
 ;; The action of a path: ∫ L ∘ Γ[q] from t₁ to t₂ (SICM 1.4, p. 17).
 ;; Of a Lagrangian that depends on derivatives up to order n, ∫ L ∘ Γ[q; n + 2].
 
-(require "local-tuple.rkt" "Lagrange-equations.rkt"
-         "../compile/integral.rkt")
+(require "Lagrange-equations.rkt" "local-tuple.rkt"
+         "../compile/definite-integral.rkt")
 
 (provide Lagrangian-action)
 

@@ -8,10 +8,10 @@
 ;; on dual numbers gives it together with the value.
 
 (require "local-tuple.rkt"
-         "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          "../calculus/derivative.rkt"
-         "../value/structure.rkt" "../value/function.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../value/compose.rkt" "../value/structure.rkt")
 
 (provide F->C Gamma-bar osculating-path
          p->r r->p polar->rectangular rectangular->polar

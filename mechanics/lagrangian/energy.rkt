@@ -9,9 +9,9 @@
 ;; itself in time.
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../calculus/derivative.rkt"
-         "../value/function.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../value/compose.rkt")
 
 (provide make-Lagrangian Lagrangian->energy Lagrangian->power-loss)
 

@@ -6,9 +6,9 @@
 ;; at the rate ∂₂F v, which is 2F.
 
 (require "local-tuple.rkt"
-         "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          (only-in "../value/signature.rkt" scalar?))
 
 (provide Rayleigh-dissipation external-force force-like)

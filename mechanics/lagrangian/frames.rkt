@@ -6,8 +6,8 @@
 ;; turned or moved to the coordinates of another frame at that time.
 
 (require "local-tuple.rkt"
-         "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../value/structure.rkt")
 
 (provide Rx Ry Rz

@@ -5,9 +5,9 @@
 ;; section 1.4.  Paths and selectors are functions of the arithmetic, so they
 ;; compose with D and with each other.
 
-(require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../calculus/derivative.rkt" "../value/structure.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+(require "../calculus/derivative.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+         (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt")
 
 (provide
  Gamma path->state-path path

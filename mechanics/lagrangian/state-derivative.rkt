@@ -10,10 +10,12 @@
 ;; matrix ∂₂∂₂L has an inverse.
 
 (require "external-force.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
-         "../generic/structure.rkt" "../generic/arithmetic.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt"
-         "../calculus/derivative.rkt" "../numeric/failure.rkt"
-         "../value/function.rkt" "../value/linear.rkt")
+         "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         "../numeric/failure.rkt"
+         "../value/compose.rkt"
+         "../value/linear/linear-algebra.rkt")
 
 (provide Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
          Lagrange-equations-first-order Lagrange-equations-1

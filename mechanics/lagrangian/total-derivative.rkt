@@ -13,11 +13,11 @@
 ;;
 ;; a function of local tuples up to the 2n-th.
 
-(require "local-tuple.rkt" "Lagrange-equations.rkt"
-         "../generic/structure.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../calculus/derivative.rkt" "../calculus/derivative-errors.rkt"
-         "../value/structure.rkt" "../value/operator.rkt" "../value/function.rkt")
+(require "Lagrange-equations.rkt" "local-tuple.rkt"
+         "../calculus/derivative-errors.rkt" "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../value/compose.rkt" "../value/operator.rkt" "../value/structure.rkt")
 
 (provide Dt Euler-Lagrange-operator LE Lagrange-equations-operator
          clip-state trim-last-argument check-local-tuple)

@@ -18,7 +18,7 @@
          (only-in "pattern/mismatch.rkt" short-text list-hint)
          "../generic/describe.rkt" (only-in "../generic/dispatch.rkt" raise-unary-arity)
          (only-meta-in 1 "../generic/elementary.rkt")
-         (only-in "../generic/structure.rkt" vector->up))
+         (only-in "../generic/up-down.rkt" vector->up))
 
 (provide (rename-out [application #%app]))
 

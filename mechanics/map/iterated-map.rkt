@@ -9,9 +9,10 @@
 ;; arithmetic on two numbers.  Otherwise, and where the numbers stop being real, the map
 ;; itself is called.
 
-(require racket/flonum racket/unsafe/ops
+(require racket/flonum
+         racket/unsafe/ops
          "../compile/compile-function.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/structure.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
          (only-in "../value/structure.rkt" ref))
 
 (provide iterated-map)

@@ -4,7 +4,7 @@
 (require racket/flonum
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../generic/compare.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/structure.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
          "../value/shape.rkt")
 
 (provide

@@ -1,12 +1,14 @@
 #lang racket/base
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
-(require racket/flonum racket/lazy-require
+(require racket/flonum
+         racket/lazy-require
          "check.rkt" "choice.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt" "stuck.rkt"
          "system.rkt"
-         "../numeric/ode/integrate.rkt" "../numeric/progress.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt")
+         "../generic/up-down.rkt"
+         "../numeric/progress.rkt"
+         "../numeric/ode/integrate.rkt")
 
 (lazy-require
  ["precise.rkt" (advance-precisely follow-precisely)])

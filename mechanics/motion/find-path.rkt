@@ -12,7 +12,7 @@
 
 (require racket/flonum
          "check.rkt" "path-action.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
          "../numeric/failure.rkt" "../numeric/progress.rkt"
          "../numeric/linear/definite.rkt"

@@ -16,9 +16,9 @@
 (require racket/flonum
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
-         "../generic/structure.rkt"
+         "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt"
-         "../numeric/quadrature/end-polynomials.rkt" "../numeric/quadrature/gauss-legendre.rkt"
+         "../numeric/quadrature/end-polynomials.rkt" "../numeric/quadrature/gauss-rule.rkt"
          "../value/shape.rkt")
 
 (provide compile-Lagrangian path-action points-between)

@@ -9,8 +9,8 @@
          "check.rkt" "manifold.rkt" "plan.rkt" "sample-times.rkt" "system.rkt"
          "../compile/bigfloat-function.rkt"
          "../generic/describe.rkt"
-         "../numeric/bigfloat/arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
          "../numeric/failure.rkt" "../numeric/progress.rkt"
+         "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
          (only-in "../value/bigfloat.rkt" [bigfloat rounded]))
 
 (provide advance-precisely follow-precisely

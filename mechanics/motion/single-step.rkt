@@ -7,10 +7,10 @@
 ;; values.
 
 (require racket/flonum
-         "check.rkt" "choice.rkt" "evolution.rkt" "plan.rkt" "separable.rkt"
-         "system.rkt"
-         "../compile/compile-function.rkt" "../numeric/ode/integrate.rkt"
-         "../generic/function.rkt" "../generic/structure.rkt")
+         "check.rkt" "choice.rkt" "evolution.rkt" "plan.rkt" "separable.rkt" "system.rkt"
+         "../compile/compile-function.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../numeric/ode/integrate.rkt")
 
 (provide free-run-state-advancer ode-advancer advance-beyond)
 

@@ -5,11 +5,12 @@
 ;; the compiled code beside the state, so that other numbers use the same code.  If the system
 ;; decides something by a parameter, it is compiled for that one.
 
-(require racket/flonum racket/unsafe/ops
+(require racket/flonum
+         racket/unsafe/ops
          "check.rkt" "manifold.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
-         "../generic/structure.rkt"
+         "../generic/up-down.rkt"
          "../numeric/ode/differentiated.rkt" "../numeric/ode/stepper.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 

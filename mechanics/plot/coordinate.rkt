@@ -7,7 +7,7 @@
 (require racket/string
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/structure.rkt")
+         "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide coordinate-of plane-point check-number check-function parameters)
 

@@ -7,12 +7,12 @@
 (require "equilibrium.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/rewriting/solve.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/total-derivative.rkt"
          "../numeric/failure.rkt"
-         "../search/root.rkt"
+         "../search/find-root.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../verdict/verdict.rkt")
 

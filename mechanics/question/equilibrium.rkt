@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
 
-(require "../generic/describe.rkt" "../generic/structure.rkt"
+(require "../generic/describe.rkt" "../generic/up-down.rkt"
          (only-in "../value/signature.rkt" scalar?))
 
 (provide (struct-out equilibrium) check-coordinates)

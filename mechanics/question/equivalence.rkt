@@ -22,8 +22,9 @@
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../numeric/failure.rkt"
-         "../value/assumptions.rkt" "../value/linear.rkt" "../value/matrix.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/structure.rkt"
+         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
          "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians

@@ -17,7 +17,7 @@
 ;; from the k-th on, which may be 0 while it is evaluated.
 
 (require "../algebra/expression/expression.rkt"
-         "../algebra/simplify/simplify.rkt"
+         "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"
          "../calculus/expression-function.rkt" "../calculus/integral.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"

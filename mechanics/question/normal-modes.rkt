@@ -18,7 +18,7 @@
 (provide modes-of frequencies-of raise-not-positive)
 
 (lazy-require
- ["../numeric/linear/normal-modes.rkt" (symmetric-modes gyroscopic-modes)])
+ ["../numeric/linear/numeric-modes.rkt" (symmetric-modes gyroscopic-modes)])
 
 ;; M, K, G : vectors of rows of simplified scalars
 ;; -> a list of (frequency component ...)

@@ -14,9 +14,10 @@
 (require racket/lazy-require
          "equilibrium.rkt"
          "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/structure.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/linear.rkt" "../value/matrix.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
          "../verdict/verdict.rkt")
 
 (provide mass-matrix stiffness-matrix gyroscopic-matrix

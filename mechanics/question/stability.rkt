@@ -17,11 +17,11 @@
 (require "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "small-oscillations.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/rewriting/solve.rkt"
-         "../algebra/simplify/simplify.rkt"
+         "../algebra/simplify/simplify-expression.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../lagrangian/Lagrange-equations.rkt"
-         "../value/assumptions.rkt" "../value/linear.rkt" "../value/matrix.rkt"
-         "../value/simplify.rkt"
+         "../value/assumptions.rkt" "../value/simplify.rkt"
+         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
          "../verdict/verdict.rkt")
 
 (provide equilibrium-stability stability? stability-kind stability-conditions)

@@ -13,7 +13,7 @@
 (require "../calculus/jet.rkt" "../calculus/perturbed.rkt" "../calculus/recorded.rkt"
          "../generic/arithmetic.rkt"
          "../numeric/failure.rkt"
-         "../numeric/linear/linear-systems.rkt" "../numeric/linear/rows.rkt"
+         "../numeric/linear/flonum-systems.rkt" "../numeric/linear/rows.rkt"
          "../value/shape.rkt")
 
 (provide plain varying-root)

@@ -4,10 +4,10 @@
 (require racket/lazy-require)
 
 (lazy-require
- ["minimum.rkt" (minimize brent-min golden-section-min
+ ["minimize.rkt" (minimize brent-min golden-section-min
                  multidimensional-minimize nelder-mead)]
  ["numeric-derivative.rkt" (D-numeric richardson-derivative)]
- ["root.rkt" (find-root newton-search bisect zbrent)])
+ ["find-root.rkt" (find-root newton-search bisect zbrent)])
 
 (provide minimize brent-min golden-section-min multidimensional-minimize nelder-mead
          find-root newton-search bisect zbrent

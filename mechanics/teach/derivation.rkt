@@ -2,14 +2,14 @@
 ;; From a path to the residual, every step in sight (SICM exercise 1.12).
 
 (require racket/lazy-require
-         "../generic/elementary.rkt"
          "../calculus/derivative.rkt"
-         "../value/function.rkt" "../value/simplify.rkt" "../value/structure.rkt"
-         "../lagrangian/local-tuple.rkt" "../lagrangian/Lagrange-equations.rkt"
-         "../display/print-expression.rkt")
+         "../display/print-expression.rkt"
+         "../generic/elementary.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt")
 
 (lazy-require ["../force/d-Alembert.rkt" (newtonian?)]
-              ["../force/derivation.rkt" (Newton-steps Newton-identities)])
+              ["../force/Newton-to-Lagrange.rkt" (Newton-steps Newton-identities)])
 
 (provide derivation-steps show-derivation)
 

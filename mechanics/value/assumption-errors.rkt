@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What is wrong with a relation that cannot be declared or withdrawn.
 
-(require "../algebra/expression/datum.rkt"
+(require "../algebra/expression/write.rkt"
          "../generic/describe.rkt")
 
 (provide complaint raise-contradiction raise-not-declared)

@@ -11,7 +11,7 @@
 (require (prefix-in m: math/bigfloat)
          "../algebra/expression/expression.rkt"
          "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
-         "../numeric/bigfloat/arithmetic.rkt" "../numeric/bigfloat/linear-systems.rkt"
+         "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
          "../numeric/linear/rows.rkt")
 
 (provide bigfloat bigfloat? bigfloat-precision bigfloat->exact

@@ -7,7 +7,7 @@
  ["bigfloat.rkt" (bigfloat bigfloat? bigfloat-precision bigfloat->exact)]
  ["interpolation/piecewise.rkt" (cubic-spline Hermite-spline monotone-spline
                                  linear-interpolation)]
- ["interpolation/polynomial.rkt" (barycentric-interpolation-function
+ ["interpolation/barycentric.rkt" (barycentric-interpolation-function
                                   Hermite-interpolation-function)])
 
 (provide bigfloat bigfloat? bigfloat-precision bigfloat->exact

@@ -14,7 +14,7 @@
          "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/structure.rkt")
+         "../generic/up-down.rkt")
 
 (provide make-operator make-primitive-operator operator?
          I-operator commutator anticommutator)

@@ -4,7 +4,7 @@
 (require "constants.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/rounding.rkt" "../generic/structure.rkt" "../generic/tracing.rkt")
+         "../generic/rounding.rkt" "../generic/tracing.rkt" "../generic/up-down.rkt")
 
 (provide principal-value)
 

@@ -7,7 +7,7 @@
 ;; (SICM p. 31 and the appendix on notation).
 
 (require "../algebra/expression/expression.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/structure.rkt")
+         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide
  ;; vocabulary

@@ -3,7 +3,7 @@
 
 (require "assumptions.rkt"
          "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/simplify/simplify.rkt"
+         "../algebra/simplify/simplify-expression.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt")
 
 (provide expression simplify simplify/assumptions as-shown substitute with-literals)

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; What one does with structures: take them apart, rebuild them, multiply them.
 
-(require "../generic/structure.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/compare.rkt"
-         "series/series.rkt" "series/access.rkt")
+(require "series/access.rkt" "series/series.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../generic/up-down.rkt")
 
 (provide
  ;; data, from the floor below

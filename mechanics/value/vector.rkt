@@ -2,7 +2,7 @@
 ;; Racket's access to vectors, for tuples too: the book treats tuples as the
 ;; vectors they are in Scheme (SICM p. 96).
 
-(require "../generic/structure.rkt")
+(require "../generic/up-down.rkt")
 
 (provide tuple-vector-ref tuple-vector-length)
 

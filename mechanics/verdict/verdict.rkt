@@ -7,13 +7,14 @@
 ;; scalar of it is, and refuted when one is.  A series that does not end cannot be
 ;; proved zero by its terms, but refuted by one.
 
-(require "verdict-report.rkt"
+(require "report.rkt"
          "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/zero/zero-test.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/structure.rkt"
-         "../value/assumptions.rkt" "../value/matrix.rkt" "../value/operator.rkt"
+         "../generic/up-down.rkt"
+         "../value/assumptions.rkt" "../value/operator.rkt"
+         "../value/linear/matrix.rkt"
          "../value/series/access.rkt" "../value/series/series.rkt")
 
 (provide prove-zero verify-equal

@@ -2,7 +2,7 @@
 ;; The prompts that the manual's examples run at.
 
 (require racket/sandbox scribble/example scribble/manual
-         (only-in "../../mechanics/numeric/bigfloat/arithmetic.rkt" check-bigfloats)
+         (only-in "../../mechanics/numeric/bigfloat/bigfloat-arithmetic.rkt" check-bigfloats)
          (only-in "../../mechanics/plot/on-demand.rkt" why-not))
 
 (provide examples bigfloat-examples

@@ -143,5 +143,5 @@
   (define names (map path->string (test-files)))
   (define (found? pattern) (ormap (lambda (n) (regexp-match? pattern n)) names))
   (check-true (found? #rx"tests/mechanics/test-runner.rkt$"))
-  (check-true (found? #rx"tests/mechanics/numeric/quadrature/quadrature.rkt$"))
+  (check-true (found? #rx"tests/mechanics/numeric/quadrature/gauss-kronrod.rkt$"))
   (check-false (found? #rx"/fixture/|/bench/|/runner/|info.rkt$|/compiled/")))

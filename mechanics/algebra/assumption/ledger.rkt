@@ -7,7 +7,7 @@
 ;; granted in one place decides what was left open in another, as in √(x²) + |x|,
 ;; the ledger has a revision: with those assumptions all is done again.
 
-(require "assumptions.rkt" "narrowing.rkt" "signs.rkt"
+(require "assumption-set.rkt" "narrowing.rkt" "signs.rkt"
          "../expression/expression.rkt")
 
 (provide make-ledger ledger-sign! ledger-real? ledger-assume! ledger-leave-open!

@@ -7,7 +7,7 @@
 ;; gets narrower, so this ends, and the order of the relations makes no difference.
 ;; An expression that is left without a possible sign is a contradiction.
 
-(require "assumptions.rkt" "services.rkt" "signs.rkt"
+(require "assumption-set.rkt" "services.rkt" "signs.rkt"
          "../expression/expression.rkt")
 
 (provide add-relations (struct-out exn:algebra:contradiction))

@@ -4,7 +4,7 @@
 ;; Whatever the spelling, a relation is between two expressions, and says what
 ;; sign their difference has.
 
-(require "assumptions.rkt" "signs.rkt"
+(require "assumption-set.rkt" "signs.rkt"
          "../expression/expression.rkt" "../expression/read.rkt")
 
 (provide split-relation read-relation raise-no-relation)

@@ -15,7 +15,7 @@
 ;; elements and flatten short sums and products.  Everything dearer is
 ;; simplification.
 
-(require "datum.rkt" "operation.rkt")
+(require "operation.rkt" "write.rkt")
 
 (provide
  ;; kinds
@@ -32,7 +32,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The node
 
-;; mark : of the last walk that came by, a hint that it alone believes (tape.rkt)
+;; mark : of the last walk that came by, a hint that it alone believes (flat-graph.rkt)
 (struct node (head args hash [mark #:auto #:mutable])
   #:authentic
   #:property prop:custom-print-quotable 'never

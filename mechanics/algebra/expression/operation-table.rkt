@@ -15,7 +15,7 @@
 ;; in the generic arithmetic of the floor above, which makes procedures of them.
 
 (require (for-syntax racket/base)
-         "numeric.rkt")
+         "numeric-functions.rkt")
 
 (provide (for-syntax operation-entries find-entry))
 

@@ -14,8 +14,8 @@
 (require "bounds.rkt" "walk.rkt"
          "../assumption/services.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
-         "../kernel/circle.rkt" "../kernel/collect.rkt" "../kernel/kernel.rkt"
-         "../kernel/root-class.rkt"
+         "../kernel/circle.rkt" "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
+         "../kernel/roots.rkt"
          "../polynomial/fraction.rkt" "../polynomial/monomial.rkt" "../polynomial/polynomial.rkt"
          "../polynomial/ring.rkt")
 

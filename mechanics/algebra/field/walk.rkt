@@ -6,8 +6,9 @@
 ;; combine.  Sines and cosines of angles that are combinations of basic ones
 ;; come from powers of cos θ + i sin θ (cosh u + j sinh u with j² = 1).
 
-(require "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
-         "../kernel/collect.rkt" "../kernel/kernel.rkt"
+(require "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt"
+         "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/polynomial.rkt")
 
 (provide (struct-out arithmetic) evaluate-in

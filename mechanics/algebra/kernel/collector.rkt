@@ -3,8 +3,8 @@
 
 (require "kernel.rkt" "lattice.rkt"
          "../assumption/services.rkt"
-         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
-         "../expression/order.rkt")
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/order.rkt")
 
 (provide
  ;; what stands for a node

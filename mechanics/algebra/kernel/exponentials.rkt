@@ -11,7 +11,8 @@
 
 (require "circle.rkt" "collector.rkt" "kernel.rkt" "lattice.rkt"
          "../assumption/services.rkt"
-         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt")
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt")
 
 (provide visit-exponential! visit-symbolic-power! settle-exponentials!
          combine-exponentials merge-exponentials

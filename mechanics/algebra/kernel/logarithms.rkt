@@ -14,7 +14,8 @@
 
 (require "collector.rkt" "kernel.rkt"
          "../assumption/services.rkt"
-         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt")
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt")
 
 (provide visit-logarithm! settle-logarithms! visit-modulus!)
 

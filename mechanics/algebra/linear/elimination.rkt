@@ -5,8 +5,8 @@
 ;;
 ;; Every answer is #f where the attempt was given up as too large.
 
-(require "bareiss.rkt" "coefficients.rkt" "pattern.rkt"
-         "../assumption/assumptions.rkt"
+(require "bareiss.rkt" "block-form.rkt" "entries.rkt"
+         "../assumption/assumption-set.rkt"
          "../../numeric/linear/rows.rkt")
 
 (provide eliminated-determinant eliminated-solutions

@@ -6,9 +6,8 @@
 ;; it is irreducible if it is linear in one.  A homogeneous polynomial is factored
 ;; with one variable set to 1, which takes nothing away.
 
-(require "arithmetic.rkt" "structure.rkt" "content.rkt" "parts.rkt" "coprime-basis.rkt"
-         "monomial.rkt" "ring.rkt"
-         "integer-factor.rkt" "lifted-factor.rkt")
+(require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "inspect.rkt" "integer-factor.rkt"
+         "lifted-factor.rkt" "monomial.rkt" "parts.rkt" "ring.rkt")
 
 (provide poly-factor)
 

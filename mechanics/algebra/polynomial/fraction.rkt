@@ -13,8 +13,8 @@
 ;; alone.  How the denominator is split into factors depends on its history;
 ;; fraction-denominator-parts splits it in a way that does not.
 
-(require "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt"
-         "division.rkt" "gcd.rkt" "coprime-basis.rkt" "parts.rkt" "rering.rkt")
+(require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
+         "inspect.rkt" "monomial.rkt" "parts.rkt" "rering.rkt" "ring.rkt")
 
 (provide
  ;; making

@@ -11,10 +11,9 @@
 ;; else gcd(p, q) = g · gcd(p/g, q/g).  Remainder sequences, which need no luck,
 ;; come last, so the answer is always right and always comes.
 
-(require "monomial.rkt" "ring.rkt"
-         "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
-         "modular.rkt" "images.rkt" "rering.rkt"
-         "heuristic-gcd.rkt" "sparse-gcd.rkt" "remainder-gcd.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "heuristic-gcd.rkt" "images.rkt"
+         "inspect.rkt" "modular.rkt" "monomial.rkt" "remainder-gcd.rkt" "rering.rkt" "ring.rkt"
+         "sparse-gcd.rkt")
 
 (provide poly-gcd poly-gcd*)
 

@@ -12,7 +12,7 @@
 ;; until it is seen to divide p and q.  The integers have some
 ;; log ξ · ∏ (1 + degree) digits: right for few variables, hopeless for many.
 
-(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "ring.rkt")
 
 (provide heuristic-divisor heuristic-size)
 

@@ -9,8 +9,8 @@
 ;; Lifting wants p to be monic in x: with leading coefficient l and degree n, not
 ;; p but l^(n-1) p(x/l) is treated.
 
-(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt" "gcd.rkt"
-         "rering.rkt" "dense.rkt" "integer-factor.rkt" "lifting.rkt")
+(require "arithmetic.rkt" "content.rkt" "dense.rkt" "division.rkt" "gcd.rkt" "inspect.rkt"
+         "integer-factor.rkt" "lifting.rkt" "rering.rkt" "ring.rkt")
 
 (provide lifted-factors)
 

@@ -12,7 +12,7 @@
 ;; p that has the image g₀, if there is one: no other polynomial could be it.
 ;; Coefficients are residues modulo a prime above twice those a factor can have.
 
-(require "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "dense.rkt")
+(require "arithmetic.rkt" "dense.rkt" "inspect.rkt" "monomial.rkt" "ring.rkt")
 
 (provide lift-factor)
 

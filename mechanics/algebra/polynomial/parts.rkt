@@ -8,8 +8,8 @@
 ;; The content of p in x collects the factors free of x, so taking contents in
 ;; every variable separates the sets.
 
-(require "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt"
-         "division.rkt" "gcd.rkt" "square-free.rkt" "coprime-basis.rkt")
+(require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
+         "inspect.rkt" "monomial.rkt" "ring.rkt" "square-free.rkt")
 
 (provide poly-parts product-parts)
 

@@ -5,8 +5,8 @@
 ;; result whose total degree would pass the ring's bound raises
 ;; exn:algebra:degree-overflow.
 
-(require "meter.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "evaluate.rkt"
-         "division.rkt" "content.rkt" "gcd.rkt" "square-free.rkt" "parts.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "evaluate.rkt" "gcd.rkt" "inspect.rkt"
+         "meter.rkt" "parts.rkt" "ring.rkt" "square-free.rkt")
 
 (provide
  ;; rings

@@ -9,8 +9,7 @@
 ;; p, q, r, ....  Pseudo-remainders have higher degrees than p and q in the
 ;; other variables, hence a wider ring for each.
 
-(require "ring.rkt" "arithmetic.rkt" "structure.rkt" "division.rkt" "content.rkt"
-         "rering.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "rering.rkt" "ring.rkt")
 
 (provide remainder-gcd)
 

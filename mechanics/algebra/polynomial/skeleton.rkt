@@ -15,8 +15,9 @@
 ;; coefficients.  Given y, a term has a number, and from one point to the next
 ;; that number is multiplied by m.
 
-(require racket/fixnum "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt"
-         "modular.rkt" "modular-terms.rkt" "interpolation.rkt")
+(require racket/fixnum
+         "arithmetic.rkt" "inspect.rkt" "interpolation.rkt" "modular-terms.rkt" "modular.rkt"
+         "monomial.rkt" "ring.rkt")
 
 (provide make-skeleton skeleton-terms skeleton-count skeleton-coefficients
          make-bundle)

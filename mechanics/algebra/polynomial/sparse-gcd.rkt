@@ -17,8 +17,8 @@
 ;; primes make a wrong guess, so only what divides p and q is returned.
 
 (require racket/fixnum
-         "monomial.rkt" "ring.rkt" "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt"
-         "modular.rkt" "modular-terms.rkt" "interpolation.rkt" "skeleton.rkt")
+         "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "interpolation.rkt"
+         "modular-terms.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "skeleton.rkt")
 
 (provide sparse-divisor)
 

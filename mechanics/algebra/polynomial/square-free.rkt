@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Square-free decomposition, by Yun's algorithm one variable after the other.
 
-(require "arithmetic.rkt" "structure.rkt" "content.rkt" "division.rkt" "gcd.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "inspect.rkt")
 
 (provide poly-square-free)
 

@@ -6,8 +6,8 @@
 ;; written (1, or the sign of a difference) does not count.
 
 (require "term.rkt"
-         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
-         "../expression/size.rkt"
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/size.rkt"
          "../kernel/exponentials.rkt" "../kernel/kernel.rkt")
 
 (provide (struct-out form) form-expression

@@ -10,7 +10,7 @@
 ;; For a root r = u^(1/q) the factor is u, counting as r^q: so powers of r,
 ;; which a reduced numerator cannot hold, come back.
 
-(require "denominator.rkt" "squares.rkt"
+(require "denominator.rkt" "sine-or-cosine.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt" "../polynomial/ring.rkt")

@@ -11,8 +11,8 @@
 ;; The first form named is kept unless another is smaller by a sixth.  The
 ;; choice depends on the value and the order of kernels alone.
 
-(require "condense.rkt" "form.rkt" "pieces.rkt" "spelling.rkt" "term.rkt"
-         "../expression/exact.rkt"
+(require "choice-of-angles.rkt" "condense.rkt" "form.rkt" "pieces.rkt" "term.rkt"
+         "../expression/exact-numbers.rkt"
          "../field/field.rkt" "../field/rationalize.rkt"
          "../kernel/exponentials.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")

@@ -12,8 +12,8 @@
 ;; is not negative itself.
 
 (require "term.rkt"
-         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
-         "../expression/order.rkt"
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/order.rkt"
          "../kernel/kernel.rkt")
 
 (provide gather-under-roots)

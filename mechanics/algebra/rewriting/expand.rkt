@@ -6,14 +6,14 @@
 ;; nobody knows anything of, and unveiled after.  A term keeps only those sums
 ;; below it that it needs.
 
-(require "quotient.rkt"
-         (only-in "../assumption/assumptions.rkt" no-assumptions)
+(require "together.rkt"
+         (only-in "../assumption/assumption-set.rkt" no-assumptions)
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/form.rkt" "../presentation/pieces.rkt" "../presentation/term.rkt"
-         "../simplify/simplify.rkt")
+         "../simplify/simplify-expression.rkt")
 
 (provide expand-expression)
 

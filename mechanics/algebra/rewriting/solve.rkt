@@ -11,10 +11,10 @@
 ;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
 ;; solutions to be real are kept with them.
 
-(require "factorization.rkt"
+(require "factor.rkt"
          "../expression/evaluate.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/symbols.rkt"
-         "../simplify/simplify.rkt")
+         "../simplify/simplify-expression.rkt")
 
 (provide solve-equations expression-factors)
 

@@ -15,7 +15,7 @@
 (require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
          "../expression/size.rkt"
          "../field/field.rkt"
-         "../kernel/collect.rkt" "../kernel/kernel.rkt"
+         "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
 (provide align make-involved? least-expression)

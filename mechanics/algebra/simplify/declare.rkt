@@ -5,8 +5,8 @@
 ;; set: with x > 0, |x| - 1 becomes x - 1.  So relations that simplify to something
 ;; else in the new set are added in that form too.
 
-(require "normalize.rkt" "simplify.rkt"
-         "../assumption/assumptions.rkt" "../assumption/narrowing.rkt"
+(require "normalize.rkt" "simplify-expression.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/narrowing.rkt"
          "../assumption/relation.rkt")
 
 (provide declare-relations declared-relations without-relations

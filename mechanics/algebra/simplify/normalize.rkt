@@ -8,13 +8,13 @@
 ;; taken for granted is written in a ledger.
 
 (require "align.rkt" "radicand.rkt"
-         (only-in "../assumption/assumptions.rkt" plainly-real?) "../assumption/ledger.rkt"
+         (only-in "../assumption/assumption-set.rkt" plainly-real?) "../assumption/ledger.rkt"
          "../assumption/services.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
          "../expression/size.rkt"
          "../field/bounds.rkt" "../field/field.rkt" "../field/rationalize.rkt"
          "../field/walk.rkt"
-         "../kernel/collect.rkt" "../kernel/kernel.rkt"
+         "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt")
 

@@ -13,11 +13,12 @@
 ;; all stay under one root: √(e^(2it)) is e^(it) or its opposite.
 
 (require "../assumption/services.rkt"
-         "../expression/exact.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt"
          "../field/field.rkt"
-         (only-in "../kernel/collect.rkt" atlas-services) "../kernel/kernel.rkt"
+         (only-in "../kernel/find-kernels.rkt" atlas-services) "../kernel/kernel.rkt"
          "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
-         "../presentation/present.rkt" "../presentation/squares.rkt")
+         "../presentation/present.rkt" "../presentation/sine-or-cosine.rkt")
 
 (provide split-root fraction-factors fraction-factors/irreducible)
 

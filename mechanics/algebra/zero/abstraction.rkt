@@ -13,7 +13,8 @@
 ;; left alone.
 
 (require "fingerprint.rkt"
-         "../expression/evaluate.rkt" "../expression/expression.rkt" "../expression/tape.rkt")
+         "../expression/evaluate.rkt" "../expression/expression.rkt"
+         "../expression/flat-graph.rkt")
 
 (provide abstract)
 

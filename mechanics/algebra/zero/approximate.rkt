@@ -8,7 +8,8 @@
 ;; first order and adds its own rounding.  So "not zero" can be told from
 ;; "zero within rounding".
 
-(require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/tape.rkt")
+(require "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/operation.rkt")
 
 (provide approximate-tape)
 

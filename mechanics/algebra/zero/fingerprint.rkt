@@ -30,7 +30,8 @@
 
 (require racket/fixnum
          "residues.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/tape.rkt"
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/operation.rkt"
          "../polynomial/modular.rkt")
 
 (provide fingerprint tape-fingerprint fingerprint-points

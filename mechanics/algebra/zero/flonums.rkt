@@ -9,8 +9,9 @@
 ;; before an expression is made; so expressions without a symbol prove nothing.
 
 (require "proof.rkt"
-         "../assumption/assumptions.rkt"
-         "../expression/evaluate.rkt" "../expression/expression.rkt" "../expression/tape.rkt")
+         "../assumption/assumption-set.rkt"
+         "../expression/evaluate.rkt" "../expression/expression.rkt"
+         "../expression/flat-graph.rkt")
 
 (provide contains-flonum? vanishes-for-any-flonums?)
 

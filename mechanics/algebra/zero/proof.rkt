@@ -8,11 +8,11 @@
 ;; form for as long as is bearable.
 
 (require "abstraction.rkt" "in-exponentials.rkt"
-         "../assumption/assumptions.rkt"
-         "../expression/tape.rkt"
+         "../assumption/assumption-set.rkt"
+         "../expression/flat-graph.rkt"
          "../field/bounds.rkt"
          "../polynomial/fraction.rkt"
-         "../simplify/simplify.rkt")
+         "../simplify/simplify-expression.rkt")
 
 (provide prove-vanishing)
 

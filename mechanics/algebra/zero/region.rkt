@@ -6,8 +6,9 @@
 ;; relations that concern an expression are checked at a point chosen for it.
 
 (require "approximate.rkt"
-         "../assumption/assumptions.rkt" "../assumption/signs.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/tape.rkt")
+         "../assumption/assumption-set.rkt" "../assumption/signs.rkt"
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/operation.rkt")
 
 (provide make-region region-free? region-place region-admits?)
 

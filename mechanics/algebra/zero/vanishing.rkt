@@ -9,10 +9,10 @@
 ;; they take for zero is not where assumptions have been made.
 
 (require "fingerprint.rkt"
-         "../assumption/assumptions.rkt"
+         "../assumption/assumption-set.rkt"
          "../expression/expression.rkt"
          "../polynomial/fraction.rkt"
-         "../simplify/simplify.rkt")
+         "../simplify/simplify-expression.rkt")
 
 (provide vanishes?)
 

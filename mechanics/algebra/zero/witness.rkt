@@ -12,7 +12,8 @@
 ;; √(b² - 4km) a person expects strong damping and masses, not negative ones.
 
 (require "approximate.rkt" "region.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/tape.rkt")
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/operation.rkt")
 
 (provide find-witness)
 

@@ -15,13 +15,14 @@
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
 (require "condition.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt" "region.rkt" "witness.rkt"
-         "../assumption/assumptions.rkt" "../assumption/relation.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/relation.rkt"
          (only-in "../assumption/signs.rkt" signs-within? zero)
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/tape.rkt"
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/operation.rkt"
          "../field/bounds.rkt" (only-in "../field/field.rkt" field-atlas)
-         (only-in "../kernel/collect.rkt" atlas-services)
+         (only-in "../kernel/find-kernels.rkt" atlas-services)
          "../polynomial/fraction.rkt"
-         "../simplify/simplify.rkt")
+         "../simplify/simplify-expression.rkt")
 
 (provide zero-test
          zero-test-status zero-test-residual zero-test-witness zero-test-value

@@ -2,10 +2,10 @@
 ;; What destructuring does at run time: one check of shape for each pattern,
 ;; and a message that says where a value departs from the pattern.
 
-(require "../../algebra/expression/datum.rkt"
+(require "../../algebra/expression/write.rkt"
          "../../generic/describe.rkt"
-         (only-in "../../generic/structure.rkt" structure? structure-orientation
-                  structure-elements up? down?))
+         (only-in "../../generic/up-down.rkt" structure? structure-orientation structure-elements
+                  up? down?))
 
 (provide components short-text list-hint)
 

@@ -5,9 +5,8 @@
 
 (require racket/match
          (for-syntax racket/base)
-         (prefix-in make- (only-in "../../generic/structure.rkt" up down))
-         (only-in "../../generic/structure.rkt" structure? structure-orientation
-                  structure-elements))
+         (prefix-in make- (only-in "../../generic/up-down.rkt" up down))
+         (only-in "../../generic/up-down.rkt" structure? structure-orientation structure-elements))
 
 (provide up down)
 

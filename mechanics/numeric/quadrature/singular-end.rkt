@@ -7,9 +7,9 @@
 ;; sequences do, and the epsilon algorithm finds where from a few of them.  It would find
 ;; a limit for sums that have none, too, and know nothing of what happens closer to a.
 ;; Therefore the terms must fall, and what is left must agree roughly with what the rule
-;; of quadrature.rkt makes of it.
+;; of gauss-kronrod.rkt makes of it.
 
-(require "epsilon-algorithm.rkt" "quadrature.rkt"
+(require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
          "../failure.rkt")
 
 (provide integral-towards)

@@ -15,7 +15,7 @@
 
 (require racket/flonum
          "../failure.rkt" "../sample.rkt"
-         "../linear/linear-systems.rkt")
+         "../linear/flonum-systems.rkt")
 
 (provide newton)
 

@@ -5,7 +5,7 @@
 ;; numbers: numbers, symbols, tuples of them.
 
 (require "../../generic/compare.rkt" "../../generic/complain.rkt" "../../generic/describe.rkt"
-         "../../generic/structure.rkt" "../../generic/tracing.rkt")
+         "../../generic/tracing.rkt" "../../generic/up-down.rkt")
 
 (provide points values-at check-increasing check-distinct
          location complain)

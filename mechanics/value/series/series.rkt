@@ -13,7 +13,7 @@
          "../../algebra/expression/expression.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/complain.rkt"
          "../../generic/describe.rkt" "../../generic/elementary.rkt" "../../generic/function.rkt"
-         "../../generic/kind.rkt" "../../generic/structure.rkt")
+         "../../generic/kind.rkt" "../../generic/up-down.rkt")
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series

@@ -2,12 +2,18 @@
 ;; Taylor series of functions, and exponentials of operators.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/function mechanics/value/operator mechanics/value/signature
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/operator
+         mechanics/value/signature
          mechanics/value/simplify
-         mechanics/value/series/access mechanics/value/series/calculus
+         mechanics/value/series/access
+         mechanics/value/series/calculus
          mechanics/value/series/named
-         mechanics/calculus/derivative mechanics/calculus/literal-function
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
          mechanics/calculus/Taylor
          "../laws/derivation.rkt" "../laws/random.rkt" "../laws/same.rkt")
 

@@ -3,9 +3,10 @@
 
 (require rackunit
          (only-in mechanics + - * / expt sqrt square exp log sin cos tan literal-function D
-                  partial
+      
+                             partial
                   expression proved? verify-equal)
-         mechanics/algebra/assumption/assumptions
+         mechanics/algebra/assumption/assumption-set
          mechanics/calculus/antiderivative
          mechanics/calculus/expression-function
          "../laws/random.rkt")

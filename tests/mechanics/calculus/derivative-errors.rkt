@@ -2,9 +2,13 @@
 ;; What D and partial say of slips: the exact text.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/matrix mechanics/value/signature
-         mechanics/calculus/derivative mechanics/calculus/literal-function
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/linear/matrix
+         mechanics/value/signature
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
          "../runner/messages.rkt")
 
 (define (g x y) (g:* x y))

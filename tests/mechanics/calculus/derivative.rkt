@@ -1,12 +1,21 @@
 #lang racket/base
 ;; D and partial: functions of every shape, orientation, nesting, programs.
 
-(require racket/match rackunit
-         mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
-         mechanics/generic/loops mechanics/generic/structure
-         mechanics/value/function mechanics/value/linear mechanics/value/matrix mechanics/value/operator
-         mechanics/value/structure mechanics/value/signature
-         mechanics/calculus/derivative mechanics/calculus/literal-function
+(require racket/match
+         rackunit
+         mechanics/generic/arithmetic
+         mechanics/generic/compare
+         mechanics/generic/elementary
+         mechanics/generic/loops
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/linear/linear-algebra
+         mechanics/value/linear/matrix
+         mechanics/value/operator
+         mechanics/value/structure
+         mechanics/value/signature
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
          "../laws/same.rkt")
 
 (define-check (check-same actual expected)

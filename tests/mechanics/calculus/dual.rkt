@@ -2,11 +2,17 @@
 ;; Dual numbers: order of tags, extraction, renaming, and what they look like.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/generic/describe mechanics/generic/rounding
-         mechanics/value/matrix mechanics/calculus/perturbed mechanics/calculus/dual mechanics/calculus/extract
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/generic/describe
+         mechanics/generic/rounding
+         mechanics/value/linear/matrix
+         mechanics/calculus/perturbed
+         mechanics/calculus/dual
+         mechanics/calculus/extract
          mechanics/calculus/literal-function
-         "../laws/same.rkt" "../laws/random.rkt" "../laws/element.rkt")
+         "../laws/element.rkt" "../laws/random.rkt" "../laws/same.rkt")
 
 (test-case "a dual number without tangent is its value"
   (check-equal? (make-dual 1 'x 0) 'x)

@@ -2,8 +2,11 @@
 ;; Elliptic integrals and Jacobi's functions: known values, identities, derivatives.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/calculus/derivative mechanics/calculus/elliptic mechanics/compile/integral)
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/calculus/derivative
+         mechanics/calculus/elliptic
+         mechanics/compile/definite-integral)
 
 (define K first-elliptic-integral)
 (define E second-elliptic-integral)

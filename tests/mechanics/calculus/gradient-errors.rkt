@@ -2,8 +2,10 @@
 ;; What gradient and its kin say of slips: the exact text.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/kind
-         mechanics/generic/structure
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/kind
+         mechanics/generic/up-down
          mechanics/calculus/gradient
          "../runner/messages.rkt")
 

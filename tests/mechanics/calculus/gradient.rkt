@@ -3,17 +3,27 @@
 ;; random programs, on what they are used for, and where derivatives nest.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
-         mechanics/generic/kind mechanics/generic/loops mechanics/generic/rounding
-         mechanics/generic/structure
-         mechanics/value/function mechanics/value/matrix mechanics/value/operator
-         mechanics/value/signature mechanics/value/structure mechanics/value/simplify
-         mechanics/calculus/derivative mechanics/calculus/gradient
-         mechanics/compile/integral
+         mechanics/generic/arithmetic
+         mechanics/generic/compare
+         mechanics/generic/elementary
+         mechanics/generic/kind
+         mechanics/generic/loops
+         mechanics/generic/rounding
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/linear/matrix
+         mechanics/value/operator
+         mechanics/value/signature
+         mechanics/value/structure
+         mechanics/value/simplify
+         mechanics/calculus/derivative
+         mechanics/calculus/gradient
+         mechanics/compile/definite-integral
          mechanics/calculus/literal-function
          mechanics/numeric/failure
-         "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt"
-         "../laws/random.rkt" "../laws/same.rkt" "random-program.rkt")
+         "random-program.rkt"
+         "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt" "../laws/random.rkt"
+         "../laws/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

@@ -3,18 +3,18 @@
 
 (require rackunit
          mechanics/algebra/expression/expression
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/kind
          mechanics/generic/rounding
-         mechanics/generic/structure
-         (only-in mechanics/compile/integral definite-integral)
+         mechanics/generic/up-down
+         (only-in mechanics/compile/definite-integral definite-integral)
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         mechanics/value/function
-         mechanics/value/matrix
+         mechanics/value/compose
+         mechanics/value/linear/matrix
          mechanics/value/operator
          mechanics/value/signature
          "../laws/derivation.rkt" "../laws/law.rkt" "../laws/random.rkt" "../laws/same.rkt")

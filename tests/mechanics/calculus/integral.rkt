@@ -2,11 +2,14 @@
 ;; Integrals of generic functions, and derivatives through them.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
          mechanics/numeric/failure
-         mechanics/value/function mechanics/value/structure
+         mechanics/value/compose
+         mechanics/value/structure
          mechanics/calculus/derivative
-         mechanics/compile/integral
+         mechanics/compile/definite-integral
          mechanics/lagrangian/local-tuple)
 
 (test-case "definite integrals of functions made by arithmetic"

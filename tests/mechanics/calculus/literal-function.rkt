@@ -2,9 +2,14 @@
 ;; Literal functions: application, derivatives, every form of signature.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/function mechanics/value/signature mechanics/value/structure
-         mechanics/calculus/derivative mechanics/calculus/literal-function
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/signature
+         mechanics/value/structure
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
          "../laws/numeric-value.rkt" "../laws/same.rkt")
 
 (define (text x) (format "~a" x))

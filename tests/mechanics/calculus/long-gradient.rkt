@@ -3,10 +3,14 @@
 ;; of tuples the components of which are made when they are asked for.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/loops
-         mechanics/generic/structure
-         mechanics/value/structure mechanics/value/vector
-         mechanics/calculus/derivative mechanics/calculus/gradient
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/loops
+         mechanics/generic/up-down
+         mechanics/value/structure
+         mechanics/value/vector
+         mechanics/calculus/derivative
+         mechanics/calculus/gradient
          "../laws/same.rkt")
 
 (define n 40000)                ; so that adjoints take several chunks

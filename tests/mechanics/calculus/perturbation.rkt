@@ -8,10 +8,15 @@
 ;; threads of Emmy on derivatives that return functions.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/function mechanics/value/operator
-         mechanics/value/structure mechanics/value/signature
-         mechanics/calculus/derivative mechanics/calculus/literal-function
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/operator
+         mechanics/value/structure
+         mechanics/value/signature
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
          "../laws/same.rkt")
 
 (define-check (check-same actual expected)

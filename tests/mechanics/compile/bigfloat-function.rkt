@@ -4,7 +4,7 @@
 (require (prefix-in m: mechanics)
          rackunit
          mechanics/compile/bigfloat-function
-         mechanics/numeric/bigfloat/arithmetic
+         mechanics/numeric/bigfloat/bigfloat-arithmetic
          "../runner/bigfloats.rkt" "../runner/skip.rkt")
 
 ;; -> the exact values of f at x in 64 bits, and whether f could be traced

@@ -2,7 +2,7 @@
 ;; The layout of expressions: what fits stays on a line, what does not is
 ;; broken where it reads best, and nothing is lost but what the bound cuts.
 
-(require mechanics/algebra/expression/datum
+(require mechanics/algebra/expression/write
          mechanics/display/layout
          racket/list
          racket/string

@@ -7,10 +7,15 @@
 ;; combine.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/describe mechanics/generic/elementary
-         mechanics/generic/function mechanics/generic/structure
-         mechanics/value/matrix mechanics/value/operator
-         mechanics/calculus/derivative mechanics/calculus/literal-function
+         mechanics/generic/arithmetic
+         mechanics/generic/describe
+         mechanics/generic/elementary
+         mechanics/generic/function
+         mechanics/generic/up-down
+         mechanics/value/linear/matrix
+         mechanics/value/operator
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
          "../laws/numeric-value.rkt" "../laws/same.rkt")
 
 (define operations (hasheq '+ g:+ '- g:- '* g:* '/ g:/ 'expt g:expt))

@@ -2,10 +2,14 @@
 ;; Equality, zero and one, and order.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
-         mechanics/generic/structure
-         mechanics/value/matrix
-         mechanics/calculus/derivative mechanics/calculus/dual mechanics/calculus/literal-function)
+         mechanics/generic/arithmetic
+         mechanics/generic/compare
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/linear/matrix
+         mechanics/calculus/derivative
+         mechanics/calculus/dual
+         mechanics/calculus/literal-function)
 
 (define V (literal-function 'V))
 

@@ -2,12 +2,12 @@
 ;; How values print and how messages name them.
 
 (require rackunit
-         mechanics/algebra/expression/datum
+         mechanics/algebra/expression/write
          mechanics/generic/arithmetic
          mechanics/generic/describe
          mechanics/generic/elementary
-         mechanics/generic/structure
-         mechanics/value/matrix
+         mechanics/generic/up-down
+         mechanics/value/linear/matrix
          mechanics/calculus/derivative
          mechanics/calculus/dual
          mechanics/calculus/literal-function

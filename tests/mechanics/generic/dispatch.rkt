@@ -2,9 +2,12 @@
 ;; What the generic operations say of arguments they do not take: the exact text.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
-         mechanics/generic/structure
-         mechanics/value/matrix mechanics/calculus/derivative
+         mechanics/generic/arithmetic
+         mechanics/generic/compare
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/linear/matrix
+         mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/lang/application
          "../runner/messages.rkt")

@@ -2,9 +2,12 @@
 ;; Functions as values: arity and printing.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/generic/function mechanics/generic/structure
-         mechanics/calculus/derivative mechanics/calculus/literal-function
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/function
+         mechanics/generic/up-down
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
          mechanics/value/signature)
 
 (define (printed x) (format "~s" x))

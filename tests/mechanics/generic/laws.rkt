@@ -2,10 +2,11 @@
 ;; Generic arithmetic obeys the laws of rings and modules, on every kind of value
 ;; and on mixtures of kinds.
 
-(require mechanics/generic/arithmetic mechanics/generic/structure
+(require mechanics/generic/arithmetic
+         mechanics/generic/up-down
          mechanics/value/structure
-         "../laws/element.rkt" "../laws/law.rkt" "../laws/module.rkt" "../laws/random.rkt"
-         "../laws/ring.rkt" "../laws/same.rkt" "../laws/derivation.rkt")
+         "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt" "../laws/module.rkt"
+         "../laws/random.rkt" "../laws/ring.rkt" "../laws/same.rkt")
 
 (define commutative-ring-laws (append ring-laws commutativity-laws power-laws))
 (define field-laws (append commutative-ring-laws division-laws))

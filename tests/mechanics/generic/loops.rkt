@@ -2,8 +2,11 @@
 ;; Sums and products over sequences.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/loops
-         mechanics/generic/structure mechanics/calculus/derivative)
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/loops
+         mechanics/generic/up-down
+         mechanics/calculus/derivative)
 
 (test-case "sums and products of numbers are Racket's"
   (check-equal? (g:for/sum ([i 5]) i) 10)

@@ -3,11 +3,18 @@
 ;; what is said of bad Lagrangians and paths.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/function mechanics/value/structure
-         mechanics/calculus/derivative mechanics/calculus/literal-function mechanics/value/signature
-         mechanics/lagrangian/Lagrange-equations mechanics/lagrangian/local-tuple
-         "systems.rkt" "../laws/same.rkt")
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/structure
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/value/signature
+         mechanics/lagrangian/Lagrange-equations
+         mechanics/lagrangian/local-tuple
+         "systems.rkt"
+         "../laws/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

@@ -4,10 +4,10 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/structure
+         mechanics/generic/up-down
          mechanics/value/structure
          mechanics/calculus/derivative
-         mechanics/search/minimum
+         mechanics/search/minimize
          mechanics/lagrangian/action
          mechanics/lagrangian/local-tuple
          "systems.rkt")

@@ -2,12 +2,19 @@
 ;; F->C: against formulas derived by hand, and against what it means on paths.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/function mechanics/value/structure
-         mechanics/calculus/derivative mechanics/calculus/literal-function mechanics/value/signature
-         mechanics/lagrangian/coordinate-transformation mechanics/lagrangian/local-tuple
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/structure
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/value/signature
+         mechanics/lagrangian/coordinate-transformation
+         mechanics/lagrangian/local-tuple
          mechanics/lagrangian/Lagrange-equations
-         "systems.rkt" "../laws/same.rkt")
+         "systems.rkt"
+         "../laws/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

@@ -2,9 +2,13 @@
 ;; Local tuples: Γ, its lengths, selectors and their errors.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/value/function mechanics/value/structure
-         mechanics/calculus/derivative mechanics/calculus/literal-function mechanics/value/signature
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/value/compose
+         mechanics/value/structure
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/value/signature
          mechanics/lagrangian/local-tuple
          "../laws/same.rkt")
 

@@ -1,8 +1,11 @@
 #lang racket/base
 ;; Lagrangians and paths that several tests use, over generic arithmetic.
 
-(require mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/structure mechanics/calculus/literal-function
+(require mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/structure
+         mechanics/calculus/literal-function
          mechanics/lagrangian/local-tuple)
 
 (provide L-free L-harmonic L-central-polar L-orbital L-planar straight-line literal-plane-path)

@@ -2,12 +2,20 @@
 ;; The total time derivative and the Euler–Lagrange operator (SICM 1.9).
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/value/function mechanics/value/operator mechanics/value/structure
-         mechanics/calculus/derivative mechanics/calculus/literal-function mechanics/value/signature
-         mechanics/lagrangian/coordinate-transformation mechanics/lagrangian/Lagrange-equations
-         mechanics/lagrangian/local-tuple mechanics/lagrangian/total-derivative
-         "systems.rkt" "../laws/same.rkt")
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/value/compose
+         mechanics/value/operator
+         mechanics/value/structure
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/value/signature
+         mechanics/lagrangian/coordinate-transformation
+         mechanics/lagrangian/Lagrange-equations
+         mechanics/lagrangian/local-tuple
+         mechanics/lagrangian/total-derivative
+         "systems.rkt"
+         "../laws/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

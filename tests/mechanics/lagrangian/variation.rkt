@@ -3,12 +3,20 @@
 ;; of paths, and commutes with the derivative by time (SICM 1.5.1, exercise 1.8).
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/function mechanics/value/operator mechanics/value/structure
-         mechanics/calculus/derivative mechanics/calculus/literal-function mechanics/value/signature
-         mechanics/lagrangian/local-tuple mechanics/lagrangian/variation
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/operator
+         mechanics/value/structure
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/value/signature
+         mechanics/lagrangian/local-tuple
+         mechanics/lagrangian/variation
          mechanics/lagrangian/Lagrange-equations
-         "systems.rkt" "../laws/same.rkt")
+         "systems.rkt"
+         "../laws/same.rkt")
 
 (define q (literal-function 'q))
 (define eta (literal-function 'eta))

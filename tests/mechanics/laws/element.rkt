@@ -1,12 +1,16 @@
 #lang racket/base
 ;; Random elements of every kind of value.
 
-(require mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/generic/structure
-         mechanics/value/matrix mechanics/value/operator mechanics/value/series/access
-         mechanics/calculus/dual mechanics/calculus/derivative
+(require mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/linear/matrix
+         mechanics/value/operator
+         mechanics/value/series/access
+         mechanics/calculus/dual
+         mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "random.rkt" "derivation.rkt" "ring.rkt")
+         "derivation.rkt" "random.rkt" "ring.rkt")
 
 (provide generic-ring
          random-expression random-dual random-matrix random-operator random-real-function

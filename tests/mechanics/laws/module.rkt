@@ -2,7 +2,8 @@
 ;; The laws of modules: things one can add and multiply by scalars, with a
 ;; product that takes two of them to a scalar.
 
-(require mechanics/generic/arithmetic mechanics/generic/structure
+(require mechanics/generic/arithmetic
+         mechanics/generic/up-down
          (only-in mechanics/value/structure dot-product)
          "law.rkt" "random.rkt")
 

@@ -9,9 +9,9 @@
 
 (require mechanics/algebra/expression/expression
          (only-in mechanics/generic/arithmetic g:*)
-         mechanics/generic/structure
+         mechanics/generic/up-down
          mechanics/generic/function
-         mechanics/value/matrix
+         mechanics/value/linear/matrix
          mechanics/value/operator
          mechanics/value/series/series
          mechanics/calculus/perturbed
@@ -74,7 +74,7 @@
 (module+ test
   (require rackunit
            mechanics/generic/arithmetic mechanics/generic/elementary
-           (only-in mechanics/value/function constant-function)
+           (only-in mechanics/value/compose constant-function)
            mechanics/calculus/derivative
            mechanics/value/series/access)
 

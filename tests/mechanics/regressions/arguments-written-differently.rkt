@@ -3,7 +3,7 @@
 ;; written in different angles, or roots.
 
 (require rackunit
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
          mechanics/algebra/zero/zero-test
          "../algebra/reading.rkt")

@@ -4,13 +4,13 @@
 ;; 1/√x, log x³ 3 log x, and √(cosh²√x) cosh √x, which is a cosine.
 
 (require rackunit
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
-         mechanics/algebra/assumption/assumptions
+         mechanics/algebra/assumption/assumption-set
          mechanics/algebra/simplify/declare
          mechanics/algebra/expression/evaluate
          mechanics/algebra/zero/proof
-         mechanics/algebra/expression/tape
+         mechanics/algebra/expression/flat-graph
          "../algebra/reading.rkt")
 
 (define negative-x (declare-relations no-assumptions '((< x 0))))

@@ -4,7 +4,8 @@
 
 (require rackunit
          mechanics/generic/arithmetic
-         mechanics/value/matrix mechanics/value/linear)
+         mechanics/value/linear/matrix
+         mechanics/value/linear/linear-algebra)
 
 (define (M x) (matrix-by-rows (list x 1) (list 2 x)))
 

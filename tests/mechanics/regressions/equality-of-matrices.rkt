@@ -2,7 +2,8 @@
 ;; Two matrices were equal only if their entries were of one exactness.
 
 (require rackunit
-         mechanics/generic/compare mechanics/value/matrix)
+         mechanics/generic/compare
+         mechanics/value/linear/matrix)
 
 (test-case "matrices are equal when their entries are"
   (check-true (g:= (matrix-by-rows '(1 2) '(3 a)) (matrix-by-rows '(1.0 2) '(3 a))))

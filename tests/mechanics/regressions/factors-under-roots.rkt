@@ -3,9 +3,9 @@
 ;; nothing was said of it.
 
 (require rackunit
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
-         mechanics/algebra/assumption/assumptions
+         mechanics/algebra/assumption/assumption-set
          "../algebra/reading.rkt")
 
 (define (simplified datum [A no-assumptions])

@@ -2,8 +2,10 @@
 ;; In arithmetic with a function, the functions inside a matrix were not applied.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/value/structure mechanics/value/matrix)
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/value/structure
+         mechanics/value/linear/matrix)
 
 (test-case "a matrix of functions times a function is evaluated entry by entry"
   (define M (matrix-by-rows (list g:sin 1) (list 0 g:cos)))

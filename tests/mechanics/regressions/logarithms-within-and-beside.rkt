@@ -3,7 +3,7 @@
 ;; log((1 - a)²) one took a to be below 1, the other above.
 
 (require rackunit
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
          "../algebra/reading.rkt")
 

@@ -3,7 +3,9 @@
 ;; struct accessor.
 
 (require rackunit
-         mechanics/value/matrix mechanics/value/structure mechanics/value/linear)
+         mechanics/value/linear/matrix
+         mechanics/value/structure
+         mechanics/value/linear/linear-algebra)
 
 (define M (matrix-by-rows '(1 2 3) '(4 5 6)))
 

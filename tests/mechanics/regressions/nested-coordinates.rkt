@@ -6,7 +6,9 @@
          mechanics/generic/arithmetic
          mechanics/calculus/derivative
          mechanics/lagrangian/state-derivative
-         mechanics/value/linear mechanics/value/matrix mechanics/value/structure)
+         mechanics/value/linear/linear-algebra
+         mechanics/value/linear/matrix
+         mechanics/value/structure)
 
 ;; Two particles in the plane, on springs.
 (define (L local)

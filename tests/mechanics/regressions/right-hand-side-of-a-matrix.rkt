@@ -4,7 +4,9 @@
 
 (require rackunit
          mechanics/generic/arithmetic
-         mechanics/value/linear mechanics/value/matrix mechanics/value/structure)
+         mechanics/value/linear/linear-algebra
+         mechanics/value/linear/matrix
+         mechanics/value/structure)
 
 (define M (matrix-by-rows '(1 2) '(3 4)))
 (define B (matrix-by-rows '(1 2 5) '(3 4 6)))

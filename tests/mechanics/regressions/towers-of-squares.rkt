@@ -5,7 +5,7 @@
 
 (require rackunit
          mechanics/algebra/expression/expression
-         mechanics/algebra/expression/datum
+         mechanics/algebra/expression/write
          mechanics/display/layout)
 
 (define (shared n)

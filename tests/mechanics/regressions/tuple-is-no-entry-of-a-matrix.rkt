@@ -3,8 +3,10 @@
 ;; matrix showed the inverse, and powers multiplied n times.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/value/matrix mechanics/value/structure)
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/value/linear/matrix
+         mechanics/value/structure)
 
 (define M (matrix-by-rows '(1 2) '(3 4)))
 

@@ -5,7 +5,7 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/rounding
-         mechanics/generic/structure
+         mechanics/generic/up-down
          mechanics/numeric/failure
          mechanics/value/structure
          mechanics/calculus/derivative

@@ -5,9 +5,9 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/structure
+         mechanics/generic/up-down
          mechanics/value/structure
-         mechanics/search/minimum)
+         mechanics/search/minimize)
 
 (define (sum . xs) (apply g:+ xs))
 

@@ -4,7 +4,7 @@
 (require (except-in rackunit fail)
          (only-in racket/format ~a)
          mechanics
-         (only-in mechanics/numeric/bigfloat/arithmetic check-bigfloats)
+         (only-in mechanics/numeric/bigfloat/bigfloat-arithmetic check-bigfloats)
          "../runner/bigfloats.rkt" "../runner/skip.rkt")
 
 (define (shown x) (~a x))

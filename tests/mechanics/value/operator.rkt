@@ -2,9 +2,14 @@
 ;; Operators: algebra, printing, commutators.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/function mechanics/value/operator
-         mechanics/calculus/derivative mechanics/calculus/literal-function mechanics/value/signature
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/operator
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         mechanics/value/signature
          "../laws/same.rkt")
 
 (define V (literal-function 'V))

@@ -6,9 +6,9 @@
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/kind
-         mechanics/generic/structure
-         mechanics/value/function
-         mechanics/value/matrix
+         mechanics/generic/up-down
+         mechanics/value/compose
+         mechanics/value/linear/matrix
          mechanics/value/operator
          mechanics/value/simplify
          mechanics/value/structure

@@ -2,7 +2,7 @@
 ;; Signatures of literal functions: every form, quoted or not.
 
 (require rackunit
-         mechanics/generic/structure
+         mechanics/generic/up-down
          mechanics/value/signature
          mechanics/calculus/dual)
 

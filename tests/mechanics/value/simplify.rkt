@@ -3,10 +3,14 @@
 ;; simplification does to one expression is tested with the algebra.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/structure
-         mechanics/value/matrix mechanics/value/simplify
-         mechanics/calculus/derivative mechanics/calculus/literal-function
-         "../laws/same.rkt" "../laws/random.rkt" "../laws/element.rkt")
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/value/linear/matrix
+         mechanics/value/simplify
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
+         "../laws/element.rkt" "../laws/random.rkt" "../laws/same.rkt")
 
 (define x (literal-function 'x))
 

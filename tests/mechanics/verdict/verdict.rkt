@@ -5,8 +5,8 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/structure
-         mechanics/value/matrix
+         mechanics/generic/up-down
+         mechanics/value/linear/matrix
          mechanics/value/operator
          mechanics/value/simplify
          mechanics/value/signature

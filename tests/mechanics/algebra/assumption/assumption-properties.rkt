@@ -4,7 +4,7 @@
 
 (require rackunit
          racket/list
-         mechanics/algebra/assumption/assumptions
+         mechanics/algebra/assumption/assumption-set
          mechanics/algebra/simplify/declare
          mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/expression
@@ -12,7 +12,7 @@
          mechanics/algebra/expression/read
          mechanics/algebra/assumption/relation
          mechanics/algebra/assumption/signs
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          "../random.rkt")
 
 (define (choose xs) (list-ref xs (random (length xs))))

@@ -6,7 +6,7 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/order
          mechanics/algebra/expression/evaluate
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test)
 
 ;; step applied n times; each node is used twice, so the tree has 2^n leaves.

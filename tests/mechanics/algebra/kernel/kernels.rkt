@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/algebra/expression/expression
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          "../reading.rkt")
 
 (define (simplified d) (expression->datum (simplify-expression (datum->expression d))))

@@ -5,7 +5,7 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/linear/bareiss
          mechanics/algebra/linear/elimination
          "matrices.rkt"

@@ -51,7 +51,7 @@
    "(cons position (* d (coordinate v k)))"
    "(cons position (abs (* d (coordinate v k))))"]
   ;; sines and cosines shown
-  ["1 - cos² = -sin²" "presentation/squares.rkt"
+  ["1 - cos² = -sin²" "presentation/sine-or-cosine.rkt"
    "(define without-sines (merge R p cosine sine -1 sign))"
    "(define without-sines (merge R p cosine sine -1 (- sign)))"]
   ;; exponentials, logarithms, absolute values
@@ -86,7 +86,7 @@
   ["√(x³) = x √(x²)" "simplify/radicand.rkt"
    "(define e (- (cdr part) (cdr (whole-part part))))"
    "(define e (cdr part))"]
-  ["√6 = √2 √3 √5" "kernel/root-class.rkt"
+  ["√6 = √2 √3 √5" "kernel/roots.rkt"
    "(if (number? f)
         (fraction-scale R (expt f e) w)"
    "(if (number? f)

@@ -2,7 +2,7 @@
 ;; The part of the suite that a mutant is tried with: random expressions of every
 ;; class, nothing shrunk, until something fails; and a few sums by name.
 
-(require mechanics/algebra/simplify/simplify
+(require mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
          mechanics/algebra/zero/fingerprint
          "../reading.rkt"

@@ -6,7 +6,7 @@
          rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          "../random.rkt" "../reading.rkt")
 
 (define (simplified e) (expression->datum (simplify-expression e)))

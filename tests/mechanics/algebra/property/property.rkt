@@ -7,7 +7,7 @@
 
 (require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/evaluate

@@ -6,10 +6,10 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/evaluate
          mechanics/algebra/rewriting/expand
-         mechanics/algebra/rewriting/collect-terms
-         mechanics/algebra/rewriting/quotient
-         mechanics/algebra/rewriting/partial-fractions
-         mechanics/algebra/rewriting/factorization
+         mechanics/algebra/rewriting/collect
+         mechanics/algebra/rewriting/together
+         mechanics/algebra/rewriting/apart
+         mechanics/algebra/rewriting/factor
          "../random.rkt" "../reading.rkt")
 
 (define (first-value f . arguments)

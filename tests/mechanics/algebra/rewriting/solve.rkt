@@ -4,8 +4,9 @@
 (require rackunit
          (only-in mechanics
                   + - * / expt square sin cos expression simplify
-                  substitute proved? prove-zero)
-         mechanics/algebra/assumption/assumptions
+    
+                               substitute proved? prove-zero)
+         mechanics/algebra/assumption/assumption-set
          mechanics/algebra/rewriting/solve
          "../../laws/random.rkt")
 

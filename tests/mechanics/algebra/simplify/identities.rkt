@@ -6,7 +6,7 @@
          mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
          "../reading.rkt")
 

@@ -5,11 +5,11 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/evaluate
-         mechanics/algebra/expression/tape
+         mechanics/algebra/expression/flat-graph
          mechanics/algebra/zero/abstraction
          mechanics/algebra/zero/in-exponentials
          mechanics/algebra/zero/proof
-         mechanics/algebra/simplify/simplify
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
          "../random.rkt" "../reading.rkt")
 

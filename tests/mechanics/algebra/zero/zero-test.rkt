@@ -2,7 +2,7 @@
 ;; Verdicts: what is proved, refuted, left undecided, and what they carry.
 
 (require rackunit
-         mechanics/algebra/assumption/assumptions
+         mechanics/algebra/assumption/assumption-set
          mechanics/algebra/simplify/declare
          mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/expression

@@ -5,7 +5,7 @@
          rackunit
          mechanics/numeric/linear/definite
          mechanics/numeric/quadrature/end-polynomials
-         mechanics/numeric/quadrature/gauss-legendre)
+         mechanics/numeric/quadrature/gauss-rule)
 
 ;; ---------------------------------------------------------------------------
 ;; Quadratic forms

@@ -4,7 +4,7 @@
 
 (require rackunit
          mechanics/numeric/failure
-         mechanics/numeric/quadrature/improper-quadrature)
+         mechanics/numeric/quadrature/improper)
 
 (define pi (* 4.0 (atan 1.0)))
 (define e (exp 1.0))

@@ -1,0 +1,232 @@
+#lang racket/base
+;; Sets of assumptions, and the signs that follow from them.
+;;
+;; An assumption says what sign an expression has.  A set of them is an immutable
+;; value: the relations as they were declared, and a table of all signs they
+;; imply (narrowing.rkt), by the terms of an expression.
+;;
+;; The sign of any expression is then found from its structure (squares, roots,
+;; exponentials ...), from the table, from its factors, and from the relations it is
+;; a sum of.
+
+(require "services.rkt" "signs.rkt"
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt")
+
+(provide
+ ;; sets
+ no-assumptions (struct-out assumptions) with-automatic-assumptions
+ (struct-out relation)
+ ;; what is known
+ (struct-out known) unknown single?
+ meet derive scaled known-sum known-product known-power
+ ;; signs
+ infer-signs real-valued? plainly-real? normalized)
+
+;; datum : as declared, such as (>= r 0); expression has one of the signs.
+(struct relation (datum expression signs) #:transparent)
+
+;; Signs, and the datums of the relations they follow from.
+(struct known (signs because) #:transparent)
+
+;; relations : in the order of declaration    table : normalized terms -> known
+;; sums : keys of the table that have several terms, from relations
+;; automatic? : may simplification assume more by itself?
+(struct assumptions (relations table sums automatic?) #:authentic)
+
+(define no-assumptions (assumptions '() (hash) '() #t))
+
+(define (with-automatic-assumptions A automatic?)
+  (struct-copy assumptions A [automatic? automatic?]))
+
+;; ---------------------------------------------------------------------------
+;; What is known
+
+(define (because-of signs) (known signs '()))
+(define unknown (because-of any-sign))
+
+(define (decided? k) (signs-decided? (known-signs k)))
+
+(define (union as bs)
+  (append as (filter (lambda (b) (not (member b as))) bs)))
+
+;; Both are known.
+(define (meet a b)
+  (define s (bitwise-and (known-signs a) (known-signs b)))
+  (cond [(eqv? s (known-signs a)) a]
+        [(eqv? s (known-signs b)) b]
+        [else (known s (union (known-because a) (known-because b)))]))
+
+;; Signs that say nothing rest on nothing.
+(define (derive f . ks)
+  (define s (apply f (map known-signs ks)))
+  (known s (if (eqv? s any-sign) '() (unions (map known-because ks)))))
+
+(define (unions lists)
+  (for/fold ([all '()]) ([l (in-list lists)]) (union all l)))
+
+(define (known-product ks)
+  (for/fold ([p (because-of positive)]) ([k (in-list ks)]) (derive signs-product p k)))
+
+(define (known-sum ks)
+  (for/fold ([s (car ks)]) ([k (in-list (cdr ks))]) (derive signs-sum s k)))
+
+(define (known-power k n) (derive (lambda (s) (signs-power s n)) k))
+
+(define (scaled c k) (known-product (list (because-of (number-signs c)) k)))
+
+;; ---------------------------------------------------------------------------
+;; The sign of an expression
+
+;; The services are used only if there are relations. -> known
+(define (infer-signs A s e)
+  (node-fold e
+             (lambda (leaf)
+               (cond [(symbol? leaf) (look-up A (list (cons 1 leaf)))]
+                     [(real? leaf) (because-of (number-signs leaf))]
+                     [else not-real]))
+             (lambda (n parts)
+               (define k (if (memq not-real parts) (part-not-real n) (structural n parts)))
+               (if (or (eq? k not-real) (no-relations? A)) k (from-table A s n k)))))
+
+;; What is known of numbers that are not real, of roots and logarithms of what is
+;; negative, and of what they occur in: nothing.
+(define not-real (because-of any-sign))
+
+(define (part-not-real n)
+  (if (eq? (node-head n) op:abs) (because-of nonnegative) not-real))
+
+;; Symbols are real, and roots and logarithms of what may be positive.
+(define (real-valued? A s e)
+  (or (plainly-real? e) (not (eq? (infer-signs A s e) not-real))))
+
+;; Are all numbers in e real, and are there no roots and logarithms?
+(define (plainly-real? e)
+  (define (single-valued? n)
+    (define head (node-head n))
+    (if (eq? head op:expt)
+        (exact-integer? (cadr (node-args n)))
+        (not (memq head (list op:sqrt op:log)))))
+  (node-fold e
+             (lambda (leaf) (or (symbol? leaf) (real? leaf)))
+             (lambda (n parts) (and (andmap values parts) (single-valued? n)))))
+
+(define (no-relations? A) (null? (assumptions-relations A)))
+
+(define (structural n parts)
+  (define head (node-head n))
+  (cond [(eq? head op:+) (known-sum parts)]
+        [(eq? head op:-) (known-sum (list (car parts) (derive signs-negate (cadr parts))))]
+        [(eq? head op:*) (known-product parts)]
+        [(eq? head op:/) (known-product (list (car parts) (known-power (cadr parts) -1)))]
+        [(eq? head op:expt) (power-signs (car parts) (cadr (node-args n)))]
+        [(eq? head op:sqrt) (power-signs (car parts) 1/2)]
+        [(memq head (list op:exp op:cosh)) (because-of positive)]
+        [(eq? head op:acos) (because-of nonnegative)]
+        [(eq? head op:log) (if (never-positive? (car parts)) not-real unknown)]
+        [(eq? head op:abs) (known-power (car parts) 2)]
+        [(and (memq head odd-functions) (null? (cdr parts))) (car parts)]
+        [else unknown]))
+
+;; Those that have the sign of their argument.
+(define odd-functions (list op:sinh op:tanh op:asin op:atan))
+
+(define (never-positive? k) (signs-within? (known-signs k) nonpositive))
+
+;; Roots are taken where they may be real; if their sign is not decided by the base,
+;; even ones are not negative there.
+(define (power-signs base n)
+  (define k (exact-exponent n))
+  (cond [(integer? k) (known-power base k)]
+        [(signs-within? (known-signs base) nonnegative) (known-power base (if k (sgn k) 1))]
+        [(never-positive? base) not-real]
+        [(and k (even? (denominator k))) (because-of nonnegative)]
+        [else unknown]))
+
+(define (sgn x) (if (negative? x) -1 1))
+
+;; ---------------------------------------------------------------------------
+;; The table
+
+;; -> the terms divided by the first coefficient, exact; and that coefficient.
+(define (normalized terms)
+  (define c (inexact->exact (caar terms)))
+  (values (for/list ([t (in-list terms)]) (cons (/ (inexact->exact (car t)) c) (cdr t)))
+          c))
+
+(define (look-up A terms)
+  (define-values (key c) (normalized terms))
+  (scaled c (hash-ref (assumptions-table A) key unknown)))
+
+(define arithmetic (list op:+ op:- op:* op:/ op:expt))
+
+(define (terms-of s n)
+  (if (memq (node-head n) arithmetic) ((services-terms s) n) (list (cons 1 n))))
+
+(define (from-table A s n k)
+  (define ts (terms-of s n))
+  (define (or-else k more) (if (decided? k) k (meet k (more))))
+  (if (and (pair? ts) (andmap real-term? ts))
+      (let* ([k (meet k (look-up A ts))]
+             [k (or-else k (lambda () (from-sums A s ts)))])
+        (or-else k (lambda () (from-factors A s ts n))))
+      k))
+
+(define (real-term? t) (and (rational? (car t)) (not (eqv? (car t) 0))))
+
+;; By the factors of a sum, if there are several.
+(define (from-factors A s ts n)
+  (define-values (number factors)
+    (if (null? (cdr ts)) (values 1 '()) ((services-irreducible s) n)))
+  (if (single? factors)
+      unknown
+      (scaled number
+              (known-product
+               (for/list ([f (in-list factors)])
+                 (known-power (infer-signs A s (car f)) (cdr f)))))))
+
+;; No factors, or one to the first power?
+(define (single? factors)
+  (or (null? factors)
+      (and (null? (cdr factors)) (eqv? 1 (cdar factors)))))
+
+;; What is not decided may be as a multiple of a relation and a rest; so many
+;; relations are added up.
+(define depth-limit 2)
+
+(define (from-sums A s ts [depth depth-limit])
+  (define (add-up sum t)
+    (define own (coefficient (cdr t) sum))
+    (define k (if own (by-sum A s ts sum (/ (inexact->exact (car t)) own) depth) unknown))
+    (and (decided? k) k))
+  (or (and (> depth 0)
+           (pair? (cdr ts))
+           (for*/or ([sum (in-list (assumptions-sums A))] [t (in-list ts)]) (add-up sum t)))
+      unknown))
+
+;; The terms are c · sum and a rest.
+(define (by-sum A s ts sum c depth)
+  (define rest (subtract ts sum c))
+  (define k
+    (known-sum
+     (cons (because-of zero)
+           (for/list ([t (in-list rest)]) (scaled (car t) (infer-signs A s (cdr t)))))))
+  (derive signs-sum
+          (scaled c (look-up A sum))
+          (if (or (decided? k) (null? rest))
+              k
+              (meet (meet k (look-up A rest)) (from-sums A s rest (- depth 1))))))
+
+;; ts - c · sum, the terms in the order of ts.
+(define (subtract ts sum c)
+  (append
+   (for*/list ([t (in-list ts)]
+               [x (in-value (- (inexact->exact (car t))
+                               (* c (or (coefficient (cdr t) sum) 0))))]
+               #:unless (eqv? x 0))
+     (cons x (cdr t)))
+   (for/list ([u (in-list sum)] #:unless (coefficient (cdr u) ts))
+     (cons (* (- c) (car u)) (cdr u)))))
+
+(define (coefficient e ts)
+  (for/first ([t (in-list ts)] #:when (equal? (cdr t) e)) (car t)))

@@ -1,0 +1,242 @@
+#lang racket/base
+;; Finding the kernels of an expression.
+;;
+;; One walk over the graph meets every node that is not arithmetic and decides
+;; what stands for it: a kernel of its own, the sine or cosine of an angle, a
+;; root, a product of exponentials, or another expression.  Kernels whose
+;; canonical expressions are equal are one kernel.  What depends on all that
+;; occurs (which angles and exponents are basic) is settled at the end.
+;;
+;; Arguments of kernels are simplified first, by the procedures of `services`,
+;; which belong to the simplifier above.
+
+(require "angles.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "logarithms.rkt"
+         "../assumption/services.rkt"
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/order.rkt" "../expression/size.rkt")
+
+(provide (struct-out atlas) collect-kernels imaginary-unit
+         (struct-out circular) (struct-out surd) (struct-out exponential-power)
+         (struct-out alias))
+
+;; What was found.  resolutions : node, symbol or odd number -> kernel, circular,
+;; surd, exponential-power or alias.  tower : roots, and kernels of absolute
+;; values, those within others after them.  doubled : circles of which twice the
+;; angle occurred.  dependent? : were there angles that are not basic?
+;; inexact? : did a flonum occur?
+(struct atlas (kernels resolutions tower doubled dependent? inexact? services)
+  #:authentic)
+
+;; blocked : nodes to be taken as they simplify by themselves, not expanded; if e
+;; is one, its operands are simplified.
+(define (collect-kernels e services [blocked '()])
+  (define c (make-collector services visit! e blocked))
+  (visit! c e)
+  (settle-logarithms! c)
+  (settle-exponentials! c)
+  (settle-angles! c 'circular 1)
+  (settle-angles! c 'hyperbolic -1)
+  (settle-roots! c)
+  (atlas (hash-values (collector-kernels c))
+         (collector-resolutions c)
+         (collector-tower c)
+         (doubled-circles c)
+         (dependent-angles? c)
+         (collector-inexact? c)
+         services))
+
+;; ---------------------------------------------------------------------------
+;; The walk
+
+(define (visit! c e)
+  (cond [(number? e) (visit-number! c e)]
+        [(hash-ref (collector-resolutions c) e #f) (void)]
+        [(symbol? e) (resolve! c e (intern-kernel! c e))]
+        [else
+         (resolve! c e #t)
+         (if (memq e (collector-blocked c))
+             (visit-blocked! c e)
+             (visit-node! c e))]))
+
+(define (visit-number! c e)
+  (cond [(exact-constant? e)
+         (unless (exact? e) (set-collector-inexact?! c #t))
+         (unless (real? e)
+           (resolve! c imaginary-unit (surd 1 (intern-root! c -1 2) 2 1)))]
+        [else (resolve! c e (intern-kernel! c e))]))
+
+(define (visit-node! c n)
+  (define head (node-head n))
+  (define args (node-args n))
+  (cond [(literal-head? head) (visit-kernel! c n)]
+        [(memq head arithmetic) (for ([a (in-list args)]) (visit! c a))]
+        [(eq? head op:expt) (visit-power! c n (car args) (cadr args))]
+        [(eq? head op:sqrt) (visit-root! c n (car args) 1/2)]
+        [(memq head angular) (visit-angle! c n)]
+        [(eq? head op:exp) (visit-exponential! c n)]
+        [(eq? head op:log) (visit-logarithm! c n)]
+        [(eq? head op:abs) (visit-modulus! c n)]
+        [else (visit-kernel! c n)]))
+
+(define arithmetic (list op:+ op:- op:* op:/))
+(define angular (list op:sin op:cos op:tan op:sinh op:cosh op:tanh))
+
+;; What a blocked node simplifies to stands for it; a sum as one kernel.
+(define (visit-blocked! c n)
+  (define simple
+    (if (eq? n (collector-root c))
+        (simplify-arguments c n)
+        ((services-simplify (collector-services c)) n)))
+  (if (and (node? simple) (memq (node-head simple) (list op:+ op:- (node-head n))))
+      (resolve! c n (intern-kernel! c simple))
+      (resolve-alias! c n simple)))
+
+;; ---------------------------------------------------------------------------
+;; Kernels of their own
+
+(define (visit-kernel! c n)
+  (resolve! c n (intern-kernel! c (simplify-arguments c n))))
+
+;; n with its arguments simplified; structured arguments by components.
+(define (simplify-arguments c n)
+  (define args (node-args n))
+  (define simple (for/list ([a (in-list args)]) (simplify-argument c a)))
+  (if (andmap eq? args simple) n (make-node (node-head n) simple)))
+
+(define (simplify-argument c a)
+  (cond [(not (node? a)) a]
+        [(memq (node-head a) (list op:up op:down)) (simplify-arguments c a)]
+        [else ((services-simplify (collector-services c)) a)]))
+
+;; ---------------------------------------------------------------------------
+;; Powers and roots
+
+(define (visit-power! c n base exponent)
+  (define k (exact-exponent exponent))
+  (cond [(integer? k) (visit! c base)]
+        [k (visit-root! c n base k)]
+        [(symbolic? exponent) (visit-symbolic-power! c n base exponent)]
+        [else (visit-kernel! c n)]))
+
+(define (visit-root! c n base k)
+  (define degree (denominator k))
+  (define-values (outer roots)
+    ((services-split-root (collector-services c)) base degree))
+  (cond [(or (null? roots) (and (null? (cdr roots)) (eqv? (cdar roots) (/ 1 degree))))
+         (visit-surd! c n base k outer (and (pair? roots) (caar roots)))]
+        [else (resolve-alias! c n (root-product outer roots (numerator k)))]))
+
+;; outer^k times inner^(k/degree); no inner if that is #f
+(define (visit-surd! c n base k outer inner)
+  (define degree (denominator k))
+  (define r (and inner (intern-root! c inner degree)))
+  (when (and r (eqv? degree 2)) (consider-radicand! c r outer inner base))
+  (visit! c outer)
+  (resolve! c n (surd outer r degree (numerator k))))
+
+(define (root-product outer roots power)
+  (for/fold ([product (if (eqv? outer 1) 1 (make-node op:expt (list outer power)))])
+            ([r (in-list roots)])
+    (e:* product (make-node op:expt (list (car r) (* power (cdr r)))))))
+
+;; Roots of one radicand are powers of one root.
+(define (intern-root! c radicand degree)
+  (define roots (collector-roots c))
+  (define known (hash-ref roots radicand #f))
+  (cond [known
+         (set-root-degree! known (lcm degree (root-degree known)))
+         known]
+        [else
+         (visit! c radicand)
+         (define r (root radicand degree 1 '() #f))
+         (hash-set! roots radicand r)
+         (add-relation! c r)
+         r]))
+
+;; A sum of squares is kept as it was written, if that is shorter, with its
+;; denominator under the root: distances have such radicands.
+(define (consider-radicand! c r outer inner base)
+  (when (and (node? base) (memq (node-head base) (list op:+ op:-)) (reciprocal? outer))
+    (define tidy (tidy-sum c base))
+    (when (< (expression-size tidy) (expression-size inner))
+      (visit! c tidy)
+      (visit! c outer)
+      (set-root-candidates! r (cons (cons tidy outer) (root-candidates r))))))
+
+(define (reciprocal? e)
+  (or (eqv? e 1)
+      (and (node? e) (eq? (node-head e) op:/) (eqv? 1 (car (node-args e))))))
+
+;; The sum of the operands, each simplified, powers of sums not expanded; the
+;; longest first.
+(define (tidy-sum c e)
+  (define compare (make-order))
+  (define (before? a b)
+    (define d (- (expression-size (cdr b)) (expression-size (cdr a))))
+    (or (< d 0) (and (eqv? d 0) (< (compare (cdr a) (cdr b)) 0))))
+  (signed-sum
+   (sort (for/list ([a (in-list (signed-operands e 1))])
+           (cons (car a) (tidy-power c (cdr a))))
+         before?)))
+
+;; ((±1 . operand) ...) of nested sums and differences
+(define (signed-operands e sign)
+  (define (headed? op) (and (node? e) (eq? (node-head e) op)))
+  (cond [(headed? op:+)
+         (apply append (for/list ([a (in-list (node-args e))]) (signed-operands a sign)))]
+        [(headed? op:-)
+         (append (signed-operands (car (node-args e)) sign)
+                 (signed-operands (cadr (node-args e)) (- sign)))]
+        [else (list (cons sign e))]))
+
+(define (signed-sum operands)
+  (define (of sign) (filter (lambda (a) (eqv? sign (car a))) operands))
+  (define plus (of 1))
+  (define minus (of -1))
+  (if (and (= 1 (length plus)) (= 1 (length minus)))
+      (make-node op:- (list (cdar plus) (cdar minus)))
+      (make-node op:+ (append (map cdr plus) (map (lambda (a) (e:negate (cdr a))) minus)))))
+
+(define (tidy-power c e)
+  (define simplify (services-simplify (collector-services c)))
+  (define base+exponent (power-parts e))
+  (if base+exponent
+      (e:expt (simplify (car base+exponent)) (cdr base+exponent))
+      (simplify e)))
+
+;; (base . exponent) if e is a power, or a product of equal factors; else #f.
+(define (power-parts e)
+  (define args (if (node? e) (node-args e) '()))
+  (cond [(null? args) #f]
+        [(eq? (node-head e) op:expt)
+         (and (exact-integer? (cadr args)) (cons (car args) (cadr args)))]
+        [else
+         (and (eq? (node-head e) op:*)
+              (for/and ([a (in-list (cdr args))]) (equal? a (car args)))
+              (cons (car args) (length args)))]))
+
+(define (settle-roots! c)
+  (for ([r (in-hash-values (collector-roots c))])
+    (choose-radicand! r)
+    (set-root-kernel! r (intern-kernel! c (root-expression r) r))))
+
+;; The shortest of the candidates, if the degree has not grown meanwhile.
+(define (choose-radicand! r)
+  (define compare (make-order))
+  (define (shorter a b)
+    (define d (- (expression-size (car a)) (expression-size (car b))))
+    (if (or (< d 0) (and (eqv? d 0) (< (compare (car a) (car b)) 0))) a b))
+  (define candidates (root-candidates r))
+  (when (and (pair? candidates) (eqv? 2 (root-degree r)))
+    (define best
+      (for/fold ([best (car candidates)]) ([a (in-list (cdr candidates))]) (shorter a best)))
+    (set-root-radicand! r (car best))
+    (set-root-scale! r (cdr best))))
+
+(define (root-expression r)
+  (define u (root-radicand r))
+  (cond [(not (eqv? (root-degree r) 2)) (make-node op:expt (list u (/ 1 (root-degree r))))]
+        [(eqv? u -1) imaginary-unit]
+        [else (make-node op:sqrt (list u))]))
+
+(define imaginary-unit +i)

@@ -1,0 +1,163 @@
+#lang racket/base
+;; A value as a product of powers of irreducible factors.
+;;
+;; Numerator and divisors of the normal form are factored as polynomials in the
+;; kernels.  A circle's (1 - cos θ)(1 + cos θ) is sin²θ again, and a hyperbola's
+;; (cosh u - 1)(cosh u + 1) is sinh²u.  Factors have their first term positive;
+;; a minus sign that is left goes into a difference if there is one.
+
+(require "together.rkt"
+         (only-in "../assumption/assumption-set.rkt" no-assumptions)
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../field/field.rkt"
+         "../kernel/kernel.rkt"
+         "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../presentation/form.rkt" "../presentation/pieces.rkt" "../presentation/present.rkt"
+         "../presentation/sine-or-cosine.rkt" "../presentation/term.rkt"
+         "../simplify/simplify-expression.rkt")
+
+(provide factored-expression)
+
+;; -> expression and assumptions
+(define (factored-expression e [A no-assumptions])
+  (define-values (F f assumptions) (normal-form e A))
+  (define p (fraction-numerator f))
+  (values (if (and (fraction-polynomial? f) (poly-constant? p))
+              (quotient-expression F f)
+              (flatten-products (form-expression (factored-form F f))))
+          assumptions))
+
+;; A product in the making: number · ∏ kernel^integer · ∏ polynomial^integer, the
+;; polynomials of several terms.
+(struct factors (number powers polynomials) #:authentic)
+
+(define (factored-form F f)
+  (define p (fraction->piece F f))
+  (define start
+    (factors 1 (term-powers (make-term 1 (piece-powers p))) '()))
+  (define all
+    (for/fold ([product (multiply F start (piece-numerator p) 1)])
+              ([h (in-list (piece-factors p))])
+      (multiply F product (car h) (- (cdr h)))))
+  (written F (settle-signs F (restore-squares F all))))
+
+;; The product times q^e, q factored.
+(define (multiply F product q e)
+  (define parts (poly-factor (field-ring F) q))
+  (for/fold ([product (scaled product (expt (constant-factor q parts) e))])
+            ([h (in-list parts)])
+    (define finer (finer-parts F (car h)))
+    (if finer
+        (multiply F product finer (* e (cdr h)))
+        (multiply-factor F product (car h) (* e (cdr h))))))
+
+(define (constant-factor q parts)
+  (/ (poly-leading-coefficient q)
+     (for/product ([h (in-list parts)]) (expt (poly-leading-coefficient (car h)) (cdr h)))))
+
+;; An irreducible polynomial may have factors when cosines are eliminated instead
+;; of sines, or here and there one and the other: then such a form of it, else #f.
+(define (finer-parts F p)
+  (define q (shortest-squares F p))
+  (and (not (poly=? p q))
+       (let ([parts (poly-factor (field-ring F) q)])
+         (or (pair? (cdr parts)) (> (cdar parts) 1)))
+       q))
+
+(define (scaled product c)
+  (factors (* c (factors-number product)) (factors-powers product) (factors-polynomials product)))
+
+(define (multiply-factor F product h e)
+  (define term (and (eqv? 1 (poly-term-count h)) (car (polynomial-terms F h))))
+  (if term
+      (factors (factors-number product)
+               (multiply-powers (factors-powers product) (raise-powers (term-powers term) e))
+               (factors-polynomials product))
+      (factors (factors-number product)
+               (factors-powers product)
+               (append (factors-polynomials product) (list (cons h e))))))
+
+(define (raise-powers powers e)
+  (for/list ([p (in-list powers)]) (cons (car p) (* e (cdr p)))))
+
+;; ---------------------------------------------------------------------------
+;; Squares of sines
+
+(define (restore-squares F product)
+  (for/fold ([product product]) ([k (in-vector (field-kernels F))])
+    (define o (kernel-relation k))
+    (if (and (circle? o) (eq? k (circle-sine o)))
+        (restore-square F product o)
+        product)))
+
+;; (c + 1) and (c - 1) to the powers m and n: as often as both occur they make
+;; c² - 1, which is -sin² or sinh².
+(define (restore-square F product o)
+  (define R (field-ring F))
+  (define c (poly-variable R (kernel-index (circle-cosine o))))
+  (define one (poly-constant R 1))
+  (define (find q)
+    (for/first ([h (in-list (factors-polynomials product))] #:when (poly=? (car h) q)) h))
+  (define above (find (poly+ R c one)))
+  (define below (find (poly- R c one)))
+  (define shared (if (and above below) (common-exponent (cdr above) (cdr below)) 0))
+  (define (lowered h) (if (memq h (list above below)) (cons (car h) (- (cdr h) shared)) h))
+  (if (eqv? shared 0)
+      product
+      (factors (* (factors-number product) (expt (- (circle-sign o)) shared))
+               (multiply-powers (factors-powers product) (list (cons (circle-sine o) (* 2 shared))))
+               (for*/list ([h (in-list (factors-polynomials product))]
+                           [low (in-value (lowered h))]
+                           #:unless (eqv? 0 (cdr low)))
+                 low))))
+
+(define (common-exponent m n)
+  (cond [(and (positive? m) (positive? n)) (min m n)]
+        [(and (negative? m) (negative? n)) (max m n)]
+        [else 0]))
+
+;; ---------------------------------------------------------------------------
+;; Signs
+
+(define (settle-signs F product)
+  (define positive
+    (for/fold ([product product]) ([h (in-list (factors-polynomials product))]
+                                   #:when (negative? (first-coefficient F (car h))))
+      (flip F product h)))
+  (define difference
+    (and (negative? (factors-number positive))
+         (for/first ([h (in-list (factors-polynomials positive))]
+                     #:when (and (odd? (cdr h)) (mixed? F (car h))))
+           h)))
+  (if difference (flip F positive difference) positive))
+
+;; The factor replaced by its opposite.
+(define (flip F product h)
+  (factors (if (odd? (cdr h)) (- (factors-number product)) (factors-number product))
+           (factors-powers product)
+           (for/list ([g (in-list (factors-polynomials product))])
+             (if (eq? g h) (cons (poly-negate (field-ring F) (car g)) (cdr g)) g))))
+
+(define (first-coefficient F p) (car (car (terms-as-presented F p))))
+
+(define (mixed? F p)
+  (for/or ([t (in-list (terms-as-presented F p))]) (negative? (car t))))
+
+(define (terms-as-presented F p)
+  (linear-terms F (fraction-from-poly (field-ring F) p)))
+
+;; ---------------------------------------------------------------------------
+;; Writing
+
+(define (written F product)
+  (define (show h)
+    (expression->form
+     (let ([e (present F (fraction-from-poly (field-ring F) (car h)))])
+       (if (eqv? 1 (cdr h)) e (make-node op:expt (list e (cdr h)))))))
+  (define-values (above below)
+    (for/fold ([above '()] [below '()] #:result (values (reverse above) (reverse below)))
+              ([h (in-list (factors-polynomials product))])
+      (if (positive? (cdr h))
+          (values (cons (show h) above) below)
+          (values above (cons (cons (show (cons (car h) 1)) (- (cdr h))) below)))))
+  (product-form (factors-number product) (factors-powers product) above below (field-inexact? F)))

@@ -1,0 +1,53 @@
+#lang racket/base
+;; Simplification: to a canonical value, and from it to a readable expression,
+;; under assumptions about signs.
+
+(require "normalize.rkt"
+         "../assumption/assumption-set.rkt"
+         "../expression/expression.rkt"
+         "../field/bounds.rkt")
+
+(provide simplify-expression simplify-expression/assumptions
+         normal-form normal-form+simplified)
+
+;; The work begins anew as long as there are revisions; each decides more signs.
+;; -> what it results in, and what that rests on, as datums such as (>= R 0):
+;; relations of A, and what was taken for granted
+(define (work-under A work [make-fuel make-fuel])
+  (define w (make-workspace A (make-fuel)))
+  (define result (work w))
+  (define revised (workspace-revision w))
+  (if revised
+      (work-under revised work make-fuel)
+      (values result (workspace-assumptions w))))
+
+(define (simplify-expression e [A no-assumptions])
+  (define-values (simple grounds) (simplify-expression/assumptions e A))
+  simple)
+
+;; -> the simplified expression and what is to be known of it, as datums: what it
+;; rests on, such as (>= R 0), and (left-unexpanded e) if it is not in canonical
+;; form because e would have grown too large.
+(define (simplify-expression/assumptions e [A no-assumptions])
+  (define-values (result grounds)
+    (work-under A (lambda (w)
+                    (define simple (workspace-simplify w e))
+                    (cons simple (workspace-left w)))))
+  (values (car result) (append grounds (cdr result))))
+
+;; -> the field of the expression's kernels, its value there, what that rests on.
+;; fuel : what it may cost (field/bounds.rkt)
+(define (normal-form e [A no-assumptions] [fuel (make-fuel)])
+  (define-values (n grounds)
+    (work-under A (lambda (w) (workspace-normal w e)) (lambda () fuel)))
+  (values (car n) (cdr n) grounds))
+
+;; -> the same, and the simplified expression.  The last value holds what is to be
+;; known of it as well.
+(define (normal-form+simplified e [A no-assumptions])
+  (define-values (result grounds)
+    (work-under A (lambda (w)
+                    (define n (workspace-normal w e))
+                    (define simple (if (node? e) (workspace-simplify w e) e))
+                    (list (car n) (cdr n) simple (workspace-left w)))))
+  (values (car result) (cadr result) (caddr result) (append grounds (cadddr result))))

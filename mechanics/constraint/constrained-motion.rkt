@@ -1,0 +1,184 @@
+#lang racket/base
+;; Following a constrained motion in numbers.
+;;
+;; Accelerations solved for with the multipliers keep G̈ at zero, not G: errors of the
+;; integration would let G and its rate drift.  So each step is taken back to where both are
+;; zero, by the shortest way as kinetic energy measures it (motion/manifold.rkt):
+;;
+;;     M δ − Jᵀ μ = 0,    J δ = −G,
+;;
+;; repeated for the coordinates, and once, J δ = −(J v + ∂₀G), for the velocities.
+;; Of constraints that repeat each other those stated first are kept, for the motion does not
+;; depend on which; that is found out where the motion begins.
+
+(require racket/flonum
+         "accelerations.rkt" "constraint.rkt" "dependence.rkt" "linearized.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
+         "../motion/manifold.rkt"
+         "../numeric/failure.rkt"
+         "../value/shape.rkt")
+
+(provide constrained-state-derivative consistent-state)
+
+;; (t, q, v) ↦ (1, v, a), with what motion/manifold.rkt needs
+(define-plain (constrained-state-derivative given-L constraints #:force [Q #f])
+  (define who 'constrained-state-derivative)
+  (check-Lagrangian who given-L)
+  (define cs (gather who constraints))
+  (define-values (L outside) (values (scalar-valued who given-L) (external-force who Q #f)))
+  (define (derivative choose)
+    (define solve (accelerations-with who L cs outside choose))
+    (lambda (state)
+      (define-values (a multipliers) (solve state))
+      (up 1 (velocity state) (shaped (velocity state) a))))
+  (define all (derivative values))
+  (make-manifold-derivative
+   (lambda (state)
+     (check-state who cs state)
+     (all state))
+   (lambda (caller state)
+     (check-state who cs state)
+     (define kept (and (numeric? state) (kept-constraints who cs state)))
+     (define ready (if kept (derivative (choosing kept)) all))
+     (values ready
+             ;; symbols that are left are the caller's affair
+             (and kept (numeric? (ready state)) (corrections-of who L cs kept))))
+   (lambda ()
+     `(,who ,(value->datum given-L) ,(constraints->datum cs)
+            ,@(if Q (list '#:force (value->datum Q)) '())))))
+
+(define (check-state who cs state)
+  (check-velocity who state)
+  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (check-linear who cs q)
+  (check-count who (shape-length (constraint-values who cs t q v)) q))
+
+(define (numeric? x) (andmap real? (scalars x)))
+
+(define ((choosing kept) xs) (for/list ([k (in-list kept)]) (list-ref xs k)))
+
+;; ---------------------------------------------------------------------------
+;; Redundant constraints
+
+;; The indices of the constraints to keep at this state and beyond, or #f if symbols are left.
+;; Where others depend on each other than beside it, the state is singular.
+(define (kept-constraints who cs state)
+  (define (kept state)
+    (define J (jacobian-rows who cs (time state) (coordinate state) (velocity state)))
+    (and (andmap (lambda (row) (andmap real? (vector->list row))) J)
+         (independent-rows who J)))
+  (define here (kept state))
+  (when (and here (not (equal? here (kept (beside-state state)))))
+    (raise-singular-state who cs state))
+  here)
+
+(define (beside-state state)
+  (scalars->structure
+   state
+   (let ([xs (list->vector (scalars state))])
+     (lambda (k)
+       (define x (vector-ref xs k))
+       (+ x (* 1e-3 (+ 1 (abs x)) (- (* (+ k 1) golden) (floor (* (+ k 1) golden)))))))))
+
+(define golden 0.6180339887498949)
+
+(define (raise-singular-state who cs state)
+  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (raise
+   (exn:fail:mechanics:singular
+    (apply string-append
+           (format (string-append "~a: where the motion begins, constraints depend on each other "
+                                  "that are independent elsewhere\n  state: ~a")
+                   who (value->text state))
+           (for/list ([y (in-list (dependences who (jacobian-rows who cs t q v)))])
+             (format "\n  ~a" (dependence->text y))))
+    (current-continuation-marks)
+    state)))
+
+;; ---------------------------------------------------------------------------
+;; Back to the constraints
+
+;; kept : indices of constraints
+(define (corrections-of who L cs kept)
+  (define holonomic-constraints? (ormap holonomic? (constraint-set-parts cs)))
+  (corrections (and holonomic-constraints? (lambda (state) (towards-positions who L cs kept state)))
+               (lambda (state) (towards-velocities who L cs kept state))
+               (lambda (caller state) (raise-inconsistent caller cs state))))
+
+;; The increments of a state that take the coordinates, or the velocities, to where the
+;; constraints hold.
+(define (towards-positions who L cs kept state)
+  (define-values (positions velocities) (violations who cs state))
+  (define holonomic (filter (lambda (k) (list-ref positions k)) kept))
+  (up 0
+      (shaped (coordinate state) (shortest who L cs holonomic state positions))
+      (still (velocity state))))
+
+(define (towards-velocities who L cs kept state)
+  (define-values (positions velocities) (violations who cs state))
+  (up 0
+      (still (coordinate state))
+      (shaped (velocity state) (shortest who L cs kept state velocities))))
+
+(define (still q) (scalars->structure q (lambda (k) 0)))
+
+(define (violations who cs state)
+  (positions-and-velocities who cs (time state) (coordinate state) (velocity state)))
+
+;; δ, a vector; off : a list, of which those elements are used whose indices are given
+(define (shortest who L cs indices state off)
+  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (define choose (choosing indices))
+  (define-values (step multipliers)
+    (solve-constrained who (mass-rows L state)
+                       (choose (jacobian-rows who cs t q v))
+                       (make-vector (shape-length q) 0)
+                       (map g:negate (choose off))))
+  step)
+
+(define (raise-inconsistent caller cs state)
+  (define-values (positions velocities) (violations caller cs state))
+  (define (field label xs)
+    (if (ormap values xs)
+        (format "\n  ~a: ~a" label (value->text (one-or-up (filter values xs))))
+        ""))
+  (raise
+   (exn:fail:contract
+    (string-append
+     (format "~a: the state does not keep the constraints" caller)
+     (field "values of the constraints" positions)
+     (field "their rates of change" velocities)
+     (format "\n  state: ~a" (value->text state))
+     "\n  ((consistent-state L constraints) state) is one beside it that does")
+    (current-continuation-marks))))
+
+(define (one-or-up xs) (if (null? (cdr xs)) (car xs) (structure 'up (list->vector xs))))
+
+;; ---------------------------------------------------------------------------
+;; A state to begin with
+
+;; (consistent-state L constraints) : state -> the state, moved to keep the constraints
+(define (consistent-state L constraints)
+  (define who 'consistent-state)
+  (define derivative (constrained-state-derivative L constraints))
+  (define (name) (list who (value->datum L) (constraints->datum (gather who constraints))))
+  (unary-function name (state)
+    (define y (structure->flvector state (lambda (x) (raise-no-number who x state))))
+    (define-values (ready on) (prepare-motion who derivative state))
+    (define project! (projector on (flvector-length y)))
+    (project! y)
+    (define found (flvector->structure state y))
+    (define left (project! (flvector-copy y)))
+    (unless (fl<= left 1e-12)
+      (raise-not-convergent who "no state was found that keeps the constraints" found left))
+    (up (time state) (coordinate found) (velocity found))))
+
+(define (raise-no-number who x state)
+  (raise
+   (exn:fail:contract
+    (format "~a: expected a state of real numbers; it holds ~a\n  state: ~a" who
+            (describe-with-value x) (value->text state))
+    (current-continuation-marks))))

@@ -1,0 +1,89 @@
+#lang racket/base
+;; Integrals to infinity of functions that change their sign again and again while they
+;; decay, like sin x/x.
+;;
+;; The integrals from each zero to the next alternate in sign and fall, so that their sum
+;; converges; slowly, but the epsilon algorithm finds its limit from some twenty of them
+;; (I. M. Longman, 1956).  It finds one for sums that have none, too: that of sin x itself.
+;; So the function must be seen to decay, here and very far away.
+
+(require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
+         "../failure.rkt"
+         "../search/brent-root.rkt")
+
+(provide oscillating-quadrature)
+
+(define least-parts 16)
+(define most-parts 100)
+(define most-panels 200)
+
+;; The integral of f from 0 to infinity and a bound of its error, or #f twice;
+;; unit : a length over which f may begin to change
+(define (oscillating-quadrature f unit tolerance)
+  (define z (next-zero f 0.0 (/ unit 16.0) 1000))
+  (define first-part (and z (part f 0.0 z tolerance)))
+  (if first-part
+      (sum-of-parts f z z first-part tolerance)
+      (values #f #f)))
+
+;; gap : from the zero before to z; diagonal : of the sums; agreed : how many limits in a
+;; row have; parts : the integrals between zeros, the last first
+(define (sum-of-parts f z gap start tolerance)
+  (let loop ([z z] [gap gap] [sum start] [parts '()] [diagonal (list start)] [agreed 0])
+    (define limit (estimated-limit diagonal))
+    (define size (+ (abs limit) (if (null? parts) 0.0 (greatest parts))))
+    (define (found?) (and (>= agreed 3) (decaying? f z gap parts)))
+    (cond
+      [(and (>= (length parts) least-parts) (found?)) (values limit (* tolerance size))]
+      [(= (length parts) most-parts) (values #f #f)]
+      [else
+       (define next (next-zero f z (/ gap 8.0) 200))
+       (define p (and next (part f z next tolerance)))
+       (cond
+         [p
+          (define longer (extend-diagonal diagonal (+ sum p)))
+          (define close? (<= (abs (- (estimated-limit longer) limit)) (* 0.1 tolerance size)))
+          (loop next (- next z) (+ sum p) (cons p parts) longer (if close? (+ agreed 1) 0))]
+         [else (values #f #f)])])))
+
+(define (greatest xs) (for/fold ([m 0.0]) ([x (in-list xs)]) (max m (abs x))))
+
+(define (part f from to tolerance)
+  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+    (quadrature f from to #:tolerance (max 1e-13 (* 1e-2 tolerance)) #:limit most-panels)))
+
+;; A zero after s, in steps; or #f.
+(define (next-zero f s step most-steps)
+  (let loop ([a (+ s (* 0.5 step))] [y (f (+ s (* 0.5 step)))] [left most-steps])
+    (define b (+ a step))
+    (define y* (f b))
+    (cond [(not (and (< (abs y) +inf.0) (< (abs y*) +inf.0))) #f]
+          [(< (* y y*) 0.0) (zero-between f a b)]
+          [(= left 0) #f]
+          [else (loop b y* (- left 1))])))
+
+(define (zero-between f a b)
+  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+    (define-values (z error count) (bracketed-root f a b #:tolerance 1e-10))
+    z))
+
+;; ---------------------------------------------------------------------------
+
+;; Do the parts alternate and fall, and the function, as a power at least, far away?
+(define (decaying? f z gap parts)
+  (define half (list-tail parts (quotient (length parts) 2)))
+  (and (for/and ([p (in-list parts)] [before (in-list (cdr parts))] [_ (in-range 6)])
+         (and (< (* p before) 0.0) (< (abs p) (abs before))))
+       (<= (abs (car parts)) (* 0.85 (abs (car half))))
+       (let ([near (amplitude f z gap)]
+             [far (amplitude f (* 1e4 z) gap)]
+             [farthest (amplitude f (* 1e8 z) gap)])
+         (and near far farthest
+              (<= far (* 0.2 near))
+              (<= farthest (* 0.2 far))))))
+
+;; The greatest value at points that are spread over a period.
+(define (amplitude f z gap)
+  (for/fold ([m 0.0]) ([k (in-range 40)] #:break (not m))
+    (define y (abs (f (+ z (* gap 0.0618034 k)))))
+    (and (< y +inf.0) (max m y))))

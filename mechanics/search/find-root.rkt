@@ -1,0 +1,122 @@
+#lang racket/base
+;; Roots of functions made by the generic arithmetic: between two points where the
+;; signs differ, or near a point, in any number of variables.
+;;
+;; Newton's method takes its derivatives from one run of the function on dual
+;; numbers; those of a function that refuses them, one that integrates a motion, say,
+;; from differences, f(x + h) − f(x − h) over 2h with h the cube root of the rounding
+;; error, where what the formula and what rounding do wrong balance.
+
+(require racket/flonum
+         "implicit.rkt"
+         "../calculus/derivative.rkt" "../calculus/number.rkt" "../calculus/perturbed.rkt"
+         "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../numeric/failure.rkt"
+         "../numeric/search/brent-root.rkt" "../numeric/search/newton.rkt"
+         "../value/shape.rkt")
+
+(provide find-root newton-search bisect zbrent)
+
+;; report : receives the root, how far off it may be, and the evaluations of f
+(define (the-root x error count) x)
+
+;; (find-root f low high), or (find-root f start) for a start of any shape.
+(define-plain (find-root f start [high #f]
+                         #:tolerance [tolerance 1e-12]
+                         #:observe [observe void] #:report [report the-root])
+  (check-function-of-one-variable 'find-root f)
+  (if high
+      (root-between 'find-root bracketed-root f start high tolerance observe report)
+      (root-near 'find-root f start tolerance observe report)))
+
+;; Where f changes its sign, by halving the interval (SICM p. 321).
+(define-plain (bisect f low high [tolerance 1e-15]
+                      #:observe [observe void] #:report [report the-root])
+  (check-function-of-one-variable 'bisect f)
+  (root-between 'bisect bisected-root f low high tolerance observe report))
+
+(define-plain (newton-search f start [tolerance 1e-12]
+                             #:observe [observe void] #:report [report the-root])
+  (check-function-of-one-variable 'newton-search f)
+  (root-near 'newton-search f start tolerance observe report))
+
+;; (list found? root evaluations)
+(define (zbrent f low high [tolerance 1e-15] [limit 100])
+  (check-function-of-one-variable 'zbrent f)
+  (define (method f low high #:tolerance tolerance #:observe observe #:name who)
+    (bracketed-root f low high #:tolerance tolerance #:limit limit #:name who))
+  (with-handlers ([exn:fail:mechanics:not-convergent?
+                   (lambda (e) (list #f (exn:fail:mechanics:not-convergent-value e) limit))])
+    (root-between 'zbrent method f low high tolerance void
+                  (lambda (x error count) (list #t x count)))))
+
+;; ---------------------------------------------------------------------------
+
+(define (root-between who method f low high tolerance observe report)
+  (define (end x) (number who (innermost x)))
+  (define (value x) (number who (innermost (f x))))
+  (define-values (x error count)
+    (method value (end low) (end high) #:tolerance tolerance #:observe observe #:name who))
+  (define (values-at v) (flvector (value (flvector-ref v 0))))
+  (define (slope) (jacobian-at f values-at x (flvector x)))
+  (report (varying-root who f x slope) error count))
+
+(define (root-near who f start tolerance observe report)
+  (define (complain x) (number who x))
+  (define from (plain start))
+  (define x (structure->flvector from complain))
+  (define (argument x) (flvector->structure from x))
+  (define evaluations 0)
+  (define (value x)
+    (set! evaluations (+ evaluations 1))
+    (define y (structure->flvector (plain (f (argument x))) complain))
+    (check-count who from y)
+    y)
+  (define (jacobian x) (jacobian-at f value (argument x) x))
+  (value x)                             ; a mistake of the function's own is seen here
+  (define-values (root error)
+    (newton value jacobian x
+            #:tolerance tolerance #:observe observe #:argument argument #:name who))
+  (report (varying-root who f (argument root) (lambda () (jacobian root))) error evaluations))
+
+(define (check-count who start y)
+  (define n (shape-length start))
+  (unless (= (flvector-length y) n)
+    (raise-arguments-error
+     who "the function must give as many numbers as it takes"
+     "given" (flvector-length y)
+     "expected" n
+     "start" start)))
+
+;; ---------------------------------------------------------------------------
+;; Matrices of derivatives
+
+;; Of f at an argument; value : the same from flvector x to flvector
+(define (jacobian-at f value argument x)
+  (with-handlers ([exn:fail? (lambda (e) ((difference-jacobian value) x))])
+    (define slopes (plain (derivative-at f argument)))
+    (columns->rows (flvector-length x) (structure->flvector slopes raise-not-a-number))))
+
+(define (raise-not-a-number x) (number 'derivative x))
+
+;; v : the derivatives by the first variable, by the second, ...
+(define (columns->rows n v)
+  (for/vector #:length n ([i (in-range n)])
+    (for/vector #:length n ([j (in-range n)]) (flvector-ref v (+ i (* j n))))))
+
+(define ((difference-jacobian value) x)
+  (define n (flvector-length x))
+  (define all (make-flvector (* n n)))
+  (for ([j (in-range n)])
+    (define h (fl* 6e-6 (fl+ 1.0 (flabs (flvector-ref x j)))))
+    (define after (value (moved x j h)))
+    (define before (value (moved x j (fl- 0.0 h))))
+    (for ([i (in-range n)])
+      (flvector-set! all (+ i (* j n))
+                     (fl/ (fl- (flvector-ref after i) (flvector-ref before i)) (fl* 2.0 h)))))
+  (columns->rows n all))
+
+(define (moved x j h)
+  (define y (flvector-copy x))
+  (flvector-set! y j (fl+ h (flvector-ref x j)))
+  y)

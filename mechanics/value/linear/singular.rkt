@@ -1,0 +1,106 @@
+#lang racket/base
+;; A matrix without an inverse, in words: which rows depend on which, what it
+;; takes to zero, whether the system still has solutions.
+
+(require "../assumptions.rkt"
+         "../../algebra/expression/expression.rkt"
+         "../../algebra/linear/elimination.rkt" "../../algebra/linear/entries.rkt"
+         "../../algebra/simplify/simplify-expression.rkt"
+         "../../algebra/zero/vanishing.rkt"
+         "../../generic/describe.rkt"
+         "../../numeric/failure.rkt"
+         "../../numeric/linear/flonum-systems.rkt" "../../numeric/linear/rows.rkt")
+
+(provide raise-singular-matrix matrix-kernel raise-no-scalars raise-too-large)
+
+;; Of a matrix of numbers and expressions; #f if that would grow too large.
+(define (matrix-kernel rows)
+  (if (and (all-entries? number? rows) (not (exact-numbers? rows)))
+      (let-values ([(rank vectors) (floating-kernel rows)])
+        (kernel-basis rank vectors '()))
+      (eliminated-kernel rows (assumptions-in-force))))
+
+;; right : rows of right-hand sides, or #f if the inverse was wanted
+;; shape : vector of components -> unknown, as it is called for
+(define (raise-singular-matrix who given rows right shape)
+  (define (kernel-of rows) (and (all-entries? expression? rows) (matrix-kernel rows)))
+  (define kernel (kernel-of rows))
+  (define dependences (kernel-of (rows-transpose rows)))
+  (define null-vectors (and kernel (map shape (kernel-basis-vectors kernel))))
+  (raise
+   (exn:fail:mechanics:singular:matrix
+    (apply string-append (symbol->string who) ": the matrix has no inverse"
+           (field "matrix" (matrix-text rows))
+           (append (if kernel (kernel-fields kernel null-vectors (vector-length rows)) '())
+                   (if dependences
+                       (dependence-fields (kernel-basis-vectors dependences) right)
+                       '())))
+    (current-continuation-marks)
+    given
+    null-vectors)))
+
+(define (field label text) (format "\n  ~a: ~a" label text))
+
+(define (matrix-text rows)
+  (if (> (vector-length rows) 6)
+      (format "~a rows and columns" (vector-length rows))
+      (format "~a" (for/list ([row (in-vector rows)]) (map value->datum (vector->list row))))))
+
+(define (kernel-fields kernel null-vectors n)
+  (append (list (field "rank" (format "~a of ~a" (kernel-basis-rank kernel) n)))
+          (for/list ([v (in-list null-vectors)]) (field "null vector" (value->text v)))
+          (for/list ([a (in-list (kernel-basis-assumptions kernel))])
+            (field "assuming" (format "~a" a)))))
+
+;; ---------------------------------------------------------------------------
+;; Dependent rows
+
+(define (dependence-fields dependences right)
+  (append (for/list ([y (in-list dependences)]) (field "dependent" (dependence-text y)))
+          (if right (list (field "solutions" (solutions-text dependences right))) '())))
+
+;; Σ yᵢ (row i) = 0, as the last of them in terms of the others.
+(define (dependence-text y)
+  (define last (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (eqv? c 0)) i))
+  (define terms
+    (for/list ([c (in-vector y)] [i (in-range last)] #:unless (eqv? c 0))
+      (multiple-text (simple (e:/ (e:negate c) (vector-ref y last))) i)))
+  (format "row ~a is ~a" last (if (null? terms) "zero" (joined terms))))
+
+(define (multiple-text c i)
+  (if (eqv? c 1) (format "row ~a" i) (format "~a times row ~a" (value->text c) i)))
+
+(define (joined strings)
+  (apply string-append (car strings)
+         (for/list ([s (in-list (cdr strings))]) (string-append " plus " s))))
+
+(define (simple e) (if (number? e) e (simplify-expression e (assumptions-in-force))))
+
+;; Do the right-hand sides depend in the same way?
+(define (solutions-text dependences right)
+  (if (and (all-entries? expression? right)
+           (for*/and ([y (in-list dependences)] [l (in-range (row-length right))])
+             (vanishes? (combination y right l) (assumptions-in-force))))
+      "infinitely many, the right-hand side depending in the same way"
+      "none, the right-hand side not depending in the same way"))
+
+(define (combination y right l)
+  (for/fold ([sum 0]) ([c (in-vector y)] [b (in-vector right)])
+    (e:+ sum (e:* c (vector-ref b l)))))
+
+;; ---------------------------------------------------------------------------
+;; Rank and null space
+
+(define (raise-no-scalars who given)
+  (raise
+   (exn:fail:contract
+    (format "~a: expected numbers or expressions as entries; given ~a" who
+            (describe-with-value given))
+    (current-continuation-marks))))
+
+(define (raise-too-large who given)
+  (raise
+   (exn:fail:mechanics
+    (format "~a: elimination would make the entries too large, or one divides by zero\n  matrix: ~a"
+            who (value->text given))
+    (current-continuation-marks))))

@@ -1,0 +1,127 @@
+#lang racket/base
+;; Forms of a value that people ask for: expanded, factored, collected ...
+;;
+;; Each works on every scalar of the value.  The results are shown in the form
+;; asked for, where others are simplified first; calculating with them goes on
+;; as with any value, and `simplify` simplifies them.
+
+(require "assumptions.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/rewriting/apart.rkt" "../algebra/rewriting/collect.rkt"
+         "../algebra/rewriting/expand.rkt" "../algebra/rewriting/factor.rkt"
+         "../algebra/rewriting/together.rkt"
+         "../algebra/simplify/simplify-expression.rkt"
+         "../generic/describe.rkt")
+
+(provide expand factor collect coefficient together apart
+         (rename-out [numerator-of numerator] [denominator-of denominator]))
+
+;; ---------------------------------------------------------------------------
+;; The forms
+
+;; Products and powers of sums multiplied out.
+(define (expand x) (reform 'expand expand-expression x))
+
+;; A product of irreducible factors.
+(define (factor x) (reform 'factor factored-expression x))
+
+;; One quotient in lowest terms.
+(define (together x) (reform 'together together-expression x))
+
+;; (collect x 'm), (collect x (list 'm ((D f) 't))): a polynomial in these, their
+;; highest powers first.
+(define collect
+  (case-lambda
+    [(x in)
+     (define chosen (if (list? in) in (list in)))
+     (for ([e (in-list chosen)]) (check-unknown 'collect e))
+     (reform 'collect (lambda (e A) (collect-expression e chosen A)) x)]
+    [(x) (raise-no-unknown 'collect "(collect x 'm) or (collect x (list 'm 'n))" x)]))
+
+;; Partial fractions in a symbol.
+(define apart
+  (case-lambda
+    [(x in)
+     (check-unknown 'apart in)
+     (reform 'apart (lambda (e A) (partial-fractions e in A)) x)]
+    [(x) (raise-no-unknown 'apart "(apart x 's)" x)]))
+
+;; The coefficient of in^n, simplified.
+(define (coefficient x in n)
+  (check-unknown 'coefficient in)
+  (unless (exact-integer? n)
+    (raise-argument-error 'coefficient "an integer, the power whose coefficient is wanted" n))
+  (map-scalars 'coefficient
+               (lambda (e A)
+                 (define-values (c assumptions) (expression-coefficient e in n A))
+                 (note-used! assumptions)
+                 (or c (raise-not-polynomial e in)))
+               x))
+
+(define (numerator-of x)
+  (if (number? x) (numerator x) (part-of-quotient 'numerator (lambda (n d) n) x)))
+
+(define (denominator-of x)
+  (if (number? x) (denominator x) (part-of-quotient 'denominator (lambda (n d) d) x)))
+
+(define (part-of-quotient who choose x)
+  (reform who
+          (lambda (e A)
+            (define-values (n d assumptions) (numerator-and-denominator e A))
+            (values (choose n d) assumptions))
+          x))
+
+;; ---------------------------------------------------------------------------
+;; On every scalar
+
+;; rewrite : expression assumptions -> expression and what it rests on
+(define (reform who rewrite x)
+  (map-scalars who
+               (lambda (e A)
+                 (define-values (new assumptions) (rewrite e A))
+                 (note-used! assumptions)
+                 (request-form new assumptions))
+               x))
+
+;; f : expression, and the assumptions in force -> value
+(define (map-scalars who f x)
+  (define A (assumptions-in-force))
+  (map-leaves
+   (lambda (leaf)
+     (if (expression? leaf) (f leaf A) (raise-no-expression who leaf)))
+   x))
+
+;; ---------------------------------------------------------------------------
+;; Complaints
+
+(define (raise-no-expression who x)
+  (raise
+   (exn:fail:contract
+    (format "~a: expected an expression, or a tuple or matrix of them; given ~a~a"
+            who (describe-with-value x)
+            (if (procedure? x) "\n  apply the function first, and use it on its value" ""))
+    (current-continuation-marks))))
+
+(define (unknown? e)
+  (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
+
+(define (check-unknown who e)
+  (unless (unknown? e)
+    (raise
+     (exn:fail:contract
+      (format "~a: expected a symbol, or a literal function applied such as ((D f) 't); given ~a"
+              who (describe-with-value e))
+      (current-continuation-marks)))))
+
+(define (raise-no-unknown who usage x)
+  (raise
+   (exn:fail:contract
+    (format "~a: it is not said in what; use ~a\n  given only: ~a" who usage (value->text x))
+    (current-continuation-marks))))
+
+(define (raise-not-polynomial e in)
+  (raise
+   (exn:fail:contract
+    (format "coefficient: the expression is no polynomial in ~a: it is divided by a sum with ~a in it\n  expression: ~a"
+            (value->text in) (value->text in) (value->text e))
+    (current-continuation-marks))))

@@ -1,0 +1,171 @@
+#lang racket/base
+;; A verdict in words: a headline and labelled evidence.
+;;
+;; The report is data, a list of lines (depth label content), content being #f or
+;; a list of strings and S-expressions; whoever prints it knows how wide a line
+;; may be.
+
+(require "../algebra/expression/write.rkt"
+         "../algebra/zero/zero-test.rkt"
+         "../generic/describe.rkt")
+
+(provide verdict-report report->text)
+
+;; status : as a whole.  tests : the zero-test of each scalar, in order.
+;; labels : what the scalars are called; none for one that stands alone.
+;; given : the assumptions that were declared.
+(define (verdict-report status tests labels given)
+  (define open (for/list ([z (in-list tests)]
+                          [label (in-list (if (null? labels) '(#f) labels))]
+                          #:unless (eq? (zero-test-status z) 'proved))
+                 (cons label z)))
+  (define shared (shared-conditions open))
+  (append
+   (list (list 0 (headline status) #f))
+   (if (null? labels)
+       (append* (for/list ([entry (in-list open)]) (evidence (cdr entry) 1 #t)))
+       (append* (for/list ([entry (in-list open)])
+                  (cons (list 1 (car entry) #f)
+                        (evidence (cdr entry) 2 (null? shared))))))
+   (if (and (pair? shared) (pair? labels))
+       (list (list 1 "zero if:" (equations shared)))
+       '())
+   (grounds (distinct (append* (map zero-test-assumptions tests))) given)))
+
+;; What was declared and used, then what was assumed.
+(define (grounds all given)
+  (define (lines label wanted?)
+    (for/list ([a (in-list all)] #:when (wanted? a)) (list 1 label (list a))))
+  (append (lines "given:" (lambda (a) (member a given)))
+          (lines "assuming:" (lambda (a) (not (member a given))))))
+
+(define (headline status)
+  (case status
+    [(proved) "proved: the residual is zero"]
+    [(refuted) "refuted: the residual is not zero"]
+    [else "undecided: the residual is neither proved nor refuted to be zero"]))
+
+;; The conditions that all components that are not zero have in common, if they have
+;; the same.
+(define (shared-conditions open)
+  (define conditions (map (lambda (entry) (zero-test-conditions (cdr entry))) open))
+  (if (and (pair? conditions) (null? (cdr (distinct conditions))))
+      (car conditions)
+      '()))
+
+(define (evidence z depth with-conditions?)
+  (define (line label . content) (list (list depth label content)))
+  (append
+   (line "residual:" (short-datum (zero-test-residual z)))
+   (for/list ([d (in-list (zero-test-left-unexpanded z))])
+     (list depth "left unexpanded:" (list (datum->brief-text d))))
+   (factors z line)
+   (if (and with-conditions? (pair? (zero-test-conditions z)))
+       (list (list depth "zero if:" (equations (zero-test-conditions z))))
+       '())
+   (cond [(not-a-number? (zero-test-residual z)) (line "evidence:" "it is not a number")]
+         [(eq? (zero-test-status z) 'refuted) (witness z line)]
+         [else (bound z line)])))
+
+(define (not-a-number? x) (and (number? x) (not (= x x))))
+
+;; The factor that cannot vanish and the core that may, where there are both.
+(define (factors z line)
+  (define factor (zero-test-factor z))
+  (define core (zero-test-core z))
+  (if (or (number? factor) (number? core))
+      '()
+      (append (line "factor:" (short-datum factor))
+              (line "core:" (short-datum core)))))
+
+(define (equations cs)
+  (separated (for/list ([c (in-list cs)])
+               (list (short-datum (cadr c)) "=" (short-datum (caddr c))))))
+
+(define (witness z line)
+  (define point (zero-test-witness z))
+  (append
+   (if (null? point)
+       '()
+       (apply line "at:" (substitutions point)))
+   (line "value:" (readable (zero-test-value z)))))
+
+;; A flonum, or an exact number too long to be read, to six digits: it is there to
+;; be seen not to be zero.
+(define (readable x [digits 6])
+  (cond [(not (real? x))
+         (make-rectangular (readable (real-part x) digits) (readable (imag-part x) digits))]
+        [(and (exact? x) (> (bits x) 64)) (readable (exact->inexact x) digits)]
+        [(exact? x) x]
+        [else (rounded x digits)]))
+
+;; Flonums to fewer digits than they have: 9.81 - 9.8 is 0.009999999999999787, of
+;; which all but 0.01 is rounding.
+(define (short-datum x)
+  (let shorten ([d (value->datum x)])
+    (cond [(pair? d) (cons (shorten (car d)) (shorten (cdr d)))]
+          [(and (flonum? d) (rational? d)) (rounded d 12)]
+          [else d])))
+
+(define (rounded x digits)
+  (cond [(or (not (rational? x)) (zero? x)) x]
+        [else
+         (define place (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10))))))
+         (define unit (expt 10 place))
+         (exact->inexact (/ (round (* (inexact->exact x) unit)) unit))]))
+
+(define (bits x) (+ (integer-length (numerator x)) (integer-length (denominator x))))
+
+(define (substitutions point)
+  (separated (for/list ([entry (in-list point)])
+               (list (value->datum (car entry)) "=" (cdr entry)))))
+
+(define (separated contents)
+  (append*
+   (for/list ([c (in-list contents)] [i (in-naturals)])
+     (if (zero? i) c (cons "," c)))))
+
+;; The bound is rounded upwards.
+(define (bound z line)
+  (define points (zero-test-points z))
+  (define size (zero-test-bound z))
+  (line "evidence:"
+        (cond [(zero? points) (without-points z)]
+              [(eqv? size 0) (format "zero at ~a, exactly or modulo primes" (counted points))]
+              [else (format "at ~a, zero to within ~a" (counted points) (readable (* 1.05 size) 2))])))
+
+(define (counted points) (if (eqv? points 1) "one point" (format "~a points" points)))
+
+;; Either the residual is zero, but for rounding, or no point was found.
+(define (without-points z)
+  (if (number? (zero-test-residual z))
+      "zero within rounding; exact numbers would tell"
+      "no point was found at which it is defined and the assumptions hold"))
+
+;; ---------------------------------------------------------------------------
+
+;; The report with each line's content written plainly.
+(define (report->text report)
+  (join "\n"
+        (for/list ([line (in-list report)])
+          (define content (caddr line))
+          (string-append (make-string (* 2 (car line)) #\space)
+                         (cadr line)
+                         (if content (string-append " " (content->text content)) "")))))
+
+(define (content->text content)
+  (for/fold ([text ""]) ([part (in-list content)])
+    (define s (if (string? part) part (datum->text part)))
+    (cond [(string=? text "") s]
+          [(equal? part ",") (string-append text s)]
+          [else (string-append text " " s)])))
+
+(define (join separator strings)
+  (for/fold ([text (car strings)]) ([s (in-list (cdr strings))])
+    (string-append text separator s)))
+
+(define (append* lists) (apply append lists))
+
+(define (distinct xs)
+  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
+    (if (member x kept) kept (cons x kept))))

@@ -1,0 +1,57 @@
+#lang racket/base
+;; Simplified forms: what the book prints, and what a physicist would write.
+
+(require rackunit
+         mechanics/algebra/expression/expression
+         mechanics/algebra/simplify/simplify-expression
+         "../reading.rkt")
+
+(define (simplified d) (expression->datum (simplify-expression (datum->expression d))))
+
+(define-syntax-rule (check-forms [before after] ...)
+  (begin (check-equal? (simplified 'before) 'after) ...))
+
+(test-case "residuals have the book's form"
+  (check-forms
+   [(+ (* m (((expt D 2) x) t)) (* k (x t)))
+    (+ (* k (x t)) (* m (((expt D 2) x) t)))]
+   [(+ ((D V) (r t)) (- (* m (((expt D 2) r) t)) (* m (r t) (expt ((D phi) t) 2))))
+    (+ (* m (((expt D 2) r) t)) (* -1 m (r t) (expt ((D phi) t) 2)) ((D V) (r t)))]
+   [(+ (* 2 m (r t) ((D r) t) ((D phi) t)) (* m (expt (r t) 2) (((expt D 2) phi) t)))
+    (+ (* m (expt (r t) 2) (((expt D 2) phi) t)) (* 2 m (r t) ((D phi) t) ((D r) t)))]))
+
+(test-case "a factor comes out in front when that is smaller"
+  (check-forms
+   [(- (* a k (cos (+ (* omega t) phi))) (* a m omega omega (cos (+ phi (* t omega)))))
+    (* a (- k (* m (expt omega 2))) (cos (+ (* omega t) phi)))]
+   [(+ (* 1/2 m vx vx) (* 1/2 m vy vy))
+    (* 1/2 m (+ (expt vx 2) (expt vy 2)))]
+   [(+ (* -1 a) (* -1 b)) (* -1 (+ a b))]))
+
+(test-case "rational functions are in lowest terms"
+  (check-forms
+   [(/ (- (expt a 2) (expt b 2)) (- a b)) (+ a b)]
+   [(+ (/ (expt p 2) (* 2 m)) (V x)) (+ (/ (* 1/2 (expt p 2)) m) (V x))]
+   [(- (/ 1 (- x 1)) (/ 1 (+ x 1))) (/ 2 (- (expt x 2) 1))]
+   [(- (/ (+ a b) c) (/ a c) (/ b c)) 0]))
+
+(test-case "squares of sine and cosine add to one"
+  (check-forms
+   [(+ (expt (sin x) 2) (expt (cos x) 2)) 1]
+   [(- (sin (+ a b)) (+ (* (sin a) (cos b)) (* (cos a) (sin b)))) 0]
+   [(- (cos (* 2 a)) (- 1 (* 2 (expt (sin a) 2)))) 0]
+   [(- (expt (cosh x) 2) (expt (sinh x) 2)) 1]))
+
+(test-case "square roots of squares come out, and the assumption is told"
+  (define-values (e assumptions)
+    (simplify-expression/assumptions
+     (datum->expression '(sqrt (+ (expt (* R (cos x)) 2) (expt (* R (sin x)) 2))))))
+  (check-equal? e 'R)
+  (check-equal? assumptions '((>= R 0))))
+
+(test-case "radicals keep their radicands"
+  (check-forms
+   [(/ (* mu x) (expt (+ (* x x) (* y y)) 3/2))
+    (/ (* mu x) (expt (+ (expt x 2) (expt y 2)) 3/2))]
+   [(sqrt (/ k m)) (sqrt (/ k m))]
+   [(* (sqrt (* x y)) (sqrt (* x y)) z) (* x y z)]))

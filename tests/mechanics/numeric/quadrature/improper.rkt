@@ -1,0 +1,81 @@
+#lang racket/base
+;; Integrals to infinity and over singularities at ends.
+
+(require rackunit
+         mechanics/numeric/failure
+         mechanics/numeric/quadrature/improper
+         mechanics/numeric/quadrature/oscillating)
+
+(define pi (* 4.0 (atan 1.0)))
+(define (integral f low high)
+  (define-values (value bound) (improper-quadrature f low high))
+  value)
+
+(define-check (check-integral f low high expected)
+  (define value (integral f low high))
+  (unless (<= (abs (- value expected)) (* 1e-11 (max 1.0 (abs expected))))
+    (with-check-info (['value value] ['expected expected]) (fail-check))))
+
+(test-case "powers and logarithms that are infinite at an end"
+  (for ([p (in-list '(-0.2 -1/2 -2/3 -0.9))])
+    (check-integral (lambda (x) (expt x p)) 0 1 (/ 1.0 (+ p 1)))
+    (check-integral (lambda (x) (expt (- 1.0 x) p)) 0 1 (/ 1.0 (+ p 1))))
+  (check-integral log 0 1 -1.0)
+  (check-integral (lambda (x) (expt (log x) 2)) 0 1 2.0)
+  (check-integral (lambda (x) (/ (log x) (sqrt x))) 0 1 -4.0)
+  (check-integral (lambda (x) (/ 1.0 (sqrt (- 1.0 (* x x))))) -1 1 pi))
+
+(test-case "the period of a pendulum, from an integrand infinite at both turning points"
+  (define (slowness x) (/ 2.0 (sqrt (* 2.0 9.8 (- (cos x) (cos 1.0))))))
+  (check-integral slowness -1 1 2.140228719018093))
+
+(test-case "ranges without an end"
+  (define (bell x) (exp (- (* x x))))
+  (check-integral bell -inf.0 +inf.0 (sqrt pi))
+  (check-integral bell 0 +inf.0 (/ (sqrt pi) 2))
+  (check-integral bell +inf.0 0 (/ (sqrt pi) -2))
+  (check-integral exp -inf.0 1 (exp 1.0))
+  (check-integral (lambda (x) (/ 1.0 (+ 1.0 (* x x)))) -inf.0 +inf.0 pi)
+  (check-integral (lambda (x) (expt x -1.5)) 1 +inf.0 2.0)
+  (check-integral (lambda (x) (* 1e18 (expt x -4))) 1e6 +inf.0 (/ 1.0 3))
+  (check-equal? (integral exp +inf.0 +inf.0) 0.0))
+
+(test-case "an end at infinity and another where it is infinite"
+  (check-integral (lambda (x) (/ (exp (- x)) (sqrt x))) 0 +inf.0 (sqrt pi))
+  (check-integral (lambda (x) (/ (exp (- 3.0 x)) (sqrt (- x 3.0)))) 3 +inf.0 (sqrt pi))
+  (check-integral (lambda (x) (/ (log x) (+ 1.0 (* x x)))) 0 +inf.0 0.0))
+
+(test-case "what happens close to an end is not extrapolated away"
+  (for ([place (in-list '(1e-2 1e-4 1e-5))])
+    (check-integral (lambda (x) (sqrt (abs (- x place)))) 0 1
+                    (* 2/3 (+ (expt place 1.5) (expt (- 1.0 place) 1.5)))))
+  (check-integral (lambda (x) (* 1e4 (exp (* -1e4 x)))) 0 1 1.0))
+
+(test-case "integrals that do not exist are no numbers"
+  (for ([example (in-list
+                  (list (list (lambda (x) (/ 1.0 x)) 0 1)
+                        (list (lambda (x) (/ 1.0 (* x x))) 0 1)
+                        (list (lambda (x) (/ 1.0 x)) 1 +inf.0)
+                        (list (lambda (x) (/ x (+ 1.0 (* x x)))) -inf.0 +inf.0)
+                        (list sin 0 +inf.0)
+                        (list (lambda (x) 1.0) 0 +inf.0)))])
+    (check-exn exn:fail:mechanics:not-convergent? (lambda () (apply integral example)))))
+
+(test-case "a failure says where, in the variable of the integrand"
+  (define failure
+    (with-handlers ([exn:fail:mechanics:not-convergent? exn-message])
+      (integral (lambda (x) (/ 1.0 x)) 1 +inf.0)))
+  (check-regexp-match #rx"^quadrature: the integral does not converge\n  trouble near: [0-9.]*e[+][0-9]+"
+                      failure))
+
+(test-case "wrong arguments are refused by name"
+  (check-exn #rx"quadrature: contract violation\n  expected: a real number, perhaps infinite"
+             (lambda () (integral exp +nan.0 1)))
+  (check-exn #rx"quadrature: contract violation\n  expected: a real number, perhaps infinite"
+             (lambda () (integral exp 0 'a)))
+  (check-exn #rx"positive tolerance"
+             (lambda () (improper-quadrature exp 0 1 #:tolerance 0))))
+
+(test-case "a mistake of the integrand's that only the search for its zeros meets is told"
+  (define (f x) (if (< (abs (- x pi)) 1e-3) (error "a mistake") (/ (sin x) x)))
+  (check-exn #rx"^a mistake$" (lambda () (oscillating-quadrature f 1.0 1e-10))))
