@@ -3,15 +3,16 @@
 
 (require "literal-function.rkt"
          "../algebra/expression/write.rkt"
-         "../generic/complain.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt")
+         "../error/complain.rkt"
+         "../generic/describe.rkt" "../generic/elementary.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated raise-no-such-component
          raise-not-differentiable-at check-path)
 
 (define (raise-needs-function who x)
-  (complain "~a: needs a function; ~a is ~a~a"
-            (datum->text who) (value->text x) (describe x)
+  (complain (datum->text who) "needs a function; ~a is ~a~a"
+            (value->text x) (describe x)
             (cond [(number? x) (format "\n  the constant function is (lambda (x) ~a)" x)]
                   [(symbol? x)
                    (format "\n  the constant function is (lambda (t) '~a), an unknown one (literal-function '~a)"
@@ -21,8 +22,8 @@
 
 ;; (D f x), where ((D f) x) is meant.
 (define (raise-takes-only-function who args)
-  (complain "~a: takes one function; it was given ~a~a"
-            (datum->text who) (if (null? args) "no argument" (format "~a arguments" (length args)))
+  (complain (datum->text who) "takes one function; it was given ~a~a"
+            (if (null? args) "no argument" (format "~a arguments" (length args)))
             (cond [(or (null? args) (ormap procedure? (cdr args))) ""]
                   [(or (procedure? (car args)) (symbol? (car args)))
                    (format ", and the arguments of its derivative come after that~a"
@@ -38,9 +39,8 @@
   (define n (length args))
   (define derivative (datum->text (list who (value->datum f))))
   (when (and (null? args) (accepts? f 0))
-    (complain "~a: needs at least one argument, to differentiate by; it was given none" derivative))
-  (complain "~a: ~a takes ~a; it was given ~a~a"
-            derivative name (arity->text f)
+    (complain derivative "needs at least one argument, to differentiate by; it was given none"))
+  (complain derivative "~a takes ~a; it was given ~a~a" name (arity->text f)
             (cond [x (format "one ~a tuple of ~a" (structure-orientation x) (structure-length x))]
                   [(= n 1) (format "1 argument, ~a" (value->text (car args)))]
                   [else (format "~a arguments" n)])
@@ -77,8 +77,8 @@
   (lambda (q port mode) (write-string "'" port) (write (quoted-symbol q) port)))
 
 (define (raise-no-such-component path s)
-  (complain "~a: there is no such component in ~a, ~a~a"
-            (datum->text (cons 'partial path)) (value->text s)
+  (complain (datum->text (cons 'partial path)) "there is no such component in ~a, ~a~a"
+            (value->text s)
             (if (tuple? s)
                 (format "~a~a" (describe (adopt s)) (index-range (structure-length (adopt s))))
                 (describe s))
@@ -90,8 +90,7 @@
   (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n))))
 
 (define (raise-not-differentiable-at x who)
-  (complain "~a: cannot differentiate by ~a; expected a number or a tuple~a"
-            who (describe-with-value x)
+  (complain who "cannot differentiate by ~a; expected a number or a tuple~a" (describe-with-value x)
             (if (pair? x) list-hint "")))
 
 ;; partial takes indices only: ((partial 0 F) x) is the slip to explain.
@@ -100,8 +99,8 @@
     (unless (exact-nonnegative-integer? i)
       (cond [(procedure? i)
              (define indices (for/list ([j (in-list path)] #:unless (procedure? j)) j))
-             (complain "partial: takes only indices; the function comes next: (~a ~a)"
+             (complain 'partial "takes only indices; the function comes next: (~a ~a)"
                        (datum->text (cons 'partial indices)) (value->text i))]
-            [else (complain "partial: an index is a natural number; given ~a" (value->text i))])))
+            [else (complain 'partial "an index is a natural number; given ~a" (value->text i))])))
   (when (null? path)
-    (complain "partial: needs at least one index, as in (partial 0)")))
+    (complain 'partial "needs at least one index, as in (partial 0)")))

@@ -8,9 +8,9 @@
 
 (require "derivative-errors.rkt" "dual.rkt" "extract.rkt" "jet.rkt" "perturbed.rkt"
          "../algebra/expression/expression.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
-         "../numeric/failure.rkt"
          "../value/operator.rkt"
          "../value/linear/matrix.rkt"
          "../value/series/calculus.rkt" "../value/series/series.rkt")

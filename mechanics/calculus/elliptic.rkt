@@ -18,6 +18,7 @@
          "number.rkt" "perturbed.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/kind.rkt" "../generic/rounding.rkt"
+         "../numeric/constants.rkt"
          (prefix-in carlson: "../numeric/quadrature/elliptic-integrals.rkt"))
 
 (provide first-elliptic-integral second-elliptic-integral elliptic-integrals
@@ -25,8 +26,6 @@
          Jacobi-elliptic-functions)
 
 (lazy-require ["integral.rkt" (integrate)])
-
-(define half-pi (* 2.0 (atan 1.0)))
 
 ;; From b = 1e-300 on it takes 12 steps to rounding, 9 from 1e-8.
 (define steps 12)
@@ -47,7 +46,7 @@
 (define (first-elliptic-integral given)
   (define k (modulus 'first-elliptic-integral given))
   (define-values (as cs) (means k))
-  (g:/ half-pi (car as)))
+  (g:/ :pi/2 (car as)))
 
 (define (second-elliptic-integral given)
   (define k (modulus 'second-elliptic-integral given))
@@ -61,7 +60,7 @@
 
 (define (both k)
   (define-values (as cs) (means k))
-  (define K (g:/ half-pi (car as)))
+  (define K (g:/ :pi/2 (car as)))
   (define sum
     (for/fold ([sum 0.0]) ([c (in-list (reverse cs))] [n (in-naturals)])
       (g:+ sum (g:* (expt 2.0 (- n 1)) c c))))

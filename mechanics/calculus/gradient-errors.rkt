@@ -1,16 +1,15 @@
 #lang racket/base
 ;; What gradient and its kin say when they are misused.
 
-(require "../generic/complain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+(require "../error/complain.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
          (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt")
 
 (provide raise-not-scalar raise-takes-no-point check-increment check-covector)
 
 ;; f returned y where a scalar was wanted.
 (define (raise-not-scalar who f y)
-  (complain "~a: needs a function whose value is a scalar; ~a returned ~a~a"
-            who (function-name f) (describe y)
+  (complain who "needs a function whose value is a scalar; ~a returned ~a~a" (function-name f) (describe y)
             (cond [(tuple? y)
                    "\n  for the derivatives of all its scalars use jacobian"]
                   [(pair? y) "\n  a list is not a tuple; use (up x y ...)"]
@@ -23,20 +22,17 @@
 
 ;; f does not take one argument, the point.
 (define (raise-takes-no-point who f)
-  (complain "~a: needs a function of one argument, the point; ~a takes ~a\n  with several arguments, make it a function of the tuple of them"
-            who (function-name f) (arity->text f)))
+  (complain who "needs a function of one argument, the point; ~a takes ~a\n  with several arguments, make it a function of the tuple of them" (function-name f) (arity->text f)))
 
 ;; v must be shaped as the point x is.
 (define (check-increment who x v)
   (unless (same-shape? x v)
-    (complain "~a: the vector must be of the shape of the point\n  point: ~a\n  vector: ~a"
-              who (describe-with-value x) (describe-with-value v))))
+    (complain who "the vector must be of the shape of the point\n  point: ~a\n  vector: ~a" (describe-with-value x) (describe-with-value v))))
 
 ;; w must contract with the value y to a scalar.
 (define (check-covector who y w)
   (unless (and (same-shape? (flip y) w) (or (tuple? y) (scalar? y)))
-    (complain "~a: the covector must contract with the value to a scalar~a\n  value: ~a\n  covector: ~a"
-              who
+    (complain who "the covector must contract with the value to a scalar~a\n  value: ~a\n  covector: ~a"
               (if (tuple? y)
                   (format ": ~a goes with ~a" (describe (flip y)) (describe y))
                   "")

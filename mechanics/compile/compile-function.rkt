@@ -8,8 +8,9 @@
 
 (require racket/flonum
          "cache.rkt" "program.rkt" "trace.rkt"
-         "../generic/complain.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../numeric/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../numeric/constants.rkt"
          "../value/shape.rkt")
 
 (provide
@@ -78,8 +79,7 @@
 ;; f takes one structure.
 (define (check-function who f [expected "a function of one structure"])
   (unless (and (procedure? f) (accepts? f 1))
-    (complain "~a: expected ~a\n  given: ~a~a"
-              who expected (describe-with-value f)
+    (complain who "expected ~a\n  given: ~a~a" expected (describe-with-value f)
               (if (procedure? f)
                   (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
                           (arity->text f) (value->text f))
@@ -87,8 +87,8 @@
 
 (define (apply-to-flvector c input)
   (unless (flvector? input)
-    (complain "(compile-function ~a): takes an flvector, such as (flvector ~a)\n  given: ~a"
-              (value->text (compiled-function-datum c))
+    (complain (format "(compile-function ~a)" (value->text (compiled-function-datum c)))
+              "takes an flvector, such as (flvector ~a)\n  given: ~a"
               (if (= 1 (compiled-function-inputs c)) "1.0" "1.0 2.0 ...")
               (describe-with-value input)))
   (unless (= (flvector-length input) (compiled-function-inputs c))
@@ -136,9 +136,8 @@
 (define (moved to v varying)
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals)])
     (if (< k varying)
-        (to x (+ 0.1 (* 0.3 (- (* k golden) (floor (* k golden))))))
+        (to x (+ 0.1 (* 0.3 (- (* k golden-ratio) (floor (* k golden-ratio))))))
         x)))
-(define golden 0.6180339887498949)
 (define (opposite x d) (- (* -1.1 x) d))
 (define (nearby x d) (+ x (* 0.1 d (+ 1.0 (abs x)))))
 
@@ -159,4 +158,4 @@
       (<= (abs (- x y)) (* 1e-6 (+ 1e-3 (abs x) (abs y))))))
 
 (define (raise-not-a-number who what x)
-  (complain "~a: the ~a holds ~a; expected real numbers" who what (describe-with-value x)))
+  (complain who "the ~a holds ~a; expected real numbers" what (describe-with-value x)))

@@ -1,11 +1,8 @@
 #lang racket/base
 ;; Compilation, loaded when it is first used.
 
-(require racket/lazy-require)
+(require "../generic/provide-on-demand.rkt")
 
-(lazy-require
- ["compile-function.rkt" (compile-function compiled-function? compiled-function-reason
-                          compiled-function-operations)])
-
-(provide compile-function compiled-function? compiled-function-reason
-         compiled-function-operations)
+(provide-on-demand
+ ["compile-function.rkt" compile-function compiled-function? compiled-function-reason
+                         compiled-function-operations])

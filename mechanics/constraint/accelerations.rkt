@@ -15,11 +15,11 @@
 
 (require "constraint.rkt" "dependence.rkt" "linearized.rkt"
          "../calculus/derivative.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
-         "../numeric/failure.rkt"
          "../numeric/linear/rows.rkt"
          "../value/shape.rkt"
          "../value/linear/row-systems.rkt")

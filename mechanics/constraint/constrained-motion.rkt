@@ -13,12 +13,13 @@
 
 (require racket/flonum
          "accelerations.rkt" "constraint.rkt" "dependence.rkt" "linearized.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../motion/manifold.rkt"
-         "../numeric/failure.rkt"
+         "../numeric/constants.rkt"
          "../value/shape.rkt")
 
 (provide constrained-state-derivative consistent-state)
@@ -81,9 +82,7 @@
    (let ([xs (list->vector (scalars state))])
      (lambda (k)
        (define x (vector-ref xs k))
-       (+ x (* 1e-3 (+ 1 (abs x)) (- (* (+ k 1) golden) (floor (* (+ k 1) golden)))))))))
-
-(define golden 0.6180339887498949)
+       (+ x (* 1e-3 (+ 1 (abs x)) (- (* (+ k 1) golden-ratio) (floor (* (+ k 1) golden-ratio)))))))))
 
 (define (raise-singular-state who cs state)
   (define-values (t q v) (values (time state) (coordinate state) (velocity state)))

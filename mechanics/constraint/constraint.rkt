@@ -9,8 +9,9 @@
 ;; several constraints.  Constraints may also come one by one, as a list or an up tuple.
 
 (require "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
          "../value/shape.rkt" (only-in "../value/signature.rkt" scalar?)
          "../verdict/verdict.rkt")
 
@@ -47,7 +48,7 @@
 
 (define (check-function who f n arguments)
   (unless (and (of-functions? f) (accepts? f n))
-    (complain "~a: expected a function of ~a\n  given: ~a~a" who arguments
+    (complain who "expected a function of ~a\n  given: ~a~a" arguments
               (describe-with-value f)
               (cond [(not (of-functions? f)) ""]
                     [else (format ", which takes ~a~a" (arity->text f) (arity-hint who f))]))))
@@ -79,8 +80,7 @@
         [else
          (define parts (parts-of given))
          (unless (and parts (pair? parts) (andmap constraint? parts))
-           (complain "~a: expected a constraint, (holonomic G) or (nonholonomic A), ~a\n  given: ~a"
-                     who "or a list of them" (describe-with-value given)))
+           (complain who "expected a constraint, (holonomic G) or (nonholonomic A), ~a\n  given: ~a" "or a list of them" (describe-with-value given)))
          (constraint-set parts #f)]))
 
 (define (parts-of given)
@@ -99,9 +99,10 @@
   (define f (constraint-function c))
   (define value (if (holonomic? c) (f t q) (f t q v)))
   (unless (andmap scalar? (scalars value))
-    (complain (string-append "~a: the value of a constraint is a number, or an up tuple of numbers"
+    (complain who
+              (string-append "the value of a constraint is a number, or an up tuple of numbers"
                              "\n  constraint: ~a\n  value: ~a")
-              who (value->text (constraint->datum c)) (describe-with-value value)))
+              (value->text (constraint->datum c)) (describe-with-value value)))
   value)
 
 ;; One value for each constraint, as one value.
@@ -127,9 +128,10 @@
   (define curvature (derivative-at slope velocity))
   (unless (andmap (lambda (x) (eqv? x 0)) (scalars curvature))
     (when (refuted? (prove-zero curvature))
-      (complain (string-append "~a: a constraint must be linear in the velocities"
+      (complain who
+                (string-append "a constraint must be linear in the velocities"
                                "\n  constraint: ~a\n  its value: ~a")
-                who (value->text (constraint->datum c))
+                (value->text (constraint->datum c))
                 (value->text (value-of who c 't at velocity))))))
 
 (define (symbols-like q name)

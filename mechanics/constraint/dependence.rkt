@@ -2,8 +2,8 @@
 ;; Constraints that depend on each other, and directions without inertia: why a motion or
 ;; its multipliers are not determined, in words.
 
-(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../numeric/failure.rkt"
+(require "../error/failure.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../numeric/linear/rows.rkt"
          "../value/simplify.rkt"
          "../value/linear/row-systems.rkt")

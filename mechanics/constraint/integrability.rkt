@@ -15,10 +15,10 @@
          "../algebra/expression/operation.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../lagrangian/generic-state.rkt"
-         "../numeric/failure.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/linear/row-systems.rkt"
          "../verdict/verdict.rkt")

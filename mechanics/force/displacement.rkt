@@ -27,8 +27,7 @@
   (check-positions who r)
   (function-of (local dq) (lambda () (list who (value->datum r)))
     (unless (local-tuple? local)
-      (complain "~a: expected a local tuple (up t q v), then a displacement; given ~a"
-                who (describe-with-value local)))
+      (complain who "expected a local tuple (up t q v), then a displacement; given ~a" (describe-with-value local)))
     (check-displacement who dq (coordinate local))
     (define-values (positions changes)
       (motion-at who r (time local) (coordinate local) 0 dq))

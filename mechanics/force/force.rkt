@@ -14,8 +14,7 @@
 (define (potential->force V)
   (define who 'potential->force)
   (unless (takes? V 2)
-    (complain "~a: a potential energy is a function of the time and the positions, ~a; given ~a~a"
-              who "(V t r)" (describe-with-value V)
+    (complain who "a potential energy is a function of the time and the positions, ~a; given ~a~a" "(V t r)" (describe-with-value V)
               (if (procedure? V) (format "\n  it takes ~a" (arity->text V)) "")))
   (define slope ((partial 1) (scalar-potential who V)))
   (function-of (t r v) (lambda () (list who (value->datum V)))
@@ -24,14 +23,12 @@
 (define ((scalar-potential who V) t positions)
   (define value (V t positions))
   (unless (scalar? value)
-    (complain "~a: the value of a potential energy is a number, but that of ~a is ~a"
-              who (value->text V) (describe-with-value value)))
+    (complain who "the value of a potential energy is a number, but that of ~a is ~a" (value->text V) (describe-with-value value)))
   value)
 
 (define (check-force who F)
   (unless (takes? F 3)
-    (complain "~a: forces are a function of the time, positions and velocities, ~a; given ~a~a"
-              who "(F t r v)" (describe-with-value F)
+    (complain who "forces are a function of the time, positions and velocities, ~a; given ~a~a" "(F t r v)" (describe-with-value F)
               (cond [(or (tuple? F) (not (procedure? F)))
                      (if (or (scalar? F) (tuple? F))
                          "\n  a constant force is (lambda (t r v) ...)"
@@ -45,8 +42,7 @@
 (define (forces-at who F t positions velocities)
   (define forces (F t positions velocities))
   (unless (fits? forces positions)
-    (complain "~a: the forces must be like the positions\n  positions: ~a\n  forces: ~a~a"
-              who (value->text positions) (value->text forces) (difference forces positions)))
+    (complain who "the forces must be like the positions\n  positions: ~a\n  forces: ~a~a" (value->text positions) (value->text forces) (difference forces positions)))
   forces)
 
 (define (fits? force position)

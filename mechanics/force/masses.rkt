@@ -11,8 +11,7 @@
 (define (check-masses who masses)
   (unless (or (scalar? masses)
               (and (pair? masses) (list? masses) (andmap scalar? masses)))
-    (complain "~a: expected a mass, or a list of the masses of several particles; given ~a~a"
-              who (describe-with-value masses)
+    (complain who "expected a mass, or a list of the masses of several particles; given ~a~a" (describe-with-value masses)
               (cond [(tuple? masses)
                      (format "\n  as a list: ~a"
                              (cons 'list (cdr (value->datum (adopt masses)))))]
@@ -27,14 +26,14 @@
          (unless (and (tuple? positions) (= n (structure-length (adopt positions))))
            (raise-wrong-count who n positions))]
         [particles
-         (complain (string-append "~a: there is one mass, but the positions are those of ~a"
+         (complain who
+                   (string-append "there is one mass, but the positions are those of ~a"
                                   "\n  positions: ~a"
                                   "\n  several masses are a list: (list m1 m2 ...)")
-                   who (plural particles) (value->text positions))]))
+                   (plural particles) (value->text positions))]))
 
 (define (raise-wrong-count who n positions)
-  (complain "~a: there ~a, but the positions are those of ~a\n  positions: ~a~a"
-            who (if (= n 1) "is 1 mass in the list" (format "are ~a masses" n))
+  (complain who "there ~a, but the positions are those of ~a\n  positions: ~a~a" (if (= n 1) "is 1 mass in the list" (format "are ~a masses" n))
             (plural (if (tuple? positions) (structure-length (adopt positions)) 1))
             (value->text positions)
             (if (= n 1) "\n  the mass of a particle alone stands by itself, in no list" "")))

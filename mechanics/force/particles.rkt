@@ -8,8 +8,9 @@
 ;; Here is checked what the user gives; what is computed is in the files beside this one.
 
 (require "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/signature.rkt" scalar?))
 
@@ -51,8 +52,7 @@
 
 (define (check-positions who r)
   (unless (takes? r 2)
-    (complain "~a: positions are a function of the time and the coordinates, ~a; given ~a~a"
-              who "(r t q)" (describe-with-value r)
+    (complain who "positions are a function of the time and the coordinates, ~a; given ~a~a" "(r t q)" (describe-with-value r)
               (cond [(or (tuple? r) (not (procedure? r))) ""]
                     [(accepts? r 1)
                      (string-append "\n  it takes one argument: the time comes first, "
@@ -65,22 +65,21 @@
   (define spaces (particles-in-space positions))
   (for ([space (in-list spaces)])
     (unless (= (cdr space) (cdar spaces))
-      (complain (string-append "~a: the particles are in spaces of different dimension"
+      (complain who
+                (string-append "the particles are in spaces of different dimension"
                                "\n  particle ~a: ~a coordinates\n  particle ~a: ~a coordinates"
                                "\n  positions: ~a")
-                who (caar spaces) (cdar spaces) (car space) (cdr space)
+                (caar spaces) (cdar spaces) (car space) (cdr space)
                 (value->text positions)))))
 
 (define (check-ups who r part whole)
   (cond [(down? part)
-         (complain "~a: positions are up tuples; ~a has the value ~a~a"
-                   who (value->text r) (value->text whole)
+         (complain who "positions are up tuples; ~a has the value ~a~a" (value->text r) (value->text whole)
                    (if (eq? part whole) "" (format ", of which a part is ~a" (value->text part))))]
         [(tuple? part)
          (for ([p (in-vector (structure-elements (adopt part)))]) (check-ups who r p whole))]
         [(not (scalar? part))
-         (complain "~a: positions are tuples of scalars; ~a has the value ~a~a"
-                   who (value->text r) (value->text whole)
+         (complain who "positions are tuples of scalars; ~a has the value ~a~a" (value->text r) (value->text whole)
                    (cond [(pair? part) "\n  a list is not a tuple; use (up x y ...)"]
                          [(procedure? part)
                           (format "\n  of which a part is ~a" (describe-with-value part))]
@@ -99,7 +98,7 @@
 
 (define (check-local who local)
   (unless (and (local-tuple? local) (>= (structure-length (adopt local)) 3))
-    (complain "~a: expected a local tuple (up t q v); given ~a~a" who (describe-with-value local)
+    (complain who "expected a local tuple (up t q v); given ~a~a" (describe-with-value local)
               (if (pair? local) "\n  a list is not a tuple; use (up t q v)" "")))
   (check-alike who "velocities" (velocity local) (coordinate local)))
 
@@ -108,7 +107,6 @@
 
 (define (check-alike who what given q)
   (unless (same-shape? given q)
-    (complain "~a: the ~a must be like the coordinates~a\n  coordinates: ~a\n  ~a: ~a"
-              who what
+    (complain who "the ~a must be like the coordinates~a\n  coordinates: ~a\n  ~a: ~a" what
               (if (and (down? given) (up? q)) ", an up tuple" "")
               (value->text q) what (value->text given))))

@@ -6,7 +6,7 @@
 ;; from where it could be understood.
 
 (require "describe.rkt"
-         "../numeric/failure.rkt")
+         "../error/failure.rkt")
 
 (provide raise-no-derivative-at)
 

@@ -11,9 +11,9 @@
 
 (require "external-force.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
-         "../numeric/failure.rkt"
          "../value/compose.rkt"
          "../value/linear/linear-algebra.rkt")
 

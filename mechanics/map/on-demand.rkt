@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Maps of the plane, loaded when they are first used.
 
-(require racket/lazy-require)
+(require "../generic/provide-on-demand.rkt")
 
-(lazy-require ["iterated-map.rkt" (iterated-map)])
-
-(provide iterated-map)
+(provide-on-demand
+ ["iterated-map.rkt" iterated-map])

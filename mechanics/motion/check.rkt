@@ -3,8 +3,9 @@
 
 (require racket/flonum
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../generic/compare.rkt" "../generic/complain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
+         "../error/complain.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/up-down.rkt"
          "../value/shape.rkt")
 
 (provide
@@ -54,7 +55,7 @@
     (complain-of who "expected the most steps to take, a positive integer" x)))
 
 (define (complain-of who what x [hint ""])
-  (complain "~a: ~a\n  given: ~a~a" who what (describe-with-value x)
+  (complain who "~a\n  given: ~a~a" what (describe-with-value x)
             (cond [(symbolic? x) "\n  give its symbols values first"]
                   [(list? x) list-hint]
                   [else hint])))
@@ -68,12 +69,11 @@
 ;; `monitor-theta` without its frame, and would show nothing of any state.
 (define (checked-monitor who f)
   (unless (and (procedure? f) (accepts? f 1))
-    (complain "~a: expected a monitor, a procedure of one state\n  given: ~a" who
+    (complain who "expected a monitor, a procedure of one state\n  given: ~a"
               (describe-function f)))
   (define (check-shown . values)
     (for ([v (in-list values)] #:when (pointwise? v))
-      (complain "~a: the monitor returns a function; it does nothing with the state\n  monitor: ~a~a"
-                who (describe-with-value f) (parameters-hint f))))
+      (complain who "the monitor returns a function; it does nothing with the state\n  monitor: ~a~a" (describe-with-value f) (parameters-hint f))))
   (lambda (state) (call-with-values (lambda () (f state)) check-shown)))
 
 (define (parameters-hint f)
@@ -82,14 +82,14 @@
 ;; maker : what is to make a state derivative of that many parameters
 (define (check-maker who maker parameters)
   (unless (procedure? maker)
-    (complain "~a: expected a procedure that makes a state derivative\n  given: ~a"
-              who (describe-with-value maker)))
+    (complain who "expected a procedure that makes a state derivative\n  given: ~a" (describe-with-value maker)))
   (unless (or (accepts? maker (length parameters)) (takes-state-only? maker parameters))
     (complain
+     who
      (string-append
-      "~a: expected as many parameters as the maker of the state derivative takes"
+      "expected as many parameters as the maker of the state derivative takes"
       "\n  maker: ~a, which takes ~a\n  parameters: ~a~a")
-     who (describe-with-value maker) (arity->text maker)
+     (describe-with-value maker) (arity->text maker)
      (if (null? parameters) "none" (value->text parameters))
      (if (takes-state-only? maker '())
          "\n  a state derivative itself is given without parameters"
@@ -124,8 +124,7 @@
   y)
 
 (define (raise-no-state who state x)
-  (complain "~a: expected a state of real numbers; ~a is none\n  state: ~a~a"
-            who (describe-with-value x) (value->text state)
+  (complain who "expected a state of real numbers; ~a is none\n  state: ~a~a" (describe-with-value x) (value->text state)
             (cond [(pair? x) list-hint]
                   [(symbolic? x) "\n  give its symbols values first"]
                   [else ""])))
@@ -134,13 +133,11 @@
 (define (check-derivative who derivative state)
   (define y (state-vector who state))
   (unless (and (procedure? derivative) (accepts? derivative 1))
-    (complain "~a: expected a state derivative, a function of the state\n  given: ~a~a"
-              who (describe-function derivative)
+    (complain who "expected a state derivative, a function of the state\n  given: ~a~a" (describe-function derivative)
               (if (pointwise? derivative) (parameters-hint derivative) "")))
   (define slope (derivative (flvector->structure state y)))
   (unless (same-shape? slope state)
-    (complain "~a: the state derivative is of another shape than the state~a~a~a"
-              who
+    (complain who "the state derivative is of another shape than the state~a~a~a"
               (field "state" state) (field "derivative" slope)
               (cond [(and (tuple? state) (real? slope))
                      "\n  (Lagrangian->state-derivative L) makes a state derivative of a Lagrangian"]
@@ -154,12 +151,10 @@
 (define (raise-no-derivative who slope x)
   (define symbols (if (symbolic? x) (symbols-in x) '()))
   (cond [(pair? symbols)
-         (complain "~a: the symbol ~a is left in the state derivative~a\n  ~a"
-                   who (car symbols) (field "state derivative" slope)
+         (complain who "the symbol ~a is left in the state derivative~a\n  ~a" (car symbols) (field "state derivative" slope)
                    "give it as a parameter, or substitute a number for it")]
         [else
-         (complain "~a: the state derivative holds ~a; expected real numbers~a"
-                   who (describe-with-value x) (field "state derivative" slope))]))
+         (complain who "the state derivative holds ~a; expected real numbers~a" (describe-with-value x) (field "state derivative" slope))]))
 
 (define (field label x) (format "\n  ~a: ~a" label (value->text x)))
 

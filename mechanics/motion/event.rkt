@@ -14,9 +14,9 @@
          "check.rkt"
          "../algebra/expression/expression.rkt"
          "../compile/compile-function.rkt"
+         "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt"
-         "../numeric/failure.rkt"
          "../value/shape.rkt")
 
 (provide event event? event-f event-direction event-terminal?

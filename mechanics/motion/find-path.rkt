@@ -12,9 +12,10 @@
 
 (require racket/flonum
          "check.rkt" "path-action.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
-         "../numeric/failure.rkt" "../numeric/progress.rkt"
+         "../numeric/progress.rkt"
          "../numeric/linear/definite.rkt"
          "../numeric/search/newton.rkt" "../numeric/search/quasi-newton.rkt"
          "../value/shape.rkt")

@@ -1,28 +1,17 @@
 #lang racket/base
 ;; Integration, loaded when it is first used.
 
-(require racket/lazy-require
-         "choice.rkt")
+(require "choice.rkt"
+         "../generic/provide-on-demand.rkt")
 
-(lazy-require
- ["evolution.rkt" (state-advancer evolve)]
- ["single-step.rkt" (free-run-state-advancer ode-advancer advance-beyond)]
- ["trajectory.rkt" (evolve-trajectory
-                    trajectory? trajectory-start trajectory-end trajectory-final-state
-                    trajectory-states trajectory-events)]
- ["event.rkt" (event event? occurrence? occurrence-event occurrence-time occurrence-state)]
- ["find-path.rkt" (find-path)]
- ["method.rkt" (leapfrog Yoshida-4 Yoshida-6 Yoshida-8
-                Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)])
+(provide set-ode-integration-method! ode-integration-method integration-method? ode-precision)
 
-(provide
- state-advancer evolve
- free-run-state-advancer ode-advancer advance-beyond
- evolve-trajectory
- trajectory? trajectory-start trajectory-end trajectory-final-state
- trajectory-states trajectory-events
- event event? occurrence? occurrence-event occurrence-time occurrence-state
- find-path
- set-ode-integration-method! ode-integration-method integration-method? ode-precision
- leapfrog Yoshida-4 Yoshida-6 Yoshida-8
- Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)
+(provide-on-demand
+ ["evolution.rkt" state-advancer evolve]
+ ["single-step.rkt" free-run-state-advancer ode-advancer advance-beyond]
+ ["trajectory.rkt" evolve-trajectory trajectory? trajectory-start trajectory-end
+                   trajectory-final-state trajectory-states trajectory-events]
+ ["event.rkt" event event? occurrence? occurrence-event occurrence-time occurrence-state]
+ ["find-path.rkt" find-path]
+ ["method.rkt" leapfrog Yoshida-4 Yoshida-6 Yoshida-8 Gauss-Legendre-2 Gauss-Legendre-4
+               Gauss-Legendre-6])

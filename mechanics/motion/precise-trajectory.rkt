@@ -1,8 +1,9 @@
 #lang racket/base
 ;; Trajectories in numbers of higher precision, as trajectory.rkt makes them of flonums.
 
-(require "event.rkt" "plan.rkt" "precise.rkt" "precise-event.rkt"
-         "../numeric/failure.rkt" "../numeric/progress.rkt")
+(require "event.rkt" "plan.rkt" "precise-event.rkt" "precise.rkt"
+         "../error/failure.rkt"
+         "../numeric/progress.rkt")
 
 (provide follow-precise-trajectory)
 

@@ -8,8 +8,9 @@
 (require math/bigfloat
          "check.rkt" "manifold.rkt" "plan.rkt" "sample-times.rkt" "system.rkt"
          "../compile/bigfloat-function.rkt"
+         "../error/failure.rkt"
          "../generic/describe.rkt"
-         "../numeric/failure.rkt" "../numeric/progress.rkt"
+         "../numeric/progress.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
          (only-in "../value/bigfloat.rkt" [bigfloat rounded]))
 

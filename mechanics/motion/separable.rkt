@@ -10,7 +10,8 @@
 
 (require racket/flonum
          "system.rkt"
-         "../generic/complain.rkt" "../generic/describe.rkt"
+         "../error/complain.rkt"
+         "../generic/describe.rkt"
          "../numeric/ode/stepper.rkt")
 
 (provide check-separable)
@@ -59,14 +60,16 @@
          (fl> change (fl* 1e-9 (flmax (flabs x) (flabs y)))))))
 
 (define (raise-odd who m s y)
-  (complain (string-append "~a: ~a takes states of a time, some coordinates and as many "
+  (complain who
+            (string-append "~a takes states of a time, some coordinates and as many "
                            "velocities or momenta\n  state: ~a~a")
-            who (method-name m) (value->text (system-state s y)) (instead m)))
+            (method-name m) (value->text (system-state s y)) (instead m)))
 
 (define (raise-not-separable who m rates what)
-  (complain (string-append "~a: ~a moves coordinates and velocities in turn; "
+  (complain who
+            (string-append "~a moves coordinates and velocities in turn; "
                            "here the rates of the ~a depend on the ~a~a")
-            who (method-name m) rates what (instead m)))
+            (method-name m) rates what (instead m)))
 
 (define (instead m)
   (format "\n  use ~a, or a method that chooses its own steps"

@@ -3,8 +3,9 @@
 
 (require racket/flonum
          "check.rkt" "system.rkt"
+         "../error/failure.rkt"
          "../generic/describe.rkt"
-         "../numeric/failure.rkt" "../numeric/ode/stepper.rkt"
+         "../numeric/ode/stepper.rkt"
          "../value/shape.rkt")
 
 (provide raise-stuck)

@@ -3,7 +3,7 @@
 ;; interval, a tolerance.  Each is checked here, with a message that says what is
 ;; wrong with it.
 
-(require "failure.rkt")
+(require "../error/failure.rkt")
 
 (provide sample check-finite check-tolerance)
 

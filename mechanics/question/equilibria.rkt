@@ -7,11 +7,12 @@
 (require "equilibrium.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/rewriting/solve.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/total-derivative.rkt"
-         "../numeric/failure.rkt"
+         "../numeric/constants.rkt"
          "../search/find-root.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../verdict/verdict.rkt")
@@ -44,8 +45,6 @@
        (not (zero? turns))
        (<= (abs (- x (* turns (/ pi 2)))) (* 4e-16 (abs x)))
        (e:* (inexact->exact turns) (make-node op:acos '(0)))))
-
-(define pi 3.141592653589793)
 
 ;; A list of them, by formulas in the parameters.
 (define (equilibria L local #:force [force #f])

@@ -20,10 +20,10 @@
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"
          "../calculus/expression-function.rkt" "../calculus/integral.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
-         "../numeric/failure.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
          "../verdict/verdict.rkt")
 

@@ -1,29 +1,16 @@
 #lang racket/base
 ;; What is asked about a system, loaded when it is first asked.
 
-(require racket/lazy-require)
+(require "../generic/provide-on-demand.rkt")
 
-(lazy-require
- ["conserved.rkt" (rate-of-change verify-conserved)]
- ["equilibria.rkt" (verify-equilibrium equilibria find-equilibrium
-                    equilibrium? equilibrium-coordinates equilibrium-conditions)]
- ["equivalence.rkt" (verify-equivalent-Lagrangians compare-Lagrangians
-                     equivalence? equivalence-kind equivalence-factor equivalence-gauge
-                     equivalence-verdict)]
- ["gauge.rkt" (verify-total-time-derivative gauge-function)]
- ["stability.rkt" (equilibrium-stability stability? stability-kind stability-conditions)]
- ["ignorable.rkt" (verify-ignorable ignorable-coordinates conserved-momenta)]
- ["small-oscillations.rkt" (mass-matrix stiffness-matrix gyroscopic-matrix
-                            normal-modes small-oscillation-frequencies)])
-
-(provide rate-of-change verify-conserved
-         verify-total-time-derivative gauge-function
-         verify-equivalent-Lagrangians compare-Lagrangians
-         equivalence? equivalence-kind equivalence-factor equivalence-gauge
-         equivalence-verdict
-         verify-equilibrium equilibria find-equilibrium
-         equilibrium? equilibrium-coordinates equilibrium-conditions
-         equilibrium-stability stability? stability-kind stability-conditions
-         verify-ignorable ignorable-coordinates conserved-momenta
-         mass-matrix stiffness-matrix gyroscopic-matrix
-         normal-modes small-oscillation-frequencies)
+(provide-on-demand
+ ["conserved.rkt" rate-of-change verify-conserved]
+ ["equilibria.rkt" verify-equilibrium equilibria find-equilibrium equilibrium?
+                   equilibrium-coordinates equilibrium-conditions]
+ ["equivalence.rkt" verify-equivalent-Lagrangians compare-Lagrangians equivalence?
+                    equivalence-kind equivalence-factor equivalence-gauge equivalence-verdict]
+ ["gauge.rkt" verify-total-time-derivative gauge-function]
+ ["stability.rkt" equilibrium-stability stability? stability-kind stability-conditions]
+ ["ignorable.rkt" verify-ignorable ignorable-coordinates conserved-momenta]
+ ["small-oscillations.rkt" mass-matrix stiffness-matrix gyroscopic-matrix normal-modes
+                           small-oscillation-frequencies])

@@ -10,8 +10,8 @@
 (require racket/flonum
          "implicit.rkt"
          "../calculus/derivative.rkt" "../calculus/number.rkt" "../calculus/perturbed.rkt"
+         "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt"
-         "../numeric/failure.rkt"
          "../numeric/search/brent-root.rkt" "../numeric/search/newton.rkt"
          "../value/shape.rkt")
 

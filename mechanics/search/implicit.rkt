@@ -11,8 +11,8 @@
 ;; the sum of the orders of all ε there are vanish, and with them the error.
 
 (require "../calculus/jet.rkt" "../calculus/perturbed.rkt" "../calculus/recorded.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt"
-         "../numeric/failure.rkt"
          "../numeric/linear/flonum-systems.rkt" "../numeric/linear/rows.rkt"
          "../value/shape.rkt")
 

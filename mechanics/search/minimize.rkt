@@ -3,9 +3,10 @@
 
 (require racket/flonum
          "../calculus/gradient.rkt" "../calculus/number.rkt"
+         "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
-         "../numeric/failure.rkt" "../numeric/progress.rkt" "../numeric/sample.rkt"
+         "../numeric/progress.rkt" "../numeric/sample.rkt"
          (prefix-in numeric: "../numeric/search/brent-minimum.rkt")
          "../numeric/search/golden-section.rkt"
          (prefix-in numeric: "../numeric/search/nelder-mead.rkt")

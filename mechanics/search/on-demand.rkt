@@ -1,14 +1,9 @@
 #lang racket/base
 ;; Minima, roots and derivatives from values, loaded when they are first looked for.
 
-(require racket/lazy-require)
+(require "../generic/provide-on-demand.rkt")
 
-(lazy-require
- ["minimize.rkt" (minimize brent-min golden-section-min
-                 multidimensional-minimize nelder-mead)]
- ["numeric-derivative.rkt" (D-numeric richardson-derivative)]
- ["find-root.rkt" (find-root newton-search bisect zbrent)])
-
-(provide minimize brent-min golden-section-min multidimensional-minimize nelder-mead
-         find-root newton-search bisect zbrent
-         D-numeric richardson-derivative)
+(provide-on-demand
+ ["minimize.rkt" minimize brent-min golden-section-min multidimensional-minimize nelder-mead]
+ ["numeric-derivative.rkt" D-numeric richardson-derivative]
+ ["find-root.rkt" find-root newton-search bisect zbrent])

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Angles brought back to one turn (SICM 1.7, p. 76).
 
-(require "constants.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+(require "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/rounding.rkt" "../generic/tracing.rkt" "../generic/up-down.rkt")
+         "../generic/rounding.rkt" "../generic/tracing.rkt" "../generic/up-down.rkt"
+         "../numeric/constants.rkt")
 
 (provide principal-value)
 

@@ -4,6 +4,7 @@
 (require "assumptions.rkt"
          "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
          "../algebra/simplify/simplify-expression.rkt"
+         "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt")
 
 (provide expression simplify simplify/assumptions as-shown substitute with-literals)
@@ -66,14 +67,14 @@
    x))
 
 (define (raise-nothing-to-replace x)
-  (complain "expected an expression, or a tuple or matrix of them; given ~a~a"
+  (complain 'substitute "expected an expression, or a tuple or matrix of them; given ~a~a"
             (describe-with-value x)
             (if (procedure? x) "\n  apply the function first, and substitute in its value" "")))
 
 (define (pair-up xs)
   (cond [(null? xs) '()]
         [(null? (cdr xs))
-         (complain "expected a value, then each name with its replacement: ~a\n  ~a: ~a"
+         (complain 'substitute "expected a value, then each name with its replacement: ~a\n  ~a: ~a"
                    "(substitute x 'm 2 'k 3)"
                    "without a replacement" (describe-with-value (car xs)))]
         [else
@@ -82,15 +83,11 @@
 
 (define (check-replacement name replacement)
   (unless (symbolic? name)
-    (complain "expected a symbol or an expression to replace\n  given: ~a"
+    (complain 'substitute "expected a symbol or an expression to replace\n  given: ~a"
               (describe-with-value name)))
   (unless (expression? replacement)
-    (complain "expected a number or an expression as replacement\n  given: ~a"
+    (complain 'substitute "expected a number or an expression as replacement\n  given: ~a"
               (describe-with-value replacement))))
-
-(define (complain text . parts)
-  (raise (exn:fail:contract (string-append "substitute: " (apply format text parts))
-                            (current-continuation-marks))))
 
 ;; (with-literals (m k) body ...): the names stand for the symbols.
 (define-syntax-rule (with-literals (name ...) body ...)

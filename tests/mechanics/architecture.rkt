@@ -21,7 +21,8 @@
 ;; floors below and on its own; `facade` stands for the files directly in
 ;; mechanics/.
 (define floors
-  '((numeric algebra)
+  '((error)
+    (numeric algebra)
     (generic)
     (value)
     (verdict)
@@ -84,9 +85,11 @@
 
 ;; These leave no trace in the compiled requires.
 (define (lazy-imports path)
+  (define (requirable? clause) (and (pair? clause) (not (eq? (car clause) 'file))))
   (define (paths form)
     (cond [(not (pair? form)) '()]
-          [(and (eq? (car form) 'lazy-require) (list? form))
+          [(and (memq (car form) '(lazy-require provide-on-demand)) (list? form)
+                (andmap requirable? (cdr form)))
            (for/list ([clause (in-list (cdr form))])
              (file-of (resolve-module-path (car clause) path)))]
           [else (append (paths (car form)) (paths (cdr form)))]))

@@ -14,11 +14,10 @@
 (require "factor.rkt"
          "../expression/evaluate.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/symbols.rkt"
-         "../simplify/simplify-expression.rkt")
+         "../simplify/simplify-expression.rkt"
+         "../../numeric/constants.rkt")
 
 (provide solve-equations expression-factors)
-
-(define pi 3.141592653589793)
 
 ;; equations : expressions that are to vanish; unknowns : symbols; A : assumptions
 ;; -> a list of solutions (((unknown . expression) ...) condition ...), where an unknown

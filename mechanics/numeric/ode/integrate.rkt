@@ -10,7 +10,8 @@
 ;; that was good.
 
 (require racket/flonum
-         "../failure.rkt" "step-size.rkt" "stepper.rkt" "vectors.rkt")
+         "step-size.rkt" "stepper.rkt" "vectors.rkt"
+         "../../error/failure.rkt")
 
 (provide integrate integrate-step)
 

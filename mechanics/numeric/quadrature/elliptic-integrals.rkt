@@ -12,9 +12,9 @@
 ;; s = sin φ, c = cos φ, q = 1 − k² s², for |φ| ≤ π/2; beyond that complete integrals
 ;; add up.
 
-(provide F E)
+(require "../constants.rkt")
 
-(define pi (* 4.0 (atan 1.0)))
+(provide F E)
 
 (define (F phi k) (beyond-quarter first-kind phi k))
 (define (E phi k) (beyond-quarter second-kind phi k))

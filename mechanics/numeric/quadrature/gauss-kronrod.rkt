@@ -25,7 +25,8 @@
 ;; and slowly varying functions with little.
 
 (require racket/flonum
-         "../failure.rkt" "../sample.rkt")
+         "../sample.rkt"
+         "../../error/failure.rkt")
 
 (provide
  quadrature            ; (quadrature f low high) -> flonum

@@ -7,7 +7,8 @@
 ;; Pₙ₋₁ come from the recurrence k Pₖ = (2k − 1) x Pₖ₋₁ − (k − 1) Pₖ₋₂, and with
 ;; Pₙ' = n (x Pₙ − Pₙ₋₁)/(x² − 1) the weight is 2/((1 − x²) Pₙ'²).
 
-(require racket/flonum)
+(require racket/flonum
+         "../constants.rkt")
 
 (provide gauss-legendre-rule)
 
@@ -21,8 +22,6 @@
     (flvector-set! nodes (- n 1 i) x)
     (flvector-set! weights (- n 1 i) (/ 2.0 (* (- 1.0 (* x x)) slope slope))))
   (values nodes weights))
-
-(define pi (* 4.0 (atan 1.0)))
 
 (define (refine n x)
   (let loop ([x x] [left 10])

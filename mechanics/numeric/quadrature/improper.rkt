@@ -9,7 +9,8 @@
 ;; rounding; there the interval is divided.
 
 (require "gauss-kronrod.rkt" "oscillating.rkt" "singular-end.rkt"
-         "../failure.rkt" "../sample.rkt")
+         "../sample.rkt"
+         "../../error/failure.rkt")
 
 (provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum, error bound
 

@@ -8,8 +8,8 @@
 ;; So the function must be seen to decay, here and very far away.
 
 (require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
-         "../failure.rkt"
-         "../search/brent-root.rkt")
+         "../search/brent-root.rkt"
+         "../../error/failure.rkt")
 
 (provide oscillating-quadrature)
 

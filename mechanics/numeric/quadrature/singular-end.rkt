@@ -10,7 +10,7 @@
 ;; of gauss-kronrod.rkt makes of it.
 
 (require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
-         "../failure.rkt")
+         "../../error/failure.rkt")
 
 (provide integral-towards)
 

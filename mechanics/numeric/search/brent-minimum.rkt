@@ -18,7 +18,8 @@
 ;; relative tolerance below the square root of 2⁻⁵² asks for what they cannot
 ;; tell; on equal values the best point stays where it is.
 
-(require "../failure.rkt" "../sample.rkt")
+(require "../constants.rkt" "../sample.rkt"
+         "../../error/failure.rkt")
 
 (provide minimize)     ; (minimize f low high) -> (list argument value steps)
 
@@ -27,9 +28,6 @@
 ;; best, second, third : points by value; last, before : the last two steps;
 ;; count : steps taken.
 (struct search (low high best second third last before count) #:authentic)
-
-;; The part of the bracket a golden step takes: (3 − √5)/2.
-(define golden 0.3819660112501051)
 
 ;; (observe x y) is called for each point tried.
 ;; The argument is right to `tolerance` times its own size or, near zero, times
@@ -49,7 +47,7 @@
     p)
   (define a (real->double-flonum (min low high)))
   (define b (real->double-flonum (max low high)))
-  (define start (at (+ a (* golden (- b a)))))
+  (define start (at (+ a (* golden-part (- b a)))))
   (descend (search a b start start start 0.0 0.0 0)
            (resolution tolerance (- b a)) at limit who))
 
@@ -79,7 +77,7 @@
   (define x (point-x (search-best s)))
   (define vertex (parabolic-step s near))
   (define reach (golden-reach s))
-  (define step (or vertex (* golden reach)))
+  (define step (or vertex (* golden-part reach)))
   (define trial (at (+ x (at-least near step))))
   (update s trial step (if vertex (search-last s) reach)))
 

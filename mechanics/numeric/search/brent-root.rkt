@@ -16,7 +16,8 @@
 ;; the bracket is otherwise.  So convergence is of order 1.8 for smooth functions and
 ;; never much slower than bisection.
 
-(require "../failure.rkt" "../sample.rkt")
+(require "../sample.rkt"
+         "../../error/failure.rkt")
 
 ;; (method f low high) -> root, how far off it may be, evaluations
 (provide bracketed-root bisected-root)

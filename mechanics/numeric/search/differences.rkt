@@ -19,7 +19,8 @@
 ;; difference, (f(x + h) − 2 f(x) + f(x − h))/h, does not fall with h.
 
 (require racket/flonum
-         "../failure.rkt" "../sample.rkt")
+         "../sample.rkt"
+         "../../error/failure.rkt")
 
 (provide difference-derivative)
 

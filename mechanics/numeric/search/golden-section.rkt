@@ -7,12 +7,11 @@
 ;; takes one evaluation and leaves 1 − a = 0.618 of the interval.  No function with
 ;; one minimum is harder than any other.
 
-(require "../failure.rkt" "../sample.rkt")
+(require "../constants.rkt" "../sample.rkt"
+         "../../error/failure.rkt")
 
 ;; (golden-section f low high) -> (list argument value steps)
 (provide golden-section width-at-most)
-
-(define golden 0.3819660112501051)
 
 (struct point (x y) #:authentic)
 
@@ -31,7 +30,7 @@
   (define (between p q part) (at (+ (point-x p) (* part (- (point-x q) (point-x p))))))
   (define a (at (real->double-flonum (min low high))))
   (define b (at (real->double-flonum (max low high))))
-  (let loop ([a a] [left (between a b golden)] [right (between b a golden)] [b b] [count 0])
+  (let loop ([a a] [left (between a b golden-part)] [right (between b a golden-part)] [b b] [count 0])
     (define best (if (<= (point-y left) (point-y right)) left right))
     (cond
       [(done? (point-x a) (point-x best) (point-x b) (point-y a) (point-y best) (point-y b) count)
@@ -39,8 +38,8 @@
       [(>= count limit)
        (raise-not-convergent who "no minimum found" (point-x best) (- (point-x b) (point-x a))
                              "steps" count)]
-      [(eq? best left) (loop a (between a right golden) left right (+ count 1))]
-      [else (loop left right (between b left golden) b (+ count 1))])))
+      [(eq? best left) (loop a (between a right golden-part) left right (+ count 1))]
+      [else (loop left right (between b left golden-part) b (+ count 1))])))
 
 ;; The interval is no longer than the tolerance times the size of the argument or, near
 ;; zero, times a hundredth of its first length.

@@ -10,7 +10,7 @@
 ;; collapse before it arrives.
 
 (require racket/flonum
-         "../failure.rkt")
+         "../../error/failure.rkt")
 
 (provide nelder-mead)
 

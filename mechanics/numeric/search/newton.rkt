@@ -14,8 +14,9 @@
 ;; where J has an inverse each step squares the error.
 
 (require racket/flonum
-         "../failure.rkt" "../sample.rkt"
-         "../linear/flonum-systems.rkt")
+         "../sample.rkt"
+         "../linear/flonum-systems.rkt"
+         "../../error/failure.rkt")
 
 (provide newton)
 

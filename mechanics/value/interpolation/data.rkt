@@ -4,8 +4,9 @@
 ;; Points are real numbers.  Values are anything that can be added and multiplied by
 ;; numbers: numbers, symbols, tuples of them.
 
-(require "../../generic/compare.rkt" "../../generic/complain.rkt" "../../generic/describe.rkt"
-         "../../generic/tracing.rkt" "../../generic/up-down.rkt")
+(require "../../error/complain.rkt"
+         "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/tracing.rkt"
+         "../../generic/up-down.rkt")
 
 (provide points values-at check-increasing check-distinct
          location complain)
@@ -14,17 +15,16 @@
 (define (->vector who what xs)
   (cond [(list? xs) (list->vector xs)]
         [(tuple? xs) (structure-elements (adopt xs))]
-        [else (complain "~a: expected ~a in a list, a vector or a tuple\n  given: ~a"
-                        who what (describe-with-value xs))]))
+        [else (complain who "expected ~a in a list, a vector or a tuple\n  given: ~a" what (describe-with-value xs))]))
 
 (define (points who xs)
   (define v (->vector who "points" xs))
   (when (< (vector-length v) 2)
-    (complain "~a: expected two points or more\n  given: ~a" who (vector-length v)))
+    (complain who "expected two points or more\n  given: ~a" (vector-length v)))
   (for ([x (in-vector v)])
     (define c (comparand x))
     (unless (and (real? c) (< (abs c) +inf.0))
-      (complain "~a: expected points that are real numbers\n  given: ~a" who
+      (complain who "expected points that are real numbers\n  given: ~a"
                 (describe-with-value x))))
   v)
 
@@ -40,15 +40,14 @@
   (for ([x (in-vector xs)] [next (in-vector xs 1)] [k (in-naturals 1)])
     (cond [(g:= x next) (raise-same who x)]
           [(g:< next x)
-           (complain "~a: expected points in increasing order\n  point ~a: ~a\n  point ~a: ~a"
-                     who (- k 1) (value->text x) k (value->text next))])))
+           (complain who "expected points in increasing order\n  point ~a: ~a\n  point ~a: ~a" (- k 1) (value->text x) k (value->text next))])))
 
 (define (check-distinct who xs)
   (for* ([i (in-range (vector-length xs))] [j (in-range i)])
     (when (g:= (vector-ref xs i) (vector-ref xs j)) (raise-same who (vector-ref xs i)))))
 
 (define (raise-same who x)
-  (complain "~a: two points are the same\n  point: ~a" who (value->text x)))
+  (complain who "two points are the same\n  point: ~a" (value->text x)))
 
 ;; What x, which may be in the course of being differentiated, is as a real number.
 (define (location who x)
@@ -58,5 +57,5 @@
               (raise-no-number who x)]))
 
 (define (raise-no-number who x)
-  (complain "~a: the function of these data takes a real number\n  given: ~a" who
+  (complain who "the function of these data takes a real number\n  given: ~a"
             (describe-with-value x)))

@@ -54,7 +54,7 @@
   (define-values (xs ys) (checked who points values))
   (for ([y (in-vector ys)])
     (unless (real? (comparand y))
-      (complain "~a: expected values that are real numbers\n  given: ~a" who
+      (complain who "expected values that are real numbers\n  given: ~a"
                 (describe-with-value y))))
   (cubics who xs ys (monotone-slopes xs ys) extrapolate?))
 
@@ -71,7 +71,7 @@
     (define first (vector-ref ys 0))
     (define last (vector-ref ys (- (vector-length ys) 1)))
     (unless (or (g:= first last) (rounding? (comparand first) (comparand last)))
-      (complain "cubic-spline: ~a\n  first: ~a\n  last: ~a"
+      (complain 'cubic-spline "~a\n  first: ~a\n  last: ~a"
                 "a periodic function has the same value at both ends"
                 (value->text first) (value->text last)))))
 
@@ -101,8 +101,7 @@
         (<= (- low rounding) x (+ high rounding)))))
 
 (define (raise-outside who x low high)
-  (complain "~a: there are no data for the argument\n  argument: ~a\n  from: ~a\n  to: ~a\n  ~a"
-            who (value->text x) (value->text low) (value->text high)
+  (complain who "there are no data for the argument\n  argument: ~a\n  from: ~a\n  to: ~a\n  ~a" (value->text x) (value->text low) (value->text high)
             "with #:extrapolate? #t the pieces at the ends are continued"))
 
 ;; Bisection: the piece that holds x, at a point the one that begins there.

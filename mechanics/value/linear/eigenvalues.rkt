@@ -12,9 +12,9 @@
          racket/lazy-require
          "linear-algebra.rkt" "row-systems.rkt"
          (only-in "../signature.rkt" scalar?)
+         "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt"
-         "../../numeric/failure.rkt"
          "../../numeric/linear/rows.rkt" "../../numeric/linear/unit.rkt")
 
 (provide characteristic-polynomial eigenvalues)

@@ -7,9 +7,9 @@
 
 (require "matrix.rkt" "row-systems.rkt"
          (only-in "../signature.rkt" scalar?) "../structure.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/complain.rkt" "../../generic/describe.rkt"
-         "../../generic/dispatch.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
-         "../../generic/up-down.rkt")
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/dispatch.rkt"
+         "../../generic/function.rkt" "../../generic/kind.rkt" "../../generic/up-down.rkt")
 
 (provide transpose determinant trace
          solve-linear-left solve-linear-right
@@ -87,7 +87,7 @@
 (define (check-tuple-of-tuples who s)
   (define elements (structure-elements (structure-of who s)))
   (unless (and (positive? (vector-length elements)) (for/and ([x (in-vector elements)]) (tuple? x)))
-    (complain "~a: expected a tuple of tuples; given ~a" who (describe-with-value s))))
+    (complain who "expected a tuple of tuples; given ~a" (describe-with-value s))))
 
 ;; ---------------------------------------------------------------------------
 ;; Transposition
@@ -115,11 +115,12 @@
   (unless (for/and ([row (in-vector rows)])
             (and (= (vector-length row) (structure-length inner))
                  (for/and ([x (in-vector row)]) (not (tuple? x)))))
-    (complain (string-append
-               "~a: expected components of one length that hold scalars; given ~a"
+    (complain 'transpose
+              (string-append
+               "expected components of one length that hold scalars; given ~a"
                "\n  the transpose of a deeper structure depends on what it multiplies:"
                " (transpose s x)")
-              'transpose (describe-with-value s)))
+              (describe-with-value s)))
   (structure (structure-orientation inner)
              (for/vector ([row (in-vector (rows-transpose rows))])
                (same-orientation s row))))
@@ -170,8 +171,7 @@
 (define (down components) (structure 'down components))
 
 (define (raise-right-hand-side who expected A b)
-  (complain "~a: the right-hand side must be ~a, to match ~a; given ~a~a"
-            who (format expected (m:num-rows A)) (value->text A) (describe-with-value b)
+  (complain who "the right-hand side must be ~a, to match ~a; given ~a~a" (format expected (m:num-rows A)) (value->text A) (describe-with-value b)
             (if (pair? b) "\n  a list is not a tuple; use (up x y ...)" "")))
 
 (define (innermost-orientation s)
@@ -238,8 +238,7 @@
   (s:map/r (lambda (_) (set! k (add1 k)) (vector-ref v k)) like))
 
 (define (raise-mismatch who A like b)
-  (complain "~a: the right-hand side must be ~a, to match ~a; given ~a"
-            who (describe (adopt like)) (value->text A) (describe-with-value b)))
+  (complain who "the right-hand side must be ~a, to match ~a; given ~a" (describe (adopt like)) (value->text A) (describe-with-value b)))
 
 ;; ---------------------------------------------------------------------------
 ;; Rank and null space
@@ -263,15 +262,14 @@
               (values (rows-transpose (list->vector (map scalars parts)))
                       (lambda (v) (fill like v))))]
         [(scalar? A) (values (vector (vector A)) (lambda (v) (vector-ref v 0)))]
-        [else (complain "~a: expected a matrix or a tuple of tuples; given ~a"
-                        who (describe-with-value A))]))
+        [else (complain who "expected a matrix or a tuple of tuples; given ~a" (describe-with-value A))]))
 
 ;; The columns of A: its components, or if those that make it square lie deeper, these.
 (define (nested-parts who A)
   (check-tuple-of-tuples who A)
   (or (square-parts A)
       (parts-of-shape A (s:ref A 0))
-      (complain "~a: expected components of one shape; given ~a" who (describe-with-value A))))
+      (complain who "expected components of one shape; given ~a" (describe-with-value A))))
 
 ;; ---------------------------------------------------------------------------
 ;; Structures as matrices (SICM p. 353)

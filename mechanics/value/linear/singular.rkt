@@ -7,8 +7,8 @@
          "../../algebra/linear/elimination.rkt" "../../algebra/linear/entries.rkt"
          "../../algebra/simplify/simplify-expression.rkt"
          "../../algebra/zero/vanishing.rkt"
+         "../../error/failure.rkt"
          "../../generic/describe.rkt"
-         "../../numeric/failure.rkt"
          "../../numeric/linear/flonum-systems.rkt" "../../numeric/linear/rows.rkt")
 
 (provide raise-singular-matrix matrix-kernel raise-no-scalars raise-too-large)

@@ -11,9 +11,10 @@
 
 (require "coefficients.rkt" "operate.rkt"
          "../../algebra/expression/expression.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/complain.rkt"
-         "../../generic/describe.rkt" "../../generic/elementary.rkt" "../../generic/function.rkt"
-         "../../generic/kind.rkt" "../../generic/up-down.rkt")
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
+         "../../generic/elementary.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
+         "../../generic/up-down.rkt")
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series
@@ -99,8 +100,9 @@
                 (same? (series-term a k) (series-term b k)))]))
 
 (define (raise-undecidable a b)
-  (complain (string-append
-             "=: two endless series agree in their first ~a terms, which does not decide whether "
+  (complain '=
+            (string-append
+             "two endless series agree in their first ~a terms, which does not decide whether "
              "they are equal\n  first: ~a\n  second: ~a\n"
              "  compare as many terms as matter: (series:head s n)")
             compared-terms (value->text a) (value->text b)))
@@ -117,8 +119,8 @@
 ;; where A and B do not.
 (define (check-commutes op x)
   (when (and (has-kind? x) (memv (kind-rank (kind-of x)) (list rank:matrix rank:operator)))
-    (complain "~a: the terms of the series must commute with each other; one is ~a"
-              (generic-op-name op) (describe-with-value x)))
+    (complain (generic-op-name op)
+              "the terms of the series must commute with each other; one is ~a" (describe-with-value x)))
   x)
 
 (define (series-binary op a b)
@@ -134,10 +136,11 @@
   (if (series? x) (series-coefficients x) (coefficients-from (list x))))
 
 (define (raise-mixed op a b)
-  (complain (string-append
-             "~a: one is a series, the other a power series; apply the power series to its "
+  (complain (generic-op-name op)
+            (string-append
+             "one is a series, the other a power series; apply the power series to its "
              "variable first\n  argument 1: ~a\n  argument 2: ~a")
-            (generic-op-name op) (describe-with-value a) (describe-with-value b)))
+            (describe-with-value a) (describe-with-value b)))
 
 ;; ---------------------------------------------------------------------------
 ;; Application
@@ -185,8 +188,9 @@
         [else x]))
 
 (define (raise-no-function s)
-  (complain (string-append
-             "application: a series applies those of its terms that are functions,"
+  (complain 'application
+            (string-append
+             "a series applies those of its terms that are functions,"
              " but ~a has none\n"
              "  (power-series a ...) makes a function of coefficients")
             (value->text s)))
@@ -234,7 +238,8 @@
            (g:+ (series-term s n) (g:* sum t)))]
         [(eqv? (series-term t 0) 0) (like-series t (composition s t))]
         [else
-         (complain (string-append "application: an endless power series can be applied to a series "
+         (complain 'application
+                   (string-append "an endless power series can be applied to a series "
                                   "only if that begins with 0; given ~a")
                    (value->text t))]))
 

@@ -20,7 +20,7 @@
          mechanics/calculus/gradient
          mechanics/compile/definite-integral
          mechanics/calculus/literal-function
-         mechanics/numeric/failure
+         mechanics/error/failure
          "random-program.rkt"
          "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt" "../laws/random.rkt"
          "../laws/same.rkt")

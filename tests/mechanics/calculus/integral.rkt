@@ -5,7 +5,7 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/value/compose
          mechanics/value/structure
          mechanics/calculus/derivative

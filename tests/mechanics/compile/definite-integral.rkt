@@ -5,7 +5,7 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/calculus/derivative
          mechanics/compile/definite-integral
          mechanics/compile/scalar

@@ -2,9 +2,11 @@
 ;; Points where a function has a value but no derivative, and points beside them.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
+         mechanics/generic/arithmetic
+         mechanics/generic/compare
+         mechanics/generic/elementary
          mechanics/generic/rounding
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/value/structure
          mechanics/calculus/derivative
          "../laws/same.rkt")

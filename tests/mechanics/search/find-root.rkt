@@ -6,7 +6,7 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
-         mechanics/numeric/failure
+         mechanics/error/failure
          (only-in mechanics/value/structure ref)
          mechanics/calculus/derivative
          mechanics/calculus/gradient

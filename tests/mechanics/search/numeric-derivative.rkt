@@ -6,7 +6,7 @@
          mechanics/generic/elementary
          mechanics/generic/rounding
          mechanics/generic/up-down
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/search/numeric-derivative)

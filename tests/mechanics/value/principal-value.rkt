@@ -3,7 +3,7 @@
 
 (require rackunit
          (prefix-in m: mechanics)
-         mechanics/value/constants mechanics/value/principal-value
+         mechanics/numeric/constants mechanics/value/principal-value
          "../laws/random.rkt")
 
 (test-case "an angle within the turn stays exactly as it is; the cut itself belongs to the next"

@@ -3,11 +3,14 @@
 
 (require racket/flonum
          rackunit
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/numeric/ode/bulirsch-stoer
-         mechanics/numeric/ode/dormand-prince-54 mechanics/numeric/ode/dormand-prince-853
-         mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/integrate
-         mechanics/numeric/ode/quality-controlled mechanics/numeric/ode/radau
+         mechanics/numeric/ode/dormand-prince-54
+         mechanics/numeric/ode/dormand-prince-853
+         mechanics/numeric/ode/gauss-legendre
+         mechanics/numeric/ode/integrate
+         mechanics/numeric/ode/quality-controlled
+         mechanics/numeric/ode/radau
          mechanics/numeric/ode/symplectic
          mechanics/numeric/ode/stepper)
 

@@ -3,9 +3,11 @@
 
 (require racket/flonum
          rackunit
-         mechanics/numeric/failure
-         mechanics/numeric/ode/differentiated mechanics/numeric/ode/dormand-prince-853
-         mechanics/numeric/ode/integrate mechanics/numeric/ode/radau
+         mechanics/error/failure
+         mechanics/numeric/ode/differentiated
+         mechanics/numeric/ode/dormand-prince-853
+         mechanics/numeric/ode/integrate
+         mechanics/numeric/ode/radau
          mechanics/numeric/ode/stepper)
 
 ;; -> the state at the end and the number of steps

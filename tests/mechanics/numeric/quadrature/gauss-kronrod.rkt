@@ -2,7 +2,7 @@
 ;; Quadrature against integrals known in closed form.
 
 (require rackunit
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/numeric/quadrature/gauss-kronrod)
 
 (define pi 3.141592653589793)

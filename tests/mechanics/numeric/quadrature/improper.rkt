@@ -2,7 +2,7 @@
 ;; Integrals to infinity and over singularities at ends.
 
 (require rackunit
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/numeric/quadrature/improper
          mechanics/numeric/quadrature/oscillating)
 

@@ -3,7 +3,7 @@
 ;; than what was asked, and not greater than the bound that comes with the value.
 
 (require rackunit
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/numeric/quadrature/improper)
 
 (define pi (* 4.0 (atan 1.0)))

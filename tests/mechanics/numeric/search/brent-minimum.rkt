@@ -2,7 +2,7 @@
 ;; Brent's minimiser.
 
 (require rackunit
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/numeric/search/brent-minimum)
 
 (define (argument result) (car result))

@@ -3,7 +3,7 @@
 
 (require racket/flonum
          rackunit
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/numeric/search/nelder-mead
          mechanics/numeric/search/quasi-newton)
 

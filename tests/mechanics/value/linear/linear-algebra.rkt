@@ -5,7 +5,7 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/value/linear/linear-algebra
          mechanics/value/linear/matrix
          mechanics/value/structure

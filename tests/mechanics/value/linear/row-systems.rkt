@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/generic/arithmetic
-         mechanics/numeric/failure
+         mechanics/error/failure
          mechanics/value/linear/row-systems
          "../../laws/random.rkt" "../../laws/same.rkt")
 

@@ -1,0 +1,21 @@
+#lang racket/base
+;; Numbers that have names, rounded to flonums.
+
+(provide pi
+         :pi :-pi :pi/2 :2pi          ; as the book's programs spell them
+         golden-ratio golden-part)
+
+(define pi 3.141592653589793)
+
+(define :pi pi)
+(define :-pi (- pi))
+(define :pi/2 (/ pi 2))
+(define :2pi (* 2 pi))
+
+;; (√5 − 1)/2: its multiples, modulo 1, are spread over [0, 1] more evenly than those of
+;; any other number.
+(define golden-ratio 0.6180339887498949)
+
+;; (3 − √5)/2 = 1 − golden-ratio: where the lesser part ends of an interval divided so that
+;; it is to the greater as the greater to the whole.
+(define golden-part 0.3819660112501051)
