@@ -11,15 +11,17 @@ export RACKET
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
-.PHONY: help demo repl test bench docs clean racket libraries compile
+.PHONY: help demo repl test lint elsewhere bench docs clean racket libraries compile
 
 help:
 	@echo 'make demo    a tour: Lagrange equations, proposed paths, verdicts'
 	@echo 'make repl    a prompt with mechanics loaded'
 	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
+	@echo 'make lint    unused requires, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
 	@echo 'make docs    build the manual in build/doc'
 	@echo 'make clean   remove all that make built'
+	@echo 'make elsewhere   demo and test on bare Debian 12 and 13 (as root, with debootstrap)'
 
 demo: compile
 	@$(RACO) make examples/mechanics/demo.rkt
@@ -31,6 +33,13 @@ repl: compile
 test: racket libraries
 	@$(RACO) make tests/mechanics/runner/main.rkt tests/mechanics/runner/child.rkt
 	@$(RACKET) tests/mechanics/runner/main.rkt --jobs $(JOBS) $(TESTS)
+
+lint: racket
+	@$(RACO) make .ci/lint.rkt
+	@$(RACKET) .ci/lint.rkt $(FILES)
+
+elsewhere:
+	@.ci/elsewhere.sh $(SUITES)
 
 bench: compile
 	@$(RACO) make -j $(JOBS) $(wildcard tests/mechanics/bench/*.rkt)

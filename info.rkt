@@ -1,8 +1,10 @@
 #lang info
 (define collection 'multi)
-(define version "0.1")
+(define version "0.2")
 (define license 'MIT)
-(define pkg-desc "Classical mechanics in the language of SICM: Lagrangians, Hamiltonians, and solutions checked as residuals")
+(define pkg-desc
+  (string-append "Classical mechanics in the language of SICM: Lagrangians, Hamiltonians, "
+                 "and solutions checked as residuals"))
 (define pkg-authors '("the mechanics authors"))
 (define deps '(("base" #:version "8.7")
                "gui-lib"
@@ -10,6 +12,7 @@
                "pict-lib"
                "plot-lib"))
 (define build-deps '("drracket-tool-text-lib"
+                     "macro-debugger-text-lib"
                      "racket-doc"
                      "rackunit-lib"
                      "sandbox-lib"

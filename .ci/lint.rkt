@@ -1,0 +1,116 @@
+#lang racket/base
+;; What every source keeps to, file by file:
+;;
+;;     racket lint.rkt [file-or-folder ...]
+;;
+;; - lines of at most 100 characters, without tabs or spaces at their end; a line end at the
+;;   end of the file;
+;; - no require that the module does not need, as `raco check-requires` finds them.
+;;
+;; Prints a line for each finding; the exit code is 1 if there are any.
+
+(require macro-debugger/analysis/check-requires
+         racket/cmdline
+         racket/file
+         racket/future
+         racket/list
+         racket/path
+         racket/port
+         racket/runtime-path
+         racket/string)
+
+(define widest 100)
+
+(define-runtime-path here "lint.rkt")
+(define-runtime-path top "..")
+(define folders '("mechanics" "tests" "examples" "scribblings" ".ci"))
+
+;; Kept, though check-requires cannot see what for: ((file . module) ...)
+(define needed '())
+
+;; ---------------------------------------------------------------------------
+;; Files
+
+(define (sources places)
+  (append-map
+   (lambda (place)
+     (sort (find-files source? (simple-form-path place)) path<?))
+   places))
+
+;; The runner's fixtures are wrong on purpose.
+(define (source? p)
+  (and (or (path-has-extension? p #".rkt") (path-has-extension? p #".scrbl"))
+       (file-exists? p)
+       (not (regexp-match? #rx"/(compiled|fixture)/" (path->string p)))))
+
+(define (short-name p) (path->string (find-relative-path (simple-form-path top) p)))
+
+;; ---------------------------------------------------------------------------
+;; Text
+
+(define (check-text file)
+  (define text (file->string file))
+  (define (found line what) (format "~a:~a: ~a" (short-name file) line what))
+  (append
+   (for*/list ([(line i) (in-indexed (string-split text "\n" #:trim? #f))]
+               [what (in-value (wrong-with line))]
+               #:when what)
+     (found (+ i 1) what))
+   (if (regexp-match? #rx"[^\n]\n$|^$" text) '() (list (found "end" "not one line end")))))
+
+(define (wrong-with line)
+  (cond [(> (string-length line) widest)
+         (format "~a characters, more than ~a" (string-length line) widest)]
+        [(string-contains? line "\t") "a tab"]
+        [(regexp-match? #rx" $" line) "spaces at the end"]
+        [else #f]))
+
+;; ---------------------------------------------------------------------------
+;; Requires
+
+;; Requires that macros bring in, or a language, do not stand in the file.
+(define (unneeded-requires file)
+  (define text (file->string file))
+  (for*/list ([entry (in-list (show-requires file))]
+              #:when (eq? (car entry) 'drop)
+              [module (in-value (format "~s" (cadr entry)))]
+              #:when (string-contains? text module)
+              #:unless (member (cons (short-name file) module) needed))
+    (format "~a: does not need ~a" (short-name file) module)))
+
+;; In several processes, as expanding takes its time.
+(define (check-requires files)
+  (define racket (find-system-path 'exec-file))
+  (define shares (filter pair? (deal files (processor-count))))
+  (define ports
+    (for/list ([share (in-list shares)])
+      (define-values (process out in err)
+        (apply subprocess #f #f (current-error-port)
+               (find-executable-path racket) here "--requires" share))
+      (close-output-port in)
+      out))
+  (append-map port->lines ports))
+
+(define (deal xs n)
+  (for/list ([i (in-range n)])
+    (for/list ([x (in-list xs)] [k (in-naturals)] #:when (= (modulo k n) i)) x)))
+
+;; ---------------------------------------------------------------------------
+
+(module+ main
+  (define requires-only? #f)
+  (define given
+    (command-line
+     #:program "lint"
+     #:once-each [("--requires") "only requires, in this process" (set! requires-only? #t)]
+     #:args places places))
+  (define files
+    (sources (if (null? given) (map (lambda (f) (build-path top f)) folders) given)))
+  (define modules (filter (lambda (p) (path-has-extension? p #".rkt")) files))
+  (cond [requires-only?
+         (for-each displayln (append-map unneeded-requires modules))]
+        [else
+         (define findings (append (append-map check-text files) (check-requires modules)))
+         (for-each displayln findings)
+         (printf "lint: ~a files, ~a findings\n" (length files) (length findings))
+         (exit (if (null? findings) 0 1))]))
