@@ -1,53 +1,61 @@
 #lang racket/base
 ;; Sums and products of polynomials.
 ;;
-;; A polynomial is the list of its terms (monomial . coefficient), by strictly
-;; decreasing monomial, with exact nonzero coefficients; zero is '().  Sums
+;; Polynomials are lists of terms (term-list.rkt) with exact coefficients.  Sums
 ;; merge and share terms and tails with their operands.  A product is the sum
 ;; of shifted copies of one operand, added in a balanced tree; for the sizes
 ;; met here that costs no more than a heap or a hash table and allocates less
 ;; than either looks (5 to 15 ns a product of terms).
 
-(require racket/fixnum "monomial.rkt" "ring.rkt")
+(require racket/fixnum
+         "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide
  poly-constant poly-variable poly-monomial
  poly+ poly- poly-negate poly* poly-scale poly-expt poly-sum
- shift-terms)
+ shift-terms divide-by-monomial
+ ;; for sums of other things
+ define-sum sum-of-neighbours)
 
 ;; ---------------------------------------------------------------------------
 ;; Making
 
 (define (poly-constant R c)
-  (if (eqv? c 0) '() (list (cons (ring-one R) c))))
+  (if (eqv? c 0) '() (list (make-term (ring-one R) c))))
 
 (define (poly-variable R i [exponent 1])
-  (list (cons (variable-monomial R i exponent) 1)))
+  (list (make-term (variable-monomial R i exponent) 1)))
 
 (define (poly-monomial R coefficient exponents)
   (if (eqv? coefficient 0)
       '()
-      (list (cons (exponents->monomial R exponents) coefficient))))
+      (list (make-term (exponents->monomial R exponents) coefficient))))
 
 ;; ---------------------------------------------------------------------------
 ;; Linear operations
 
-(define (poly+ R p q) (add p q))
+;; (add p q extra ...) merges the terms of p and q; coefficients of one monomial are
+;; added by (plus c d extra ...).
+(define-syntax-rule (define-sum (add p q extra ...) plus)
+  (define (add p q extra ...)
+    (cond [(null? p) q]
+          [(null? q) p]
+          [else
+           (define s (car p))
+           (define t (car q))
+           (define order (monomial-compare (term-monomial s) (term-monomial t)))
+           (cond [(fx> order 0) (cons s (add (cdr p) q extra ...))]
+                 [(fx< order 0) (cons t (add p (cdr q) extra ...))]
+                 [else
+                  (define c (plus (term-coefficient s) (term-coefficient t) extra ...))
+                  (if (eq? c 0)
+                      (add (cdr p) (cdr q) extra ...)
+                      (cons (make-term (term-monomial s) c)
+                            (add (cdr p) (cdr q) extra ...)))])])))
 
-(define (add p q)
-  (cond [(null? p) q]
-        [(null? q) p]
-        [else
-         (define s (car p))
-         (define t (car q))
-         (define order (monomial-compare (car s) (car t)))
-         (cond [(fx> order 0) (cons s (add (cdr p) q))]
-               [(fx< order 0) (cons t (add p (cdr q)))]
-               [else
-                (define c (+ (cdr s) (cdr t)))
-                (if (eq? c 0)
-                    (add (cdr p) (cdr q))
-                    (cons (cons (car s) c) (add (cdr p) (cdr q))))])]))
+(define-sum (add p q) +)
+
+(define (poly+ R p q) (add p q))
 
 (define (poly- R p q) (subtract p q))
 
@@ -57,21 +65,23 @@
         [else
          (define s (car p))
          (define t (car q))
-         (define order (monomial-compare (car s) (car t)))
+         (define order (monomial-compare (term-monomial s) (term-monomial t)))
          (cond [(fx> order 0) (cons s (subtract (cdr p) q))]
-               [(fx< order 0) (cons (cons (car t) (- (cdr t))) (subtract p (cdr q)))]
+               [(fx< order 0)
+                (cons (make-term (term-monomial t) (- (term-coefficient t)))
+                      (subtract p (cdr q)))]
                [else
-                (define c (- (cdr s) (cdr t)))
+                (define c (- (term-coefficient s) (term-coefficient t)))
                 (if (eq? c 0)
                     (subtract (cdr p) (cdr q))
-                    (cons (cons (car s) c) (subtract (cdr p) (cdr q))))])]))
+                    (cons (make-term (term-monomial s) c) (subtract (cdr p) (cdr q))))])]))
 
 (define (poly-negate R p) (negate p))
 
 (define (negate p)
   (if (null? p)
       '()
-      (cons (cons (caar p) (- (cdar p))) (negate (cdr p)))))
+      (cons (make-term (leading-monomial p) (- (leading-coefficient p))) (negate (cdr p)))))
 
 (define (poly-scale R c p)
   (cond [(eqv? c 0) '()]
@@ -81,18 +91,19 @@
 (define (scale c p)
   (if (null? p)
       '()
-      (cons (cons (caar p) (* c (cdar p))) (scale c (cdr p)))))
+      (cons (make-term (leading-monomial p) (* c (leading-coefficient p))) (scale c (cdr p)))))
 
-;; The sum of a list, neighbours first.
-(define (poly-sum R ps)
-  (cond [(null? ps) '()]
-        [(null? (cdr ps)) (car ps)]
-        [else (poly-sum R (add-neighbours ps))]))
+(define (poly-sum R ps) (sum-of-neighbours add ps '()))
 
-(define (add-neighbours ps)
-  (cond [(null? ps) '()]
-        [(null? (cdr ps)) ps]
-        [else (cons (add (car ps) (cadr ps)) (add-neighbours (cddr ps)))]))
+;; The sum of a list by a procedure that adds two: first neighbours, then their sums.
+(define (sum-of-neighbours add xs zero)
+  (define (add-neighbours xs)
+    (if (or (null? xs) (null? (cdr xs)))
+        xs
+        (cons (add (car xs) (cadr xs)) (add-neighbours (cddr xs)))))
+  (cond [(null? xs) zero]
+        [(null? (cdr xs)) (car xs)]
+        [else (sum-of-neighbours add (add-neighbours xs) zero)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Products
@@ -100,7 +111,7 @@
 (define (poly* R p q)
   (cond [(or (null? p) (null? q)) '()]
         [else
-         (check-monomial R (monomial+ (caar p) (caar q)))
+         (check-monomial R (monomial+ (leading-monomial p) (leading-monomial q)))
          (define m (length p))
          (define n (length q))
          (charge! R (fx* m n))
@@ -110,7 +121,8 @@
 (define (multiply p n q)
   (define-values (product rest)
     (let loop ([p p] [n n])
-      (cond [(eq? n 1) (values (shift-terms (caar p) (cdar p) q) (cdr p))]
+      (cond [(eq? n 1)
+             (values (shift-terms (leading-monomial p) (leading-coefficient p) q) (cdr p))]
             [else
              (define half (quotient n 2))
              (define-values (left middle) (loop p half))
@@ -118,7 +130,7 @@
              (values (add left right) rest)])))
   product)
 
-;; The terms of q times the term (m . c).
+;; The terms of q times the term of m and c.
 (define (shift-terms m c q)
   (cond [(not (eqv? c 1)) (shift-scale m c q)]
         [(monomial-one? m) q]
@@ -127,20 +139,27 @@
 (define (shift-scale m c q)
   (if (null? q)
       '()
-      (cons (cons (monomial+ m (caar q)) (* c (cdar q))) (shift-scale m c (cdr q)))))
+      (cons (make-term (monomial+ m (leading-monomial q)) (* c (leading-coefficient q)))
+            (shift-scale m c (cdr q)))))
 
 (define (shift m q)
   (if (null? q)
       '()
-      (cons (cons (monomial+ m (caar q)) (cdar q)) (shift m (cdr q)))))
+      (cons (make-term (monomial+ m (leading-monomial q)) (leading-coefficient q))
+            (shift m (cdr q)))))
+
+;; p over a monomial that divides it.
+(define (divide-by-monomial R p m)
+  (shift-terms (monomial- (ring-one R) m) 1 p))
 
 ;; k a natural number.  Multiplying by p again and again is quicker for sparse
 ;; polynomials than squaring.
 (define (poly-expt R p k)
   (cond [(eqv? k 0) (poly-constant R 1)]
         [(null? p) '()]
-        [(null? (cdr p))
-         (list (cons (check-power R (caar p) k) (expt (cdar p) k)))]
+        [(single-term? p)
+         (list (make-term (check-power R (leading-monomial p) k)
+                          (expt (leading-coefficient p) k)))]
         [else
-         (check-power R (caar p) k)
+         (check-power R (leading-monomial p) k)
          (for/fold ([power p]) ([i (in-range 1 k)]) (poly* R p power))]))

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Content: the numeric and the monomial factor every term shares.
 
-(require "monomial.rkt" "ring.rkt" "arithmetic.rkt")
+(require "arithmetic.rkt" "monomial.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
 
-(provide poly-content poly-primitive poly-monomial-content
-         common-monomial)
+(provide poly-content poly-primitive poly-primitive-part poly-monomial-content
+         common-monomial split-monomial)
 
 ;; The positive rational c for which p/c has coprime integer coefficients: the
 ;; gcd of the numerators over the lcm of the denominators; 0 for zero.
@@ -13,12 +13,12 @@
     (cond [(null? p) (/ numerators denominators)]
           [(and (eq? numerators 1) (andmap integral? p)) (/ 1 denominators)]
           [else
-           (define c (cdar p))
+           (define c (leading-coefficient p))
            (loop (cdr p)
                  (gcd numerators (numerator c))
                  (if (integer? c) denominators (lcm denominators (denominator c))))])))
 
-(define (integral? t) (integer? (cdr t)))
+(define (integral? t) (integer? (term-coefficient t)))
 
 ;; -> content primitive.  The content bears the sign, so that the primitive
 ;; part has a positive leading coefficient and p = content · primitive.
@@ -26,9 +26,13 @@
   (cond [(null? p) (values 0 '())]
         [else
          (define size (poly-content p))
-         (define content (if (negative? (cdar p)) (- size) size))
+         (define content (if (negative? (leading-coefficient p)) (- size) size))
          (values content
                  (if (eqv? content 1) p (poly-scale R (/ 1 content) p)))]))
+
+(define (poly-primitive-part R p)
+  (define-values (content primitive) (poly-primitive R p))
+  primitive)
 
 ;; The exponents of the greatest monomial that divides p.
 (define (poly-monomial-content R p)
@@ -37,7 +41,14 @@
 (define (common-monomial R p)
   (if (null? p)
       (ring-one R)
-      (let loop ([m (caar p)] [p (cdr p)])
+      (let loop ([m (leading-monomial p)] [p (cdr p)])
         (if (or (null? p) (monomial-one? m))
             m
-            (loop (monomial-gcd R m (caar p)) (cdr p))))))
+            (loop (monomial-gcd R m (leading-monomial p)) (cdr p))))))
+
+;; -> powers of the variables that divide p, as polynomials, and the rest of p
+(define (split-monomial R p)
+  (define m (common-monomial R p))
+  (values (for/list ([v (in-list (monomial-factors R m))])
+            (make-power (poly-variable R (power-base v)) (power-exponent v)))
+          (divide-by-monomial R p m)))

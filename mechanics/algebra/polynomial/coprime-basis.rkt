@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Factor refinement: products of powers written over pairwise coprime factors.
 ;;
-;; A *basis* is a list of (polynomial . exponent) whose polynomials are
+;; A *basis* is a list of powers (power.rkt) of polynomials that are
 ;; primitive, not constant and pairwise coprime.  Multiplying it by x^e, when
 ;; x and a member b^k share the divisor d, replaces
 ;;
@@ -10,7 +10,7 @@
 ;; and inserts the three anew; degrees fall, so it ends.  Exponents may be of
 ;; any kind that `add` adds, so that one pass can follow two products at once.
 
-(require "division.rkt" "gcd.rkt" "inspect.rkt" "monomial.rkt")
+(require "division.rkt" "gcd.rkt" "inspect.rkt" "monomial.rkt" "power.rkt" "term-list.rkt")
 
 (provide basis-insert basis-sort basis=?)
 
@@ -20,24 +20,25 @@
         [else
          (define same (find-equal basis polynomial))
          (if same
-             (replace basis same (cons polynomial (add (cdr same) exponent)))
+             (replace basis same (make-power polynomial (add (power-exponent same) exponent)))
              (refine R add basis polynomial exponent))]))
 
 (define (find-equal basis polynomial)
-  (for/first ([b (in-list basis)] #:when (poly=? (car b) polynomial)) b))
+  (for/first ([b (in-list basis)] #:when (poly=? (power-base b) polynomial)) b))
 
 (define (replace basis old new)
   (for/list ([b (in-list basis)]) (if (eq? b old) new b)))
 
 (define (refine R add basis x e)
   (let loop ([bs basis] [coprime '()])
-    (cond [(null? bs) (cons (cons x e) basis)]
+    (cond [(null? bs) (cons (make-power x e) basis)]
           [else
-           (define b (caar bs))
+           (define b (power-base (car bs)))
+           (define k (power-exponent (car bs)))
            (define d (poly-gcd R b x))
            (if (poly-constant? d)
                (loop (cdr bs) (cons (car bs) coprime))
-               (split R add (append coprime (cdr bs)) b (cdar bs) d x e))])))
+               (split R add (append coprime (cdr bs)) b k d x e))])))
 
 (define (split R add others b k d x e)
   (let* ([basis (basis-insert R add others d (add k e))]
@@ -50,19 +51,24 @@
 (define (basis-sort basis)
   (if (or (null? basis) (null? (cdr basis)))
       basis
-      (sort basis (lambda (a b) (poly<? (car a) (car b))))))
+      (sort basis poly<? #:key power-base)))
 
 (define (poly<? p q)
   (cond [(null? q) #f]
         [(null? p) #t]
-        [(not (monomial=? (caar p) (caar q))) (monomial>? (caar q) (caar p))]
-        [(not (= (cdar p) (cdar q))) (< (cdar p) (cdar q))]
-        [else (poly<? (cdr p) (cdr q))]))
+        [else
+         (define m (leading-monomial p))
+         (define n (leading-monomial q))
+         (define c (leading-coefficient p))
+         (define d (leading-coefficient q))
+         (cond [(not (monomial=? m n)) (monomial>? n m)]
+               [(not (= c d)) (< c d)]
+               [else (poly<? (cdr p) (cdr q))])]))
 
 ;; Are two sorted bases the same members to the same integer powers?
 (define (basis=? a b)
   (cond [(eq? a b) #t]
         [(or (null? a) (null? b)) #f]
-        [else (and (eqv? (cdar a) (cdar b))
-                   (poly=? (caar a) (caar b))
+        [else (and (eqv? (power-exponent (car a)) (power-exponent (car b)))
+                   (poly=? (power-base (car a)) (power-base (car b)))
                    (basis=? (cdr a) (cdr b)))]))

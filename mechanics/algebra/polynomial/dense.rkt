@@ -7,9 +7,9 @@
 ;; nothing to search for.
 
 (provide
- prime-above symmetric-residue
+ prime-above
  dense dense-degree dense-one?
- dense+ dense- dense* dense-monic dense-derivative
+ dense+ dense- dense* dense-product dense-monic dense-derivative
  dense-divide dense-gcd dense-bezout dense-expt-modulo)
 
 (define mersenne-exponents '(31 61 89 107 127 521 607 1279 2203))
@@ -18,11 +18,6 @@
 (define (prime-above bound)
   (for/first ([e (in-list mersenne-exponents)] #:when (> (- (expt 2 e) 1) bound))
     (- (expt 2 e) 1)))
-
-;; The integer of least magnitude in the class.
-(define (symmetric-residue c P)
-  (define r (modulo c P))
-  (if (> (* 2 r) P) (- r P) r))
 
 (define (inverse a P)
   (let loop ([r P] [s (modulo a P)] [u 0] [v 1])
@@ -72,6 +67,10 @@
            (vector-set! product (+ i j)
                         (+ (vector-ref product (+ i j)) (* (vector-ref p i) (vector-ref q j)))))
          (dense product P)]))
+
+;; p times all of qs.
+(define (dense-product p qs P)
+  (for/fold ([product p]) ([q (in-list qs)]) (dense* product q P)))
 
 (define (dense-monic p P) (dense-scale (inverse (dense-leading p) P) p P))
 

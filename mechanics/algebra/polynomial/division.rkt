@@ -9,7 +9,9 @@
 ;; looking at the heads of p and of the few buckets.  So the cost is that of the
 ;; product of q and the quotient, by the same balanced additions.
 
-(require racket/fixnum "monomial.rkt" "ring.rkt" "arithmetic.rkt")
+(require racket/fixnum
+         racket/list
+         "arithmetic.rkt" "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide poly-divide poly-divide-integral)
 
@@ -24,23 +26,22 @@
 (define (divide R p q integral?)
   (cond [(null? q) (raise-argument-error 'poly-divide "a nonzero polynomial" q)]
         [(null? p) '()]
-        [(null? (cdr q)) (divide-by-term R p (caar q) (cdar q) integral?)]
+        [(single-term? q) (divide-by-term R p (car q) integral?)]
         [(last-divides? R p q) (reduce R p q integral?)]
         [else #f]))
 
-(define (divide-by-term R p m c integral?)
+(define (divide-by-term R p divisor integral?)
   (define guards (ring-guards R))
+  (define m (term-monomial divisor))
+  (define c (term-coefficient divisor))
   (and (for/and ([t (in-list p)])
-         (and (monomial-divides? guards m (car t))
-              (or (not integral?) (integer? (/ (cdr t) c)))))
+         (and (monomial-divides? guards m (term-monomial t))
+              (or (not integral?) (integer? (/ (term-coefficient t) c)))))
        (shift-terms (monomial- (ring-one R) m) (/ 1 c) p)))
 
 ;; The last term of p is that of q times that of the quotient.
 (define (last-divides? R p q)
-  (monomial-divides? (ring-guards R) (car (last-term q)) (car (last-term p))))
-
-(define (last-term p)
-  (if (null? (cdr p)) (car p) (last-term (cdr p))))
+  (monomial-divides? (ring-guards R) (term-monomial (last q)) (term-monomial (last p))))
 
 ;; ---------------------------------------------------------------------------
 ;; Reduction
@@ -52,13 +53,13 @@
 ;; `used` places are not all empty.
 (define (reduce R p q integral?)
   (define guards (ring-guards R))
-  (define lead (caar q))
-  (define lead-coefficient (cdar q))
+  (define lead (leading-monomial q))
+  (define lead-coefficient (leading-coefficient q))
   (define length-of-q (length q))
   (define buckets (make-vector bucket-count '()))
   (vector-set! buckets 0 p)
   (let loop ([quotient '()] [used 1])
-    (define m (leading-monomial buckets used))
+    (define m (greatest-monomial buckets used))
     (cond [(not m) (reverse quotient)]
           [else
            (define c (take-coefficient! buckets used m))
@@ -69,19 +70,19 @@
                   (define n (monomial- m lead))
                   (charge! R length-of-q)
                   (define place (put! R buckets 1 (shift-terms n (- d) (cdr q))))
-                  (loop (cons (cons n d) quotient) (fxmax used (fx+ place 1)))]
+                  (loop (cons (make-term n d) quotient) (fxmax used (fx+ place 1)))]
                  [else #f])])))
 
 ;; The greatest monomial at the head of a bucket, #f when all are empty.
-(define (leading-monomial buckets used)
+(define (greatest-monomial buckets used)
   (let loop ([i 0] [best #f])
     (cond [(eq? i used) best]
           [else
            (define b (vector-ref buckets i))
            (loop (fx+ i 1)
                  (if (and (pair? b)
-                          (or (not best) (fx> (monomial-compare (caar b) best) 0)))
-                     (caar b)
+                          (or (not best) (fx> (monomial-compare (leading-monomial b) best) 0)))
+                     (leading-monomial b)
                      best))])))
 
 ;; Its coefficient, its terms taken off the buckets.
@@ -90,9 +91,9 @@
     (cond [(eq? i used) sum]
           [else
            (define b (vector-ref buckets i))
-           (cond [(and (pair? b) (monomial=? (caar b) m))
+           (cond [(and (pair? b) (monomial=? (leading-monomial b) m))
                   (vector-set! buckets i (cdr b))
-                  (loop (fx+ i 1) (+ sum (cdar b)))]
+                  (loop (fx+ i 1) (+ sum (leading-coefficient b)))]
                  [else (loop (fx+ i 1) sum)])])))
 
 ;; -> the place where the polynomial went.

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Values of polynomials at points, over any numbers and over prime fields.
 
-(require "modular.rkt" "ring.rkt")
+(require "modular.rkt" "ring.rkt" "term-list.rkt")
 
 (provide poly-evaluate poly-evaluate-mod)
 
@@ -10,11 +10,12 @@
   (define (multiply i e value)
     (* value (expt (vector-ref point i) e)))
   (for/fold ([sum 0]) ([t (in-list p)])
-    (+ sum (monomial-fold R (car t) multiply (cdr t)))))
+    (+ sum (monomial-fold R (term-monomial t) multiply (term-coefficient t)))))
 
 ;; point : a vector of residues; prime : below 2^30, dividing no denominator
 (define (poly-evaluate-mod R p point prime)
   (define (multiply i e value)
     (mod* value (mod-expt (vector-ref point i) e prime) prime))
   (for/fold ([sum 0]) ([t (in-list p)])
-    (mod+ sum (monomial-fold R (car t) multiply (residue (cdr t) prime)) prime)))
+    (define c (residue (term-coefficient t) prime))
+    (mod+ sum (monomial-fold R (term-monomial t) multiply c) prime)))

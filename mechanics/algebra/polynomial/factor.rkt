@@ -7,30 +7,30 @@
 ;; with one variable set to 1, which takes nothing away.
 
 (require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "inspect.rkt" "integer-factor.rkt"
-         "lifted-factor.rkt" "monomial.rkt" "parts.rkt" "ring.rkt")
+         "lifted-factor.rkt" "monomial.rkt" "parts.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
 
 (provide poly-factor)
 
-;; ((factor . multiplicity) ...): primitive, with positive leading coefficients;
-;; their product is p up to a rational factor.  Factors are irreducible, but for
+;; Powers of factors that are primitive, with positive leading coefficients; their
+;; product is p up to a rational factor.  Factors are irreducible, but for
 ;; those that were too much work.  Those of low degree come first, and among them
 ;; those with the first variables.
 (define (poly-factor R p)
   (define factors
     (for*/list ([part (in-list (poly-parts R p))]
-                [f (in-list (part-factors R (car part)))])
-      (cons f (cdr part))))
-  (sort (basis-sort factors) (lambda (f g) (before? R (car f) (car g)))))
+                [f (in-list (part-factors R (power-base part)))])
+      (make-power f (power-exponent part))))
+  (sort (basis-sort factors) (lambda (p q) (before? R p q)) #:key power-base))
 
 (define (before? R p q)
   (define m (poly-total-degree R p))
   (define n (poly-total-degree R q))
   (or (< m n)
-      (and (eqv? m n) (monomial>? (caar p) (caar q)))))
+      (and (eqv? m n) (monomial>? (leading-monomial p) (leading-monomial q)))))
 
 (define (part-factors R p)
   (define variables (poly-variables R p))
-  (cond [(null? (cdr p)) (list p)]
+  (cond [(single-term? p) (list p)]
         [(for/or ([i (in-list variables)]) (eqv? 1 (poly-degree R p i))) (list p)]
         [(null? (cdr variables)) (univariate-factors R p (car variables))]
         [(homogeneous? R p) (homogeneous-factors R p (car variables))]
@@ -40,29 +40,26 @@
 ;; One variable
 
 (define (univariate-factors R p x)
-  (define v (make-vector (+ 1 (poly-degree R p x)) 0))
-  (for ([t (in-list p)]) (vector-set! v (monomial-exponent R (car t) x) (cdr t)))
-  (for/list ([f (in-list (integer-factors v))])
-    (poly-sum R
-      (for/list ([c (in-vector f)] [e (in-naturals)] #:unless (eqv? c 0))
-        (poly-scale R c (poly-variable R x e))))))
+  (for/list ([f (in-list (integer-factors (poly->vector R p x)))])
+    (vector->poly R f x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Homogeneous polynomials
 
 (define (homogeneous? R p)
   (define degree (poly-total-degree R p))
-  (for/and ([t (in-list p)]) (eqv? degree (monomial-degree R (car t)))))
+  (for/and ([t (in-list p)]) (eqv? degree (monomial-degree R (term-monomial t)))))
 
 ;; With x set to 1, factored, and each term brought to the degree of its factor.
 (define (homogeneous-factors R p x)
   (for*/list ([f (in-list (poly-factor R (poly-substitute R p x (poly-constant R 1))))]
-              [_ (in-range (cdr f))])
-    (define degree (poly-total-degree R (car f)))
-    (define-values (content primitive)
-      (poly-primitive R
-        (poly-sum R
-          (for/list ([t (in-list (car f))])
-            (define room (- degree (monomial-degree R (car t))))
-            (list (cons (monomial+ (car t) (variable-power R x room)) (cdr t)))))))
-    primitive))
+              [_ (in-range (power-exponent f))])
+    (poly-primitive-part R (homogenized R (power-base f) x))))
+
+(define (homogenized R p x)
+  (define degree (poly-total-degree R p))
+  (poly-sum R
+    (for/list ([t (in-list p)])
+      (define m (term-monomial t))
+      (define room (- degree (monomial-degree R m)))
+      (list (make-term (monomial+ m (variable-power R x room)) (term-coefficient t))))))

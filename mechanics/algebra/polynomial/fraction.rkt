@@ -14,7 +14,8 @@
 ;; fraction-denominator-parts splits it in a way that does not.
 
 (require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
-         "inspect.rkt" "monomial.rkt" "parts.rkt" "rering.rkt" "ring.rkt")
+         "inspect.rkt" "parts.rkt" "power.rkt" "rering.rkt"
+         "../../error/complain.rkt")
 
 (provide
  ;; making
@@ -28,6 +29,7 @@
  fraction+ fraction- fraction-negate fraction-scale fraction-sum
  fraction* fraction/ fraction-invert fraction-expt)
 
+;; denominator-factors : powers (power.rkt) of polynomials
 (struct fraction (numerator denominator-factors)
   #:authentic)
 
@@ -37,7 +39,7 @@
 (define (fraction-rering from to f)
   (fraction (rering from to (fraction-numerator f))
             (for/list ([h (in-list (fraction-denominator-factors f))])
-              (cons (rering from to (car h)) (cdr h)))))
+              (make-power (rering from to (power-base h)) (power-exponent h)))))
 
 ;; The parts of the denominator (parts.rkt), which depend on the value alone.
 (define (fraction-denominator-parts R f)
@@ -47,9 +49,10 @@
 (define (fraction-denominator R f)
   (expand R (poly-constant R 1) (fraction-denominator-factors f)))
 
+;; p times a product of powers.
 (define (expand R p factors)
   (for/fold ([p p]) ([f (in-list factors)])
-    (poly* R p (poly-expt R (car f) (cdr f)))))
+    (poly* R p (poly-expt R (power-base f) (power-exponent f)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Predicates
@@ -64,13 +67,14 @@
   (and (poly=? (fraction-numerator f) (fraction-numerator g))
        (or (basis=? F G)
            (for/and ([h (in-list (common-basis R F G))])
-             (eqv? (cadr h) (cddr h))))))
+             (define e (power-exponent h))
+             (eqv? (exponents-first e) (exponents-second e))))))
 
 ;; Equal fractions have equal hashes, however their denominators are split.
 (define (fraction-hash R f)
   (define degree
     (for/sum ([h (in-list (fraction-denominator-factors f))])
-      (* (cdr h) (poly-total-degree R (car h)))))
+      (* (power-exponent h) (poly-total-degree R (power-base h)))))
   (bitwise-and (+ (poly-hash (fraction-numerator f)) (* 7919 degree))
                #xFFFFFFFFFFFF))
 
@@ -96,21 +100,28 @@
         [(fraction-zero? g) f]
         [else (add-over R f g (common-basis R F G))]))
 
-;; ((factor e . k) ...): the factors of two denominators, with their exponents
-;; in the one and in the other.
+;; Of one factor in two denominators.
+(struct exponents (first second) #:authentic)
+
+(define (add-exponents a b)
+  (exponents (+ (exponents-first a) (exponents-first b))
+             (+ (exponents-second a) (exponents-second b))))
+
+;; The factors of two denominators, with their exponents in both.
 (define (common-basis R F G)
-  (define (add a b) (cons (+ (car a) (car b)) (+ (cdr a) (cdr b))))
-  (for/fold ([basis (for/list ([h (in-list F)]) (cons (car h) (cons (cdr h) 0)))])
-            ([h (in-list G)])
-    (basis-insert R add basis (car h) (cons 0 (cdr h)))))
+  (define first
+    (for/list ([h (in-list F)])
+      (make-power (power-base h) (exponents (power-exponent h) 0))))
+  (for/fold ([basis first]) ([h (in-list G)])
+    (basis-insert R add-exponents basis (power-base h) (exponents 0 (power-exponent h)))))
 
 (define (add-over R f g basis)
   (define-values (f-missing g-missing tied settled)
     (for/fold ([f-missing '()] [g-missing '()] [tied '()] [settled '()])
               ([h (in-list basis)])
-      (define a (cadr h))
-      (define b (cddr h))
-      (define (power e) (cons (car h) e))
+      (define a (exponents-first (power-exponent h)))
+      (define b (exponents-second (power-exponent h)))
+      (define (power e) (make-power (power-base h) e))
       (cond [(< a b) (values (cons (power (- b a)) f-missing) g-missing
                              tied (cons (power b) settled))]
             [(> a b) (values f-missing (cons (power (- a b)) g-missing)
@@ -125,16 +136,11 @@
 
 ;; Fractions over one denominator are added first.
 (define (fraction-sum R fs)
-  (let loop ([fs (for/list ([group (in-list (group-by-denominator fs))])
-                   (sum-group R group))])
-    (cond [(null? fs) (fraction '() '())]
-          [(null? (cdr fs)) (car fs)]
-          [else (loop (add-neighbours R fs))])))
-
-(define (add-neighbours R fs)
-  (cond [(or (null? fs) (null? (cdr fs))) fs]
-        [else (cons (fraction+ R (car fs) (cadr fs))
-                    (add-neighbours R (cddr fs)))]))
+  (define (add f g) (fraction+ R f g))
+  (sum-of-neighbours add
+                     (for/list ([group (in-list (group-by-denominator fs))])
+                       (sum-group R group))
+                     (fraction '() '())))
 
 (define (sum-group R group)
   (if (null? (cdr group))
@@ -149,11 +155,13 @@
     (for/fold ([groups '()]) ([f (in-list fs)])
       (let place ([groups groups])
         (cond [(null? groups) (list (list f))]
-              [(basis=? (fraction-denominator-factors f)
-                        (fraction-denominator-factors (caar groups)))
+              [(same-denominator? f (car (car groups)))
                (cons (cons f (car groups)) (cdr groups))]
               [else (cons (car groups) (place (cdr groups)))]))))
   (map reverse groups))
+
+(define (same-denominator? f g)
+  (basis=? (fraction-denominator-factors f) (fraction-denominator-factors g)))
 
 ;; ---------------------------------------------------------------------------
 ;; Products
@@ -172,15 +180,13 @@
 
 (define (multiply-bases R F G)
   (for/fold ([basis F]) ([h (in-list G)])
-    (basis-insert R + basis (car h) (cdr h))))
+    (basis-insert R + basis (power-base h) (power-exponent h))))
 
 (define (fraction/ R f g) (fraction* R f (fraction-invert R g)))
 
 (define (fraction-invert R f)
   (define p (fraction-numerator f))
-  (when (null? p)
-    (raise (exn:fail:contract:divide-by-zero "fraction/: division by zero"
-                                             (current-continuation-marks))))
+  (when (null? p) (raise-division-by-zero 'fraction/))
   (define-values (content factors) (split-factors R p))
   (fraction (expand R (poly-constant R (/ 1 content)) (fraction-denominator-factors f))
             (basis-sort factors)))
@@ -188,13 +194,9 @@
 ;; A polynomial as a rational number, variables, and the primitive rest.
 (define (split-factors R p)
   (define-values (content primitive) (poly-primitive R p))
-  (define m (common-monomial R primitive))
-  (define variables
-    (for/list ([v (in-list (monomial-factors R m))])
-      (cons (poly-variable R (car v)) (cdr v))))
-  (define rest (shift-terms (monomial- (ring-one R) m) 1 primitive))
+  (define-values (variables rest) (split-monomial R primitive))
   (values content
-          (if (poly-constant? rest) variables (cons (cons rest 1) variables))))
+          (if (poly-constant? rest) variables (cons (make-power rest 1) variables))))
 
 (define (fraction-expt R f k)
   (cond [(negative? k) (fraction-expt R (fraction-invert R f) (- k))]
@@ -202,7 +204,7 @@
         [else
          (fraction (poly-expt R (fraction-numerator f) k)
                    (for/list ([h (in-list (fraction-denominator-factors f))])
-                     (cons (car h) (* k (cdr h)))))]))
+                     (make-power (power-base h) (* k (power-exponent h)))))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Cancelling
@@ -219,14 +221,14 @@
 ;; -> p and factors without their common divisors.
 (define (cancel-all R p factors)
   (for/fold ([p p] [kept '()]) ([h (in-list factors)])
-    (define-values (p* rest) (cancel-power R p (car h) (cdr h)))
+    (define-values (p* rest) (cancel-power R p (power-base h) (power-exponent h)))
     (values p* (append rest kept))))
 
 ;; The same against h^e.  When they share a proper divisor d of h, the
 ;; remaining denominator d^(e-1) (h/d)^e is refined and tried again.
 (define (cancel-power R p h e)
   (define d (poly-gcd R p h))
-  (cond [(poly-constant? d) (values p (list (cons h e)))]
+  (cond [(poly-constant? d) (values p (list (make-power h e)))]
         [else
          (define p* (poly-divide R p d))
          (define others (basis-insert R + '() (poly-divide R h d) e))

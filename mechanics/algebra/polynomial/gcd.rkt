@@ -12,21 +12,22 @@
 ;; come last, so the answer is always right and always comes.
 
 (require "arithmetic.rkt" "content.rkt" "division.rkt" "heuristic-gcd.rkt" "images.rkt"
-         "inspect.rkt" "modular.rkt" "monomial.rkt" "remainder-gcd.rkt" "rering.rkt" "ring.rkt"
-         "sparse-gcd.rkt")
+         "inspect.rkt" "modular.rkt" "remainder-gcd.rkt" "rering.rkt" "ring.rkt" "sparse-gcd.rkt"
+         "term-list.rkt")
 
-(provide poly-gcd poly-gcd*)
+(provide poly-gcd poly-gcd* poly-content-in)
 
 ;; The gcd over the rationals as a primitive integer polynomial with positive
 ;; leading coefficient; 0 when both are 0.
 (define (poly-gcd R p q)
-  (cond [(null? p) (primitive-part R q)]
-        [(null? q) (primitive-part R p)]
+  (cond [(null? p) (poly-primitive-part R q)]
+        [(null? q) (poly-primitive-part R p)]
         [(or (poly-constant? p) (poly-constant? q)) (poly-constant R 1)]
         [else
          (define m (common-monomial R p))
          (define n (common-monomial R q))
-         (define g (primitive-gcd R (strip R m p) (strip R n q)))
+         (define (core p m) (poly-primitive-part R (divide-by-monomial R p m)))
+         (define g (primitive-gcd R (core p m) (core q n)))
          (shift-terms (monomial-gcd R m n) 1 g)]))
 
 ;; The gcd of a list, small ones first.
@@ -38,13 +39,9 @@
           [(and (pair? g) (poly-constant? g)) g]
           [else (loop (poly-gcd R g (car ps)) (cdr ps))])))
 
-(define (primitive-part R p)
-  (define-values (content primitive) (poly-primitive R p))
-  primitive)
-
-;; The primitive part of p without its monomial factor m.
-(define (strip R m p)
-  (primitive-part R (shift-terms (monomial- (ring-one R) m) 1 p)))
+;; The gcd of the coefficients of p in variable i.
+(define (poly-content-in R p i)
+  (poly-gcd* R (map slice-coefficient (poly-coefficients R p i))))
 
 ;; ---------------------------------------------------------------------------
 ;; Getting rid of variables.  From here on p and q are primitive, and no
@@ -63,11 +60,9 @@
   (define bounds (gcd-degree-bounds R p q common seed (nth-prime seed)))
   (define kept
     (for/list ([i (in-list common)] [b (in-list bounds)] #:unless (eq? b 0)) i))
-  (define kept-bounds (filter (lambda (b) (not (eq? b 0))) bounds))
-  (define (others variables)
-    (filter (lambda (i) (not (memv i kept))) variables))
-  (define p-others (others p-variables))
-  (define q-others (others q-variables))
+  (define kept-bounds (remv* '(0) bounds))
+  (define p-others (remv* kept p-variables))
+  (define q-others (remv* kept q-variables))
   (cond [(null? kept) (poly-constant R 1)]
         [(whole-divisor R p q p-others q-others kept kept-bounds)]
         [(and (null? p-others) (null? q-others))
@@ -93,9 +88,6 @@
          (poly* R g (poly-gcd R (poly-divide R p g) (poly-divide R q g)))]
         [(< seed attempts) (gcd-by-images R p q variables variables (+ seed 1))]
         [else (remainder-gcd R p q)]))
-
-(define (nth-prime n)
-  (for/fold ([P first-prime]) ([i (in-range n)]) (next-prime P)))
 
 (define (degrees R p variables)
   (for/list ([i (in-list variables)]) (poly-degree R p i)))

@@ -12,7 +12,8 @@
 ;; until it is seen to divide p and q.  The integers have some
 ;; log ξ · ∏ (1 + degree) digits: right for few variables, hopeless for many.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "ring.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "modular.rkt" "ring.rkt"
+         "term-list.rkt")
 
 (provide heuristic-divisor heuristic-size)
 
@@ -20,17 +21,16 @@
 ;; p, q : primitive, over the given variables
 (define (heuristic-divisor R p q variables)
   (for/or ([growth (in-list '(1 17/8 23/4))])
-    (define-values (c g) (poly-primitive R (guess R p q variables growth)))
+    (define g (poly-primitive-part R (guess R p q variables growth)))
     (and (poly-divide-integral R p g) (poly-divide-integral R q g) g)))
 
 ;; About how many bits the integers would have.
 (define (heuristic-size R p q variables)
-  (for/fold ([bits (integer-length (+ 29 (* 2 (min (height p) (height q)))))])
+  (for/fold ([bits (integer-length (least-base p q))])
             ([i (in-list variables)])
     (* bits (+ 1 (max (poly-degree R p i) (poly-degree R q i))))))
 
-(define (height p)
-  (for/fold ([h 0]) ([t (in-list p)]) (max h (abs (cdr t)))))
+(define (least-base p q) (+ 29 (* 2 (min (poly-height p) (poly-height q)))))
 
 ;; gcd over the integers, contents included, as the digits tell it to bases
 ;; `growth` times as large as they need be.
@@ -42,8 +42,7 @@
          (define-values (p-content p*) (poly-primitive R p))
          (define-values (q-content q*) (poly-primitive R q))
          (define x (car variables))
-         (define base
-           (floor (* growth (+ 29 (* 2 (min (height p*) (height q*)))))))
+         (define base (floor (* growth (least-base p* q*))))
          (define g
            (guess R (put R p* x base) (put R q* x base) (cdr variables) growth))
          (poly-scale R (gcd p-content q-content) (digits R g x base))]))
@@ -53,7 +52,7 @@
   (charge! R (* 2 (length p)))
   (poly-sum R
             (for/list ([c (in-list (poly-coefficients R p x))])
-              (poly-scale R (expt n (car c)) (cdr c)))))
+              (poly-scale R (expt n (slice-degree c)) (slice-coefficient c)))))
 
 (define (digits R g x base)
   (poly-from-coefficients
@@ -64,14 +63,10 @@
             (define low (remainders g base))
             (loop (poly-scale R (/ 1 base) (poly- R g low))
                   (+ i 1)
-                  (cons (cons i low) coefficients))]))))
+                  (cons (make-slice i low) coefficients))]))))
 
 (define (remainders g base)
   (for*/list ([t (in-list g)]
-              [r (in-value (balanced-remainder (cdr t) base))]
+              [r (in-value (symmetric-residue (term-coefficient t) base))]
               #:unless (eqv? r 0))
-    (cons (car t) r)))
-
-(define (balanced-remainder c base)
-  (define r (modulo c base))
-  (if (> (* 2 r) base) (- r base) r))
+    (make-term (term-monomial t) r)))

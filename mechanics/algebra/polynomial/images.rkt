@@ -15,7 +15,8 @@
 ;; With v the value of a term c x^e y^f ... at α, its share in the image along x
 ;; is v α_x^(-e): dividing by one coordinate serves all images from one pass.
 
-(require racket/fixnum "ring.rkt" "modular.rkt")
+(require racket/fixnum
+         "modular.rkt" "ring.rkt" "term-list.rkt")
 
 (provide gcd-degree-bounds)
 
@@ -72,15 +73,16 @@
     value)
   (define total
     (for/fold ([total 0]) ([t (in-list p)])
-      (define value (monomial-fold R (car t) multiply (modulo (cdr t) P)))
-      (mod+ total (monomial-fold R (car t) put! value) P)))
+      (define m (term-monomial t))
+      (define value (monomial-fold R m multiply (modulo (term-coefficient t) P)))
+      (mod+ total (monomial-fold R m put! value) P)))
   (for ([i (in-list variables)])
     (add-at! (vector-ref images i) 0 total P))
   (values images degrees))
 
 ;; No variable has a degree above the total one.
 (define (blank-images R p variables)
-  (define length (+ 1 (monomial-degree R (caar p))))
+  (define length (+ 1 (monomial-degree R (leading-monomial p))))
   (define images (make-vector (ring-size R) #f))
   (for ([i (in-list variables)])
     (vector-set! images i (make-fxvector length 0)))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Looking into polynomials, and taking them apart along a variable.
 
-(require "arithmetic.rkt" "monomial.rkt" "ring.rkt")
+(require "arithmetic.rkt" "monomial.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
 
 (provide
  ;; predicates
@@ -9,10 +9,12 @@
  ;; degrees
  poly-degree poly-total-degree poly-variables
  ;; terms
- poly-terms poly-for-each-term
- poly-leading-coefficient
+ poly-terms poly-term-coefficient poly-term-powers poly-for-each-term
+ poly-leading-coefficient poly-height
  ;; along one variable
- poly-coefficients poly-coefficients-over poly-from-coefficients poly-derivative poly-substitute)
+ poly-coefficients poly-coefficients-over poly-from-coefficients poly-leading-coefficient-in
+ poly->vector vector->poly
+ poly-derivative poly-substitute)
 
 ;; ---------------------------------------------------------------------------
 ;; Predicates
@@ -20,21 +22,23 @@
 (define (poly-zero? p) (null? p))
 
 (define (poly-constant? p)
-  (or (null? p) (monomial-one? (caar p))))
+  (or (null? p) (monomial-one? (leading-monomial p))))
 
 ;; The value of a constant polynomial.
-(define (poly-constant-value p) (if (null? p) 0 (cdar p)))
+(define (poly-constant-value p) (poly-leading-coefficient p))
 
 (define (poly=? p q)
   (cond [(eq? p q) #t]
         [(or (null? p) (null? q)) #f]
-        [else (and (monomial=? (caar p) (caar q))
-                   (eqv? (cdar p) (cdar q))
+        [else (and (monomial=? (leading-monomial p) (leading-monomial q))
+                   (eqv? (leading-coefficient p) (leading-coefficient q))
                    (poly=? (cdr p) (cdr q)))]))
 
 (define (poly-hash p)
   (for/fold ([h 17]) ([t (in-list p)])
-    (bitwise-and (+ (* 31 h) (* 7 (monomial-hash (car t))) (word (cdr t)))
+    (bitwise-and (+ (* 31 h)
+                    (* 7 (monomial-hash (term-monomial t)))
+                    (word (term-coefficient t)))
                  #xFFFFFFFFFFFF)))
 
 (define (word x)
@@ -42,50 +46,68 @@
 
 (define (poly-term-count p) (length p))
 
-(define (poly-leading-coefficient p) (if (null? p) 0 (cdar p)))
+(define (poly-leading-coefficient p) (if (null? p) 0 (leading-coefficient p)))
+
+;; The greatest magnitude of a coefficient.
+(define (poly-height p)
+  (for/fold ([h 0]) ([t (in-list p)]) (max h (abs (term-coefficient t)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Degrees; those of zero are 0
 
 (define (poly-degree R p i)
   (for/fold ([d 0]) ([t (in-list p)])
-    (max d (monomial-exponent R (car t) i))))
+    (max d (monomial-exponent R (term-monomial t) i))))
 
 (define (poly-total-degree R p)
-  (if (null? p) 0 (monomial-degree R (caar p))))
+  (if (null? p) 0 (monomial-degree R (leading-monomial p))))
 
 ;; The indices of the variables that occur, ascending.
 (define (poly-variables R p)
   (define present
-    (for/fold ([m (ring-one R)]) ([t (in-list p)]) (monomial-join m (car t))))
-  (map car (monomial-factors R present)))
+    (for/fold ([m (ring-one R)]) ([t (in-list p)]) (monomial-join m (term-monomial t))))
+  (map power-base (monomial-factors R present)))
 
 ;; ---------------------------------------------------------------------------
 ;; Terms
 
-;; ((coefficient . ((index . exponent) ...)) ...)
+;; ((coefficient . powers of variables) ...)
 (define (poly-terms R p)
   (for/list ([t (in-list p)])
-    (cons (cdr t) (monomial-factors R (car t)))))
+    (cons (term-coefficient t) (monomial-factors R (term-monomial t)))))
+
+(define poly-term-coefficient car)
+(define poly-term-powers cdr)
 
 (define (poly-for-each-term R p visit)
   (for ([t (in-list p)])
-    (visit (cdr t) (monomial-exponents R (car t)))))
+    (visit (term-coefficient t) (monomial-exponents R (term-monomial t)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Along one variable
 
-;; ((degree . coefficient) ...) by decreasing degree in variable i, the
-;; coefficients nonzero and free of it.
+;; The slices of p (term-list.rkt): ((degree . coefficient) ...) by decreasing degree in
+;; variable i, the coefficients nonzero and free of it.
 (define (poly-coefficients R p i)
   (define table (make-hasheqv))
   (for ([t (in-list p)])
-    (define e (monomial-exponent R (car t) i))
+    (define m (term-monomial t))
+    (define e (monomial-exponent R m i))
     (define reduced
-      (if (eq? e 0) t (cons (monomial- (car t) (variable-power R i e)) (cdr t))))
+      (if (eq? e 0)
+          t
+          (make-term (monomial- m (variable-power R i e)) (term-coefficient t))))
     (hash-set! table e (cons reduced (hash-ref table e '()))))
   (for/list ([e (in-list (sort (hash-keys table) >))])
-    (cons e (reverse (hash-ref table e)))))
+    (make-slice e (reverse (hash-ref table e)))))
+
+;; That of the highest power of variable i; p is not zero.
+(define (poly-leading-coefficient-in R p i)
+  (define degree (poly-degree R p i))
+  (define power (variable-power R i degree))
+  (for/list ([t (in-list p)]
+             #:when (eq? degree (monomial-exponent R (term-monomial t) i)))
+    (make-term (monomial- (term-monomial t) power) (term-coefficient t))))
 
 ;; The nonzero coefficients of p as a polynomial in several variables.
 (define (poly-coefficients-over R p variables)
@@ -94,27 +116,44 @@
          (define part (monomial-part R variables))
          (define table (make-monomial-hash R))
          (for ([t (in-list p)])
-           (define m (part (car t)))
-           (hash-set! table m (cons (cons (monomial- (car t) m) (cdr t)) (hash-ref table m '()))))
+           (define m (part (term-monomial t)))
+           (define reduced (make-term (monomial- (term-monomial t) m) (term-coefficient t)))
+           (hash-set! table m (cons reduced (hash-ref table m '()))))
          (for/list ([terms (in-hash-values table)]) (reverse terms))]))
 
-(define (poly-from-coefficients R i alist)
+(define (poly-from-coefficients R i slices)
   (poly-sum R
-            (for/list ([entry (in-list alist)] #:unless (null? (cdr entry)))
-              (define m (variable-monomial R i (car entry)))
-              (check-monomial R (monomial+ m (caar (cdr entry))))
-              (shift-terms m 1 (cdr entry)))))
+            (for*/list ([s (in-list slices)]
+                        [c (in-value (slice-coefficient s))]
+                        #:unless (null? c))
+              (define m (variable-monomial R i (slice-degree s)))
+              (check-monomial R (monomial+ m (leading-monomial c)))
+              (shift-terms m 1 c))))
+
+;; The numbers at the powers of variable i, by ascending degree, when p has no other.
+(define (poly->vector R p i)
+  (define v (make-vector (+ 1 (poly-degree R p i)) 0))
+  (for ([t (in-list p)])
+    (vector-set! v (monomial-exponent R (term-monomial t) i) (term-coefficient t)))
+  v)
+
+;; The polynomial in variable i with these numbers, times the monomial m.
+(define (vector->poly R v i [m (ring-one R)])
+  (poly-sum R
+            (for/list ([c (in-vector v)] [e (in-naturals)] #:unless (eqv? c 0))
+              (list (make-term (monomial+ m (variable-power R i e)) c)))))
 
 (define (poly-derivative R p i)
   (define unit (variable-unit R i))
   (let loop ([p p])
     (cond [(null? p) '()]
           [else
-           (define m (caar p))
+           (define m (leading-monomial p))
            (define e (monomial-exponent R m i))
            (if (eq? e 0)
                (loop (cdr p))
-               (cons (cons (monomial- m unit) (* e (cdar p))) (loop (cdr p))))])))
+               (cons (make-term (monomial- m unit) (* e (leading-coefficient p)))
+                     (loop (cdr p))))])))
 
 ;; p with the polynomial q in the place of variable i, by Horner's rule.
 (define (poly-substitute R p i q)
@@ -122,7 +161,6 @@
     (define (times-power v k) (if (eqv? k 0) v (poly* R v (poly-expt R q k))))
     (cond [(null? cs) (if at (times-power value at) value)]
           [else
-           (define e (caar cs))
-           (loop (cdr cs)
-                 (poly+ R (if at (times-power value (- at e)) value) (cdar cs))
-                 e)])))
+           (define e (slice-degree (car cs)))
+           (define c (slice-coefficient (car cs)))
+           (loop (cdr cs) (poly+ R (if at (times-power value (- at e)) value) c) e)])))

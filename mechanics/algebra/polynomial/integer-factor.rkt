@@ -8,12 +8,11 @@
 ;;
 ;; A polynomial is the vector of its integer coefficients by ascending degree.
 
-(require "dense.rkt" "modular-factor.rkt")
+(require "dense.rkt" "modular-factor.rkt" "modular.rkt" "recombination.rkt")
 
-(provide integer-factors square-free? subsets choices-limit)
+(provide integer-factors square-free?)
 
-;; More modular factors than these are not combined, higher degrees not tried.
-(define choices-limit 14)
+;; Higher degrees are not tried.
 (define degree-limit 50)
 
 ;; The irreducible factors of f, primitive, square-free and of positive degree;
@@ -53,29 +52,15 @@
   (define P (prime-above (* 2 (abs (leading f)))))
   (and P (dense-square-free? (dense f P) P)))
 
-;; Products of k modular factors are tried for k = 1, 2, ... .
 (define (combine f factors P)
-  (let loop ([f f] [factors factors] [k 1])
-    (cond [(> (* 2 k) (length factors)) (if (> (vector-length f) 1) (list f) '())]
-          [else
-           (define-values (g rest used) (find-factor f factors k P))
-           (if g
-               (cons g (loop rest (remove-all used factors) k))
-               (loop f factors (+ k 1)))])))
-
-;; -> a factor of f, the quotient, and the modular factors of which it is made; or
-;; #f thrice.
-(define (find-factor f factors k P)
-  (let try ([choices (subsets factors k)])
-    (cond [(null? choices) (values #f #f #f)]
-          [else
-           (define g (candidate f (car choices) P))
-           (define rest (divide f g))
-           (if rest (values g rest (car choices)) (try (cdr choices)))])))
+  (define (split f chosen others)
+    (define g (candidate f chosen P))
+    (define rest (divide f g))
+    (if rest (values g rest) (values #f #f)))
+  (recombine f factors split))
 
 (define (candidate f chosen P)
-  (define product
-    (for/fold ([g (vector (modulo (leading f) P))]) ([h (in-list chosen)]) (dense* g h P)))
+  (define product (dense-product (vector (modulo (leading f) P)) chosen P))
   (primitive (for/vector ([c (in-vector product)]) (symmetric-residue c P))))
 
 (define (primitive f)
@@ -100,17 +85,3 @@
                 #t)))
        (for/and ([c (in-vector rest)]) (eqv? c 0))
        quotient))
-
-;; ---------------------------------------------------------------------------
-;; Choices
-
-;; All lists of k elements of xs, in their order.
-(define (subsets xs k)
-  (cond [(eqv? k 0) '(())]
-        [(< (length xs) k) '()]
-        [else
-         (append (for/list ([s (in-list (subsets (cdr xs) (- k 1)))]) (cons (car xs) s))
-                 (subsets (cdr xs) k))]))
-
-(define (remove-all used xs)
-  (filter (lambda (x) (not (memq x used))) xs))

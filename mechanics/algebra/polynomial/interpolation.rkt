@@ -7,7 +7,8 @@
 ;; M(z) = ∏ (z - mᵢ) and M(z)/(z - mⱼ) = Σ aₜ z^t, the combination Σ aₜ bₜ₊₁ keeps
 ;; the j-th term alone: it is cⱼ mⱼ ∏_{i≠j} (mⱼ - mᵢ).  That costs n² products.
 
-(require racket/fixnum "modular.rkt")
+(require racket/fixnum
+         "modular.rkt")
 
 (provide make-newton solve-power-sums)
 

@@ -10,7 +10,8 @@
 ;; p but l^(n-1) p(x/l) is treated.
 
 (require "arithmetic.rkt" "content.rkt" "dense.rkt" "division.rkt" "gcd.rkt" "inspect.rkt"
-         "integer-factor.rkt" "lifting.rkt" "rering.rkt" "ring.rkt")
+         "integer-factor.rkt" "lifting.rkt" "recombination.rkt" "rering.rkt" "ring.rkt"
+         "term-list.rkt")
 
 (provide lifted-factors)
 
@@ -27,12 +28,12 @@
   (if (or (not factors) (null? (cdr factors)))
       (list p)
       (for/list ([g (in-list factors)])
-        (rering V R (if reversed? (positive V (reversed V g x)) g)))))
+        (rering V R (if reversed? (poly-primitive-part V (reversed V g x)) g)))))
 
 ;; The same, of p in the variable x; #f where it would be too much work.
 (define (view-factors V p x)
   (define W (wider-ring V (room V p x)))
-  (define l (rering V W (leading-along V p x)))
+  (define l (rering V W (poly-leading-coefficient-in V p x)))
   (define q (make-monic W (rering V W p) x l))
   (define factors (and (<= (length q) terms-limit) (monic-factors W q x)))
   (and factors
@@ -51,47 +52,40 @@
   (values x reversed?))
 
 (define (view-cost R p i)
-  (define l (leading-along R p i))
+  (define l (poly-leading-coefficient-in R p i))
   (define n (poly-degree R p i))
   (+ (* 1000 (- n 1) (poly-total-degree R l)) (* 10 n) (length l)))
 
-(define (leading-along R p i) (cdar (poly-coefficients R p i)))
-
 ;; xⁿ p(1/x)
 (define (reversed R p i)
-  (define cs (poly-coefficients R p i))
-  (define n (caar cs))
+  (define n (poly-degree R p i))
   (poly-from-coefficients R i
-    (for/list ([c (in-list cs)]) (cons (- n (car c)) (cdr c)))))
+    (for/list ([s (in-list (poly-coefficients R p i))])
+      (make-slice (- n (slice-degree s)) (slice-coefficient s)))))
 
 ;; Degree enough for the monic polynomial, for products of its factors while they
 ;; are lifted, and for the way back.
 (define (room R p x)
-  (define l (poly-total-degree R (leading-along R p x)))
+  (define l (poly-total-degree R (poly-leading-coefficient-in R p x)))
   (define n (poly-degree R p x))
   (+ (* 2 (+ (poly-total-degree R p) (* (- n 1) l) n))
      (* n (+ l 1))))
 
 ;; l^(n-1) p(x/l)
 (define (make-monic R p x l)
-  (define cs (poly-coefficients R p x))
-  (define n (caar cs))
+  (define n (poly-degree R p x))
   (poly-from-coefficients R x
-    (for/list ([c (in-list cs)])
-      (cons (car c)
-            (if (eqv? (car c) n)
-                (poly-constant R 1)
-                (poly* R (cdr c) (poly-expt R l (- n 1 (car c)))))))))
+    (for/list ([s (in-list (poly-coefficients R p x))])
+      (define d (slice-degree s))
+      (make-slice d
+                  (if (eqv? d n)
+                      (poly-constant R 1)
+                      (poly* R (slice-coefficient s) (poly-expt R l (- n 1 d))))))))
 
 ;; The factor of p that became the monic f.
 (define (unmake-monic R f x l)
   (define g (poly-substitute R f x (poly* R l (poly-variable R x))))
-  (define content (poly-gcd* R (map cdr (poly-coefficients R g x))))
-  (positive R (poly-divide R g content)))
-
-(define (positive R p)
-  (define-values (content primitive) (poly-primitive R p))
-  primitive)
+  (poly-primitive-part R (poly-divide R g (poly-content-in R g x))))
 
 ;; ---------------------------------------------------------------------------
 ;; Monic polynomials
@@ -113,9 +107,10 @@
 
 ;; q at y + sign · point
 (define (translate R q point sign)
-  (for/fold ([q q]) ([c (in-list point)] #:unless (eqv? 0 (cdr c)))
-    (poly-substitute R q (car c)
-                     (poly+ R (poly-variable R (car c)) (poly-constant R (* sign (cdr c)))))))
+  (for/fold ([q q]) ([c (in-list point)] #:unless (eqv? 0 (coordinate-value c)))
+    (define y (coordinate-variable c))
+    (define shift (poly-constant R (* sign (coordinate-value c))))
+    (poly-substitute R q y (poly+ R (poly-variable R y) shift))))
 
 ;; Twice what the coefficients of a factor can be, after Gelfond.
 (define (coefficient-bound R q)
@@ -123,36 +118,18 @@
   (* 2
      (expt 2 (apply + degrees))
      (apply * (map add1 degrees))
-     (for/fold ([m 1]) ([t (in-list q)]) (max m (abs (cdr t))))))
+     (poly-height q)))
 
-;; Products of k images are tried for k = 1, 2, ... .
+;; #f as soon as lifting is too much work.
 (define (combine R q x images P)
-  (let loop ([q q] [images images] [k 1])
-    (cond [(> (* 2 k) (length images)) (if (null? images) '() (list q))]
-          [else
-           (define-values (g rest used) (find-factor R q x images k P))
-           (cond [(eq? g 'too-much) #f]
-                 [g
-                  (define others
-                    (loop rest (filter (lambda (h) (not (memq h used))) images) k))
-                  (and others (cons g others))]
-                 [else (loop q images (+ k 1))])])))
-
-;; -> a factor, the quotient, and the images it is made of; or #f; or 'too-much.
-(define (find-factor R q x images k P)
-  (let try ([choices (subsets images k)])
-    (cond [(null? choices) (values #f #f #f)]
-          [else
-           (define chosen (car choices))
-           (define others (filter (lambda (h) (not (memq h chosen))) images))
-           (define g (lift-factor R q x (product chosen P) (product others P) P))
-           (define rest (and g (poly-divide R q g)))
-           (cond [(not g) (values 'too-much #f #f)]
-                 [rest (values g rest chosen)]
-                 [else (try (cdr choices))])])))
-
-(define (product ps P)
-  (for/fold ([product #(1)]) ([p (in-list ps)]) (dense* product p P)))
+  (let/ec give-up
+    (define (split q chosen others)
+      (define g
+        (or (lift-factor R q x (dense-product #(1) chosen P) (dense-product #(1) others P) P)
+            (give-up #f)))
+      (define rest (poly-divide R q g))
+      (if rest (values g rest) (values #f #f)))
+    (recombine q images split)))
 
 ;; ---------------------------------------------------------------------------
 ;; Images
@@ -160,10 +137,13 @@
 ;; How many images are looked at.
 (define images-limit 3)
 
-;; -> ((variable . integer) ...) and the factors of the image there, as few as can
-;; be had; #f and #f if all images have double factors.
+;; A point is a list of these; values are integers.
+(struct coordinate (variable value) #:authentic)
+
+;; -> point and the factors of the image there, as few as can be had; #f and #f if
+;; all images have double factors.
 (define (best-image R q x)
-  (define others (filter (lambda (i) (not (eqv? i x))) (poly-variables R q)))
+  (define others (remv x (poly-variables R q)))
   (let loop ([points (points others)] [tries images-limit] [best #f] [factors #f])
     (cond [(or (null? points) (eqv? tries 0) (and factors (null? (cdr factors))))
            (values best factors)]
@@ -177,7 +157,7 @@
 
 ;; Points with many zeros first: moving them to 0 keeps polynomials short.
 (define (points variables)
-  (define (point f) (for/list ([i (in-list variables)] [j (in-naturals)]) (cons i (f j))))
+  (define (point f) (for/list ([i (in-list variables)] [j (in-naturals)]) (coordinate i (f j))))
   (append (list (point (lambda (j) 0)))
           (for/list ([k (in-range (length variables))])
             (point (lambda (j) (if (eqv? j k) 1 0))))
@@ -188,8 +168,5 @@
 (define (image-at R q x point)
   (define image
     (for/fold ([q q]) ([c (in-list point)])
-      (poly-substitute R q (car c) (poly-constant R (cdr c)))))
-  (define v (make-vector (+ 1 (poly-degree R image x)) 0))
-  (for ([c (in-list (poly-coefficients R image x))])
-    (vector-set! v (car c) (poly-constant-value (cdr c))))
-  v)
+      (poly-substitute R q (coordinate-variable c) (poly-constant R (coordinate-value c)))))
+  (poly->vector R image x))

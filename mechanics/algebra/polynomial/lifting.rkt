@@ -12,7 +12,8 @@
 ;; p that has the image g₀, if there is one: no other polynomial could be it.
 ;; Coefficients are residues modulo a prime above twice those a factor can have.
 
-(require "arithmetic.rkt" "dense.rkt" "inspect.rkt" "monomial.rkt" "ring.rkt")
+(require "arithmetic.rkt" "dense.rkt" "inspect.rkt" "modular.rkt" "monomial.rkt" "ring.rkt"
+         "term-list.rkt")
 
 (provide lift-factor)
 
@@ -34,33 +35,33 @@
 
 ;; The greatest degree in all variables but x.
 (define (degree-outside R p x)
-  (for/fold ([d 0]) ([t (in-list p)]) (max d (outside R (car t) x))))
+  (for/fold ([d 0]) ([t (in-list p)]) (max d (outside R (term-monomial t) x))))
 
 (define (outside R m x) (- (monomial-degree R m) (monomial-exponent R m x)))
 
-;; ((monomial of y . vector of integers) ...), the terms of degree k in y.
+;; The terms of degree k in y: a table from monomials of y to vectors of integers.
 (define (terms-of-degree R p x k)
   (define n (+ 1 (poly-degree R p x)))
   (define table (make-monomial-hash R))
-  (for ([t (in-list p)] #:when (eqv? k (outside R (car t) x)))
-    (define e (monomial-exponent R (car t) x))
+  (for* ([t (in-list p)]
+         [m (in-value (term-monomial t))]
+         #:when (eqv? k (outside R m x)))
+    (define e (monomial-exponent R m x))
     (define v
-      (hash-ref! table (monomial- (car t) (variable-power R x e)) (lambda () (make-vector n 0))))
-    (vector-set! v e (cdr t)))
-  (for/list ([(m v) (in-hash table)]) (cons m v)))
+      (hash-ref! table (monomial- m (variable-power R x e)) (lambda () (make-vector n 0))))
+    (vector-set! v e (term-coefficient t)))
+  table)
 
 (define (corrections R x error g₀ h₀ u v P)
   (define-values (gs hs)
-    (for/fold ([gs '()] [hs '()]) ([entry (in-list error)])
-      (define c (dense (cdr entry) P))
+    (for/fold ([gs '()] [hs '()]) ([(m numbers) (in-hash error)])
+      (define c (dense numbers P))
       (define-values (k δg) (dense-divide (dense* v c P) g₀ P))
       (define-values (δh zero) (dense-divide (dense- c (dense* δg h₀ P) P) g₀ P))
-      (values (cons (sparse R x δg (car entry) P) gs)
-              (cons (sparse R x δh (car entry) P) hs))))
+      (values (cons (sparse R x δg m P) gs)
+              (cons (sparse R x δh m P) hs))))
   (values (poly-sum R gs) (poly-sum R hs)))
 
 ;; The dense polynomial in x times the monomial m of y.
 (define (sparse R x v m P)
-  (poly-sum R
-    (for/list ([c (in-vector v)] [e (in-naturals)] #:unless (eqv? c 0))
-      (list (cons (monomial+ m (variable-power R x e)) (symmetric-residue c P))))))
+  (vector->poly R (for/vector ([c (in-vector v)]) (symmetric-residue c P)) x m))

@@ -1,23 +1,24 @@
 #lang racket/base
-;; Sparse polynomials over a prime field: the terms of polynomial.rkt with
+;; Sparse polynomials over a prime field: lists of terms (term-list.rkt) with
 ;; residues for coefficients.
 
-(require racket/fixnum "monomial.rkt" "ring.rkt" "modular.rkt")
+(require racket/fixnum
+         "arithmetic.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide terms-mod put-mod monomial-value)
 
 ;; The residues of a polynomial with integer coefficients.
 (define (terms-mod p P)
   (for*/list ([t (in-list p)]
-              [c (in-value (modulo (cdr t) P))]
+              [c (in-value (modulo (term-coefficient t) P))]
               #:unless (eq? c 0))
-    (cons (car t) c)))
+    (make-term (term-monomial t) c)))
 
 ;; p with the residue a for variable i.
 (define (put-mod R p i a P)
   (define by-degree (make-hasheqv))
   (for ([t (in-list p)])
-    (define e (monomial-exponent R (car t) i))
+    (define e (monomial-exponent R (term-monomial t) i))
     (hash-set! by-degree e (cons t (hash-ref by-degree e '()))))
   (for/fold ([sum '()]) ([(e terms) (in-hash by-degree)])
     (define power (mod-expt a e P))
@@ -26,19 +27,10 @@
 ;; Terms in increasing order, divided by m and scaled, in decreasing order.
 (define (strip terms m scale P)
   (for/fold ([result '()]) ([t (in-list terms)])
-    (cons (cons (monomial- (car t) m) (mod* scale (cdr t) P)) result)))
+    (cons (make-term (monomial- (term-monomial t) m) (mod* scale (term-coefficient t) P))
+          result)))
 
-(define (add-mod p q P)
-  (cond [(null? p) q]
-        [(null? q) p]
-        [else
-         (define order (monomial-compare (caar p) (caar q)))
-         (cond [(fx> order 0) (cons (car p) (add-mod (cdr p) q P))]
-               [(fx< order 0) (cons (car q) (add-mod p (cdr q) P))]
-               [else
-                (define c (mod+ (cdar p) (cdar q) P))
-                (define rest (add-mod (cdr p) (cdr q) P))
-                (if (eq? c 0) rest (cons (cons (caar p) c) rest))])]))
+(define-sum (add-mod p q P) mod+)
 
 ;; The value of a monomial, leaving out the variable `skip`.
 ;; point : fxvector of residues by variable

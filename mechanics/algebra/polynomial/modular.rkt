@@ -10,7 +10,7 @@
 
 (provide
  ;; fields
- first-prime next-prime residue symmetric
+ first-prime nth-prime next-prime residue symmetric-residue
  mod* mod+ mod- mod-expt mod-inverse
  sample-residue
  ;; univariate polynomials
@@ -25,6 +25,9 @@
 (define (next-prime n)
   (let ([candidate (- n 2)])
     (if (odd-prime? candidate) candidate (next-prime candidate))))
+
+(define (nth-prime n)
+  (for/fold ([P first-prime]) ([_ (in-range n)]) (next-prime P)))
 
 (define (odd-prime? n)
   (let loop ([d 3])
@@ -51,9 +54,10 @@
             (mod-inverse (modulo (denominator c) P) P)
             P)))
 
-;; The integer of least magnitude congruent to a residue.
-(define (symmetric c modulus)
-  (if (> (* 2 c) modulus) (- c modulus) c))
+;; The integer of least magnitude in the class of c; the modulus may be of any size.
+(define (symmetric-residue c modulus)
+  (define r (modulo c modulus))
+  (if (> (* 2 r) modulus) (- r modulus) r))
 
 (define (mod-expt base k P)
   (cond [(eq? k 1) base]

@@ -9,39 +9,36 @@
 ;; every variable separates the sets.
 
 (require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
-         "inspect.rkt" "monomial.rkt" "ring.rkt" "square-free.rkt")
+         "inspect.rkt" "power.rkt" "square-free.rkt" "term-list.rkt")
 
 (provide poly-parts product-parts)
 
-;; ((part . multiplicity) ...): primitive, square-free, pairwise coprime, sorted;
-;; their product is p up to a rational factor.
-(define (poly-parts R p) (product-parts R (list (cons p 1))))
+;; Powers of parts: primitive, square-free, pairwise coprime, sorted; their product
+;; is p up to a rational factor.
+(define (poly-parts R p) (product-parts R (list (make-power p 1))))
 
-;; The parts of the product of ((polynomial . exponent) ...), nonzero and
-;; pairwise coprime.
+;; The parts of a product of powers of polynomials, nonzero and pairwise coprime.
 (define (product-parts R factors)
   (basis-sort
    (merge-parts R
                 (for*/list ([f (in-list factors)]
-                            [part (in-list (split-polynomial R (car f)))])
-                  (cons (car part) (* (cdr f) (cdr part)))))))
+                            [part (in-list (split-polynomial R (power-base f)))])
+                  (make-power (power-base part)
+                              (* (power-exponent f) (power-exponent part)))))))
 
 (define (split-polynomial R p)
-  (define m (common-monomial R p))
-  (append (for/list ([v (in-list (monomial-factors R m))])
-            (cons (poly-variable R (car v)) (cdr v)))
-          (for*/list ([f (in-list (poly-square-free
-                                   R (shift-terms (monomial- (ring-one R) m) 1 p)))]
-                      [part (in-list (split-by-variables R (car f)))])
-            (cons part (cdr f)))))
+  (define-values (variables rest) (split-monomial R p))
+  (append variables
+          (for*/list ([f (in-list (poly-square-free R rest))]
+                      [part (in-list (split-by-variables R (power-base f)))])
+            (make-power part (power-exponent f)))))
 
 ;; Factors of p; all irreducible factors of one have the same variables.
 (define (split-by-variables R p)
   (let loop ([variables (poly-variables R p)])
     (cond [(null? variables) (list p)]
           [else
-           (define content
-             (poly-gcd* R (map cdr (poly-coefficients R p (car variables)))))
+           (define content (poly-content-in R p (car variables)))
            (if (poly-constant? content)
                (loop (cdr variables))
                (append (split-by-variables R content)
@@ -51,9 +48,8 @@
 (define (merge-parts R parts)
   (define table (make-hash))
   (for ([part (in-list parts)])
-    (define p (car part))
-    (define key
-      (list (cdr part) (null? (cdr p)) (poly-variables R p)))
+    (define p (power-base part))
+    (define key (list (power-exponent part) (single-term? p) (poly-variables R p)))
     (hash-update! table key (lambda (q) (poly* R p q)) (poly-constant R 1)))
   (for/list ([(key p) (in-hash table)])
-    (cons p (car key))))
+    (make-power p (car key))))

@@ -6,7 +6,7 @@
 ;; exn:algebra:degree-overflow.
 
 (require "arithmetic.rkt" "content.rkt" "division.rkt" "evaluate.rkt" "gcd.rkt" "inspect.rkt"
-         "meter.rkt" "parts.rkt" "ring.rkt" "square-free.rkt")
+         "meter.rkt" "parts.rkt" "power.rkt" "ring.rkt" "square-free.rkt" "term-list.rkt")
 
 (provide
  ;; rings
@@ -18,13 +18,16 @@
  ;; asking
  poly-zero? poly-constant? poly-constant-value poly=? poly-hash poly-term-count
  poly-degree poly-total-degree poly-variables poly-leading-coefficient
- poly-terms poly-for-each-term
+ poly-terms poly-term-coefficient poly-term-powers poly-for-each-term
  ;; arithmetic
  poly+ poly- poly-negate poly* poly-scale poly-expt poly-sum poly-divide
  ;; divisors
  poly-gcd poly-gcd* poly-content poly-primitive poly-monomial-content
  poly-square-free poly-parts
+ ;; powers, of polynomials or of the variables in a term
+ make-power power-base power-exponent
  ;; along one variable
  poly-coefficients poly-from-coefficients poly-derivative poly-substitute
+ make-slice slice-degree slice-coefficient
  ;; values
  poly-evaluate poly-evaluate-mod)

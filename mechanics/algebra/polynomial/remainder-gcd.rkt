@@ -9,14 +9,15 @@
 ;; p, q, r, ....  Pseudo-remainders have higher degrees than p and q in the
 ;; other variables, hence a wider ring for each.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "rering.rkt" "ring.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "rering.rkt" "ring.rkt"
+         "term-list.rkt")
 
 (provide remainder-gcd)
 
 ;; A gcd over the rationals, primitive; p and q not both 0.
 (define (remainder-gcd R p q)
-  (cond [(null? p) (primitive R q)]
-        [(null? q) (primitive R p)]
+  (cond [(null? p) (poly-primitive-part R q)]
+        [(null? q) (poly-primitive-part R p)]
         [(or (poly-constant? p) (poly-constant? q)) (poly-constant R 1)]
         [else
          (define x (car (poly-variables R p)))
@@ -24,16 +25,12 @@
          (define q-content (content-in R q x))
          (define g
            (last-primitive R x (poly-divide R p p-content) (poly-divide R q q-content)))
-         (primitive R (poly* R (remainder-gcd R p-content q-content) g))]))
-
-(define (primitive R p)
-  (define-values (content primitive) (poly-primitive R p))
-  primitive)
+         (poly-primitive-part R (poly* R (remainder-gcd R p-content q-content) g))]))
 
 ;; The gcd of the coefficients of p in variable x.
 (define (content-in R p x)
   (for/fold ([g '()]) ([c (in-list (poly-coefficients R p x))])
-    (remainder-gcd R g (cdr c))))
+    (remainder-gcd R g (slice-coefficient c))))
 
 ;; The last nonzero member of the sequence that begins with p and q.
 (define (last-primitive R x p q)
@@ -55,18 +52,19 @@
 
 ;; p without its contents, numeric and in x.
 (define (primitive-in R p x)
-  (primitive R (poly-divide R p (content-in R p x))))
+  (poly-primitive-part R (poly-divide R p (content-in R p x))))
 
 (define (pseudo-remainder R x p q)
   (define divisor (poly-coefficients R q x))
-  (define n (caar divisor))
-  (define lead (cdar divisor))
+  (define n (slice-degree (car divisor)))
+  (define lead (slice-coefficient (car divisor)))
   (define tail (poly-from-coefficients R x (cdr divisor)))
   (let loop ([p p])
     (define cs (poly-coefficients R p x))
-    (cond [(or (null? cs) (< (caar cs) n)) p]
+    (cond [(or (null? cs) (< (slice-degree (car cs)) n)) p]
           [else
            (define rest (poly-from-coefficients R x (cdr cs)))
-           (define shifted
-             (poly-from-coefficients R x (list (cons (- (caar cs) n) (cdar cs)))))
+           (define top
+             (make-slice (- (slice-degree (car cs)) n) (slice-coefficient (car cs))))
+           (define shifted (poly-from-coefficients R x (list top)))
            (loop (poly- R (poly* R lead rest) (poly* R shifted tail)))])))

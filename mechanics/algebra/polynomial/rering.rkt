@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Moving polynomials between rings of the same variables.
 
-(require "monomial.rkt" "ring.rkt")
+(require "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide rering)
 
@@ -10,6 +10,7 @@
   (define (times i e m) (monomial+ m (variable-power to i e)))
   (cond [(eq? from to) p]
         [else
-         (unless (null? p) (check-degree to (monomial-degree from (caar p))))
+         (unless (null? p) (check-degree to (monomial-degree from (leading-monomial p))))
          (for/list ([t (in-list p)])
-           (cons (monomial-fold from (car t) times (ring-one to)) (cdr t)))]))
+           (make-term (monomial-fold from (term-monomial t) times (ring-one to))
+                      (term-coefficient t)))]))

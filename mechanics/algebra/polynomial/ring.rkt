@@ -15,7 +15,9 @@
 ;; degree does: one look at the product of the leading monomials guards a whole
 ;; multiplication.
 
-(require racket/fixnum "monomial.rkt" "meter.rkt")
+(require racket/fixnum
+         "meter.rkt" "monomial.rkt" "power.rkt"
+         "../../error/degree-overflow.rkt")
 
 (provide
  ;; rings
@@ -55,15 +57,13 @@
     (fx* bits (+ 1 (vector-ref lasts 0))))
   (define (one-bit word shift) (chain word-count (hasheqv word (fxlshift 1 shift))))
   (define degree-unit (one-bit 0 degree-shift))
-  (define places
-    (for/list ([w (in-fxvector words)] [s (in-fxvector shifts)]) (cons w s)))
   (ring n max-degree bits field degree-shift words shifts lasts
-        (for/vector #:length n ([p (in-list places)])
-          (monomial+ degree-unit (one-bit (car p) (cdr p))))
+        (for/vector #:length n ([w (in-fxvector words)] [s (in-fxvector shifts)])
+          (monomial+ degree-unit (one-bit w s)))
         (chain word-count (hasheqv))
         (for/fold ([guards (one-bit 0 (+ degree-shift bits -1))])
-                  ([p (in-list places)])
-          (monomial+ guards (one-bit (car p) (+ (cdr p) bits -1))))
+                  ([w (in-fxvector words)] [s (in-fxvector shifts)])
+          (monomial+ guards (one-bit w (+ s bits -1))))
         meter))
 
 ;; The same variables, and the same meter.
@@ -99,20 +99,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Degree overflow
 
-;; An operation in a ring would give a polynomial of total degree `degree`, more
-;; than the ring's `bound`.  Whoever sized the ring catches it, or has a bug.
-(struct exn:algebra:degree-overflow exn:fail (degree bound))
-
-(define (raise-degree-overflow R degree)
-  (raise (exn:algebra:degree-overflow
-          (format (string-append "polynomial: the degree would pass the bound of the ring\n"
-                                 "  degree: ~a\n  bound: ~a")
-                  degree (ring-max-degree R))
-          (current-continuation-marks)
-          degree (ring-max-degree R))))
-
 (define (check-degree R degree)
-  (unless (<= degree (ring-max-degree R)) (raise-degree-overflow R degree)))
+  (unless (<= degree (ring-max-degree R))
+    (raise-degree-overflow degree (ring-max-degree R))))
 
 ;; m, a monomial or a product of two, when it is a monomial of the ring.
 (define (check-monomial R m)
@@ -136,10 +125,11 @@
 (define (variable-power R i exponent)
   (monomial-power (variable-unit R i) exponent))
 
-;; factors : ((index . exponent) ...), each index once
+;; factors : powers of variables, each index once
 (define (factors->monomial R factors)
   (for/fold ([m (ring-one R)]) ([f (in-list factors)])
-    (check-monomial R (monomial+ m (variable-monomial R (car f) (cdr f))))))
+    (define power (variable-monomial R (power-base f) (power-exponent f)))
+    (check-monomial R (monomial+ m power))))
 
 ;; exponents : a list or a vector, one a variable
 (define (exponents->monomial R exponents)
@@ -149,7 +139,7 @@
                                        (in-list exponents))]
                                 [i (in-naturals)]
                                 #:unless (eqv? e 0))
-                       (cons i e))))
+                       (make-power i e))))
 
 ;; ---------------------------------------------------------------------------
 ;; Exponents of monomials
@@ -184,9 +174,9 @@
           [else
            (next-field (monomial-head (cdr m)) (cdr m) (fx+ w 1) result)])))
 
-;; ((index . exponent) ...) of the variables that occur, by ascending index.
+;; Powers (power.rkt) of the variables that occur, by ascending index.
 (define (monomial-factors R m)
-  (reverse (monomial-fold R m (lambda (i e factors) (cons (cons i e) factors)) '())))
+  (reverse (monomial-fold R m (lambda (i e factors) (cons (make-power i e) factors)) '())))
 
 ;; The first word without the total degree.
 (define (below-degree R m)
@@ -217,11 +207,13 @@
 (define (monomial-gcd R a b)
   (let loop ([xs (monomial-factors R a)] [ys (monomial-factors R b)] [m (ring-one R)])
     (cond [(or (null? xs) (null? ys)) m]
-          [(< (caar xs) (caar ys)) (loop (cdr xs) ys m)]
-          [(> (caar xs) (caar ys)) (loop xs (cdr ys) m)]
           [else
-           (define e (min (cdar xs) (cdar ys)))
-           (loop (cdr xs) (cdr ys) (monomial+ m (variable-power R (caar xs) e)))])))
+           (define i (power-base (car xs)))
+           (define j (power-base (car ys)))
+           (define e (min (power-exponent (car xs)) (power-exponent (car ys))))
+           (cond [(< i j) (loop (cdr xs) ys m)]
+                 [(> i j) (loop xs (cdr ys) m)]
+                 [else (loop (cdr xs) (cdr ys) (monomial+ m (variable-power R i e)))])])))
 
 ;; ---------------------------------------------------------------------------
 ;; Tables

@@ -16,8 +16,9 @@
 ;; that number is multiplied by m.
 
 (require racket/fixnum
+         racket/list
          "arithmetic.rkt" "inspect.rkt" "interpolation.rkt" "modular-terms.rkt" "modular.rkt"
-         "monomial.rkt" "ring.rkt")
+         "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide make-skeleton skeleton-terms skeleton-count skeleton-coefficients
          make-bundle)
@@ -26,25 +27,31 @@
 ;; Skeletons
 
 ;; terms : group after group, a term with every monomial of h
-;; groups : list of (power of x . fxvector of the constants mₛ), by decreasing power
+;; groups : by decreasing power of x
 ;; count : how many points are needed
 (struct skeleton (terms groups count)
   #:authentic)
 
+;; The monomials with one power of x; constants : fxvector of their mₛ
+(struct group (power constants)
+  #:authentic)
+
 ;; From terms whose monomials are those of h.
 (define (make-skeleton R x terms point P)
-  (define by-power (poly-coefficients R terms x))
+  (define slices (poly-coefficients R terms x))
   (define groups
-    (for/list ([c (in-list by-power)])
-      (cons (car c)
-            (for/fxvector #:length (length (cdr c)) ([t (in-list (cdr c))])
-              (monomial-value R (car t) x point P)))))
-  (skeleton (apply append
-                   (for/list ([c (in-list by-power)])
-                     (shift-terms (variable-power R x (car c)) 1 (cdr c))))
+    (for/list ([s (in-list slices)])
+      (define members (slice-coefficient s))
+      (group (slice-degree s)
+             (for/fxvector #:length (length members) ([t (in-list members)])
+               (monomial-value R (term-monomial t) x point P)))))
+  (skeleton (append* (for/list ([s (in-list slices)])
+                       (shift-terms (variable-power R x (slice-degree s))
+                                    1
+                                    (slice-coefficient s))))
             groups
             (for/fold ([n 0]) ([g (in-list groups)])
-              (max n (fxvector-length (cdr g))))))
+              (max n (fxvector-length (group-constants g))))))
 
 ;; The coefficients of h at y = value, a list in the order of the terms; or #f
 ;; when the images do not fit: another degree in x than expected, a power of x
@@ -79,7 +86,7 @@
   (let loop ([e degree] [groups groups] [sums sums])
     (cond [(not g) #f]
           [(fx< e 0) #t]
-          [(and (pair? groups) (eq? e (caar groups)))
+          [(and (pair? groups) (eq? e (group-power (car groups))))
            (fxvector-set! (car sums) t (fxvector-ref g e))
            (loop (fx- e 1) (cdr groups) (cdr sums))]
           [else (and (eq? 0 (fxvector-ref g e))
@@ -88,7 +95,7 @@
 (define (solve groups sums P)
   (define solved
     (for/list ([g (in-list groups)] [s (in-list sums)])
-      (solve-power-sums (cdr g) s P)))
+      (solve-power-sums (group-constants g) s P)))
   (and (andmap values solved)
        (for*/list ([cs (in-list solved)] [c (in-fxvector cs)]) c)))
 
@@ -106,22 +113,22 @@
 
 ;; y : #f for none
 (define (make-bundle R x y terms point P)
-  (define coefficients
-    (if y (poly-coefficients R terms y) (list (cons 0 terms))))
-  (define all (union-of-monomials R (map cdr coefficients)))
+  (define slices
+    (if y (poly-coefficients R terms y) (list (make-slice 0 terms))))
+  (define all (union-of-monomials R (map slice-coefficient slices)))
   (define n (length all))
   (define exponents
     (for/fxvector #:length n ([m (in-list all)]) (monomial-exponent R m x)))
   (bundle exponents
           (for/fxvector #:length n ([m (in-list all)]) (monomial-value R m x point P))
           (for/fold ([d 0]) ([e (in-fxvector exponents)]) (fxmax d e))
-          (for/list ([c (in-list coefficients)])
-            (make-part (car c) (cdr c) all))))
+          (for/list ([s (in-list slices)])
+            (make-part (slice-degree s) (slice-coefficient s) all))))
 
 ;; All monomials of several polynomials, in decreasing order.
 (define (union-of-monomials R ps)
-  (define (ones p) (for/list ([t (in-list p)]) (cons (car t) 1)))
-  (map car (poly-sum R (map ones ps))))
+  (define (ones p) (for/list ([t (in-list p)]) (make-term (term-monomial t) 1)))
+  (map term-monomial (poly-sum R (map ones ps))))
 
 (define (make-part power terms all)
   (define n (length terms))
@@ -129,13 +136,13 @@
   (for/fold ([all all] [place 0] #:result (void)) ([t (in-list terms)] [i (in-naturals)])
     (define-values (rest found)
       (let find ([all all] [place place])
-        (if (monomial=? (car all) (car t))
+        (if (monomial=? (car all) (term-monomial t))
             (values all place)
             (find (cdr all) (fx+ place 1)))))
     (fxvector-set! places i found)
     (values rest found))
   (part power places
-        (for/fxvector #:length n ([t (in-list terms)]) (cdr t))))
+        (for/fxvector #:length n ([t (in-list terms)]) (term-coefficient t))))
 
 ;; -> a procedure that returns, call after call, the images at the next point.
 ;; They share one fxvector, which the caller may destroy.

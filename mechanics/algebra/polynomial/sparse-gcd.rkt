@@ -18,7 +18,8 @@
 
 (require racket/fixnum
          "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "interpolation.rkt"
-         "modular-terms.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "skeleton.rkt")
+         "modular-terms.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "skeleton.rkt"
+         "term-list.rkt")
 
 (provide sparse-divisor)
 
@@ -30,11 +31,13 @@
 (define (sparse-divisor R p q variables bounds gcd-of seed)
   (define x (choose-main R p q variables))
   (define lead
-    (integer-gcd R (leading-coefficient-in R p x) (leading-coefficient-in R q x) gcd-of))
+    (integer-gcd R
+                 (poly-leading-coefficient-in R p x) (poly-leading-coefficient-in R q x)
+                 gcd-of))
   (define problem
     (make-problem R p q x lead variables bounds seed))
   (lift-over-primes problem
-                    (for/fold ([P first-prime]) ([i (in-range seed)]) (next-prime P))
+                    (nth-prime seed)
                     (lambda (h modulus) (verified R p q x (lift h modulus) gcd-of))))
 
 ;; A greater coefficient than this many primes tell is given up.
@@ -57,8 +60,8 @@
 ;; The variable whose leading coefficients have fewest terms.
 (define (choose-main R p q variables)
   (define (cost x)
-    (min (length (leading-coefficient-in R p x))
-         (length (leading-coefficient-in R q x))))
+    (min (length (poly-leading-coefficient-in R p x))
+         (length (poly-leading-coefficient-in R q x))))
   (for/fold ([best (car variables)] [least (cost (car variables))] #:result best)
             ([x (in-list (cdr variables))])
     (define c (cost x))
@@ -68,42 +71,40 @@
 (define (integer-gcd R p q gcd-of)
   (poly-scale R (gcd (poly-content p) (poly-content q)) (gcd-of (list p q))))
 
-(define (leading-coefficient-in R p x)
-  (define degree (poly-degree R p x))
-  (define power (variable-power R x degree))
-  (for/list ([t (in-list p)]
-             #:when (eq? degree (monomial-exponent R (car t) x)))
-    (cons (monomial- (car t) power) (cdr t))))
-
 ;; ---------------------------------------------------------------------------
 ;; From residues to integers
 
 (define (small? h modulus)
   (for/and ([t (in-list h)])
-    (< (* 8 (abs (symmetric (cdr t) modulus))) modulus)))
+    (< (* 8 (abs (symmetric-residue (term-coefficient t) modulus))) modulus)))
 
 (define (lift h modulus)
-  (for/list ([t (in-list h)]) (cons (car t) (symmetric (cdr t) modulus))))
+  (for/list ([t (in-list h)])
+    (make-term (term-monomial t) (symmetric-residue (term-coefficient t) modulus))))
 
 ;; The residues modulo modulus · P, by the Chinese remainder theorem.
 (define (combine-residues h modulus image P)
   (define inverse (mod-inverse (modulo modulus P) P))
   (define (join m c d)
-    (cons m (+ c (* modulus (mod* (mod- d (modulo c P) P) inverse P)))))
+    (make-term m (+ c (* modulus (mod* (mod- d (modulo c P) P) inverse P)))))
+  (define (before? p q)
+    (or (null? q) (and (pair? p) (monomial>? (leading-monomial p) (leading-monomial q)))))
   (let merge ([h h] [image image])
     (cond [(and (null? h) (null? image)) '()]
-          [(or (null? image) (and (pair? h) (monomial>? (caar h) (caar image))))
-           (cons (join (caar h) (cdar h) 0) (merge (cdr h) image))]
-          [(or (null? h) (monomial>? (caar image) (caar h)))
-           (cons (join (caar image) 0 (cdar image)) (merge h (cdr image)))]
+          [(before? h image)
+           (cons (join (leading-monomial h) (leading-coefficient h) 0)
+                 (merge (cdr h) image))]
+          [(before? image h)
+           (cons (join (leading-monomial image) 0 (leading-coefficient image))
+                 (merge h (cdr image)))]
           [else
-           (cons (join (caar h) (cdar h) (cdar image))
+           (cons (join (leading-monomial h) (leading-coefficient h) (leading-coefficient image))
                  (merge (cdr h) (cdr image)))])))
 
 ;; The primitive part of h in x, if it divides p and q.
 (define (verified R p q x h gcd-of)
-  (define content (gcd-of (map cdr (poly-coefficients R h x))))
-  (define-values (c g) (poly-primitive R (poly-divide R h content)))
+  (define content (gcd-of (map slice-coefficient (poly-coefficients R h x))))
+  (define g (poly-primitive-part R (poly-divide R h content)))
   (and (poly-divide-integral R p g) (poly-divide-integral R q g) g))
 
 ;; ---------------------------------------------------------------------------
@@ -116,7 +117,7 @@
 
 (define (make-problem R p q x lead variables bounds seed)
   (define degrees (map cons variables bounds))
-  (define others (filter (lambda (i) (not (eqv? i x))) variables))
+  (define others (remv x variables))
   (problem R p q x (cdr (assv x degrees)) lead others
            (for/list ([i (in-list others)])
              (+ (cdr (assv i degrees)) (poly-degree R lead i)))
@@ -148,7 +149,7 @@
 ;; Terms with all powers of x that h may have.
 (define (all-powers k)
   (for/list ([e (in-range (problem-degree k) -1 -1)])
-    (cons (variable-power (problem-ring k) (problem-x k) e) 1)))
+    (make-term (variable-power (problem-ring k) (problem-x k) e) 1)))
 
 ;; h when its monomials are those of `known`.
 (define (image-over k p q lead known P)
@@ -158,7 +159,7 @@
        (sort-terms (for/list ([t (in-list (skeleton-terms s))]
                               [c (in-list coefficients)]
                               #:unless (eq? c 0))
-                     (cons (car t) c)))))
+                     (make-term (term-monomial t) c)))))
 
 ;; h with the variable y, from its image at y = alpha and more of them.
 (define (restore-one k p q lead y alpha image degree P)
@@ -169,7 +170,7 @@
   (define images (map-or-false coefficients-at points))
   (and images
        (interpolate (problem-ring k) y (skeleton-terms s) (cons alpha points)
-                    (cons (map cdr (skeleton-terms s)) images)
+                    (cons (map term-coefficient (skeleton-terms s)) images)
                     P)))
 
 ;; -> skeleton, and a procedure from values of y to the coefficients there.
@@ -210,6 +211,6 @@
    (for*/list ([(t values) (in-parallel terms (apply map list images))]
                [(c e) (in-parallel (in-fxvector (coefficients-of values)) (in-naturals))]
                #:unless (eq? c 0))
-     (cons (monomial+ (car t) (variable-power R y e)) c))))
+     (make-term (monomial+ (term-monomial t) (variable-power R y e)) c))))
 
-(define (sort-terms terms) (sort terms monomial>? #:key car))
+(define (sort-terms terms) (sort terms monomial>? #:key term-monomial))

@@ -1,19 +1,19 @@
 #lang racket/base
 ;; Square-free decomposition, by Yun's algorithm one variable after the other.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "inspect.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "inspect.rkt" "power.rkt")
 
 (provide poly-square-free)
 
-;; ((factor . multiplicity) ...): primitive, square-free, pairwise coprime,
-;; not constant; their product is p up to a rational factor.
+;; Powers of factors: primitive, square-free, pairwise coprime, not constant; their
+;; product is p up to a rational factor.
 (define (poly-square-free R p)
   (define variables (poly-variables R p))
   (cond [(null? variables) '()]
         [else
          (define x (car variables))
-         (define content (poly-gcd* R (map cdr (poly-coefficients R p x))))
-         (define-values (c primitive) (poly-primitive R (poly-divide R p content)))
+         (define content (poly-content-in R p x))
+         (define primitive (poly-primitive-part R (poly-divide R p content)))
          (merge-multiplicities R (append (yun R primitive x) (poly-square-free R content)))]))
 
 ;; p without factors free of x.  With p = ∏ fᵢ^i, p/gcd(p, p') is ∏ fᵢ; comparing
@@ -26,11 +26,13 @@
            (define z (poly- R y (poly-derivative R w x)))
            (define f (poly-gcd R w z))
            (define rest (loop (poly-divide R w f) (poly-divide R z f) (+ i 1)))
-           (if (poly-constant? f) rest (cons (cons f i) rest))])))
+           (if (poly-constant? f) rest (cons (make-power f i) rest))])))
 
 ;; Factors of one multiplicity multiplied together.
 (define (merge-multiplicities R factors)
-  (for/fold ([merged '()]) ([f (in-list (sort factors > #:key cdr))])
-    (if (and (pair? merged) (= (cdr f) (cdar merged)))
-        (cons (cons (poly* R (car f) (caar merged)) (cdr f)) (cdr merged))
+  (for/fold ([merged '()]) ([f (in-list (sort factors > #:key power-exponent))])
+    (define last (and (pair? merged) (car merged)))
+    (if (and last (= (power-exponent f) (power-exponent last)))
+        (cons (make-power (poly* R (power-base f) (power-base last)) (power-exponent f))
+              (cdr merged))
         (cons f merged))))

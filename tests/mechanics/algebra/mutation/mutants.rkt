@@ -115,8 +115,8 @@
    "(cons (term ratio (term-powers new))"]
   ;; polynomials and fractions
   ["a product adds where it should multiply" "polynomial/arithmetic.rkt"
-   "(cons (cons (caar p) (* c (cdar p))) (scale c (cdr p)))"
-   "(cons (cons (caar p) (+ c (cdar p))) (scale c (cdr p)))"]
+   "(cons (make-term (leading-monomial p) (* c (leading-coefficient p))) (scale c (cdr p)))"
+   "(cons (make-term (leading-monomial p) (+ c (leading-coefficient p))) (scale c (cdr p)))"]
   ["cancelling divides the numerator alone" "polynomial/fraction.rkt"
    "(define others (basis-insert R + '() (poly-divide R h d) e))"
    "(define others (basis-insert R + '() h e))"]
@@ -133,8 +133,8 @@
    "(shift-terms n (- d) (cdr q))"
    "(shift-terms n d (cdr q))"]
   ["the square-free parts drop a factor" "polynomial/square-free.rkt"
-   "(if (poly-constant? f) rest (cons (cons f i) rest))"
-   "(if (poly-constant? f) rest (cons (cons f 1) rest))"]
+   "(if (poly-constant? f) rest (cons (make-power f i) rest))"
+   "(if (poly-constant? f) rest (cons (make-power f 1) rest))"]
   ["a basis forgets an exponent" "polynomial/coprime-basis.rkt"
    "(basis-insert R add others d (add k e))"
    "(basis-insert R add others d k)"]

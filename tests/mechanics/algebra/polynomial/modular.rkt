@@ -39,7 +39,7 @@
   (check-exn #rx"the residue has no inverse.*residue: 0" (lambda () (mod-inverse 0 P))))
 
 (test-case "symmetric residues are least in magnitude"
-  (check-equal? (for/list ([c 5]) (symmetric c 5)) '(0 1 2 -2 -1)))
+  (check-equal? (for/list ([c 5]) (symmetric-residue c 5)) '(0 1 2 -2 -1)))
 
 (test-case "univariate gcds over a prime field"
   (define (times a b)
