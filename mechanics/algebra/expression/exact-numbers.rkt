@@ -2,7 +2,7 @@
 ;; Numbers as the algebra takes them: exact rationals, and exponents.
 
 (provide exact-constant? rational-part imaginary-part exact-exponent
-         present-number number-factors)
+         present-number number-factors rational-content)
 
 ;; Is x, or each part of a complex x, a rational number?  (NaN and the
 ;; infinities are not.)
@@ -29,6 +29,10 @@
 
 ;; 1/-0.1 is not quite -10, as a rational; the flonum nearest to it is.
 (define (whole-as-exact y) (if (and (integer? y) (< (abs y) 1e15)) (inexact->exact y) y))
+
+;; The greatest rational of which all of these are whole multiples.
+(define (rational-content cs)
+  (/ (apply gcd (map numerator cs)) (apply lcm (map denominator cs))))
 
 ;; A positive rational as ((prime . exponent) ...), primes ascending.  Small
 ;; primes are tried; what is then left is taken for a prime, or a power of one.

@@ -17,7 +17,7 @@
          "../kernel/circle.rkt" "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../kernel/roots.rkt"
          "../polynomial/fraction.rkt" "../polynomial/monomial.rkt" "../polynomial/polynomial.rkt"
-         "../polynomial/ring.rkt")
+         "../polynomial/ring.rkt" "../polynomial/term-list.rkt")
 
 (provide (struct-out field) (struct-out relation)
          make-field field-fraction field-inexact?
@@ -213,8 +213,8 @@
   (or (null? p)
       (null? (field-relations F))
       (let ([R (field-ring F)]
-            [bits (for/fold ([bits (caar p)]) ([t (in-list (cdr p))])
-                    (monomial-join bits (car t)))])
+            [bits (for/fold ([bits (leading-monomial p)]) ([t (in-list (cdr p))])
+                    (monomial-join bits (term-monomial t)))])
         (for/and ([r (in-list (field-relations F))])
           (< (monomial-exponent R bits (relation-index r)) (relation-degree r))))))
 
@@ -227,19 +227,21 @@
   (define factors (fraction-denominator-factors f))
   (define i (relation-index r))
   (define q (relation-degree r))
-  (define (high? h) (or (reaches? R (car h) i q) (reaches? R (car h) i (/ q (cdr h)) #t)))
+  (define (high? h)
+    (define p (power-base h))
+    (or (reaches? R p i q) (reaches? R p i (/ q (power-exponent h)) #t)))
   (cond [(or (reaches? R p i q) (ormap high? factors))
          (for/fold ([value (lower R r p)]) ([h (in-list factors)])
-           (fraction/ R value (lower-power R r (car h) (cdr h))))]
+           (fraction/ R value (lower-power R r (power-base h) (power-exponent h))))]
         [else f]))
 
 ;; Does the variable occur in p to this power?  alone? : and nothing else?
 (define (reaches? R p i degree [alone? #f])
-  (and (or (not alone?) (null? (cdr p)))
-       (for/or ([t (in-list p)]) (>= (monomial-exponent R (car t) i) degree))))
+  (and (or (not alone?) (single-term? p))
+       (for/or ([t (in-list p)]) (>= (monomial-exponent R (term-monomial t) i) degree))))
 
 (define (lower-power R r p e)
-  (if (null? (cdr p))
+  (if (single-term? p)
       (lower R r (poly-expt R p e))
       (fraction-expt R (lower R r p) e)))
 
@@ -248,9 +250,10 @@
   (define i (relation-index r))
   (define q (relation-degree r))
   (define groups (make-hasheqv))
-  (for ([entry (in-list (poly-coefficients R p i))])
-    (hash-update! groups (quotient (car entry) q)
-                  (lambda (part) (cons (cons (remainder (car entry) q) (cdr entry)) part))
+  (for ([s (in-list (poly-coefficients R p i))])
+    (define low (make-slice (remainder (slice-degree s) q) (slice-coefficient s)))
+    (hash-update! groups (quotient (slice-degree s) q)
+                  (lambda (part) (cons low part))
                   '()))
   (fraction-sum R
     (for/list ([j (in-list (sort (hash-keys groups) <))])

@@ -11,7 +11,8 @@
 ;;
 ;; Longer denominators stay as they are, as do those with more powers of x.
 
-(require "field.rkt"
+(require racket/list
+         "field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
@@ -41,10 +42,10 @@
 (define (rationalize-by F r f)
   (define R (field-ring F))
   (for/fold ([f f]) ([h (in-list (fraction-denominator-factors f))]
-                     #:when (positive? (poly-degree R (car h) (relation-index r)))
-                     #:unless (long-in-sines? F r (car h)))
-    (define c (conjugate F r (car h)))
-    (if (and c (modest? r f c (cdr h)))
+                     #:when (positive? (poly-degree R (power-base h) (relation-index r)))
+                     #:unless (long-in-sines? F r (power-base h)))
+    (define c (conjugate F r (power-base h)))
+    (if (and c (modest? r f c (power-exponent h)))
         (multiplied F r f h c)
         f)))
 
@@ -70,13 +71,15 @@
   (define R (field-ring F))
   (define i (relation-index r))
   (define q (relation-degree r))
-  (define parts (poly-coefficients R h i))          ; highest first
-  (define degree (caar parts))
+  (define slices (poly-coefficients R h i))          ; highest first
+  (define degree (slice-degree (first slices)))
+  (define b (slice-coefficient (first slices)))
   (cond [(>= degree q) #f]
-        [(null? (cdr parts)) (poly-expt R (poly-variable R i) (- q degree))]
-        [(null? (cddr parts))
-         (define y (poly* R (poly-negate R (cdar parts)) (poly-variable R i degree)))
-         (geometric-sum R (cdadr parts) y (/ q (gcd q degree)))]
+        [(null? (rest slices)) (poly-expt R (poly-variable R i) (- q degree))]
+        [(null? (rest (rest slices)))
+         (define a (slice-coefficient (second slices)))
+         (define y (poly* R (poly-negate R b) (poly-variable R i degree)))
+         (geometric-sum R a y (/ q (gcd q degree)))]
         [else #f]))
 
 ;; (a^n - y^n) / (a - y)
@@ -89,9 +92,10 @@
 (define (multiplied F r f h c)
   (define R (field-ring F))
   (define (from p) (fraction-from-poly R p))
-  (define e (cdr h))
-  (define norm (reduce-fraction F (lower R r (poly* R (car h) c))))
-  (define (above) (reduce-fraction F (fraction* R f (fraction-expt R (from (car h)) e))))
+  (define p (power-base h))
+  (define e (power-exponent h))
+  (define norm (reduce-fraction F (lower R r (poly* R p c))))
+  (define (above) (reduce-fraction F (fraction* R f (fraction-expt R (from p) e))))
   (if (fraction-zero? norm)
       f
       (reduce-fraction F

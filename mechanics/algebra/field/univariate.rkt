@@ -4,7 +4,8 @@
 ;; A polynomial is the list of its coefficients, reduced fractions, the constant
 ;; one first and the last not zero.  Every operation takes the field first.
 
-(require "field.rkt"
+(require racket/list
+         "field.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
 (provide poly->univariate univariate->fraction
@@ -13,10 +14,11 @@
 ;; The polynomial p of the field's ring, in variable i.
 (define (poly->univariate F i p)
   (define R (field-ring F))
-  (define table (poly-coefficients R p i))
-  (for/list ([k (in-range (if (null? table) 0 (+ 1 (caar table))))])
-    (define entry (assv k table))
-    (fraction-from-poly R (if entry (cdr entry) (poly-constant R 0)))))
+  (define slices (poly-coefficients R p i))
+  (define size (if (null? slices) 0 (+ 1 (slice-degree (first slices)))))
+  (for/list ([k (in-range size)])
+    (define s (findf (lambda (s) (eqv? k (slice-degree s))) slices))
+    (fraction-from-poly R (if s (slice-coefficient s) (poly-constant R 0)))))
 
 (define (univariate->fraction F i p)
   (define R (field-ring F))
@@ -69,17 +71,15 @@
 ;; -> quotient and remainder
 (define (u:divide F p q)
   (define n (length q))
-  (define lead (last-of q))
-  (define (shifted k q) (append (for/list ([_ (in-range k)]) (zero F)) q))
+  (define lead (last q))
+  (define (shifted k q) (append (make-list k (zero F)) q))
   (let loop ([p p] [quotient '()])
     (define k (- (length p) n))
     (cond [(< k 0) (values (trim quotient) p)]
           [else
-           (define c (over F (last-of p) lead))
+           (define c (over F (last p) lead))
            (loop (u:- F p (shifted k (u:scale F c q)))
                  (add F quotient (shifted k (list c))))])))
-
-(define (last-of xs) (if (null? (cdr xs)) (car xs) (last-of (cdr xs))))
 
 ;; The inverse of p modulo q, coprime to it and of positive degree, by Euclid's
 ;; algorithm: every remainder is a multiple of p modulo q.

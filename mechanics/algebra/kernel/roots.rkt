@@ -42,13 +42,13 @@
   (define more
     (for/list ([b (in-list basis)] [s (in-list signs)])
       (cond [s s]
-            [(occurs? b members) (or (branch (car b)) 'unknown)]
+            [(occurs? b members) (or (branch (power-base b)) 'unknown)]
             [else #f])))
   (and (not (memq 'unknown more)) more))
 
 (define (occurs? b members)
-  (or (assv 0 (cdr b))
-      (for/or ([m (in-list members)]) (assv (+ 1 (car m)) (cdr b)))))
+  (or (assv 0 (power-exponent b))
+      (for/or ([m (in-list members)]) (assv (+ 1 (car m)) (power-exponent b)))))
 
 (define (dependence R basis signs numbers q qs)
   (define factored (for/list ([c (in-list numbers)]) (number-factors (abs c))))
@@ -72,7 +72,7 @@
     (append (list -1)
             primes
             (for/list ([b (in-list basis)] [s (in-list signs)])
-              (if (eqv? s -1) (poly-negate R (car b)) (car b)))))
+              (if (eqv? s -1) (poly-negate R (power-base b)) (power-base b)))))
   (values k members (and k (left-over R elements exponents k q members qs))))
 
 ;; Of -1, in the i-th radicand with the number c in it.
@@ -117,15 +117,16 @@
 ;; ---------------------------------------------------------------------------
 ;; Bases
 
-;; A basis element is (polynomial . ((i . exponent of it in the i-th radicand) ...)).
+;; A basis element is a power of a polynomial, whose exponent is a sparse vector:
+;; ((i . exponent of it in the i-th radicand) ...).
 (define (insert R basis v i)
   (define-values (content primitive) (poly-primitive R (fraction-numerator v)))
   (for/fold ([basis (basis-insert R vector-add basis primitive (list (cons i 1)))])
             ([h (in-list (fraction-denominator-factors v))])
-    (basis-insert R vector-add basis (car h) (list (cons i (- (cdr h)))))))
+    (basis-insert R vector-add basis (power-base h) (list (cons i (- (power-exponent h)))))))
 
 (define (exponent b i)
-  (define entry (assv i (cdr b)))
+  (define entry (assv i (power-exponent b)))
   (if entry (cdr entry) 0))
 
 ;; The number in a radicand whose polynomials are primitive.

@@ -20,6 +20,8 @@
 ;; Each pivot is the smallest entry left, in the row and column with the fewest
 ;; others (Markowitz), so that zeros stay and entries grow late.
 
+(require "../../numeric/linear/rows.rkt")
+
 (provide (struct-out domain) (struct-out echelon) eliminate
          integer-domain number-domain)
 
@@ -45,7 +47,7 @@
 
 ;; Pivots are taken from the first `width` columns.
 (define (eliminate D matrix width)
-  (define rows (build-vector (vector-length matrix) (lambda (i) (vector-ref matrix i))))
+  (define rows (for/vector #:length (vector-length matrix) ([row (in-vector matrix)]) row))
   (define order (count-up (vector-length rows)))
   (define columns (count-up width))
   (let loop ([k 0] [previous (domain-one D)])
@@ -58,11 +60,6 @@
           [else (echelon rows k order columns previous)])))
 
 (define (count-up n) (build-vector n values))
-
-(define (exchange! v i j)
-  (define x (vector-ref v i))
-  (vector-set! v i (vector-ref v j))
-  (vector-set! v j x))
 
 ;; Clears column j in all rows but k; -> the pivot.
 (define (clear-column! D rows k j q)
@@ -84,28 +81,33 @@
 ;; ---------------------------------------------------------------------------
 ;; Pivots
 
+;; row; place : of the column; size : of the entry there
+(struct candidate (row place size) #:authentic)
+
 ;; -> row and place of the column, or #f #f: all that is left is zero.
 (define (find-pivot D rows columns k)
-  (define candidates
-    (for*/list ([i (in-range k (vector-length rows))]
-                [l (in-range k (vector-length columns))]
-                [x (in-value (vector-ref (vector-ref rows i) (vector-ref columns l)))]
-                #:unless ((domain-zero? D) x))
-      (vector i l ((domain-size D) x))))
+  (define candidates (pivot-candidates D rows columns k))
   (define row-counts (make-vector (vector-length rows) 0))
-  (define column-counts (make-vector (vector-length columns) 0))
+  (define place-counts (make-vector (vector-length columns) 0))
   (for ([c (in-list candidates)])
-    (increment! row-counts (vector-ref c 0))
-    (increment! column-counts (vector-ref c 1)))
+    (increment! row-counts (candidate-row c))
+    (increment! place-counts (candidate-place c)))
   (define (fill c)
-    (* (sub1 (vector-ref row-counts (vector-ref c 0)))
-       (sub1 (vector-ref column-counts (vector-ref c 1)))))
+    (* (sub1 (vector-ref row-counts (candidate-row c)))
+       (sub1 (vector-ref place-counts (candidate-place c)))))
   (define (lighter? a b)
-    (define d (- (vector-ref a 2) (vector-ref b 2)))
+    (define d (- (candidate-size a) (candidate-size b)))
     (or (< d 0) (and (eqv? d 0) (< (fill a) (fill b)))))
   (define best
     (for/fold ([best #f]) ([c (in-list candidates)])
       (if (or (not best) (lighter? c best)) c best)))
-  (if best (values (vector-ref best 0) (vector-ref best 1)) (values #f #f)))
+  (if best (values (candidate-row best) (candidate-place best)) (values #f #f)))
+
+(define (pivot-candidates D rows columns k)
+  (for*/list ([i (in-range k (vector-length rows))]
+              [l (in-range k (vector-length columns))]
+              [x (in-value (entry rows i (vector-ref columns l)))]
+              #:unless ((domain-zero? D) x))
+    (candidate i l ((domain-size D) x))))
 
 (define (increment! v i) (vector-set! v i (add1 (vector-ref v i))))

@@ -14,6 +14,8 @@
 ;;
 ;; Tarjan's algorithm finds the blocks, those pointed to first.
 
+(require racket/list)
+
 (provide (struct-out block) (struct-out deficiency)
          block-triangular-form strong-components permutation-sign)
 
@@ -109,9 +111,8 @@
 
 ;; 1 or -1 for a list of distinct numbers: the parity of its inversions.
 (define (permutation-sign xs)
-  (for/fold ([sign 1]) ([tail (in-list (tails xs))])
-    (define x (car tail))
-    (if (even? (for/sum ([y (in-list (cdr tail))]) (if (< y x) 1 0))) sign (- sign))))
-
-(define (tails xs)
-  (if (null? xs) '() (cons xs (tails (cdr xs)))))
+  (let loop ([xs xs] [sign 1])
+    (cond [(null? xs) sign]
+          [else
+           (define inversions (count (lambda (y) (< y (car xs))) (cdr xs)))
+           (loop (cdr xs) (if (even? inversions) sign (- sign)))])))

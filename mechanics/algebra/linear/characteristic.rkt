@@ -14,7 +14,8 @@
 ;;
 ;;     Aⁿ + p₁ Aⁿ⁻¹ + ... + pₙ = 0,  so  pₙ A⁻¹ b = -(Aⁿ⁻¹ + p₁ Aⁿ⁻² + ... + pₙ₋₁) b.
 
-(require "minors.rkt")
+(require racket/list
+         "minors.rkt")
 
 (provide characteristic-coefficients characteristic-determinant adjugate-times)
 
@@ -29,8 +30,7 @@
 
 ;; (-1)ⁿ pₙ
 (define (signed-last ops n p)
-  (define last (list-ref p n))
-  (if (even? n) last (negate ops last)))
+  (if (even? n) (last p) (negate ops (last p))))
 
 ;; 1, -a, -R C, -R M C, ... of the rows and columns from i on.
 (define (Toeplitz-column ops A i)
@@ -52,8 +52,6 @@
   (for/list ([k (in-range (length column))])
     (for/fold ([sum 0]) ([t (in-list (reverse (take column (add1 k))))] [c (in-list p)])
       (add-product ops sum t c))))
-
-(define (take xs k) (if (eqv? k 0) '() (cons (car xs) (take (cdr xs) (sub1 k)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Systems

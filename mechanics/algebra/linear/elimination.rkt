@@ -72,9 +72,9 @@
 ;; The free unknown j is 1; then xₚ = -aₚⱼ/aₚₚ.
 (define (null-vector c E n j)
   (define D (coefficients-domain c))
-  (define x (make-vector n (cons (domain-zero D) (domain-one D))))
-  (vector-set! x j (cons (domain-one D) (domain-one D)))
+  (define x (make-vector n (ratio (domain-zero D) (domain-one D))))
+  (vector-set! x j (ratio (domain-one D) (domain-one D)))
   (for ([row (in-vector (echelon-rows E))] [p (in-vector (echelon-columns E))]
                                            [_ (in-range (echelon-rank E))])
-    (vector-set! x p (cons ((coefficients-negate c) (vector-ref row j)) (vector-ref row p))))
+    (vector-set! x p (ratio ((coefficients-negate c) (vector-ref row j)) (vector-ref row p))))
   (list->vector ((coefficients-primitive c) (vector->list x))))

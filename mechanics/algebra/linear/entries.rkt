@@ -10,7 +10,8 @@
 ;; beyond a bound the attempt is given up.
 
 (require "bareiss.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt"
          "../field/field.rkt" "../field/walk.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
@@ -18,19 +19,22 @@
          "../simplify/normalize.rkt"
          "../../numeric/linear/rows.rkt")
 
-(provide (struct-out coefficients) call-with-coefficients exact-numbers?)
+(provide (struct-out coefficients) (struct-out ratio) call-with-coefficients exact-numbers?)
 
 ;; rows : in the domain
 ;; unscale : the determinant of `rows` -> that of the matrix, a number or expression;
 ;;           #f in domains without exact division
 ;; most-terms : how many terms the determinant of a square matrix may have, at most
 ;; negate : entry -> entry;  divide : entry entry -> number or expression
-;; primitive : list of pairs of entries -> list of numbers or expressions, in the
-;;             same ratio as their quotients, without a common divisor
+;; primitive : list of ratios -> list of numbers or expressions, in the same ratio
+;;             as these, without a common divisor
 ;; assumptions : thunk -> datums such as (>= r 0), taken for granted so far
 (struct coefficients
   (domain rows unscale most-terms negate divide primitive assumptions)
   #:authentic)
+
+;; Of two entries, the lower one not zero.
+(struct ratio (above below) #:authentic)
 
 ;; matrix : vector of rows; use : coefficients -> any, which may be called again
 ;; A : assumptions
@@ -61,13 +65,15 @@
 
 (define (complex-coefficients matrix)
   (coefficients number-domain matrix values 1 - /
-                (lambda (pairs) (for/list ([p (in-list pairs)]) (/ (car p) (cdr p))))
+                (lambda (ratios) (map ratio-number ratios))
                 (lambda () '())))
 
-(define (primitive-numbers pairs)
-  (define xs (for/list ([p (in-list pairs)]) (/ (car p) (cdr p))))
-  (define size (/ (apply gcd (map numerator xs)) (apply lcm (map denominator xs))))
+(define (primitive-numbers ratios)
+  (define xs (map ratio-number ratios))
+  (define size (rational-content xs))
   (for/list ([x (in-list xs)]) (/ x size)))
+
+(define (ratio-number r) (/ (ratio-above r) (ratio-below r)))
 
 ;; ---------------------------------------------------------------------------
 ;; Expressions
@@ -98,13 +104,15 @@
                        (lambda (d) (present F (fraction/ R (fraction-from-poly R d) s)))))
                 (term-bound R rows)
                 (lambda (p) (poly-negate R p))
-                (lambda (p q) (present F (ratio F p q)))
-                (lambda (pairs) (primitive-ratios F pairs))
+                (lambda (p q) (present F (ratio-fraction F (ratio p q))))
+                (lambda (ratios) (primitive-ratios F ratios))
                 (lambda () (workspace-assumptions w))))
 
-(define (ratio F p q)
+(define (ratio-fraction F r)
   (define R (field-ring F))
-  (reduce-fraction F (fraction/ R (fraction-from-poly R p) (fraction-from-poly R q))))
+  (reduce-fraction F (fraction/ R
+                                (fraction-from-poly R (ratio-above r))
+                                (fraction-from-poly R (ratio-below r)))))
 
 ;; The product, over rows, of what they were multiplied by: a fraction.
 (define (scale R rows fractions)
@@ -154,9 +162,9 @@
   (poly-scale R numbers d))
 
 ;; The fractions are in lowest terms, so what they become over their common
-;; denominator does not depend on a factor the pairs shared.
-(define (primitive-ratios F pairs)
-  (define fs (for/vector ([p (in-list pairs)]) (ratio F (car p) (cdr p))))
+;; denominator does not depend on a factor that above and below shared.
+(define (primitive-ratios F ratios)
+  (define fs (for/vector ([r (in-list ratios)]) (ratio-fraction F r)))
   (for/list ([p (in-vector (tidy-row F fs))])
     (present F (fraction-from-poly (field-ring F) p))))
 

@@ -10,7 +10,7 @@
  poly-degree poly-total-degree poly-variables
  ;; terms
  poly-terms poly-term-coefficient poly-term-powers poly-for-each-term
- poly-leading-coefficient poly-height
+ poly-leading-coefficient product-leading-coefficient poly-height
  ;; along one variable
  poly-coefficients poly-coefficients-over poly-from-coefficients poly-leading-coefficient-in
  poly->vector vector->poly
@@ -47,6 +47,11 @@
 (define (poly-term-count p) (length p))
 
 (define (poly-leading-coefficient p) (if (null? p) 0 (leading-coefficient p)))
+
+;; Of a product of powers.
+(define (product-leading-coefficient factors)
+  (for/product ([f (in-list factors)])
+    (expt (poly-leading-coefficient (power-base f)) (power-exponent f))))
 
 ;; The greatest magnitude of a coefficient.
 (define (poly-height p)

@@ -25,7 +25,7 @@
  poly-gcd poly-gcd* poly-content poly-primitive poly-monomial-content
  poly-square-free poly-parts
  ;; powers, of polynomials or of the variables in a term
- make-power power-base power-exponent
+ make-power power-base power-exponent product-leading-coefficient
  ;; along one variable
  poly-coefficients poly-from-coefficients poly-derivative poly-substitute
  make-slice slice-degree slice-coefficient

@@ -60,9 +60,9 @@
 ;; The terms of p as they are.
 (define (summands F p)
   (for/list ([t (in-list (poly-terms (field-ring F) p))])
-    (cons (car t)
-          (for/list ([f (in-list (cdr t))])
-            (cons (vector-ref (field-kernels F) (car f)) (cdr f))))))
+    (cons (poly-term-coefficient t)
+          (for/list ([f (in-list (poly-term-powers t))])
+            (make-power (vector-ref (field-kernels F) (power-base f)) (power-exponent f))))))
 
 ;; -> ((key . summands) ...), in the order in which they come.
 (define (group-by-powers summands chosen?)

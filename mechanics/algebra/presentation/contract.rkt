@@ -16,7 +16,7 @@
 
 (require "../field/field.rkt"
          "../kernel/kernel.rkt"
-         "../polynomial/polynomial.rkt" "../polynomial/ring.rkt")
+         "../polynomial/polynomial.rkt" "../polynomial/ring.rkt" "../polynomial/term-list.rkt")
 
 (provide contract-angles)
 
@@ -38,7 +38,8 @@
           (and (pair? circles) (or (pair? (cdr circles)) (squared? F p (car circles)))))
       (contract F p circles combine double?)
       (for/list ([t (in-list p)])
-        (cons (cdr t) (factors->powers F (monomial-factors (field-ring F) (car t)))))))
+        (cons (term-coefficient t)
+              (factors->powers F (monomial-factors (field-ring F) (term-monomial t)))))))
 
 (define (contract F p circles combine double?)
   (define width (+ 1 (integer-length (ring-max-degree (field-ring F)))))
@@ -87,12 +88,13 @@
   (define shift (* 2 width (length turns)))
   (define terms
     (for/list ([t (in-list p)])
+      (define m (term-monomial t))
       (define low
-        (monomial-fold R (car t)
+        (monomial-fold R m
                        (lambda (i e key) (+ key (* e (hash-ref places i 0))))
                        0))
-      (define number (hash-ref! numbers (rest-of (car t)) (lambda () (hash-count numbers))))
-      (cons (+ (arithmetic-shift number shift) low) (cdr t))))
+      (define number (hash-ref! numbers (rest-of m) (lambda () (hash-count numbers))))
+      (cons (+ (arithmetic-shift number shift) low) (term-coefficient t))))
   (define rests (make-vector (hash-count numbers)))
   (for ([(m number) (in-hash numbers)])
     (vector-set! rests number (factors->powers F (monomial-factors R m))))
@@ -100,7 +102,7 @@
 
 (define (factors->powers F factors)
   (for/list ([f (in-list factors)])
-    (cons (vector-ref (field-kernels F) (car f)) (cdr f))))
+    (make-power (vector-ref (field-kernels F) (power-base f)) (power-exponent f))))
 
 (define (decode F s rests width)
   (define turns (stage-turns s))

@@ -11,8 +11,7 @@
 ;; Finding the parts of longer factors would cost more than it is worth.
 (define parts-limit 100)
 
-;; -> number and ((polynomial . exponent) ...), their product being the
-;; denominator of f.
+;; -> number and powers of polynomials, their product being the denominator of f.
 (define (denominator-factors F f)
   (define R (field-ring F))
   (define given (fraction-denominator-factors f))
@@ -20,15 +19,11 @@
     (if (<= (additions given) parts-limit)
         (fewer-terms (fraction-denominator-parts R f) given)
         given))
-  (values (/ (leading given) (leading factors)) factors))
+  (values (/ (product-leading-coefficient given) (product-leading-coefficient factors))
+          factors))
 
 (define (fewer-terms parts given)
   (if (< (additions given) (additions parts)) given parts))
 
 (define (additions factors)
-  (for/sum ([h (in-list factors)]) (- (poly-term-count (car h)) 1)))
-
-;; The product's leading coefficient.
-(define (leading factors)
-  (for/fold ([c 1]) ([h (in-list factors)])
-    (* c (expt (poly-leading-coefficient (car h)) (cdr h)))))
+  (for/sum ([h (in-list factors)]) (- (poly-term-count (power-base h)) 1)))

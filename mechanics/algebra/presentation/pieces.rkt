@@ -13,7 +13,8 @@
 (require "denominator.rkt" "sine-or-cosine.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
-         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt" "../polynomial/ring.rkt")
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt" "../polynomial/ring.rkt"
+         "../polynomial/term-list.rkt")
 
 (provide fraction->piece fraction->pieces fraction->piece-lists (struct-out piece))
 
@@ -61,20 +62,23 @@
   (define-values (content factors) (denominator-factors F f))
   (for/fold ([p (piece (poly-scale (field-ring F) (/ 1 content) (fraction-numerator f)) '() '())])
             ([h (in-list factors)])
-    (define short (shortest-squares F (car h)))
-    (if (null? (cdr short))
-        (divide-by-term F p (car short) (cdr h))
+    (define short (shortest-squares F (power-base h)))
+    (if (single-term? short)
+        (divide-by-term F p (car short) (power-exponent h))
         (piece (piece-numerator p) (piece-powers p) (cons h (piece-factors p))))))
 
 (define (divide-by-term F p t e)
   (define R (field-ring F))
-  (piece (poly-scale R (expt (cdr t) (- e)) (piece-numerator p))
-         (for/fold ([powers (piece-powers p)]) ([v (in-list (monomial-factors R (car t)))])
-           (add-power powers (vector-ref (field-kernels F) (car v)) (- (* (cdr v) e))))
+  (piece (poly-scale R (expt (term-coefficient t) (- e)) (piece-numerator p))
+         (for/fold ([powers (piece-powers p)])
+                   ([v (in-list (monomial-factors R (term-monomial t)))])
+           (add-power powers
+                      (vector-ref (field-kernels F) (power-base v))
+                      (- (* (power-exponent v) e))))
          (piece-factors p)))
 
 ;; A root r that occurs, of degree q: r^q = content · radicand / below, with a
-;; primitive polynomial of several terms and factors ((polynomial . exponent) ...).
+;; primitive polynomial of several terms and factors, powers of polynomials.
 (struct base (kernel degree content radicand below) #:authentic)
 
 (define (occurring-roots F f)
@@ -82,12 +86,12 @@
   (define (occurs? i)
     (or (positive? (poly-degree R (fraction-numerator f) i))
         (for/or ([h (in-list (fraction-denominator-factors f))])
-          (positive? (poly-degree R (car h) i)))))
+          (positive? (poly-degree R (power-base h) i)))))
   (for*/list ([r (in-list (field-relations F))]
               [k (in-value (vector-ref (field-kernels F) (relation-index r)))]
               #:when (and (root? (kernel-relation k)) (occurs? (relation-index r)))
               [p (in-value (fraction-numerator (relation-radicand r)))]
-              #:when (and (pair? p) (pair? (cdr p))))
+              #:unless (or (poly-zero? p) (single-term? p)))
     (define-values (content primitive) (poly-primitive R p))
     (base k (relation-degree r) content primitive
           (fraction-denominator-factors (relation-radicand r)))))
@@ -95,10 +99,9 @@
 ;; Factors of the denominator that are radicands become powers of their roots.
 (define (absorb-radicands F roots p)
   (for/fold ([p p]) ([b (in-list roots)])
-    (define h
-      (for/first ([h (in-list (piece-factors p))] #:when (poly=? (car h) (base-radicand b))) h))
+    (define h (find-factor p (base-radicand b)))
     (if h
-        (multiply-by-base F b (- (cdr h))
+        (multiply-by-base F b (- (power-exponent h))
                           (piece (piece-numerator p) (piece-powers p) (remq h (piece-factors p))))
         p)))
 
@@ -109,26 +112,30 @@
            (add-power (piece-powers p) (base-kernel b) (* k (base-degree b)))
            (piece-factors p)))
   (for/fold ([p scaled]) ([h (in-list (base-below b))])
-    (multiply-by-factor F p (car h) (* k (cdr h)))))
+    (multiply-by-factor F p (power-base h) (* k (power-exponent h)))))
+
+;; The power of h among the factors of a piece, or #f.
+(define (find-factor p h)
+  (for/first ([g (in-list (piece-factors p))] #:when (poly=? (power-base g) h)) g))
 
 ;; The piece times h^k.
 (define (multiply-by-factor F p h k)
   (define R (field-ring F))
-  (define old (for/first ([g (in-list (piece-factors p))] #:when (poly=? (car g) h)) g))
-  (define left (- (if old (cdr old) 0) k))
+  (define old (find-factor p h))
+  (define left (- (if old (power-exponent old) 0) k))
   (define others (if old (remq old (piece-factors p)) (piece-factors p)))
-  (cond [(null? (cdr h))
+  (cond [(single-term? h)
          (divide-by-term F p (car h) (- k))]
         [(positive? left)
-         (piece (piece-numerator p) (piece-powers p) (cons (cons h left) others))]
+         (piece (piece-numerator p) (piece-powers p) (cons (make-power h left) others))]
         [else
          (piece (poly* R (piece-numerator p) (poly-expt R h (- left))) (piece-powers p) others)]))
 
 (define (add-power powers k n)
   (define old (assq k powers))
-  (define sum (+ n (if old (cdr old) 0)))
+  (define sum (+ n (if old (power-exponent old) 0)))
   (define others (if old (remq old powers) powers))
-  (if (eqv? sum 0) others (cons (cons k sum) others)))
+  (if (eqv? sum 0) others (cons (make-power k sum) others)))
 
 ;; ---------------------------------------------------------------------------
 ;; Splitting
@@ -137,24 +144,24 @@
   (define R (field-ring F))
   (define i (kernel-index (base-kernel b)))
   (for*/list ([group (in-list (groups F (piece-numerator p) (base-radicand b)))]
-              [low+rest (in-list (poly-coefficients R group i))])
-    (define-values (quotient times) (divide-out R (cdr low+rest) (base-radicand b) #f))
+              [s (in-list (poly-coefficients R group i))])
+    (define-values (quotient times) (divide-out R (slice-coefficient s) (base-radicand b) #f))
     (multiply-by-base F b times
                       (piece quotient
-                             (add-power (piece-powers p) (base-kernel b) (car low+rest))
+                             (add-power (piece-powers p) (base-kernel b) (slice-degree s))
                              (piece-factors p)))))
 
 (define (split-by-factor F h p)
   (define R (field-ring F))
-  (define factor (for/first ([g (in-list (piece-factors p))] #:when (poly=? (car g) h)) g))
+  (define factor (find-factor p h))
   (if factor
       (for/list ([group (in-list (groups F (piece-numerator p) h))])
-        (define-values (quotient times) (divide-out R group h (cdr factor)))
-        (define left (- (cdr factor) times))
+        (define-values (quotient times) (divide-out R group h (power-exponent factor)))
+        (define left (- (power-exponent factor) times))
         (define others (remq factor (piece-factors p)))
         (piece quotient
                (piece-powers p)
-               (if (eqv? left 0) others (cons (cons h left) others))))
+               (if (eqv? left 0) others (cons (make-power h left) others))))
       (list p)))
 
 ;; -> p / h^times and times, the greatest possible, up to limit unless that is #f.
@@ -175,7 +182,7 @@
   (define table (make-monomial-hash R))
   (define order
     (for/fold ([order '()]) ([t (in-list p)])
-      (define m (outside (car t)))
+      (define m (outside (term-monomial t)))
       (define group (hash-ref table m '()))
       (hash-set! table m (cons t group))
       (if (null? group) (cons m order) order)))
@@ -201,7 +208,8 @@
 
 (define (same-denominator? p q)
   (define ((same-power? same-base?) a b)
-    (and (eqv? (cdr a) (cdr b)) (same-base? (car a) (car b))))
+    (and (eqv? (power-exponent a) (power-exponent b))
+         (same-base? (power-base a) (power-base b))))
   (and (same-set? (piece-powers p) (piece-powers q) (same-power? eq?))
        (same-set? (piece-factors p) (piece-factors q) (same-power? poly=?))))
 
@@ -211,5 +219,6 @@
 
 (define (distinct-factors pieces)
   (for*/fold ([kept '()] #:result (reverse kept))
-             ([p (in-list pieces)] [h (in-list (piece-factors p))])
-    (if (for/or ([k (in-list kept)]) (poly=? k (car h))) kept (cons (car h) kept))))
+             ([piece (in-list pieces)] [h (in-list (piece-factors piece))])
+    (define p (power-base h))
+    (if (for/or ([k (in-list kept)]) (poly=? k p)) kept (cons p kept))))

@@ -12,7 +12,7 @@
 (require "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/monomial.rkt" "../polynomial/polynomial.rkt"
-         "../polynomial/ring.rkt")
+         "../polynomial/ring.rkt" "../polynomial/term-list.rkt")
 
 (provide shortest-squares)
 
@@ -25,7 +25,7 @@
         p)))
 
 (define (squared? F p i)
-  (for/or ([t (in-list p)]) (>= (monomial-exponent (field-ring F) (car t) i) 2)))
+  (for/or ([t (in-list p)]) (>= (monomial-exponent (field-ring F) (term-monomial t) i) 2)))
 
 (define (choose F p o)
   (define R (field-ring F))
@@ -50,18 +50,19 @@
   (define xi² (variable-power R i 2))
   (define xj² (variable-power R j 2))
   (define table (make-monomial-hash R))
-  (for ([t (in-list p)]) (hash-set! table (car t) (cdr t)))
+  (for ([t (in-list p)]) (hash-set! table (term-monomial t) (term-coefficient t)))
   (define merged
     (for*/list ([t (in-list p)]
-                #:when (>= (monomial-exponent R (car t) i) 2)
-                [low (in-value (monomial- (car t) xi²))]
+                [m (in-value (term-monomial t))]
+                #:when (>= (monomial-exponent R m i) 2)
+                [low (in-value (monomial- m xi²))]
                 [x (in-value (hash-ref table low #f))]
-                #:when (and x (hash-has-key? table (car t)) (= (cdr t) (* ratio x))))
-      (hash-remove! table (car t))
+                #:when (and x (hash-has-key? table m) (= (term-coefficient t) (* ratio x))))
+      (hash-remove! table m)
       (hash-remove! table low)
-      (list (cons (monomial+ low xj²) (* factor x)))))
+      (list (make-term (monomial+ low xj²) (* factor x)))))
   (if (null? merged)
       p
       (poly+ R
-             (filter (lambda (t) (hash-has-key? table (car t))) p)
+             (filter (lambda (t) (hash-has-key? table (term-monomial t))) p)
              (poly-sum R merged))))

@@ -6,7 +6,7 @@
 ;; their kernels, higher powers first, so that a residual is grouped by its
 ;; symbols and then by its highest derivatives.
 
-(require "../expression/order.rkt"
+(require "../expression/exact-numbers.rkt" "../expression/order.rkt"
          "../kernel/exponentials.rkt" "../kernel/kernel.rkt")
 
 (provide (struct-out term) make-term term-sort
@@ -112,7 +112,7 @@
 ;; not all negative, and no kernel to a negative power or in every term; or, if
 ;; `shared?`, only what all terms share is taken out: no common denominator.
 (define (extract-content terms [shared? #f])
-  (define c (content (map term-coefficient terms)))
+  (define c (rational-content (map term-coefficient terms)))
   (define signed
     (if (andmap (lambda (t) (negative? (term-coefficient t))) terms) (- c) c))
   (define powers
@@ -120,9 +120,6 @@
       (common-powers common (term-powers t) shared?)))
   (values signed powers
           (multiply-terms (scale-terms (/ 1 signed) terms) (invert-powers powers))))
-
-(define (content cs)
-  (/ (apply gcd (map numerator cs)) (apply lcm (map denominator cs))))
 
 ;; For each kernel the lesser exponent, absence counting as 0; or what is shared:
 ;; the one nearer to 0.  Exponentials are shared as a whole or not at all: which

@@ -32,25 +32,27 @@
   (define-values (below factors) (split-denominator F f i))
   (define N
     (u:scale F below (poly->univariate F i (fraction-numerator f))))
-  (define bases (for/list ([h (in-list factors)]) (poly->univariate F i (car h))))
-  (define powers (for/list ([b (in-list bases)] [h (in-list factors)]) (u:expt F b (cdr h))))
+  (define bases (for/list ([h (in-list factors)]) (poly->univariate F i (power-base h))))
+  (define powers
+    (for/list ([b (in-list bases)] [h (in-list factors)]) (u:expt F b (power-exponent h))))
   (define-values (whole rest) (u:divide F N (product F powers)))
   (define proper
     (for*/list ([(b P h) (in-parallel bases powers factors)]
-                [part (in-list (part-fractions F i rest b P (cdr h) (remq P powers)))])
+                [part (in-list (part-fractions F i rest b P (power-exponent h) (remq P powers)))])
       part))
   (written F (append (monomials F i whole) proper)))
 
-;; -> the inverse of the part free of s, and ((factor . exponent) ...).
+;; -> the inverse of the part free of s, and powers of the other factors.
 (define (split-denominator F f i)
   (define R (field-ring F))
   (for*/fold ([below (fraction-from-poly R (poly-constant R 1))] [factors '()])
              ([h (in-list (fraction-denominator-factors f))]
-              [g (in-list (poly-factor R (car h)))])
-    (define e (* (cdr g) (cdr h)))
-    (if (zero? (poly-degree R (car g) i))
-        (values (fraction/ R below (fraction-from-poly R (poly-expt R (car g) e))) factors)
-        (values below (cons (cons (car g) e) factors)))))
+              [g (in-list (poly-factor R (power-base h)))])
+    (define p (power-base g))
+    (define e (* (power-exponent g) (power-exponent h)))
+    (if (zero? (poly-degree R p i))
+        (values (fraction/ R below (fraction-from-poly R (poly-expt R p e))) factors)
+        (values below (cons (make-power p e) factors)))))
 
 (define (product F ps)
   (for/fold ([p (poly->univariate F 0 (poly-constant (field-ring F) 1))]) ([q (in-list ps)])

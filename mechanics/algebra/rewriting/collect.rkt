@@ -60,7 +60,7 @@
   (define-values (free powers mixed) (sort-divisors R f variables))
   (define below
     (for/fold ([p (fraction-from-poly R (poly-constant R 1))]) ([h (in-list free)])
-      (fraction* R p (fraction-expt R (fraction-from-poly R (car h)) (cdr h)))))
+      (fraction* R p (fraction-expt R (fraction-from-poly R (power-base h)) (power-exponent h)))))
   (define table
     (for/list ([entry (in-list (group-by-exponents R (fraction-numerator f) variables))])
       (cons (map - (car entry) powers)
@@ -72,11 +72,13 @@
 (define (sort-divisors R f variables)
   (for/fold ([free '()] [powers (map (lambda (i) 0) variables)] [mixed '()])
             ([h (in-list (fraction-denominator-factors f))])
-    (define own (poly-variables R (car h)))
-    (define (power-of i) (if (equal? own (list i)) (* (cdr h) (poly-degree R (car h) i)) 0))
+    (define p (power-base h))
+    (define own (poly-variables R p))
+    (define (power-of i)
+      (if (equal? own (list i)) (* (power-exponent h) (poly-degree R p i)) 0))
     (cond [(not (for/or ([i (in-list variables)]) (memv i own)))
            (values (cons h free) powers mixed)]
-          [(and (null? (cdr own)) (eqv? 1 (poly-term-count (car h))))
+          [(and (null? (cdr own)) (eqv? 1 (poly-term-count p)))
            (values free (map + powers (map power-of variables)) mixed)]
           [else (values free powers (cons h mixed))])))
 
@@ -85,8 +87,9 @@
   (if (null? variables)
       (list (cons '() p))
       (for*/list ([outer (in-list (poly-coefficients R p (car variables)))]
-                  [inner (in-list (group-by-exponents R (cdr outer) (cdr variables)))])
-        (cons (cons (car outer) (car inner)) (cdr inner)))))
+                  [inner (in-list (group-by-exponents R (slice-coefficient outer)
+                                                      (cdr variables)))])
+        (cons (cons (slice-degree outer) (car inner)) (cdr inner)))))
 
 ;; By degree, then by the first variables.
 (define (higher? as bs)

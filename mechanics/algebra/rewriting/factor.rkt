@@ -38,7 +38,7 @@
   (define all
     (for/fold ([product (multiply F start (piece-numerator p) 1)])
               ([h (in-list (piece-factors p))])
-      (multiply F product (car h) (- (cdr h)))))
+      (multiply F product (power-base h) (- (power-exponent h)))))
   (written F (settle-signs F (restore-squares F all))))
 
 ;; The product times q^e, q factored.
@@ -46,14 +46,15 @@
   (define parts (poly-factor (field-ring F) q))
   (for/fold ([product (scaled product (expt (constant-factor q parts) e))])
             ([h (in-list parts)])
-    (define finer (finer-parts F (car h)))
+    (define p (power-base h))
+    (define k (* e (power-exponent h)))
+    (define finer (finer-parts F p))
     (if finer
-        (multiply F product finer (* e (cdr h)))
-        (multiply-factor F product (car h) (* e (cdr h))))))
+        (multiply F product finer k)
+        (multiply-factor F product p k))))
 
 (define (constant-factor q parts)
-  (/ (poly-leading-coefficient q)
-     (for/product ([h (in-list parts)]) (expt (poly-leading-coefficient (car h)) (cdr h)))))
+  (/ (poly-leading-coefficient q) (product-leading-coefficient parts)))
 
 ;; An irreducible polynomial may have factors when cosines are eliminated instead
 ;; of sines, or here and there one and the other: then such a form of it, else #f.
@@ -61,7 +62,7 @@
   (define q (shortest-squares F p))
   (and (not (poly=? p q))
        (let ([parts (poly-factor (field-ring F) q)])
-         (or (pair? (cdr parts)) (> (cdar parts) 1)))
+         (or (pair? (cdr parts)) (> (power-exponent (car parts)) 1)))
        q))
 
 (define (scaled product c)

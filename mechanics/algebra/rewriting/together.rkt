@@ -91,9 +91,9 @@
 ;; The terms of a polynomial, angles left as they are.
 (define (polynomial-terms F p)
   (for/list ([t (in-list (poly-terms (field-ring F) p))])
-    (make-term (car t)
-               (for/list ([power (in-list (cdr t))])
-                 (cons (vector-ref (field-kernels F) (car power)) (cdr power))))))
+    (make-term (poly-term-coefficient t)
+               (for/list ([p (in-list (poly-term-powers t))])
+                 (make-power (vector-ref (field-kernels F) (power-base p)) (power-exponent p))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Expressions as forms

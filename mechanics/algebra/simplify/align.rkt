@@ -142,22 +142,22 @@
 
 (define (fraction-kernels F f)
   (define R (field-ring F))
-  (for*/list ([p (in-list (cons (fraction-numerator f) (map car (fraction-denominator-factors f))))]
+  (define factors (map power-base (fraction-denominator-factors f)))
+  (for*/list ([p (in-list (cons (fraction-numerator f) factors))]
               [i (in-list (poly-variables R p))])
     (vector-ref (field-kernels F) i)))
 
 (define (fraction->expression F f)
   (e:/ (poly->expression F (fraction-numerator f))
        (for/fold ([product 1]) ([h (in-list (fraction-denominator-factors f))])
-         (e:* product (e:expt (poly->expression F (car h)) (cdr h))))))
+         (e:* product (e:expt (poly->expression F (power-base h)) (power-exponent h))))))
 
 (define (poly->expression F p)
   (for/fold ([sum 0]) ([t (in-list (poly-terms (field-ring F) p))])
     (e:+ sum
-         (for/fold ([product (car t)]) ([power (in-list (cdr t))])
-           (e:* product
-                (e:expt (kernel-expression (vector-ref (field-kernels F) (car power)))
-                        (cdr power)))))))
+         (for/fold ([product (poly-term-coefficient t)]) ([power (in-list (poly-term-powers t))])
+           (define k (vector-ref (field-kernels F) (power-base power)))
+           (e:* product (e:expt (kernel-expression k) (power-exponent power)))))))
 
 ;; The least of those that are equal, simplified by itself.
 (define (spell-by-wholes F arguments fractions simplify)

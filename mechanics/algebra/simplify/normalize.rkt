@@ -278,7 +278,7 @@
       0
       (* 2 (for/fold ([degree (poly-total-degree R (fraction-numerator f))])
                      ([h (in-list (fraction-denominator-factors f))])
-             (+ degree (* (cdr h) (poly-total-degree R (car h))))))))
+             (+ degree (* (power-exponent h) (poly-total-degree R (power-base h))))))))
 
 ;; (field . fraction) in a ring with room for that.
 (define (roomy n)

@@ -177,13 +177,12 @@
   (define p (shortest-squares F (fraction-numerator f)))
   (define above (poly-parts R p))
   (define below (fraction-denominator-parts R f))
-  (values (/ (* (poly-leading-coefficient p) (leading below))
-             (* (leading above) (leading (fraction-denominator-factors f))))
-          (append above (for/list ([h (in-list below)]) (cons (car h) (- (cdr h)))))))
-
-(define (leading factors)
-  (for/fold ([c 1]) ([h (in-list factors)])
-    (* c (expt (poly-leading-coefficient (car h)) (cdr h)))))
+  (define given (fraction-denominator-factors f))
+  (values (/ (* (poly-leading-coefficient p) (product-leading-coefficient below))
+             (* (product-leading-coefficient above) (product-leading-coefficient given)))
+          (append above
+                  (for/list ([h (in-list below)])
+                    (make-power (power-base h) (- (power-exponent h)))))))
 
 ;; The fraction as a number and ((expression . integer) ...), factors with a
 ;; positive leading coefficient.

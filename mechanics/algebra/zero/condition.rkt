@@ -50,10 +50,10 @@
 (define (vanishing-factors F p may-vanish?)
   (define R (field-ring F))
   (for/list ([g (in-list (poly-parts R p))]
-             #:when (and (eqv? (cdr g) 1)
-                         (> (poly-term-count (car g)) 1)
-                         (may-vanish? (present F (fraction-from-poly R (car g))))))
-    (car g)))
+             #:when (and (eqv? (power-exponent g) 1)
+                         (> (poly-term-count (power-base g)) 1)
+                         (may-vanish? (present F (fraction-from-poly R (power-base g))))))
+    (power-base g)))
 
 ;; Is it made of symbols that are no variables?
 (define (constant-expression? e variables)
@@ -108,13 +108,14 @@
 ;; short ones first.
 (define (moving-coefficients F p parameter?)
   (define R (field-ring F))
-  (define (moving? power) (not (parameter? (kernel-at F (car power)))))
+  (define (moving? power) (not (parameter? (kernel-at F (power-base power)))))
   (define groups (make-hash))
   (define keys
     (for/fold ([keys '()] #:result (reverse keys)) ([t (in-list (poly-terms R p))])
-      (define key (filter moving? (cdr t)))
+      (define key (filter moving? (poly-term-powers t)))
+      (define resting (remove-all moving? (poly-term-powers t)))
       (define known (hash-ref groups key '()))
-      (hash-set! groups key (cons (term->poly R (car t) (remove-all moving? (cdr t))) known))
+      (hash-set! groups key (cons (term->poly R (poly-term-coefficient t) resting) known))
       (if (null? known) (cons key keys) keys)))
   (sort (for/list ([key (in-list keys)]) (poly-sum R (hash-ref groups key)))
         < #:key (lambda (c) (+ (* 100 (poly-term-count c)) (poly-total-degree R c)))))
@@ -123,7 +124,7 @@
 
 (define (term->poly R c powers)
   (for/fold ([p (poly-constant R c)]) ([f (in-list powers)])
-    (poly* R p (poly-expt R (poly-variable R (car f)) (cdr f)))))
+    (poly* R p (poly-expt R (poly-variable R (power-base f)) (power-exponent f)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Equations
@@ -145,7 +146,7 @@
 (define (short? p) (<= (poly-term-count p) 4))
 
 (define (mixed-signs? F p)
-  (define coefficients (map car (poly-terms (field-ring F) p)))
+  (define coefficients (map poly-term-coefficient (poly-terms (field-ring F) p)))
   (and (ormap positive? coefficients) (ormap negative? coefficients)))
 
 ;; Kernels of p that are symbols standing in no other kernel of it.
@@ -163,16 +164,18 @@
 ;; coefficient is simple.
 (define (solve-for F p i simple? power?)
   (define R (field-ring F))
-  (define cs (poly-coefficients R p i))
-  (define n (caar cs))
+  (define slices (poly-coefficients R p i))
+  (define n (slice-degree (car slices)))
+  (define c (slice-coefficient (car slices)))
+  (define lower (cdr slices))
   (and (power? n)
-       (simple? (cdar cs))
-       (or (null? (cdr cs)) (and (eqv? (caadr cs) 0) (null? (cddr cs))))
-       (let ([rest (if (null? (cdr cs)) (poly-constant R 0) (cdadr cs))])
+       (simple? c)
+       (or (null? lower) (eqv? (slice-degree (car lower)) 0))
+       (let ([rest (if (null? lower) (poly-constant R 0) (slice-coefficient (car lower)))])
          (equation (e:expt (kernel-at F i) n)
                    (present F (fraction/ R
                                          (fraction-from-poly R (poly-negate R rest))
-                                         (fraction-from-poly R (cdar cs))))))))
+                                         (fraction-from-poly R c)))))))
 
 ;; A difference of two terms as an equation between them, the shorter one and what
 ;; is no number on the left.
@@ -182,7 +185,9 @@
   (and (mixed-signs? F p)
        (null? (cddr terms))
        (let ([sides (for/list ([t (in-list terms)])
-                      (present F (fraction-from-poly R (term->poly R (abs (car t)) (cdr t)))))])
+                      (define size (abs (poly-term-coefficient t)))
+                      (present F (fraction-from-poly R
+                                   (term->poly R size (poly-term-powers t)))))])
          (if (left-before? (car sides) (cadr sides))
              (equation (car sides) (cadr sides))
              (equation (cadr sides) (car sides))))))

@@ -20,8 +20,8 @@
    "(reduce-fraction F (fraction-expt (field-ring F) u 2))"
    "(reduce-fraction F u)"]
   ["what is left of a reduced power is all of it" "field/field.rkt"
-   "(cons (cons (remainder (car entry) q) (cdr entry)) part)"
-   "(cons (cons (car entry) (cdr entry)) part)"]
+   "(make-slice (remainder (slice-degree s) q) (slice-coefficient s))"
+   "(make-slice (slice-degree s) (slice-coefficient s))"]
   ["a relation is applied to quotients of powers only" "field/field.rkt"
    "(fraction-expt R (relation-radicand r) j)"
    "(relation-radicand r)"]
