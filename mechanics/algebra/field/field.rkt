@@ -165,7 +165,7 @@
     g)
   (define (multiply f g) (reduce-if-worthwhile F (fraction* R f g)))
   (arithmetic
-   (lambda (c) (fraction-from-poly R (poly-constant R c)))
+   (lambda (c) (fraction-constant R c))
    (lambda (k) (fraction-from-poly R (poly-variable R (kernel-index k))))
    (lambda (fs)
      (begin-step! fuel)

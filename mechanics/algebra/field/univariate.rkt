@@ -18,7 +18,7 @@
   (define size (if (null? slices) 0 (+ 1 (slice-degree (first slices)))))
   (for/list ([k (in-range size)])
     (define s (findf (lambda (s) (eqv? k (slice-degree s))) slices))
-    (fraction-from-poly R (if s (slice-coefficient s) (poly-constant R 0)))))
+    (if s (fraction-from-poly R (slice-coefficient s)) (zero F))))
 
 (define (univariate->fraction F i p)
   (define R (field-ring F))
@@ -31,8 +31,8 @@
 
 (define (times F a b) (reduce-fraction F (fraction* (field-ring F) a b)))
 (define (over F a b) (reduce-fraction F (fraction/ (field-ring F) a b)))
-(define (zero F) (fraction-from-poly (field-ring F) (poly-constant (field-ring F) 0)))
-(define (one F) (fraction-from-poly (field-ring F) (poly-constant (field-ring F) 1)))
+(define (zero F) (fraction-constant (field-ring F) 0))
+(define (one F) (fraction-constant (field-ring F) 1))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic

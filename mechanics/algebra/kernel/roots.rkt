@@ -84,11 +84,12 @@
 
 ;; w, the k-th power of the root over the members.
 (define (left-over R elements exponents k q members qs)
-  (product R elements
-           (for/list ([es (in-list (transpose exponents))])
-             (- (/ (* k (car es)) q)
-                (for/sum ([m (in-list members)])
-                  (/ (* (cdr m) (list-ref (cdr es) (car m))) (list-ref qs (car m))))))))
+  (fraction-product R
+    (for/list ([x (in-list elements)] [es (in-list (transpose exponents))])
+      (make-power x
+                  (- (/ (* k (car es)) q)
+                     (for/sum ([m (in-list members)])
+                       (/ (* (cdr m) (list-ref (cdr es) (car m))) (list-ref qs (car m)))))))))
 
 ;; The least proper divisor k of q for which k v is a combination of the vectors,
 ;; and the combination; or #f #f.
@@ -105,14 +106,6 @@
   (for/list ([x (in-list xs)] [i (in-naturals)] #:unless (eqv? x 0)) (cons i x)))
 
 (define (transpose rows) (apply map list rows))
-
-;; ∏ factor^exponent, of numbers and polynomials.
-(define (product R factors exponents)
-  (for/fold ([w (fraction-from-poly R (poly-constant R 1))])
-            ([f (in-list factors)] [e (in-list exponents)])
-    (if (number? f)
-        (fraction-scale R (expt f e) w)
-        (fraction* R w (fraction-expt R (fraction-from-poly R f) e)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Bases

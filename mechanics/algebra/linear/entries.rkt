@@ -116,7 +116,7 @@
 
 ;; The product, over rows, of what they were multiplied by: a fraction.
 (define (scale R rows fractions)
-  (for/fold ([s (fraction-from-poly R (poly-constant R 1))])
+  (for/fold ([s (fraction-constant R 1)])
             ([row (in-vector rows)] [fs (in-vector fractions)])
     (define first
       (for/first ([p (in-vector row)] [f (in-vector fs)] #:unless (poly-zero? p))

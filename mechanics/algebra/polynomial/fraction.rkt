@@ -19,7 +19,7 @@
 
 (provide
  ;; making
- fraction? fraction-from-poly fraction-rering
+ fraction? fraction-from-poly fraction-constant fraction-rering
  ;; parts
  fraction-numerator fraction-denominator-factors fraction-denominator-parts
  fraction-denominator
@@ -27,13 +27,14 @@
  fraction-zero? fraction-polynomial? fraction=? fraction-hash
  ;; arithmetic
  fraction+ fraction- fraction-negate fraction-scale fraction-sum
- fraction* fraction/ fraction-invert fraction-expt)
+ fraction* fraction/ fraction-invert fraction-expt fraction-product)
 
 ;; denominator-factors : powers (power.rkt) of polynomials
 (struct fraction (numerator denominator-factors)
   #:authentic)
 
 (define (fraction-from-poly R p) (fraction p '()))
+(define (fraction-constant R c) (fraction (poly-constant R c) '()))
 
 ;; The fraction f of the ring `from`, in the ring `to`.
 (define (fraction-rering from to f)
@@ -200,11 +201,20 @@
 
 (define (fraction-expt R f k)
   (cond [(negative? k) (fraction-expt R (fraction-invert R f) (- k))]
-        [(eqv? k 0) (fraction (poly-constant R 1) '())]
+        [(eqv? k 0) (fraction-constant R 1)]
         [else
          (fraction (poly-expt R (fraction-numerator f) k)
                    (for/list ([h (in-list (fraction-denominator-factors f))])
                      (make-power (power-base h) (* k (power-exponent h)))))]))
+
+;; The product of powers of numbers and polynomials.
+(define (fraction-product R powers)
+  (for/fold ([product (fraction-constant R 1)]) ([h (in-list powers)])
+    (define b (power-base h))
+    (define e (power-exponent h))
+    (if (number? b)
+        (fraction-scale R (expt b e) product)
+        (fraction* R product (fraction-expt R (fraction-from-poly R b) e)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Cancelling

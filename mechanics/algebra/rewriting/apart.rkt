@@ -45,7 +45,7 @@
 ;; -> the inverse of the part free of s, and powers of the other factors.
 (define (split-denominator F f i)
   (define R (field-ring F))
-  (for*/fold ([below (fraction-from-poly R (poly-constant R 1))] [factors '()])
+  (for*/fold ([below (fraction-constant R 1)] [factors '()])
              ([h (in-list (fraction-denominator-factors f))]
               [g (in-list (poly-factor R (power-base h)))])
     (define p (power-base g))

@@ -58,9 +58,7 @@
 (define (collected F f variables)
   (define R (field-ring F))
   (define-values (free powers mixed) (sort-divisors R f variables))
-  (define below
-    (for/fold ([p (fraction-from-poly R (poly-constant R 1))]) ([h (in-list free)])
-      (fraction* R p (fraction-expt R (fraction-from-poly R (power-base h)) (power-exponent h)))))
+  (define below (fraction-product R free))
   (define table
     (for/list ([entry (in-list (group-by-exponents R (fraction-numerator f) variables))])
       (cons (map - (car entry) powers)
@@ -120,9 +118,9 @@
     (for/list ([i (in-list variables)] [n (in-list exponents)] #:unless (eqv? n 0))
       (cons (vector-ref (field-kernels F) i) n)))
   (define monomial
-    (for/fold ([product (fraction-from-poly R (poly-constant R 1))])
-              ([i (in-list variables)] [n (in-list exponents)])
-      (fraction* R product (fraction-expt R (fraction-from-poly R (poly-variable R i)) n))))
+    (fraction-product R
+      (for/list ([i (in-list variables)] [n (in-list exponents)])
+        (make-power (poly-variable R i) n))))
   (cond [(null? powers) (expression->form e)]
         [(sum-within? e) (expression->form (times e powers))]
         [else (expression->form (present F (fraction* R coefficient monomial)))]))

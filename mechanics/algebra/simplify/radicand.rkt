@@ -32,6 +32,7 @@
   (cond
     [(fraction-zero? f) (values 0 '())]
     [else
+     (define R (field-ring F))
      (define-values (number factors) (value-parts F f))
      (define-values (roots others) (partition-roots F factors real?))
      (define-values (sign known unknown) (by-signs F others q branch real?))
@@ -39,7 +40,7 @@
                            (for/list ([g (in-list known)]) (cons (car g) (/ (cdr g) q)))))
      (define-values (outer lower kept) (careful-roots F unknown q real?))
      (define rest (append (filter pair? (map fractional-part parts)) kept))
-     (values (e:* (present F (power-product F (map whole-part parts))) outer)
+     (values (e:* (present F (fraction-product R (map whole-part parts))) outer)
              (append (for/list ([r (in-list roots)]) (lower-root (car r) (/ (cdr r) q)))
                      (if (and (pair? kept)
                               (or (odd? q) (not (andmap real? (map car unknown)))))
@@ -98,8 +99,8 @@
 
 ;; All parts under one root of degree q.
 (define (one-root F parts q)
-  (cons (present F (power-product F (for/list ([p (in-list parts)]) (cons (car p) (* q (cdr p))))))
-        (/ 1 q)))
+  (define powers (for/list ([p (in-list parts)]) (cons (car p) (* q (cdr p)))))
+  (cons (present F (fraction-product (field-ring F) powers)) (/ 1 q)))
 
 ;; Factors that are roots or exponentials, as ((root . integer) ...), and the others.
 (define (partition-roots F factors real?)
@@ -155,20 +156,13 @@
     (define common (apply gcd (for/list ([p (in-list group)]) (numerator (cdr p)))))
     (define sign (if (andmap (lambda (p) (negative? (cdr p))) group) -1 1))
     (define power (if signed? 1 (* sign common)))
-    (cons (present F (power-product F (for/list ([p (in-list group)])
-                                        (cons (car p) (/ (numerator (cdr p)) power)))))
-          (/ power d))))
+    (define inner
+      (for/list ([p (in-list group)]) (cons (car p) (/ (numerator (cdr p)) power))))
+    (cons (present F (fraction-product (field-ring F) inner)) (/ power d))))
 
 (define (distinct xs)
   (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
     (if (memv x kept) kept (cons x kept))))
-
-(define (power-product F powers)
-  (define R (field-ring F))
-  (for/fold ([f (fraction-from-poly R (poly-constant R 1))]) ([g (in-list powers)])
-    (if (number? (car g))
-        (fraction-scale R (expt (car g) (cdr g)) f)
-        (fraction* R f (fraction-expt R (fraction-from-poly R (car g)) (cdr g))))))
 
 ;; -> number and ((polynomial . integer) ...), whose product f is: the parts of
 ;; numerator and denominator.  In the form with fewest terms 1 - cos² is a square.

@@ -81,16 +81,14 @@
    "(for/fold ([product number])"]
   ;; roots
   ["√(u²) = -u" "simplify/radicand.rkt"
-   "(values (e:* (present F (power-product F (map whole-part parts)))"
-   "(values (e:* (present F (power-product F (cons (cons -1 1) (map whole-part parts))))"]
+   "(values (e:* (present F (fraction-product R (map whole-part parts)))"
+   "(values (e:* (present F (fraction-product R (cons (cons -1 1) (map whole-part parts))))"]
   ["√(x³) = x √(x²)" "simplify/radicand.rkt"
    "(define e (- (cdr part) (cdr (whole-part part))))"
    "(define e (cdr part))"]
-  ["√6 = √2 √3 √5" "kernel/roots.rkt"
-   "(if (number? f)
-        (fraction-scale R (expt f e) w)"
-   "(if (number? f)
-        (fraction-scale R (expt (abs f) (+ e 1)) w)"]
+  ["√6 = √2 √3 √5" "polynomial/fraction.rkt"
+   "(fraction-scale R (expt b e) product)"
+   "(fraction-scale R (expt (abs b) (+ e 1)) product)"]
   ["a norm is to the first power" "field/rationalize.rkt"
    "(fraction-expt R norm e)"
    "norm"]
