@@ -5,7 +5,8 @@
 ;; elements dropped, whole powers multiplied out.  Signs move outwards, to become
 ;; subtractions or to meet others; opposite terms cancel.
 
-(require "instruction.rkt")
+(require "instruction.rkt"
+         "../algebra/expression/constant-range.rkt")
 
 (provide make-builder written
          do! write! add! subtract! multiply! divide! power!)
@@ -62,7 +63,8 @@
 (define (like-terms b x y combine)
   (define-values (c z) (coefficient b x))
   (define-values (d w) (coefficient b y))
-  (and (equal? z w) (multiply! b (combine c d) z)))
+  (define e (combine c d))
+  (and (equal? z w) (sum-fits? e c d) (multiply! b e z)))
 
 (define (coefficient b x)
   (define i (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
@@ -99,14 +101,24 @@
         [(and (number? x) (scaled b x y)) => (lambda (factors) (apply multiply! b factors))]
         [(negated b x) => (lambda (z) (negate! b (multiply! b z y)))]
         [(negated b y) => (lambda (z) (negate! b (multiply! b x z)))]
+        [(and (number? x) (not (representable? b x))) (multiply-in-parts! b x y)]
         [else (do-in-order! b 'multiply x y)]))
+
+(define (representable? b c) (or (flonum? c) (normal? ((builder-as-constant b) c))))
+
+;; Powers of two are no rounding, and go the way that the value goes: what overflows on it
+;; does so at its end.
+(define (multiply-in-parts! b c x)
+  (define part (expt 2 (if (> (abs c) 1) 1000 -1000)))
+  (multiply! b part (multiply! b (/ c part) x)))
 
 (define (divide! b x y)
   (cond [(eqv? x 0) 0]
         [(eqv? y 1) x]
-        [(and (number? y) (not (eqv? y 0))) (multiply! b (/ 1 y) x)]
+        [(and (number? y) (not (eqv? y 0)) (reciprocal-fits? (/ 1 y) y)) (multiply! b (/ 1 y) x)]
         [(negated b x) => (lambda (z) (negate! b (divide! b z y)))]
         [(negated b y) => (lambda (z) (negate! b (divide! b x z)))]
+        [(and (number? x) (not (representable? b x))) (multiply! b x (divide! b 1 y))]
         [else (do! b 'divide x y)]))
 
 (define (negate! b x)

@@ -15,7 +15,7 @@
 ;; elements and flatten short sums and products.  Everything dearer is
 ;; simplification.
 
-(require "operation.rkt" "write.rkt")
+(require "constant-range.rkt" "operation.rkt" "write.rkt")
 
 (provide
  ;; kinds
@@ -148,11 +148,17 @@
         [else
          (define-values (m as) (split-constant a op:+ 0))
          (define-values (n bs) (split-constant b op:+ 0))
-         (rejoin op:+ (+ m n) 0 (append as bs))]))
+         (define c (+ m n))
+         (if (sum-fits? c m n)
+             (rejoin op:+ c 0 (append as bs))
+             (rejoin op:+ m 0 (append as (list b))))]))
 
-(define (add-constant c e)
+(define (add-constant m e)
   (define-values (n rest) (split-constant e op:+ 0))
-  (rejoin op:+ (+ c n) 0 rest))
+  (define c (+ m n))
+  (if (sum-fits? c m n)
+      (rejoin op:+ c 0 rest)
+      (make-node op:+ (list m e))))
 
 (define (e:* a b)
   (cond [(and (number? a) (number? b)) (* a b)]
@@ -163,7 +169,10 @@
         [else
          (define-values (m as) (split-constant a op:* 1))
          (define-values (n bs) (split-constant b op:* 1))
-         (rejoin op:* (* m n) 1 (append as bs))]))
+         (define c (* m n))
+         (cond [(product-fits? c m n) (rejoin op:* c 1 (append as bs))]
+               [(number? b) (make-node op:* (list b a))]
+               [else (rejoin op:* m 1 (append as (list b)))])]))
 
 ;; e as a number and its other operands under this head.
 (define (split-constant e head neutral)
@@ -195,7 +204,10 @@
 (define (e:/ a b)
   (cond [(number? b)
          (when (exact-zero? b) (raise-division-by-zero a))
-         (e:* (/ 1 b) a)]
+         (define c (/ 1 b))
+         (cond [(reciprocal-fits? c b) (e:* c a)]
+               [(number? a) (/ a b)]
+               [else (make-node op:/ (list a b))])]
         [(exact-zero? a) 0]
         [(expression=? a b) 1]
         [else (make-node op:/ (list a b))]))
