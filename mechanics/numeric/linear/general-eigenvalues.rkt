@@ -126,15 +126,17 @@
          (define re (fl/ (fl+ a d) 2.0))
          (define im (flsqrt (flabs square)))
          (list (make-rectangular re (fl- 0.0 im)) (make-rectangular re im))]
-        [else (two-real half square b c d)]))
+        [else (two-real half square a b c d)]))
 
-;; d + z and d - b c/z, with the z that loses no digits.
-(define (two-real half square b c d)
+;; a + b c/z and d - b c/z, with the z that loses no digits.  The first one is d + z, which
+;; does lose them where it is nothing beside d.
+(define (two-real half square a b c d)
   (define root (flsqrt square))
   (define z (if (fl< half 0.0) (fl- half root) (fl+ half root)))
   (if (fl= z 0.0)
       (list d d)
-      (sort (list (fl+ d z) (fl- d (fl/ (fl* b c) z))) <)))
+      (let ([change (fl/ (fl* b c) z)])
+        (sort (list (fl+ a change) (fl- d change)) <))))
 
 ;; One step on the block: a reflection of three coordinates makes the first column of
 ;; the shifted square a multiple of the first axis, and others chase the bulge which it

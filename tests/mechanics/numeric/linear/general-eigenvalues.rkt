@@ -70,6 +70,31 @@
       (* (flvector-ref m (+ (* 4 i) j)) (/ (list-ref scales i) (list-ref scales j)))))
   (check-within (sort (real-matrix-eigenvalues scaled 4) <) '(1.0 2.0 3.0 4.0) 1e-10))
 
+;; λ² − (a + d) λ + (a d − b c) = 0, with the product of both for the smaller.
+(define (check-two a b c d)
+  (define-values (A B C E) (apply values (map inexact->exact (list a b c d))))
+  (define-values (sum product) (values (+ A E) (- (* A E) (* B C))))
+  (define root (sqrt (real->double-flonum (+ (* (- A E) (- A E)) (* 4 B C)))))
+  (define larger (/ (+ sum (if (< sum 0) (- root) root)) 2.0))
+  (define smaller (real->double-flonum (/ product (inexact->exact larger))))
+  (define conditioned                     ; how many digits the entries leave of the product
+    (real->double-flonum (/ (+ (abs (* A E)) (abs (* B C))) (abs product))))
+  (define found (sort (real-matrix-eigenvalues (flvector a b c d) 2) < #:key abs))
+  (for ([x (in-list found)] [y (in-list (list smaller larger))])
+    (check-= (/ x y) 1 (* 1e-14 conditioned) (format "~a ~a; ~a ~a" a b c d))))
+
+(test-case "two rows: the smaller eigenvalue keeps its digits beside the larger"
+  (check-two -1e8 1.0 2.0 -1e-7)          ; -8.0e-8
+  (check-two -1e-7 2.0 1.0 -1e8)
+  (check-two 1e8 1.0 2.0 1e-7)
+  (check-two 1e-7 1.0 2.0 1e8)
+  (random-seed seed)
+  (for ([_ 200])
+    (define (entry) (* (if (zero? (random 2)) 1.0 -1.0) (expt 10.0 (- (* 16.0 (random)) 8.0))))
+    (define-values (a b d) (values (entry) (entry) (entry)))
+    (define c (* (/ b (abs b)) (abs (entry))))                          ; b c > 0: both real
+    (check-two a b c d)))
+
 (test-case "nothing separates where there is no number"
   (check-false (real-matrix-eigenvalues (make-flvector 9 +nan.0) 3)))
 
@@ -107,3 +132,9 @@
   (define-values (found vectors)
     (symmetric-eigenvalues (flvector 1.0 0.5e-8 0.5e-8 1e-16) 2))
   (check-= (/ (flvector-ref found 0) 0.75e-16) 1 1e-14))
+
+(test-case "so it does where the entry between them is nothing beside the fast one"
+  (for ([d (in-list '(1e-12 1e-17 1e-40 1e-100))])
+    (define-values (found vectors)
+      (symmetric-eigenvalues (flvector 1.0 (* 0.5 d) (* 0.5 d) (* d d)) 2))
+    (check-= (/ (flvector-ref found 0) (* 0.75 d d)) 1 1e-14 (format "d = (1, ~a)" d))))
