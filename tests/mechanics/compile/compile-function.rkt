@@ -63,6 +63,14 @@
                       (compiled-function-reason
                        (compile-function (lambda (x) (if (< (sin x) 1) x 0)) 2.0))))
 
+(test-case "constants are not combined beyond the flonums"
+  (define (f x) (* 1e200 (- (* 1e200 x) (* 5e199 x))))
+  (define c (compile-function f 1.0))
+  (check-false (compiled-function-reason c))
+  (check-= (/ (car (numbers (c (flvector 1e-250)))) 5e149) 1 1e-14)
+  (define (g x) (* 1e-200 (+ (* 1e-200 x) (* 5e-201 x))))
+  (check-= (/ (car (numbers ((compile-function g 1.0) (flvector 1e300)))) 1.5e-100) 1 1e-14))
+
 (test-case "Racket's own tests are found out by the value at the example"
   (define (f x) (if (flonum? x) (* 2 x) x))
   (define c (compile-function f 2.0))

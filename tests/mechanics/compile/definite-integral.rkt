@@ -50,6 +50,20 @@
   (check-equal? count 21)
   (check-equal? (definite-integral g:sin 1 1 #:report list) '(0.0 0.0 0)))
 
+(test-case "of several integrals, bounds and evaluations are counted together"
+  (define (report f) (definite-integral f 0 1 1e-8 #:report list))
+  ;; within a derivative, the integrals of the value and of the slope
+  (define-values (value slope)
+    (values (report (lambda (x) (g:sqrt (g:+ 2 x))))
+            (report (lambda (x) (g:/ 1/2 (g:sqrt (g:+ 2 x)))))))
+  (define both #f)
+  ((D (lambda (a)
+        (definite-integral (lambda (x) (g:sqrt (g:+ a x))) 0 1 1e-8
+                           #:report (lambda (v bound count) (set! both (list bound count)) v))))
+   2)
+  (check-= (/ (car both) (+ (cadr value) (cadr slope))) 1 1e-6)
+  (check-equal? (cadr both) (+ 1 (caddr value) (caddr slope)) "and one to see that it is dual"))
+
 (test-case "a stricter tolerance costs more and bounds more"
   (define (report tolerance) (definite-integral-with-tolerance g:sqrt 0 1 tolerance #:report list))
   (for ([loose (map report '(1e-2 1e-4 1e-6))] [strict (map report '(1e-6 1e-9 1e-12))])

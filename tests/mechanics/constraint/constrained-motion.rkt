@@ -100,6 +100,18 @@
                ((consistent-state (L-mass 1 9.8) (holonomic (lambda (t q) (+ 1 (square q)))))
                 (up 0 (up 1 0) (up 0 0))))))
 
+(test-case "where no state keeps a constraint, the last one tried is told, and how far it is off"
+  (define (L (up t x v)) (* 1/2 (square v)))
+  (define nowhere (holonomic (lambda (t x) (+ (square x) 1))))
+  (for ([x '(0.7 2.0 -3.5)])
+    (define failure
+      (with-handlers ([exn:fail:mechanics:not-convergent? values])
+        ((consistent-state L nowhere) (up 0 x 0))))
+    (check-pred exn:fail:mechanics:not-convergent? failure)
+    (check-regexp-match #rx"^consistent-state: no state was found that keeps the constraints\n"
+                        (exn-message failure))
+    (check-true (> (exn:fail:mechanics:not-convergent-error-estimate failure) 1e-12))))
+
 (skip-unless bigfloats? no-bigfloats
   (test-case "in thirty digits the rod keeps its length as well as the motion is known"
     (define advance (state-advancer pendulum 1 1 98/10))

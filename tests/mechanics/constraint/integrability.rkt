@@ -3,7 +3,8 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../book/check.rkt")
+         "../book/check.rkt"
+         "../laws/random.rkt")
 
 (define q (up 'x 'y 'θ))
 (define-syntax-rule (form (t (x y θ) (vx vy ω)) value)
@@ -55,6 +56,44 @@
   (check-integral (form (t (x y θ) (vx vy ω)) (+ vx (* 2 x ω))) (+ 'θ (/ (log 'x) 2)))
   (check-integral (form (t (x y θ) (vx vy ω)) (+ (* (+ (* 3 x) (* 2 y)) vx) (* x vy)))
                   (+ (cube 'x) (* (square 'x) 'y))))
+
+(test-case "coefficients that depend on time are a constraint that does, with a term without velocity or none"
+  (define turning (form (t (x y θ) (vx vy ω)) (+ (* (cos t) vx) (* (sin t) vy))))
+  (check-eq? (status turning) 'refuted)
+  (check-exn #rx"^constraint-integral: the constraint is not integrable\n"
+             (lambda () (constraint-integral turning q)))
+  (check-eq? (status (form (t (x y θ) (vx vy ω)) (* t (+ vx vy)))) 'proved)
+  (check-eq? (status (form (t (x y θ) (vx vy ω)) (+ y vx))) 'refuted)
+  (check-eq? (status (form (t (x y θ) (vx vy ω)) (+ x vx))) 'proved))
+
+;; b + a₁ ẋ + a₂ ẏ = 0 is integrable where ω ∧ dω = 0 for ω = b dt + a₁ dx + a₂ dy.
+(define (twist b a1 a2)
+  (define-values (by-t by-x by-y) (values (partial 0) (partial 1) (partial 2)))
+  (+ (* b (- (by-x a2) (by-y a1))) (* a1 (- (by-y b) (by-t a2))) (* a2 (- (by-t a1) (by-x b)))))
+
+(define (random-polynomial)
+  (define-values (c i j k) (values (random-rational) (random 2) (random 2) (random 2)))
+  (define-values (d l) (values (random-rational) (random 3)))
+  (lambda (t x y) (+ (* c (expt t i) (expt x j) (expt y k)) (* d (expt (ref (up t x y) l) 2)))))
+
+(test-case "forms of time and two coordinates, at random: integrable where ω ∧ dω = 0"
+  (define (check-form b a1 a2 expected)
+    (define constraint
+      (nonholonomic
+       (lambda (t q v)
+         (define (at f) (f t (ref q 0) (ref q 1)))
+         (+ (at b) (* (at a1) (ref v 0)) (* (at a2) (ref v 1))))))
+    (with-check-info (['form (list (b 't 'x 'y) (a1 't 'x 'y) (a2 't 'x 'y))])
+      (check-eq? (verdict-status (Frobenius-test constraint (up 'x 'y))) expected)))
+  (define (zero t x y) 0)
+  (with-seed 1903
+    (for ([k 12])
+      (define-values (b a1 a2)
+        (values (if (even? k) zero (random-polynomial)) (random-polynomial) (random-polynomial)))
+      (define nothing? (zero? (simplify ((twist b a1 a2) 't 'x 'y))))
+      (check-form b a1 a2 (if nothing? 'proved 'refuted))
+      (define-values (mu G) (values (random-polynomial) (random-polynomial)))
+      (check-form (* mu ((partial 0) G)) (* mu ((partial 1) G)) (* mu ((partial 2) G)) 'proved))))
 
 (test-case "an integral makes a holonomic constraint"
   (define rolling (form (t (x y θ) (vx vy ω)) (- vx (* 'R ω))))

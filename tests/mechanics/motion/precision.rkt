@@ -93,6 +93,30 @@
                (lambda () (evolve-trajectory (harmonic 1) (up 0 1 0) 3 #:precision 64
                                              #:events (event late)))))
 
+  (test-case "several events within one step come in the order of the motion, backwards as well"
+    (define ((steady) (up t x)) (up 1 1))
+    (define ((at . places) s) (for/product ([p places]) (- (coordinate s) p)))
+    (define (first sign) (event (compose (at 1/5 7/10) (times sign)) #:name 'first))
+    (define (second sign) (event (compose (at 9/20 1/20) (times sign)) #:name 'second))
+    (define ((times sign) s) (* sign s))
+    (define (follow end . events)
+      (evolve-trajectory (steady) (up 0 0) end #:precision 80 #:events events))
+    (define (found tr)
+      (for/list ([o (trajectory-events tr)])
+        (/ (round (* 1e9 (exact (occurrence-time o)))) 1e9)))
+    (define expected '(0.05 0.2 0.45 0.7))
+    (define forwards (follow 1 (first 1) (second 1)))
+    (check-true (<= (length (trajectory-states forwards)) 3) "one step holds them")
+    (check-equal? (found forwards) expected)
+    (check-equal? (found (follow 1 (second 1) (first 1))) expected)
+    (check-equal? (found (follow -1 (first -1) (second -1))) (map - expected))
+    (check-equal? (found (follow -1 (second -1) (first -1))) (map - expected))
+    ;; of several that would end the motion the first on the way does
+    (define ends (event (at -9/20 -1/20) #:terminal? #t))
+    (define ended (follow -1 (first -1) ends))
+    (check-equal? (found ended) '(-0.05))
+    (check-= (exact (trajectory-end ended)) -1/20 1e-20))
+
   (test-case "the period of a pendulum that swings to 1 rad"
     (define (pendulum s) (up 1 (velocity s) (* -98/10 (sin (coordinate s)))))
     (define tr

@@ -104,6 +104,15 @@
   (check-pred proved? (verify-conserved L (Lagrangian->energy L) plane))
   (check-exn exn:fail:mechanics:singular? (lambda () (verify-conserved L (lambda (l) (ref (velocity l) 1)) plane))))
 
+(test-case "of several rates that agree along motions, any one that vanishes proves"
+  ;; without inertia the equations are ẋ = 0 and ẏ = 0
+  (define (L (up t (up x y) (up vx vy))) (* -1 y vx))
+  (check-pred proved? (verify-conserved L (compose (component 0) coordinate) plane))
+  (check-pred proved? (verify-conserved (- L) (compose (component 1) coordinate) plane))
+  ;; ẋ = y and ẏ = −x: the circle about the origin is kept, another is not
+  (define (turning (up t (up x y) (up vx vy))) (- (* x vy) (* y vx) (* -1 (+ (square x) (square y)))))
+  (check-pred proved? (verify-conserved turning (Lagrangian->energy turning) plane)))
+
 (test-case "ignorable coordinates, by symbol, index and chain"
   (define L (L-polar 'm U))
   (check-equal? (ignorable-coordinates L polar) '(phi))

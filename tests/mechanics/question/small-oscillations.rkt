@@ -19,6 +19,14 @@
 
 (define (expressions x) (map expression x))
 
+;; Two coordinates with these matrices, and the magnetic term of a rate g.
+(define (L-of M K g)
+  (define (bilinear S a b) (for*/sum ([i 2] [j 2]) (* (ref a i) (matrix-ref S i j) (ref b j))))
+  (lambda (state)
+    (define-values (q v) (values (coordinate state) (velocity state)))
+    (+ (* 1/2 (bilinear M v v)) (* -1/2 (bilinear K q q))
+       (* 1/2 g (- (* (ref q 0) (ref v 1)) (* (ref q 1) (ref v 0)))))))
+
 (test-case "a pendulum, hanging and standing"
   (define ((L m l g) (up t theta v))
     (+ (* 1/2 m (square (* l v))) (* m g l (cos theta))))
@@ -73,6 +81,29 @@
   (check-true (andmap real? (frequencies 0.0385)))
   (check-false (ormap real? (frequencies 0.0386))))
 
+(test-case "frequencies that coincide where velocities act have one shape, given twice"
+  ;; M = 1, K = −1, g = 2: ω⁴ − 2 ω² + 1 = 0
+  (define ((L c) (up t (up x y) (up vx vy)))
+    (+ (* 1/2 (+ (square vx) (square vy))) (- (* x vy) (* y vx)) (* c (+ (square x) (square y)))))
+  (check-equal? (expressions (normal-modes (L 1/2) (up 0 0))) '((up 1 (up 1 +i)) (up 1 (up 1 +i))))
+  ;; x ẍ-equation: ẍ − 2 ẏ − x = 0 with (x, y) = Re (1, i) e^{it}
+  (check-pred proved? (verify-solution (L 1/2) (lambda (t) (up (cos t) (* -1 (sin t)))))))
+
+(test-case "systems of two coordinates, by formulas: each mode solves the linear equations"
+  (with-seed 412
+    (for ([_ 12])
+      (define-values (c g) (values (random-rational) (random-rational)))
+      (define M (matrix-by-rows (list (+ 1 (square c)) c) (list c 1)))
+      (define-values (k k01) (values (random-rational) (random-rational)))
+      (define K (matrix-by-rows (list k k01) (list k01 (random-rational))))
+      (for ([mode (normal-modes (L-of M K g) (up 0 0))])
+        (define-values (w v) (values (ref mode 0) (ref mode 1)))
+        (define S (+ K (* -1 (square w) M) (* +i w (gyroscopic-matrix (L-of M K g) (up 0 0)))))
+        (for ([i 2])
+          (define off
+            (+ (* (matrix-ref S i 0) (ref v 0)) (* (matrix-ref S i 1) (ref v 1))))
+          (check-= (magnitude (exact->inexact (simplify off))) 0 1e-8))))))
+
 (define (chain n m l g)
   (lambda (state)
     (define-values (q v) (values (coordinate state) (velocity state)))
@@ -123,6 +154,9 @@
           (check-= (magnitude (for/sum ([j n]) (* (matrix-ref S i j) (ref v j)))) 0 1e-9
                    (format "n = ~a, turning ~a" n turning?)))))))
 
+;; At rest nothing changes: neither force nor stiffness.
+(define (growing-mass (up t q v)) (- (* 1/2 (+ 1 (square t)) (square v)) (* 1/2 (square q))))
+
 (test-case "what is no equilibrium, no minimum of numbers, or no function of coordinates"
   (check-message (lambda () (normal-modes (L-pendulums 'm 'm 'l 'g) (up 'a 0)))
                  (string-append
@@ -134,6 +168,9 @@
              (lambda ()
                (small-oscillation-frequencies
                 (lambda (s) (- (square (velocity s)) (* (time s) (square (coordinate s))))) 0)))
+  (for ([ask (list normal-modes small-oscillation-frequencies)] [name '("normal-modes" "small-osc")])
+    (check-exn (regexp (string-append "^" name ".*: the Lagrangian changes in time at these"))
+               (lambda () (ask growing-mass 0))))
   (check-exn #rx"^normal-modes: 3 coordinates act on one another, and formulas are for 1 and 2"
              (lambda ()
                (normal-modes (lambda (s)

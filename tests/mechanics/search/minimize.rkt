@@ -111,6 +111,17 @@
   (check-true (< count* count))
   (check-= (car (nelder-mead g:cos 3)) (acos -1.0) 1e-6))
 
+(test-case "a start where the gradient vanishes is not taken for a minimum"
+  (check-= (abs (multidimensional-minimize g:cos 0)) (acos -1.0) 1e-6)
+  (define (saddle v)
+    (g:+ (g:square (ref v 0)) (g:* -1 (g:square (ref v 1))) (g:expt (ref v 1) 4)))
+  (define-values (x y slope count)
+    (apply values (multidimensional-minimize saddle (up 0 0) #:report list)))
+  (check-= (ref x 0) 0 1e-6)
+  (check-= (abs (ref x 1)) (sqrt 1/2) 1e-6)
+  (check-= y -1/4 1e-12)
+  (check-false slope "found from values alone"))
+
 (test-case "a failure carries the best point in its own shape"
   (for ([method '(quasi-newton nelder-mead)])
     (define failure

@@ -7,7 +7,7 @@
 (define known
   '(Lagrange-equations Lagrangian->energy determinant invert simplify verify-solution
     matrix? matrix-by-rows matrix-by-columns matrix-ref matrix-size
-    sin sinh D Gamma literal-function velocity))
+    sin sinh square D Gamma literal-function velocity))
 
 (define-check (check-suggests name names)
   (define found (likely-names name known))
@@ -19,6 +19,7 @@
   (check-suggests 'literal--function '(literal-function))
   (check-suggests 'determinent '(determinant))
   (check-suggests 'simplfiy '(simplify))
+  (check-suggests 'sqaure '(square))
   (check-suggests 'gamma '(Gamma))
   (check-suggests 'lagrangian->Energy '(Lagrangian->energy)))
 

@@ -61,6 +61,24 @@
                         (list (lambda (x) 1.0) 0 +inf.0)))])
     (check-exn exn:fail:mechanics:not-convergent? (lambda () (apply integral example)))))
 
+(test-case "a slow tail beneath a fast one is not extrapolated away"
+  (define ((tail c) x) (+ (expt x -1.5) (* c (expt x -0.5))))
+  (for ([c (in-list '(1e-4 1e-8 1e-12))])
+    (check-exn exn:fail:mechanics:not-convergent? (lambda () (integral (tail c) 1 +inf.0)))
+    (check-exn exn:fail:mechanics:not-convergent?
+               (lambda () (integral (lambda (x) ((tail c) (- x))) -inf.0 -1))))
+  (check-integral (tail 0.0) 1 +inf.0 2.0))
+
+(test-case "bounds of errors add up where integrals do"
+  (define (bound f low high)
+    (define-values (value bound) (improper-quadrature f low high #:tolerance 1e-6))
+    bound)
+  (define (f x) (/ (exp (* -1/2 (abs x))) (+ 1.0 (abs (- x 0.3)))))
+  (define-values (left right) (values (bound f -inf.0 0.0) (bound f 0.0 +inf.0)))
+  (check-true (< 0.0 (* 10 left) (* 100 right)))
+  (check-equal? (bound f -inf.0 +inf.0) (+ left right))
+  (check-equal? (bound f +inf.0 -inf.0) (+ left right)))
+
 (test-case "a failure says where, in the variable of the integrand"
   (define failure
     (with-handlers ([exn:fail:mechanics:not-convergent? exn-message])

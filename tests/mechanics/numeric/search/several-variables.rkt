@@ -35,6 +35,23 @@
   (check-true (< (far found '(1.0 2.0 3.0 4.0 5.0 6.0 7.0 8.0)) 1e-7))
   (check-true (< steps (* 3 n))))
 
+(test-case "evaluations are counted, all of them"
+  (define calls 0)
+  (define (counted f) (lambda (v) (set! calls (+ calls 1)) (f v)))
+  (define (check-count f start . options)
+    (set! calls 0)
+    (define-values (found y count) (nelder-mead (counted f) start))
+    (check-equal? count calls))
+  (check-count valley (flvector -1.2 1.0))
+  (check-count (lambda (v) (abs (- (x 0 v) 3.0))) (flvector 0.0))
+  (check-count (lambda (v) (+ (abs (x 0 v)) (sqrt (abs (- (x 1 v) 1.0))) (abs (x 2 v))))
+               (flvector 1.0 3.0 -2.0))                       ; shrinks, too
+  (set! calls 0)
+  (define failure
+    (with-handlers ([exn:fail:mechanics:not-convergent? exn-message])
+      (nelder-mead (counted valley) (flvector -1.2 1.0) #:limit 40)))
+  (check-regexp-match (format "\n  evaluations: ~a\n" calls) failure))
+
 (test-case "in one variable"
   (define-values (v f c) (nelder-mead (lambda (v) (expt (- (x 0 v) 3.0) 2)) (flvector 0.0)))
   (check-true (< (far v '(3.0)) 1e-6)))
