@@ -16,8 +16,8 @@
 (require (prefix-in core: '#%kernel)
          "early-use.rkt"
          (for-syntax racket/base
-                     "module-definitions.rkt"
-                     "module-imports.rkt" "module-listing.rkt")
+                     "definitions.rkt"
+                     "imports.rkt" "survey.rkt")
          "start-with.rkt"
          "../printer.rkt")
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The definitions of one module, while its forms are expanded one after another.
 
-(require "module-listing.rkt" "module-names.rkt")
+(require "survey.rkt" "names-used.rkt")
 
 (provide make-definitions
          defined? add-variable! add-macro!

@@ -10,7 +10,7 @@
 
 (require (for-template racket/base)
          (only-in racket/list append-map)
-         "module-names.rkt")
+         "names-used.rkt")
 
 (provide (struct-out listing) read-listing all-early
          run-by-definition? same-name?)

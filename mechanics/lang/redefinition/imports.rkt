@@ -3,7 +3,7 @@
 
 (require (only-in racket/list append-map)
          racket/require-transform
-         "module-definitions.rkt" (for-template racket/base "start-with.rkt"))
+         "definitions.rkt" (for-template racket/base "start-with.rkt"))
 
 (provide bound-outside? start-as-outside
          require-without-clashes)
