@@ -4,7 +4,7 @@
 
 (require racket/lazy-require
          "../display/result.rkt"
-         "../generic/arithmetic.rkt" "../generic/compare.rkt")
+         "../generic/arithmetic.rkt")
 
 (lazy-require [racket/pretty (pretty-write)])
 

@@ -7,15 +7,18 @@
 ;; which includes every function defined once in the module, provided that f
 ;; itself stays in operator position.  So a call of a variable becomes
 ;;
-;;     (let ([t argument] ...) (if (procedure? f) (f t ...) (complain ...)))
+;;     (let ([t argument] ...) (if (procedure? f) (f t ...) (refuse ...)))
 ;;
 ;; where constants, and variables among variables, need no t.  At the prompt f
 ;; itself comes first, for it may be undefined.  A name imported
 ;; from another module is trusted; any other operator, as in ((D f) x), is
 ;; tested on its way: ((callable operator) argument ...).
 
-(require (for-syntax racket/base)
-         (only-in "pattern/mismatch.rkt" short-text list-hint)
+(require (only-in racket/list add-between)
+         (for-syntax racket/base
+                     "imported.rkt")
+         (only-in "pattern/mismatch.rkt" short-text tuple-advice)
+         "../error/complain.rkt"
          "../generic/describe.rkt" (only-in "../generic/dispatch.rkt" raise-unary-arity)
          (only-meta-in 1 "../generic/elementary.rkt")
          (only-in "../generic/up-down.rkt" vector->up))
@@ -34,38 +37,28 @@
   (if (vector? f)
       (vector->up f)
       (make-keyword-procedure
-       (lambda (keywords values . arguments) (complain f name arguments))
-       (lambda arguments (complain f name arguments)))))
+       (lambda (keywords values . arguments) (refuse f name arguments))
+       (lambda arguments (refuse f name arguments)))))
 
-(define (complain f name arguments)
-  (raise
-   (exn:fail:contract
-    (format "~a: ~a" (or name 'application) (complaint f arguments))
-    (current-continuation-marks))))
-
-(define (complaint f arguments)
+(define (refuse f name arguments)
+  (define who (or name 'application))
   (cond
     [(symbol? f)
-     (format (string-append "the symbol ~a is a number here, not a function; "
-                            "(literal-function '~a) makes a function of it")
-             f f)]
-    [(list? f) (list-complaint f)]
+     (complain who (string-append "the symbol ~a is a number here, not a function; "
+                                  "(literal-function '~a) makes a function of it")
+               f f)]
+    [(null? f)
+     (complain who "the empty list cannot be applied; parentheses around nothing are no value")]
+    [(list? f) (complain who "~a" (tuple-advice f))]
     [else
-     (format "the value ~a is ~a; it cannot be applied to ~a"
-             (short-text f) (describe f) (describe-arguments arguments))]))
-
-(define (list-complaint f)
-  (if (null? f)
-      "the empty list cannot be applied; parentheses around nothing are no value"
-      (substring (list-hint f) 2)))
+     (complain who "the value ~a is ~a; it cannot be applied to ~a"
+               (short-text f) (describe f) (describe-arguments arguments))]))
 
 (define (describe-arguments arguments)
+  (define texts (apply string-append (add-between (map short-text arguments) " ")))
   (cond [(null? arguments) "no arguments"]
-        [(null? (cdr arguments))
-         (format "the argument ~a" (short-text (car arguments)))]
-        [else
-         (for/fold ([text "the arguments"]) ([a (in-list arguments)])
-           (string-append text " " (short-text a)))]))
+        [(null? (cdr arguments)) (string-append "the argument " texts)]
+        [else (string-append "the arguments " texts)]))
 
 ;; ---------------------------------------------------------------------------
 ;; At expansion time
@@ -154,10 +147,4 @@
   (define (unary? id)
     (define own-name (cadr (identifier-binding id)))
     (for/or ([u (in-list unary-functions)])
-      (and (eq? own-name (syntax-e u)) (free-identifier=? id u))))
-
-  (define (imported? id)
-    (define binding (identifier-binding id))
-    (and (pair? binding)
-         (let-values ([(path base) (module-path-index-split (car binding))])
-           (and path #t)))))
+      (and (eq? own-name (syntax-e u)) (free-identifier=? id u)))))

@@ -2,12 +2,14 @@
 ;; What destructuring does at run time: one check of shape for each pattern,
 ;; and a message that says where a value departs from the pattern.
 
-(require "../../algebra/expression/write.rkt"
+(require (only-in racket/list add-between)
+         "../../algebra/expression/write.rkt"
+         "../../error/complain.rkt"
          "../../generic/describe.rkt"
          (only-in "../../generic/up-down.rkt" structure? structure-orientation structure-elements
                   up? down?))
 
-(provide components short-text list-hint)
+(provide components short-text tuple-advice)
 
 ;; The components of x, known to be a tuple of that orientation and length.
 ;; `orientation` and `pattern`, a datum, are literals; the whole pattern and the
@@ -60,21 +62,17 @@
 (define (raise-mismatch who what pattern whole)
   (define d (find-departure pattern whole))
   (define path (departure-path d))
-  (raise
-   (exn:fail:contract
-    (format "~a: ~a does not match the pattern ~a:~a expected ~a, given ~a~a~a"
-            who what (datum->text pattern)
+  (complain who "~a does not match the pattern ~a:~a expected ~a, given ~a~a~a"
+            what (datum->text pattern)
             (if (null? path) "" (string-append " at " (place path) ","))
             (expectation (departure-pattern d))
             (given (departure-part d)) (hint (departure-part d))
-            (if (null? path) "" (format "\n  in: ~a" (short-text whole))))
-    (current-continuation-marks))))
+            (if (null? path) "" (format "\n  in: ~a" (short-text whole)))))
 
 ;; "component 0 of component 1", for what (ref x 1 0) selects.
 (define (place path)
   (define (component i) (format "component ~a" i))
-  (for/fold ([text (component (car path))]) ([i (in-list (cdr path))])
-    (string-append (component i) " of " text)))
+  (apply string-append (add-between (map component (reverse path)) " of ")))
 
 (define (expectation pattern)
   (format "~a ~a tuple of ~a"
@@ -83,13 +81,14 @@
 (define (given x) (format "~a (~a)" (short-text x) (describe x)))
 
 (define (hint x)
-  (cond [(list? x) (list-hint x)]
+  (cond [(list? x) (string-append "; " (tuple-advice x))]
         [(and (procedure? x) (not (structure? x)))
          "; apply the function to its argument first, or use compose"]
         [else ""]))
 
-(define (list-hint x)
-  (format "; a list is not a tuple; use ~a" (short-text (list->vector x))))
+;; What to write in place of the list x.
+(define (tuple-advice x)
+  (format "a list is not a tuple; use ~a" (short-text (list->vector x))))
 
 ;; A value within a message: never longer than a few lines.
 (define (short-text x)

@@ -13,11 +13,13 @@
 ;; Identifiers keep the syntax they were written with, so that editors draw
 ;; their arrows.
 
-(require (only-in racket/list append-map)
-         (for-template racket/base (only-in '#%unsafe unsafe-vector*-ref) "tuple.rkt"
-                       "mismatch.rkt"))
+(require (only-in racket/list append* append-map)
+         (for-template racket/base
+                       (only-in '#%unsafe unsafe-vector*-ref)
+                       "mismatch.rkt" "tuple.rkt"))
 
 (provide pattern? (struct-out bound) destructure
+         head-name
          has-pattern? rewrite-formals rewrite-bindings
          check-arguments check-distinct note-pattern-heads)
 
@@ -81,8 +83,8 @@
 (define (destructure bounds who body)
   (define-values (checks variables)
     (for/lists (checks variables) ([b (in-list bounds)]) (compile-pattern b who)))
-  #`(let*-values #,(apply append checks)
-      (let-values #,(apply append variables) #,@body)))
+  #`(let*-values #,(append* checks)
+      (let-values #,(append* variables) #,@body)))
 
 ;; Clauses of let*-values that check shapes, clauses of let-values that bind.
 (define (compile-pattern b who)
@@ -111,7 +113,13 @@
 (define (fresh name) (car (generate-temporaries (list name))))
 
 ;; ---------------------------------------------------------------------------
-;; Argument lists
+;; Heads of definitions and argument lists
+
+;; The name that a head defines, however many argument lists follow it, or #f.
+(define (head-name head)
+  (syntax-case head ()
+    [(inner . formals) (head-name #'inner)]
+    [_ (and (identifier? head) head)]))
 
 ;; keyword : keyword, as syntax, or #f.  name : identifier, pattern, or whatever
 ;; else was written, for Racket to refuse.  default : expression or #f.

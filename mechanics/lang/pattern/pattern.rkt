@@ -3,7 +3,10 @@
 ;; position (SICM's (up t (up x y) (up vx vy)), after Scheme's local tuples).
 ;; Where no pattern is written these are Racket's forms, given the same syntax.
 
-(require (for-syntax racket/base "pattern-syntax.rkt") "tuple.rkt")
+(require (for-syntax racket/base
+                     (only-in racket/list append-map)
+                     "pattern-syntax.rkt")
+         "tuple.rkt")
 
 (provide up down
          (rename-out [define/pattern define]
@@ -81,13 +84,7 @@
             (begin (check-arguments #'formals stx)
                    (check #'inner))]
            [_ (void)]))]
-      [_ (void)]))
-
-  ;; The name that a head defines, or #f.
-  (define (head-name head)
-    (syntax-case head ()
-      [(inner . formals) (head-name #'inner)]
-      [_ (and (identifier? head) head)])))
+      [_ (void)])))
 
 ;; ---------------------------------------------------------------------------
 ;; lambda
@@ -104,9 +101,8 @@
          (note-pattern-heads
           (quasisyntax/loc stx (#,plain #,formals #,@body))
           bounds))]
-      [_ (as plain stx)])))
+      [_ (as plain stx)]))
 
-(begin-for-syntax
   (define (check-formals stx)
     (syntax-case stx ()
       [(_ formals . _) (check-arguments #'formals stx)]
@@ -128,7 +124,7 @@
                (cons (cons new-formals new-body) bounds))])
        (note-pattern-heads
         (quasisyntax/loc stx (case-lambda #,@(map car clauses)))
-        (apply append (map cdr clauses))))]
+        (append-map cdr clauses)))]
     [_ (as #'case-lambda stx)]))
 
 ;; ---------------------------------------------------------------------------
