@@ -46,6 +46,7 @@
                      (plain-result x (output-width)))])
     (simplify-or-say-why x)))
 
+;; Whatever it is that fails, it is told, and the value is not lost.
 (define (simplify-or-say-why x)
   (with-handlers ([exn:fail?
                    (lambda (e)
@@ -75,8 +76,8 @@
           [else default-width]))
   (if (exact-positive-integer? columns) columns default-width))
 
-;; Racket CS knows the terminal's size through a primitive that other builds
-;; may lack.
+;; Racket CS knows the terminal's size, if the terminal tells it, through a primitive
+;; that other builds may lack.
 (define (terminal-columns)
-  (with-handlers ([exn:fail? (lambda (e) #f)])
+  (with-handlers ([exn:fail:contract? (lambda (e) #f)])
     (cdr ((dynamic-require ''#%terminal 'terminal-get-screen-size)))))

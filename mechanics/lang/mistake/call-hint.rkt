@@ -17,7 +17,9 @@
 ;; Keywords
 
 (define unknown-keyword
-  #rx"^application: procedure does not expect an argument with given keyword\n  procedure: ([^ \n]+)\n  given keyword: #:([^ \n]+)")
+  (regexp
+   (string-append "^application: procedure does not expect an argument with given keyword\n"
+                  "  procedure: ([^ \n]+)\n  given keyword: #:([^ \n]+)")))
 
 (define (hint-for-keyword message)
   (define found (regexp-match unknown-keyword message))
@@ -42,7 +44,10 @@
 ;; Numbers of arguments
 
 (define another-number
-  #rx"^([^ \n]+): arity mismatch;\n the expected number of arguments does not match the given number\n  expected: a different number plus")
+  (regexp
+   (string-append "^([^ \n]+): arity mismatch;\n"
+                  " the expected number of arguments does not match the given number\n"
+                  "  expected: a different number plus")))
 
 ;; The same where keywords are given.
 (define no-case
@@ -55,7 +60,9 @@
 
 ;; ---------------------------------------------------------------------------
 ;; -> the procedure that the prompt knows by this name, or #f
+;; It is evaluated, for a function with keywords is a macro.
 (define (procedure-called name)
-  (with-handlers ([exn:fail? (lambda (e) #f)])
+  (define (unknown e) #f)
+  (with-handlers ([exn:fail:contract:variable? unknown] [exn:fail:syntax? unknown])
     (define f (eval (namespace-symbol->identifier (string->symbol name))))
     (and (procedure? f) f)))

@@ -11,8 +11,9 @@
 (define (library-of name)
   (for/first ([library (in-list libraries)] #:when (memq name (exports library))) library))
 
+;; None if a library that it stands on is not installed.
 (define (exports library)
-  (with-handlers ([exn:fail? (lambda (e) '())])
+  (with-handlers ([exn:fail:filesystem? (lambda (e) '())])
     (module-declared? library #t)
     (define-values (variables syntaxes) (module->exports library))
     (append (names variables) (names syntaxes))))

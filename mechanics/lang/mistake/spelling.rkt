@@ -5,6 +5,8 @@
 ;; of physics; so about one slip is allowed for four letters, and below four
 ;; letters there are no suggestions.  Predicates are rarely meant.
 
+(require (only-in racket/list add-between take))
+
 (provide likely-names alternatives)
 
 (define most-suggestions 3)
@@ -24,10 +26,8 @@
 
 ;; a, b or c
 (define (alternatives names)
-  (define texts (map symbol->string names))
-  (for/fold ([text (car texts)])
-            ([t (in-list (cdr texts))] [left (in-range (sub1 (length texts)) 0 -1)])
-    (string-append text (if (= left 1) " or " ", ") t)))
+  (apply string-append
+         (add-between (map symbol->string names) ", " #:before-last " or ")))
 
 ;; The names at the smallest distance that is allowed.
 (define (nearest text allowed known)
@@ -49,7 +49,7 @@
     k))
 
 (define (take-some names)
-  (for/list ([name (in-list (sort names symbol<?))] [_ (in-range most-suggestions)]) name))
+  (take (sort names symbol<?) (min most-suggestions (length names))))
 
 ;; How many letters were left out, put in or exchanged for another, or swapped
 ;; with their neighbour, upper and lower case being one; #f if more than `most`.

@@ -5,8 +5,9 @@
 ;; name that is known is spelt nearly so, or another library of the package defines it,
 ;; that is said first.
 
-(require "call-hint.rkt" "elsewhere.rkt" (for-syntax racket/base "elsewhere.rkt" "spelling.rkt")
-         "spelling.rkt")
+(require (for-syntax racket/base
+                     "suggestion.rkt")
+         "call-hint.rkt" "suggestion.rkt")
 
 (provide (rename-out [top #%top])
          install-hints!)
@@ -28,18 +29,12 @@
     [(_ . other) (syntax/loc stx (#%top . other))]))
 
 (begin-for-syntax
-  (define (meant-instead name known)
-    (define library (library-of name))
-    (define names (if library '() (likely-names name known)))
-    (cond [library (format "(require ~a) defines it; " library)]
-          [(pair? names) (format "did you mean ~a? " (alternatives names))]
-          [else ""]))
-
   (define (raise-unbound id)
     (define name (syntax-e id))
+    (define meant (suggestion name (syntax-bound-symbols id) ";"))
     (raise-syntax-error
      #f (format "unbound identifier; ~aas a symbol it is written '~s"
-                (meant-instead name (syntax-bound-symbols id))
+                (if meant (string-append meant " ") "")
                 name)
      id #:exn exn:fail:syntax:unbound)))
 
@@ -77,7 +72,10 @@
 (define (hint-for-unknown id message)
   (and (or (regexp-match? #rx"in module: top-level$" message)
            (unknown-in-module? id))
-       (format "~a\n  as a symbol it is written '~s" (meant-instead id) id)))
+       (let ([meant (suggestion id (namespace-mapped-symbols))])
+         (format "~a\n  as a symbol it is written '~s"
+                 (if meant (string-append "\n  " meant) "")
+                 id))))
 
 ;; What a module defines once is built into what it defines besides.
 (define (hint-for-constant id)
@@ -87,16 +85,10 @@
            " in Choose Language, Show Details")
           id))
 
-(define (meant-instead id)
-  (define library (library-of id))
-  (define names (if library '() (likely-names id (namespace-mapped-symbols))))
-  (cond [library (format "\n  (require ~a) defines it" library)]
-        [(pair? names) (format "\n  did you mean ~a?" (alternatives names))]
-        [else ""]))
-
-;; Is the prompt inside a module, as in DrRacket, which does not define the name?
+;; Is the prompt inside a module, as in DrRacket, which does not define the name?  A
+;; namespace may lack even #%variable-reference.
 (define (unknown-in-module? id)
-  (with-handlers ([exn:fail? (lambda (e) #f)])
+  (with-handlers ([exn:fail:syntax? (lambda (e) #f)])
     (and (variable-reference->module-source (eval '(#%variable-reference)))
          (not (identifier-binding (namespace-symbol->identifier id))))))
 
