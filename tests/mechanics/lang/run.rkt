@@ -6,6 +6,7 @@
          racket/string)
 
 (provide lines run-module run-submodule declare instantiate namespace syntax-message
+         language prints refusal failure
          session answers)
 
 (define-namespace-anchor here)
@@ -53,6 +54,27 @@
   (with-handlers ([exn:fail:syntax? exn-message])
     (declare (apply lines text))
     "no error"))
+
+;; ---------------------------------------------------------------------------
+;; Modules in our language, given without their first line
+
+(define language "#lang mechanics")
+
+(define (prints . text) (apply run-module language text))
+(define (refusal . text) (apply syntax-message language text))
+
+;; The message of the exception that ends a module's run, and what it printed.
+(define (failure . text)
+  (define port (open-output-string))
+  (define message
+    (with-handlers ([exn:fail? exn-message])
+      (parameterize ([current-output-port port])
+        (instantiate (declare (apply lines language text))))
+      "no error"))
+  (list (get-output-string port) message))
+
+;; ---------------------------------------------------------------------------
+;; Prompts
 
 (define racket (find-system-path 'exec-file))
 
