@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The definitions of one module, while its forms are expanded one after another.
 
-(require "survey.rkt" "names-used.rkt")
+(require "forms.rkt" "survey.rkt")
 
 (provide make-definitions
          defined? add-variable! add-macro!
@@ -15,10 +15,10 @@
 
 (struct definition (name macro?))
 
-(define (make-definitions l)
-  (definitions (by-symbol (map plain (listing-defined l)))
-               (map plain (listing-repeated l))
-               (map plain (all-early l))
+(define (make-definitions s)
+  (definitions (by-symbol (map plain (survey-defined s)))
+               (map plain (survey-repeated s))
+               (map plain (all-early s))
                (make-hasheq)))
 
 (define (by-symbol names)
@@ -28,17 +28,14 @@
 (define (plain id)
   (syntax-local-identifier-as-binding (syntax-local-introduce id)))
 
-(define (find good? xs)
-  (for/first ([x (in-list xs)] #:when (good? x)) x))
-
 ;; ---------------------------------------------------------------------------
 ;; Definitions met so far
 
 (define (defined? ds id) (and (definition-of ds (plain id)) #t))
 
 (define (definition-of ds name)
-  (find (lambda (d) (bound-identifier=? name (definition-name d)))
-        (hash-ref (definitions-met ds) (syntax-e name) '())))
+  (findf (lambda (d) (bound-identifier=? name (definition-name d)))
+         (hash-ref (definitions-met ds) (syntax-e name) '())))
 
 ;; A variable may be defined again, a macro may not, nor a variable as a macro.
 (define (add-variable! ds id)
@@ -72,12 +69,12 @@
 ;; Where the text of the module defines this name first, or #f.
 (define (defining-occurrence ds id)
   (define others (hash-ref (definitions-shown ds) (syntax-e id) '()))
-  (define name (and (pair? others) (find (same-name? (plain id)) others)))
+  (define name (and (pair? others) (findf (same-name? (plain id)) others)))
   (and name (syntax-local-introduce name)))
 
 ;; Is it used before its definition?
 (define (used-early? ds id)
-  (and (find (same-name? (plain id)) (definitions-early ds)) #t))
+  (and (findf (same-name? (plain id)) (definitions-early ds)) #t))
 
 ;; The form, marked if it is one of several definitions of a name: that is to be
 ;; a variable, while Racket makes a macro of a function with keywords.
@@ -85,6 +82,6 @@
   (define id (defined-by-define form))
   (define name (and id (plain id)))
   (if (and name
-           (or (find (same-name? name) (definitions-repeated ds)) (definition-of ds name)))
+           (or (findf (same-name? name) (definitions-repeated ds)) (definition-of ds name)))
       (syntax-property form 'as-variable #t)
       form))

@@ -3,22 +3,17 @@
 
 (require (only-in racket/list append-map)
          racket/require-transform
-         "definitions.rkt" (for-template racket/base "start-with.rkt"))
+         "definitions.rkt"
+         (for-template racket/base
+                       "start-with.rkt"))
 
-(provide bound-outside? start-as-outside
+(provide start-as-outside
          require-without-clashes)
 
 ;; ---------------------------------------------------------------------------
 ;; From the language, or from the module around a submodule
 
-;; Does the name mean something outside the module?
-(define (bound-outside? id)
-  (define binding (identifier-binding id))
-  (and (pair? binding)
-       (let-values ([(path base) (module-path-index-split (car binding))])
-         (and path #t))))
-
-;; A form that defines it as that.
+;; A form that defines a name as what it means outside the module.
 (define (start-as-outside id)
   #`(start-with #,id #,(bound-as (syntax-e id) (identifier-binding id))))
 
@@ -46,10 +41,12 @@
                         specs clashes)))]
     [_ #f]))
 
-;; A specification that is wrong has none: `require` itself will say so.
+;; A specification that is wrong, or of a library that cannot be read, has none:
+;; `require` itself will say so.
 (define (clashing-names ds spec)
+  (define (none e) (values '() '()))
   (define-values (imports sources)
-    (with-handlers ([exn:fail? (lambda (e) (values '() '()))])
+    (with-handlers ([exn:fail:syntax? none] [exn:fail:filesystem? none])
       (expand-import spec)))
   (for/list ([i (in-list imports)]
              #:when (and (eqv? (import-mode i) 0)

@@ -14,11 +14,10 @@
 ;; as what was imported.  All other forms stay as they are.
 
 (require (prefix-in core: '#%kernel)
-         "early-use.rkt"
          (for-syntax racket/base
-                     "definitions.rkt"
-                     "imports.rkt" "survey.rkt")
-         "start-with.rkt"
+                     "definitions.rkt" "forms.rkt" "imports.rkt" "survey.rkt"
+                     "../imported.rkt")
+         "early-use.rkt"
          "../printer.rkt")
 
 (provide (rename-out [module-begin #%module-begin]))
@@ -28,9 +27,9 @@
   (syntax-case stx ()
     [(_ form ...)
      (let* ([forms (syntax->list #'(form ...))]
-            [listing (read-listing forms)]
-            [outside (filter bound-outside? (all-early listing))])
-       (with-syntax ([state (datum->syntax #f (make-definitions listing))]
+            [survey (survey-forms forms)]
+            [outside (filter imported? (all-early survey))])
+       (with-syntax ([state (datum->syntax #f (make-definitions survey))]
                      [(configuration ...)
                       (if (ormap configuration? forms)
                           '()
@@ -38,7 +37,7 @@
                                (#%require mechanics/lang/runtime))))]
                      [(start ...) (map start-as-outside outside)]
                      [(later ...)
-                      (for/list ([ids (in-list (listing-early listing))])
+                      (for/list ([ids (in-list (survey-early survey))])
                         (for/list ([id (in-list (remq* outside ids))])
                           (cons (syntax-e id) (syntax-line id))))])
          (syntax/loc stx
@@ -77,7 +76,7 @@
       [(define-syntaxes (id ...) _)
        (begin (for ([id (in-list (syntax->list #'(id ...)))]) (add-macro! ds id))
               e)]
-      [(head . _) (no-expression? #'head) e]
+      [(head . _) (among? #'head no-expressions) e]
       [_ (quasisyntax/loc e (print-results #,(watched e later)))]))
 
   (define (splice e state later)
@@ -88,10 +87,6 @@
            (for/list ([form (in-list (cdr (syntax->list e)))])
              #`(module-form #,state #,later #,(syntax-track-origin form e keyword))))
      e))
-
-  (define (no-expression? head)
-    (and (identifier? head)
-         (ormap (lambda (other) (free-identifier=? head other)) no-expressions)))
 
   (define no-expressions
     (syntax->list

@@ -4,11 +4,11 @@
 ;; forms bind, that is arguments, `let` and definitions inside bodies.  Names are
 ;; told apart by how they are spelt.
 
-(require "../pattern/pattern-syntax.rkt"
-         (for-template racket/base (prefix-in pattern: "../pattern/pattern.rkt")))
+(require (for-template racket/base)
+         "forms.rkt"
+         (only-in "../pattern/pattern-syntax.rkt" pattern?))
 
-(provide names-in
-         defined-by-define procedure-form?)
+(provide names-in)
 
 ;; known : symbol -> true value
 (define (names-in stx known)
@@ -81,34 +81,3 @@
   (cond [(symbol? d) (hash-set local d #t)]
         [(pair? d) (bind (cdr d) (bind (car d) local))]
         [else local]))
-
-;; ---------------------------------------------------------------------------
-;; Forms
-
-;; The name that a `define` defines, or #f if the form is none.
-(define (defined-by-define form)
-  (syntax-case form ()
-    [(keyword head . _)
-     (among? #'keyword definition-forms)
-     (head-name #'head)]
-    [_ #f]))
-
-(define (head-name head)
-  (syntax-case head ()
-    [(inner . _) (head-name #'inner)]
-    [_ (and (identifier? head) head)]))
-
-;; Is it a procedure, written out?
-(define (procedure-form? form)
-  (syntax-case form ()
-    [(keyword . _) (among? #'keyword procedure-forms)]
-    [_ #f]))
-
-(define (among? id ids)
-  (and (identifier? id)
-       (ormap (lambda (other) (free-identifier=? id other)) ids)))
-
-(define procedure-forms (list #'pattern:lambda #'pattern:λ #'lambda #'λ))
-(define definition-forms (list #'pattern:define #'define))
-(define sequential-let-forms (list #'pattern:let* #'let*))
-(define let-forms (list #'pattern:let #'pattern:let* #'let #'let* #'letrec))

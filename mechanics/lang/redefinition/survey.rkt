@@ -8,28 +8,28 @@
 ;; with a name of a function or a macro, if that is defined already, the names in
 ;; that.  Those that are not defined yet are used too early.
 
-(require (for-template racket/base)
-         (only-in racket/list append-map)
-         "names-used.rkt")
+(require (only-in racket/list append* append-map)
+         (for-template racket/base)
+         "forms.rkt" "names-used.rkt")
 
-(provide (struct-out listing) read-listing all-early
-         run-by-definition? same-name?)
+(provide (struct-out survey) survey-forms all-early
+         same-name?)
 
 ;; defined : the identifiers that `define` and `define-values` define, each where
 ;; it is defined first; repeated : those of them that are defined again; early :
 ;; for each form those that it uses before their definition.
-(struct listing (defined repeated early))
+(struct survey (defined repeated early))
 
-(define (read-listing forms)
+(define (survey-forms forms)
   (define pieces (for/list ([form (in-list forms)]) (read-pieces form)))
   (define-values (defined repeated)
-    (first-and-repeated (append-map variables (apply append pieces))))
-  (listing defined repeated (early-uses pieces defined)))
+    (first-and-repeated (append-map variables (append* pieces))))
+  (survey defined repeated (early-uses pieces defined)))
 
 ;; All identifiers that are used early, in the order of their definitions.
-(define (all-early l)
-  (define early (apply append (listing-early l)))
-  (filter (lambda (id) (memq id early)) (listing-defined l)))
+(define (all-early s)
+  (define early (append* (survey-early s)))
+  (filter (lambda (id) (memq id early)) (survey-defined s)))
 
 ;; Is it the same name, in the same context?
 (define ((same-name? id) other) (bound-identifier=? id other))
@@ -74,18 +74,8 @@
     [(define-syntax-rule (name . _) . body)
      (identifier? #'name)
      (list (piece (list #'name) #f #f #'body))]
-    [(keyword . _) (not-run? #'keyword) '()]
+    [(keyword . _) (among? #'keyword not-run) '()]
     [_ (list (piece '() #f #t form))]))
-
-;; Of a definition (define id expression): is the expression more than a procedure?
-(define (run-by-definition? body)
-  (syntax-case body ()
-    [(value) (not (procedure-form? #'value))]
-    [_ #t]))
-
-(define (not-run? keyword)
-  (and (identifier? keyword)
-       (ormap (lambda (other) (free-identifier=? keyword other)) not-run)))
 
 (define not-run
   (list #'require #'provide #'module #'module* #'module+ #'struct #'define-syntaxes

@@ -1,0 +1,33 @@
+#lang racket/base
+;; Forms as they are written, before they are expanded: which define, which make
+;; procedures, which bind.  A keyword is told by what it means, not by its spelling.
+
+(require (only-in "../pattern/pattern-syntax.rkt" head-name)
+         (for-template racket/base (prefix-in pattern: "../pattern/pattern.rkt")))
+
+(provide among? definition-forms procedure-forms let-forms sequential-let-forms
+         defined-by-define run-by-definition?)
+
+(define (among? id ids)
+  (and (identifier? id)
+       (ormap (lambda (other) (free-identifier=? id other)) ids)))
+
+(define definition-forms (list #'pattern:define #'define))
+(define procedure-forms (list #'pattern:lambda #'pattern:λ #'lambda #'λ))
+(define let-forms (list #'pattern:let #'pattern:let* #'let #'let* #'letrec))
+(define sequential-let-forms (list #'pattern:let* #'let*))
+
+;; The name that a `define` defines, or #f if the form is none.
+(define (defined-by-define form)
+  (syntax-case form ()
+    [(keyword head . _)
+     (among? #'keyword definition-forms)
+     (head-name #'head)]
+    [_ #f]))
+
+;; Of a definition (define id expression): is the expression more than a procedure
+;; that is written out?
+(define (run-by-definition? body)
+  (syntax-case body ()
+    [((keyword . _)) (not (among? #'keyword procedure-forms))]
+    [_ #t]))
