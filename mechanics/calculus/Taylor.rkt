@@ -7,9 +7,8 @@
 ;; may, are the coefficients of ε in f(x + ε dx).
 
 (require "derivative-errors.rkt" "derivative.rkt" "extract.rkt" "jet.rkt" "perturbed.rkt"
-         "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")
 
 (provide Taylor-series Taylor-series-coefficients)
@@ -60,5 +59,4 @@
          (raise-arguments-error 'Taylor-series "the increment must have the shape of the argument"
                                 "argument" x "increment" dx)]))
 
-(define (scalar? x) (or (expression? x) (perturbed? x)))
 (define (factorial k) (for/product ([j (in-range 1 (add1 k))]) j))

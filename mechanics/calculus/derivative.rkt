@@ -7,10 +7,9 @@
 ;; are taken together as one up tuple (SICM p. 516).
 
 (require "derivative-errors.rkt" "dual.rkt" "extract.rkt" "jet.rkt" "perturbed.rkt"
-         "../algebra/expression/expression.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../value/operator.rkt"
          "../value/linear/matrix.rkt"
          "../value/series/calculus.rkt" "../value/series/series.rkt")
@@ -173,8 +172,6 @@
   (case-lambda
     [(f) (differentiate f)]
     [fs (raise-takes-only-function name fs)]))
-
-(define (scalar? x) (or (expression? x) (perturbed? x) (other-number? x)))
 
 ;; The derivative of order n along the path, as a function.
 (define (derivative-of name path n f)

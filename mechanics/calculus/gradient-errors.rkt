@@ -2,8 +2,9 @@
 ;; What gradient and its kin say when they are misused.
 
 (require "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
-         (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt")
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt"
+         "../value/structure.rkt")
 
 (provide raise-not-scalar raise-takes-no-point check-increment check-covector)
 

@@ -9,9 +9,8 @@
 (require "derivative-errors.rkt" "derivative.rkt" "gradient-errors.rkt"
          (only-in "gradient-tape.rkt" tape-inputs finish-tape!) "perturbed.rkt" "recorded.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
-         "../value/operator.rkt" (only-in "../value/signature.rkt" scalar?)
-         "../value/structure.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../value/operator.rkt" "../value/structure.rkt"
          "../value/linear/matrix.rkt")
 
 (provide gradient jacobian

@@ -11,8 +11,8 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
-         "../value/shape.rkt" (only-in "../value/signature.rkt" scalar?)
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../value/shape.rkt"
          "../verdict/verdict.rkt")
 
 (provide

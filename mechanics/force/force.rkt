@@ -5,8 +5,8 @@
 (require "particles.rkt" "several-arguments.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
-         (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt")
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../value/structure.rkt")
 
 (provide potential->force check-force forces-at)
 

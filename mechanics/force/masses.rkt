@@ -3,8 +3,8 @@
 ;; the mass is a moment of inertia.
 
 (require "particles.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt")
 
 (provide check-masses check-masses-fit times-masses masses->datum)
 

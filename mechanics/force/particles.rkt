@@ -10,9 +10,8 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
-         "../lagrangian/local-tuple.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../lagrangian/local-tuple.rkt")
 
 (provide takes? check-positions check-local check-displacement
          positions-at motion-at scaled-sum complain)

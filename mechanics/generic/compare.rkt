@@ -5,8 +5,8 @@
 ;; equality at a generic point; an order between values that are not constant
 ;; does not exist, and asking for it is an error that names the value.
 
-(require "arithmetic.rkt" "describe.rkt" "kind.rkt" "naming.rkt" "singular-derivative.rkt"
-         "tracing.rkt" "up-down.rkt"
+(require "arithmetic.rkt" "describe.rkt" "kind.rkt" "naming.rkt" "scalar.rkt"
+         "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
@@ -144,10 +144,7 @@
 (define (identical? a b)
   (cond [(same-kind a b)
          => (lambda (k) (if (kind-same? k) ((kind-same? k) identical? a b) (equal? a b)))]
-        [else (or (eq? a b) (and (plain? a) (plain? b) (equal-values? a b)))]))
-
-;; A number without derivatives.
-(define (plain? x) (or (number? x) (other-number? x)))
+        [else (or (eq? a b) (and (plain-number? a) (plain-number? b) (equal-values? a b)))]))
 
 (define-extreme g:max max max >)
 (define-extreme g:min min min <)

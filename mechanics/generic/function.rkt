@@ -10,7 +10,7 @@
 (provide (struct-out function) make-function unary-function pointwise?
          arity-mask accepts? arity->text
          describe-function raise-other-function
-         combine-functions compose-unary)
+         value-at combine-functions compose-unary)
 
 (define kind:function
   (make-kind #:rank rank:function

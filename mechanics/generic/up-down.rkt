@@ -8,8 +8,7 @@
 
 (require racket/flonum
          (submod racket/performance-hint begin-encourage-inline)
-         "describe.rkt" "kind.rkt"
-         (only-in "../algebra/expression/expression.rkt" expression?))
+         "describe.rkt" "kind.rkt" "scalar.rkt")
 
 (provide
  ;; data
@@ -252,14 +251,12 @@
   (define (plus a b)
     (cond [(and (structure? a) (structure? b))
            (if (compatible? a b) (structure-map2 plus a b) (fail))]
-          [(and (structure? a) (scalar? b)) (fail)]
-          [(and (scalar? a) (structure? b)) (fail)]
+          [(and (structure? a) (nonzero-scalar? b)) (fail)]
+          [(and (nonzero-scalar? a) (structure? b)) (fail)]
           [else (add a b)]))
   plus)
 
-(define (scalar? x)
-  (cond [(has-kind? x) (< (kind-rank (kind-of x)) rank:structure)]
-        [else (and (not (eqv? x 0)) (expression? x))]))
+(define (nonzero-scalar? x) (and (not (eqv? x 0)) (scalar? x)))
 
 ;; The commonest contraction, that of two tuples of flonums, without a test of each
 ;; number for each thing it might be; #f for any other.

@@ -14,8 +14,9 @@
 (require "external-force.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
-         (only-in "../value/compose.rkt" compose) (only-in "../value/signature.rkt" scalar?))
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt"
+         (only-in "../value/compose.rkt" compose))
 
 (provide Lagrange-equations generalized-LE
          equations? equations-Lagrangian equations-force equations-order

@@ -8,8 +8,7 @@
 (require "local-tuple.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt")
 
 (provide Rayleigh-dissipation external-force force-like)
 

@@ -6,8 +6,9 @@
 ;; compose with D and with each other.
 
 (require "../calculus/derivative.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
-         (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt")
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt"
+         "../value/structure.rkt")
 
 (provide
  Gamma path->state-path path

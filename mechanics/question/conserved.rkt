@@ -18,11 +18,11 @@
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/state-derivative.rkt" "../lagrangian/total-derivative.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt"
-         (only-in "../value/signature.rkt" scalar?) "../value/structure.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
          "../verdict/verdict.rkt")
 
 (provide rate-of-change verify-conserved)

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
 
-(require "../generic/describe.rkt" "../generic/up-down.rkt"
-         (only-in "../value/signature.rkt" scalar?))
+(require "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt")
 
 (provide (struct-out equilibrium) check-coordinates)
 

@@ -11,10 +11,9 @@
 ;; whose values are series.
 
 (require "series/coefficients.rkt" "series/series.rkt"
-         "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/up-down.rkt")
+         "../generic/scalar.rkt")
 
 (provide make-operator make-primitive-operator operator?
          I-operator commutator anticommutator)
@@ -95,22 +94,19 @@
   (define g (operator-procedure (as-operator b)))
   (naming-images (lambda fs (f (apply g fs)))
                  (lambda () (list '* (value->datum a) (value->datum b)))
-                 #:power (and (constant? a) (operator? b) (multiple-of a (power-in b)))))
+                 #:power (and (scalar? a) (operator? b) (multiple-of a (power-in b)))))
 
 (define (commutator a b) (g:- (g:* a b) (g:* b a)))
 (define (anticommutator a b) (g:+ (g:* a b) (g:* b a)))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers: every operator is scale · baseⁿ, if only as 1 · itself.  That is kept in
-;; sight, for the base may know its powers better than by repetition.
+;; sight, for the base may know its powers better than by repetition.  A scalar may be
+;; drawn out, for every linear operator commutes with it.
 
 (struct power (scale base exponent) #:authentic)
 
 (define (power-in o) (or (operator-power o) (power 1 o 1)))
-
-;; Does every linear operator commute with x?
-(define (constant? x)
-  (or (expression? x) (and (has-kind? x) (<= (kind-rank (kind-of x)) rank:dual))))
 
 (define (multiple-of c p) (power (g:* c (power-scale p)) (power-base p) (power-exponent p)))
 

@@ -6,15 +6,14 @@
 ;; 'Real or a structure of shapes, so that shapes and values are walked alike
 ;; (SICM p. 31 and the appendix on notation).
 
-(require "../algebra/expression/expression.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/up-down.rkt")
+(require "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt")
 
 (provide
  ;; vocabulary
  -> Real Any X X* UP UP* DOWN DOWN* Lagrangian Hamiltonian
  ;; parsed form
  (struct-out signature) parse-signature default-signature
- shape-fits? shape->datum scalar?)
+ shape-fits? shape->datum)
 
 ;; domain : list of shapes, one an argument.  range : a shape.
 (struct signature (domain range datum) #:authentic)
@@ -108,11 +107,6 @@
   (if (tuple? x)
       (for/and ([e (in-vector (structure-elements (adopt x)))]) (scalars? e))
       (scalar? x)))
-
-;; A number, an expression, or a dual number, of which this floor knows the rank.
-(define (scalar? x)
-  (or (expression? x)
-      (and (has-kind? x) (<= (kind-rank (kind-of x)) rank:dual))))
 
 (define (shape->datum shape)
   (if (structure? shape)

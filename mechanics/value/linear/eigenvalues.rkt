@@ -11,10 +11,9 @@
 (require racket/flonum
          racket/lazy-require
          "linear-algebra.rkt" "row-systems.rkt"
-         (only-in "../signature.rkt" scalar?)
          "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
-         "../../generic/elementary.rkt"
+         "../../generic/elementary.rkt" "../../generic/scalar.rkt"
          "../../numeric/linear/rows.rkt" "../../numeric/linear/unit.rkt")
 
 (provide characteristic-polynomial eigenvalues)

@@ -6,10 +6,11 @@
 ;; matrix when A is seen as acting on tuples x (SICM p. 516 and 5.2.2).
 
 (require "matrix.rkt" "row-systems.rkt"
-         (only-in "../signature.rkt" scalar?) "../structure.rkt"
+         "../structure.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/dispatch.rkt"
-         "../../generic/function.rkt" "../../generic/kind.rkt" "../../generic/up-down.rkt")
+         "../../generic/function.rkt" "../../generic/kind.rkt" "../../generic/scalar.rkt"
+         "../../generic/up-down.rkt")
 
 (provide transpose determinant trace
          solve-linear-left solve-linear-right

@@ -16,7 +16,7 @@
          "../../algebra/expression/expression.rkt"
          "../../algebra/linear/block-form.rkt" "../../algebra/linear/characteristic.rkt"
          "../../algebra/linear/elimination.rkt" "../../algebra/linear/entries.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/kind.rkt" "../../generic/up-down.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
          "../../numeric/linear/flonum-systems.rkt" "../../numeric/linear/rows.rkt")
 
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
@@ -107,10 +107,9 @@
 
 ;; Numbers, not all of them Racket's?
 (define (other-numbers? A right)
-  (define (plain? x) (or (number? x) (other-number? x)))
   (and (not (and (all-entries? number? A) (all-entries? number? right)))
-       (all-entries? plain? A)
-       (all-entries? plain? right)))
+       (all-entries? plain-number? A)
+       (all-entries? plain-number? right)))
 
 (define (solve-one a right)
   (if (zero-value? a)

@@ -10,11 +10,10 @@
 ;; Terms are computed when asked for, and remembered.
 
 (require "coefficients.rkt" "operate.rkt"
-         "../../algebra/expression/expression.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
-         "../../generic/up-down.rkt")
+         "../../generic/scalar.rkt" "../../generic/up-down.rkt")
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series
@@ -168,11 +167,8 @@
   (define (value x)
     (if (and (scalar? x) (pair? args) (procedure? (car args)) (of-operators? s))
         (g:* x (car args))
-        (value-at x args)))
+        (term-value x args)))
   (collapse (map-series value s)))
-
-(define (scalar? x)
-  (or (expression? x) (and (has-kind? x) (<= (kind-rank (kind-of x)) rank:dual))))
 
 (define (of-operators? s)
   (for/or ([x (in-list (first-terms s shown-terms))])
@@ -181,11 +177,7 @@
 (define (applicable? x) (or (procedure? x) (tuple? x) (map-leaf-kind? x)))
 (define (map-leaf-kind? x) (and (has-kind? x) (kind-map (kind-of x)) #t))
 
-(define (value-at x args)
-  (cond [(or (tuple? x) (and (map-leaf-kind? x) (not (series? x))))
-         (map-leaves (lambda (leaf) (if (procedure? leaf) (apply leaf args) leaf)) x)]
-        [(procedure? x) (apply x args)]
-        [else x]))
+(define (term-value x args) (if (series? x) (apply x args) (value-at x args)))
 
 (define (raise-no-function s)
   (complain 'application
