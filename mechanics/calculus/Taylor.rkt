@@ -58,5 +58,3 @@
         [else
          (raise-arguments-error 'Taylor-series "the increment must have the shape of the argument"
                                 "argument" x "increment" dx)]))
-
-(define (factorial k) (for/product ([j (in-range 1 (add1 k))]) j))

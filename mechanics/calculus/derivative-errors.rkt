@@ -3,22 +3,22 @@
 
 (require "literal-function.rkt"
          "../algebra/expression/write.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/elementary.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt")
+         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt")
 
-(provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated raise-no-such-component
-         raise-not-differentiable-at check-path)
+(provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated
+         raise-no-such-component raise-not-differentiable-at check-path)
 
 (define (raise-needs-function who x)
   (complain (datum->text who) "needs a function; ~a is ~a~a"
             (value->text x) (describe x)
             (cond [(number? x) (format "\n  the constant function is (lambda (x) ~a)" x)]
                   [(symbol? x)
-                   (format "\n  the constant function is (lambda (t) '~a), an unknown one (literal-function '~a)"
+                   (format (string-append "\n  the constant function is (lambda (t) '~a), "
+                                          "an unknown one (literal-function '~a)")
                            x x)]
-                  [(pair? x) list-hint]
-                  [else ""])))
+                  [else (list-hint x)])))
 
 ;; (D f x), where ((D f) x) is meant.
 (define (raise-takes-only-function who args)
@@ -29,8 +29,6 @@
                    (format ", and the arguments of its derivative come after that~a"
                            (did-you-mean (car args) who (cdr args)))]
                   [else ""])))
-
-(define list-hint "\n  a list is not a tuple; use (up x y ...)")
 
 ;; f was asked for its derivative at arguments it does not take.
 (define (raise-arity-of-differentiated f args who)
@@ -71,10 +69,8 @@
           [(and (pair? d) (list? d)) (cons (car d) (map quote-symbols (cdr d)))]
           [else d])))
 
-(struct quoted (symbol)
-  #:authentic
-  #:property prop:custom-write
-  (lambda (q port mode) (write-string "'" port) (write (quoted-symbol q) port)))
+(value-struct quoted (symbol)
+  #:text (lambda (q) (format "'~s" (quoted-symbol q))))
 
 (define (raise-no-such-component path s)
   (complain (datum->text (cons 'partial path)) "there is no such component in ~a, ~a~a"
@@ -90,8 +86,8 @@
   (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n))))
 
 (define (raise-not-differentiable-at x who)
-  (complain who "cannot differentiate by ~a; expected a number or a tuple~a" (describe-with-value x)
-            (if (pair? x) list-hint "")))
+  (complain who "cannot differentiate by ~a; expected a number or a tuple~a"
+            (describe-with-value x) (list-hint x)))
 
 ;; partial takes indices only: ((partial 0 F) x) is the slip to explain.
 (define (check-path path)

@@ -15,7 +15,7 @@
 
 (define kind:dual
   (make-kind #:rank rank:dual
-             #:describe (lambda (d) (string-append (describe (innermost d)) " being differentiated"))
+             #:describe describe-perturbed
              #:datum (lambda (d) (value->datum (dual-primal d)))
              #:unary (lambda (op d) (dual-unary op d))
              #:binary (lambda (op a b) (dual-binary op a b))

@@ -16,6 +16,7 @@
 
 (require racket/lazy-require
          "number.rkt" "perturbed.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/kind.rkt" "../generic/rounding.rkt"
          "../numeric/constants.rkt"
@@ -113,7 +114,4 @@
 
 (define (check-modulus who k)
   (unless (< -1 (number who (innermost k)) 1)
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a modulus between -1 and 1; given ~a" who (describe-with-value k))
-      (current-continuation-marks)))))
+    (complain who "expected a modulus between -1 and 1; given ~a" (describe-with-value k))))

@@ -10,6 +10,7 @@
 
 (require "containers.rkt" "dual.rkt" "perturbed.rkt"
          "../algebra/expression/expression.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/kind.rkt"
          "../value/operator.rkt")
 
@@ -40,12 +41,8 @@
 (define (constant? x) (or (expression? x) (other-number? x)))
 
 (define (raise-no-derivative x)
-  (raise
-   (exn:fail:contract
-    (format "D: the function returned a value that has no derivative: ~a~a"
-            (describe-with-value x)
-            (if (pair? x) "\n  a list is not a tuple; use (up x y ...)" ""))
-    (current-continuation-marks))))
+  (complain 'D "the function returned a value that has no derivative: ~a~a"
+            (describe-with-value x) (list-hint x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Renaming

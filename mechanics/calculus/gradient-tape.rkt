@@ -28,6 +28,7 @@
 
 (require racket/fixnum
          racket/flonum
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/kind.rkt")
 
 ;; Every index on a tape is one that `join!` gave out, or a variable's.
@@ -188,12 +189,10 @@
 
 (define (check-unfinished t)
   (when (tape-finished? t)
-    (raise
-     (exn:fail:contract
-      (string-append
-       "gradient: its function was continued after it had returned, by a continuation captured"
-       " in it\n  of so long a run the record is kept only until the gradient is known")
-      (current-continuation-marks)))))
+    (complain 'gradient
+              (string-append
+               "its function was continued after it had returned, by a continuation captured in it"
+               "\n  of so long a run the record is kept only until the gradient is known"))))
 
 ;; ---------------------------------------------------------------------------
 ;; Sweeping

@@ -31,17 +31,16 @@
 
 (define (count-scalars who x)
   (cond [(flat? x) (structure-length x)]
-        [(tuple? x) (for/sum ([e (in-vector (elements-of x))]) (count-scalars who e))]
+        [(tuple? x) (for/sum ([e (in-vector (tuple-elements x))]) (count-scalars who e))]
         [(matrix? x) (for/sum ([row (in-vector (matrix-rows x))]) (count-scalars who row))]
         [(scalar? x) 1]
         [else (raise-not-differentiable-at x who)]))
 
 (define (of-flonums? x)
   (cond [(flonum? x) #t]
-        [(tuple? x) (for/and ([e (in-vector (elements-of x))]) (of-flonums? e))]
+        [(tuple? x) (for/and ([e (in-vector (tuple-elements x))]) (of-flonums? e))]
         [else #f]))
 
-(define (elements-of x) (if (structure? x) (structure-elements x) x))
 (define (orientation-of x) (if (structure? x) (structure-orientation x) 'up))
 
 ;; Most tuples of many components are of flonums alone; these are recorded, and
@@ -54,7 +53,7 @@
   (define-values (next! skip!) (numbering))
   (let walk ([x x])
     (cond [(flat? x) (record-flat t x (skip! (structure-length x)))]
-          [(tuple? x) (structure (orientation-of x) (vector-map walk (elements-of x)))]
+          [(tuple? x) (structure (orientation-of x) (vector-map walk (tuple-elements x)))]
           [else (map-leaves (lambda (leaf) (record-input t (next!) leaf)) x)])))
 
 ;; The same of flonums alone, numbered from `first`.
@@ -78,7 +77,7 @@
   (define-values (next! skip!) (numbering))
   (let walk ([x x])
     (cond [(tuple? x)
-           (structure (flip-orientation (orientation-of x)) (vector-map walk (elements-of x)))]
+           (structure (flip-orientation (orientation-of x)) (vector-map walk (tuple-elements x)))]
           [(matrix? x)
            (define columns (m:num-cols x))
            (define first (skip! (* columns (m:num-rows x))))

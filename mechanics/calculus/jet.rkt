@@ -20,7 +20,7 @@
 
 (define kind:jet
   (make-kind #:rank rank:dual
-             #:describe (lambda (x) (string-append (describe (innermost x)) " being differentiated"))
+             #:describe describe-perturbed
              #:datum (lambda (x) (value->datum (jet-coefficient x 0)))
              #:unary (lambda (op x) (jet-unary op x))
              #:binary (lambda (op a b) (jet-binary op a b))
@@ -73,7 +73,7 @@
 
 ;; k! xₖ
 (define (jet-derivative x k)
-  (g:* (for/product ([j (in-range 1 (add1 k))]) j) (jet-coefficient x k)))
+  (g:* (factorial k) (jet-coefficient x k)))
 
 ;; Other parts may contain the new ε, so that it takes arithmetic to put together.
 (define (retag tag f x)

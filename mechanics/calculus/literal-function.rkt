@@ -9,8 +9,10 @@
 (require "dual.rkt" "jet.rkt" "perturbed.rkt" "recorded.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/write.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/kind.rkt" "../generic/recurrence.rkt" "../generic/up-down.rkt"
+         "../generic/value-struct.rkt"
          "../value/signature.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")
 
@@ -27,21 +29,16 @@
              #:arity (lambda (f)
                        (arithmetic-shift 1 (length (signature-domain (unknown-signature f)))))))
 
-(struct unknown (head signature)
-  #:authentic
-  #:property prop:kind kind:unknown
+(value-struct unknown (head signature)
+  #:kind kind:unknown
+  #:equality (lambda (f g recur) (head=? (unknown-head f) (unknown-head g)))
+             (lambda (f recur) (head-hash (unknown-head f)))
   #:property prop:procedure
   (case-lambda
     [(f x) (if (eq? (unknown-signature f) default-signature)
                (apply-to-scalar f x)
                (apply-unknown f (list x)))]
-    [(f . args) (apply-unknown f args)])
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (f port mode) (write-value f port))
-  #:property prop:equal+hash
-  (list (lambda (f g recur) (head=? (unknown-head f) (unknown-head g)))
-        (lambda (f recur) (head-hash (unknown-head f)))
-        (lambda (f recur) (head-hash (unknown-head f)))))
+    [(f . args) (apply-unknown f args)]))
 
 (define (literal-function? x) (unknown? x))
 (define (signature->text f) (datum->text (signature-datum (unknown-signature f))))
@@ -182,7 +179,7 @@
   (define (walk x path leaves)
     (if (tuple? x)
         (for/fold ([leaves leaves])
-                  ([e (in-vector (structure-elements (adopt x)))] [i (in-naturals)])
+                  ([e (in-vector (tuple-elements x))] [i (in-naturals)])
           (walk e (cons i path) leaves))
         (cons (cons (reverse path) x) leaves)))
   (if (null? (cdr args))
@@ -205,28 +202,19 @@
 (define (raise-misfit f args)
   (define domain (signature-domain (unknown-signature f)))
   (define name (value->text f))
-  (raise
-   (exn:fail:contract
-    (if (= (length domain) (length args))
-        (let ([slot (for/first ([shape (in-list domain)] [a (in-list args)] [i (in-naturals)]
-                                #:unless (shape-fits? shape a))
-                      i)])
-          (format "~a: was declared ~a; slot ~a got ~a~a"
-                  name (signature->text f) slot
-                  (describe-with-value (list-ref args slot))
-                  (remedy (list-ref domain slot) (list-ref args slot))))
-        (format "~a: was declared ~a, which takes ~a argument~a; given ~a: ~a"
-                name (signature->text f) (length domain)
-                (if (= (length domain) 1) "" "s")
-                (length args) (value->text args)))
-    (current-continuation-marks))))
+  (unless (= (length domain) (length args))
+    (complain name "was declared ~a, which takes ~a; given ~a: ~a" (signature->text f)
+              (counted (length domain) "argument") (length args) (value->text args)))
+  (for ([shape (in-list domain)] [a (in-list args)] [slot (in-naturals)]
+        #:unless (shape-fits? shape a))
+    (complain name "was declared ~a; slot ~a got ~a~a" (signature->text f) slot
+              (describe-with-value a) (remedy shape a))))
 
 (define (remedy shape x)
-  (cond [(pair? x) "\n  a list is not a tuple; use (up x y ...)"]
-        [(and (eq? shape 'Real) (tuple? x))
-         (format "\n  a signature such as (-> ~a Real) declares a function of tuples"
-                 (datum->text (shape->datum (shape-of x))))]
-        [else ""]))
+  (if (and (eq? shape 'Real) (tuple? x))
+      (format "\n  a signature such as (-> ~a Real) declares a function of tuples"
+              (datum->text (shape->datum (shape-of x))))
+      (list-hint x)))
 
 (define (shape-of x)
   (if (tuple? x) (structure-map shape-of (adopt x)) 'Real))

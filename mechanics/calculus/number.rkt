@@ -2,6 +2,7 @@
 ;; Where only numbers will do: what the numerical algorithms are given.
 
 (require "../algebra/expression/expression.rkt"
+         "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt")
 
@@ -12,13 +13,10 @@
   (cond [(real? x) x]
         [(other-number? x) (comparand x)]
         [else
-         (raise
-          (exn:fail:contract
-           (format "~a: expected a real number; given ~a~a" who (describe-with-value x)
+         (complain who "expected a real number; given ~a~a" (describe-with-value x)
                    (if (symbolic? x)
                        "\n  give its symbols values first: (substitute expression 'm 3 ...)"
-                       ""))
-           (current-continuation-marks)))]))
+                       ""))]))
 
 (define (check-function-of-one-variable who f)
   (unless (and (procedure? f) (accepts? f 1))

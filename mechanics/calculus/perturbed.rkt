@@ -7,10 +7,11 @@
 ;; greatest number is outermost: the parts of a perturbed value, the
 ;; coefficients of its ε, contain only lesser tags.
 
-(require "../generic/kind.rkt")
+(require "../generic/describe.rkt" "../generic/kind.rkt")
 
-(provide (rename-out [carrier? perturbed?] [carrier-tag perturbed-tag]) (struct-out parts) parts-of
-         fresh-tag outermost innermost)
+(provide (rename-out [carrier? perturbed?] [carrier-tag perturbed-tag])
+         (struct-out parts) parts-of
+         fresh-tag outermost innermost describe-perturbed)
 
 ;; What code that works on perturbed values of every type knows of one:
 ;; value : x -> the part without ε
@@ -36,3 +37,5 @@
 ;; What stands in the place of x when no derivative is taken.
 (define (innermost x)
   (if (carrier? x) (innermost ((parts-value (parts-of x)) x)) x))
+
+(define (describe-perturbed x) (string-append (describe (innermost x)) " being differentiated"))

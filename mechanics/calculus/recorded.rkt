@@ -24,7 +24,7 @@
 
 (define kind:recorded
   (make-kind #:rank rank:dual
-             #:describe (lambda (r) (string-append (describe (innermost r)) " being differentiated"))
+             #:describe describe-perturbed
              #:datum (lambda (r) (value->datum (recorded-value r)))
              #:unary (lambda (op r) (record-unary op r))
              #:binary (lambda (op a b) (record-binary op a b))

@@ -3,7 +3,8 @@
 ;; chain rule is made of in either mode.
 
 (require racket/flonum
-         "../generic/kind.rkt" "../generic/arithmetic.rkt")
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/kind.rkt")
 
 (provide value-and-slope    ; generic-op x -> value, derivative
          value-and-slopes   ; generic-op x y -> value, derivative by x, by y
@@ -44,8 +45,7 @@
   (if (pair? partials) partials (raise-no-rule op)))
 
 (define (raise-no-rule op)
-  (raise (exn:fail:contract (format "~a: has no derivative rule" (generic-op-name op))
-                            (current-continuation-marks))))
+  (complain (generic-op-name op) "has no derivative rule"))
 
 ;; slope · factor, where most are flonums and many are 1; a factor 1.0 is 1 to what
 ;; is no number.

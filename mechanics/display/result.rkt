@@ -7,7 +7,7 @@
 
 (require "text.rkt"
          "../algebra/expression/expression.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt"
+         "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../value/simplify.rkt"
          "../verdict/verdict.rkt")
 
@@ -66,10 +66,8 @@
   (if (in-notation? x) (laid-out (value->lines x width)) x))
 
 ;; Text that prints as itself in all of Racket's modes.
-(struct laid-out (text)
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (l port mode) (write-string (laid-out-text l) port)))
+(value-struct laid-out (text)
+  #:text laid-out-text)
 
 ;; Is x written by us?  Numbers are not: they look the same either way.
 (define (in-notation? x)

@@ -5,6 +5,8 @@
 ;; Where no more is to be said than what was expected and what was given, Racket's own
 ;; `raise-argument-error` and `raise-arguments-error` do as well.
 
+(require "words.rkt")
+
 (provide complain complain-of-arity raise-division-by-zero)
 
 ;; who : what the reader called, a symbol or a text
@@ -17,6 +19,3 @@
 
 (define (raise-division-by-zero who [what "division by zero"])
   (raise (exn:fail:contract:divide-by-zero (message who what '()) (current-continuation-marks))))
-
-(define (message who text parts)
-  (format "~a: ~a" who (apply format text parts)))

@@ -11,7 +11,8 @@
  (struct-out exn:fail:mechanics:not-convergent)
  (struct-out exn:fail:mechanics:not-convergent:integral)
  ;; raising them
- raise-singular raise-not-convergent raise-divergent-integral)
+ raise-no-answer raise-singular raise-without-inverse raise-not-convergent
+ raise-divergent-integral)
 
 (struct exn:fail:mechanics exn:fail ())
 
@@ -28,16 +29,31 @@
 ;; where : the point near which an integrand is too much for the method.
 (struct exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:not-convergent (where))
 
+;; The message is made as `format` makes it.
+(define (raise-no-answer who text . parts)
+  (raise (exn:fail:mechanics (failure-message who (apply format text parts) '())
+                             (current-continuation-marks))))
+
 ;; who : symbol; fields : label value label value ...
 (define (raise-singular who what where . fields)
   (raise (exn:fail:mechanics:singular (failure-message who what fields)
                                       (current-continuation-marks)
                                       where)))
 
-;; shown : what the message shows in place of the value
-(define (raise-not-convergent who what value error-estimate #:shown [shown value] . fields)
+;; cause : the failure that this one explains in other words, or #f
+(define (raise-without-inverse who what where null-vectors [cause #f])
+  (raise (exn:fail:mechanics:singular:matrix
+          (failure-message who what '())
+          (if cause (exn-continuation-marks cause) (current-continuation-marks))
+          where
+          null-vectors)))
+
+;; shown : what the message shows in place of the value; show? : does it show how good it is?
+(define (raise-not-convergent who what value error-estimate
+                              #:shown [shown value] #:show? [show? #t] . fields)
+  (define all (if show? (append fields (approximation shown error-estimate)) fields))
   (raise (exn:fail:mechanics:not-convergent
-          (failure-message who what (append fields (approximation shown error-estimate)))
+          (failure-message who what all)
           (current-continuation-marks)
           value
           error-estimate)))

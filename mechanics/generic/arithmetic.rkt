@@ -122,7 +122,7 @@
     (cond [(flonum? a) (fl* a a)]
           [(carrier? a) ((kind-unary (carrier-kind a)) generic:square a)]
           [(number? a) (* a a)]
-          [(tuple? a) (sum-of-squares (structure-elements (adopt a)))]
+          [(tuple? a) (sum-of-squares (tuple-elements a))]
           [(pointwise? a) (compose-unary generic:square a)]
           [(arithmetic-value? a) (multiply a a)]
           [else (raise-inapplicable generic:square a)])))

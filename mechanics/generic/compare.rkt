@@ -7,7 +7,8 @@
 
 (require "arithmetic.rkt" "describe.rkt" "kind.rkt" "naming.rkt" "scalar.rkt"
          "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
-         "../algebra/expression/expression.rkt")
+         "../algebra/expression/expression.rkt"
+         "../error/complain.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
          g:max g:min g:add1 g:sub1
@@ -52,7 +53,7 @@
   (lambda (x)
     (define c (comparand x))
     (cond [(number? c) (zero? c)]
-          [(tuple? c) (for/and ([e (in-vector (structure-elements (adopt c)))]) (g:zero? e))]
+          [(tuple? c) (for/and ([e (in-vector (tuple-elements c))]) (g:zero? e))]
           [(has-kind? c) ((kind-zero? (kind-of c)) c)]
           [(symbolic? c) (look-inside 'zero?) #f]
           [(procedure? c) #f]
@@ -113,8 +114,7 @@
    x))
 
 (define (raise-with-value who what x)
-  (raise (exn:fail:contract (format "~a: ~a\n  value: ~a" who what (describe-with-value x))
-                            (current-continuation-marks))))
+  (complain who "~a\n  value: ~a" what (describe-with-value x)))
 
 (define-named g:positive? positive?
   (lambda (x) (positive? (real-comparand 'positive? x))))

@@ -9,7 +9,8 @@
 ;; What loads a function on demand takes any keywords and any number of arguments.  So what
 ;; a function defined here takes, it says itself.
 
-(require "function.rkt")
+(require "function.rkt"
+         "../error/complain.rkt")
 
 (provide define-plain telling-what-it-takes)
 
@@ -35,14 +36,8 @@
       (procedure-rename (make-keyword-procedure apply-with apply-without) who)))
 
 (define (raise-unknown-keyword who name known)
-  (raise
-   (exn:fail:contract
-    (format "~a: there is no keyword ~s here\n  its keywords: ~s" who name known)
-    (current-continuation-marks))))
+  (complain who "there is no keyword ~s here\n  its keywords: ~s" name known))
 
 (define (raise-other-count who f known n)
-  (raise
-   (exn:fail:contract:arity
-    (format "~a: takes ~a; it was given ~a\n  its keywords: ~s"
-            who (arity->text f) (if (= n 0) "none" n) known)
-    (current-continuation-marks))))
+  (complain-of-arity who "takes ~a; it was given ~a\n  its keywords: ~s" (arity->text f)
+                     (if (= n 0) "none" n) known))

@@ -6,12 +6,12 @@
 ;; pointwise, structures follow the rule each operation hands in, and every
 ;; other kind brings its own methods.
 
-(require racket/flonum
-         "describe.rkt" "function.rkt" "kind.rkt" "up-down.rkt"
-         "../algebra/expression/expression.rkt")
+(require "describe.rkt" "function.rkt" "kind.rkt" "up-down.rkt"
+         "../algebra/expression/expression.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt")
 
-(provide dispatch-unary dispatch-binary dispatch-carriers raise-inapplicable raise-inapplicable-because raise-unary-arity
-         arithmetic-value?)
+(provide dispatch-unary dispatch-binary dispatch-carriers arithmetic-value?
+         raise-inapplicable raise-inapplicable-because raise-unary-arity)
 
 (define (rank x)
   (cond [(kind-of x #f) => kind-rank]
@@ -64,7 +64,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Errors
 
-(define (attempt name a b)
+(define (attempt-with-two name a b)
   (case name
     [(+) (format "cannot add ~a and ~a" a b)]
     [(-) (format "cannot subtract ~a from ~a" b a)]
@@ -81,24 +81,20 @@
 
 (define (raise-with-hint op args hint)
   (define name (generic-op-name op))
-  (raise (exn:fail:contract
-          (string-append
-           (headline name args)
-           (apply string-append
-                  (for/list ([a (in-list args)] [i (in-naturals 1)])
-                    (format "\n  argument ~a: ~a" i (describe-with-value a))))
-           hint)
-          (current-continuation-marks))))
+  (complain name "~a~a~a"
+            (attempt name (map describe args))
+            (joined (for/list ([a (in-list args)] [i (in-naturals 1)])
+                      (format "\n  argument ~a: ~a" i (describe-with-value a)))
+                    "")
+            hint))
 
-(define (headline name args)
-  (define kinds (map describe args))
-  (if (null? (cdr args))
-      (format "~a: cannot be taken of ~a" name (car kinds))
-      (format "~a: ~a" name (attempt name (car kinds) (cadr kinds)))))
+(define (attempt name kinds)
+  (if (null? (cdr kinds))
+      (format "cannot be taken of ~a" (car kinds))
+      (attempt-with-two name (car kinds) (cadr kinds))))
 
 (define (hint args)
-  (cond [(ormap pair? args)
-         "\n  a list is not a tuple; use (up x y ...)"]
+  (cond [(findf pair? args) => list-hint]
         [(and (pair? (cdr args)) (ormap tuple? args) (andmap tuple? args)
               (not (= (structure-length (adopt (car args)))
                       (structure-length (adopt (cadr args))))))
@@ -109,18 +105,10 @@
         [else ""]))
 
 (define (raise-unary-arity name args)
-  (raise (exn:fail:contract:arity
-          (format "~a: expected 1 argument, given ~a~a~a"
-                  name (length args) (if (null? args) "" ": ")
-                  (join (map describe-short args)))
-          (current-continuation-marks))))
+  (complain-of-arity name "expected 1 argument, given ~a~a~a" (length args)
+                     (if (null? args) "" ": ") (joined (map describe-short args))))
 
 (define (describe-short x)
   (if (and (procedure? x) (not (has-kind? x)))
       (describe-with-value x)
       (value->text x)))
-
-(define (join strings)
-  (cond [(null? strings) ""]
-        [else (apply string-append (car strings)
-                     (for/list ([s (in-list (cdr strings))]) (string-append ", " s)))]))

@@ -9,7 +9,8 @@
          racket/flonum
          "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt" "record.rkt"
          "singular-derivative.rkt" "up-down.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt")
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../error/complain.rkt")
 
 (provide g:sqrt g:exp g:log g:sin g:cos g:tan g:asin g:acos g:atan
          g:sinh g:cosh g:tanh g:asinh g:acosh g:atanh g:abs g:sgn g:expt
@@ -91,8 +92,7 @@
 ;; The origin has no angle; at complex numbers Racket's own message will do.
 (define (angle-of-point y x)
   (when (and (eqv? y 0) (eqv? x 0))
-    (raise (exn:fail:contract "atan: the point at the origin has no angle; given 0 and 0"
-                              (current-continuation-marks))))
+    (complain 'atan "the point at the origin has no angle; given 0 and 0"))
   (atan y x))
 
 (define-named g:atan atan

@@ -5,7 +5,8 @@
 ;; wrapped together with the S-expression it prints as and its arity; a plain
 ;; Racket procedure serves as it is.
 
-(require "describe.rkt" "kind.rkt" "up-down.rkt")
+(require "describe.rkt" "kind.rkt" "up-down.rkt" "value-struct.rkt"
+         "../error/complain.rkt" "../error/words.rkt")
 
 (provide (struct-out function) make-function unary-function pointwise?
          arity-mask accepts? arity->text
@@ -20,12 +21,9 @@
 
 ;; mask : what `procedure-arity-mask` would say of the mathematics, which the
 ;; wrapped procedure's own rest argument does not tell.
-(struct function (procedure mask make-datum)
-  #:authentic
-  #:property prop:procedure 0
-  #:property prop:kind kind:function
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (f port mode) (write-value f port)))
+(value-struct function (procedure mask make-datum)
+  #:kind kind:function
+  #:property prop:procedure 0)
 
 ;; A function that prints as the datum made when it is asked for.
 (define (make-function procedure mask make-datum)
@@ -40,11 +38,8 @@
                    name)))
 
 (define (raise-takes-one datum args)
-  (raise
-   (exn:fail:contract:arity
-    (format "~a: takes 1 argument; it was given ~a" (value->text datum)
-            (if (null? args) "none" (length args)))
-    (current-continuation-marks))))
+  (complain-of-arity (value->text datum) "takes 1 argument; it was given ~a"
+                     (if (null? args) "none" (length args))))
 
 ;; Is x a function that arithmetic combines pointwise: neither an operator, nor a
 ;; tuple of functions?
@@ -71,13 +66,11 @@
   (define mask (arity-mask f))
   (define counts
     (for/list ([n (in-range (integer-length mask))] #:when (bitwise-bit-set? mask n)) n))
-  (cond [(negative? mask) (format "at least ~a" (counted (integer-length mask)))]
+  (cond [(negative? mask) (format "at least ~a" (counted (integer-length mask) "argument"))]
         [(null? counts) "no number of arguments"]
-        [(null? (cdr counts)) (counted (car counts))]
-        [(null? (cddr counts)) (format "~a or ~a" (car counts) (counted (cadr counts)))]
-        [else (format "~a to ~a" (car counts) (counted (apply max counts)))]))
-
-(define (counted n) (if (= n 1) "1 argument" (format "~a arguments" n)))
+        [(null? (cdr counts)) (counted (car counts) "argument")]
+        [(null? (cddr counts)) (format "~a or ~a" (car counts) (counted (cadr counts) "argument"))]
+        [else (format "~a to ~a" (car counts) (counted (apply max counts) "argument"))]))
 
 ;; "the procedure `f`, which takes 2 arguments"; what is no function, as any value
 (define (describe-function f)
@@ -87,11 +80,7 @@
 
 ;; f is no function, or one of another number of arguments than is expected.
 (define (raise-other-function who expected f)
-  (raise
-   (exn:fail:contract
-    (format "~a: contract violation\n  expected: ~a\n  given: ~a"
-            who expected (describe-function f))
-    (current-continuation-marks))))
+  (complain who "contract violation\n  expected: ~a\n  given: ~a" expected (describe-function f)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic of functions: numbers stand for constant functions, and a tuple or

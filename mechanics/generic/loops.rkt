@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Sums and products over sequences, generic.
 
-(require (for-syntax racket/base syntax/for-body) "arithmetic.rkt")
+(require (for-syntax racket/base syntax/for-body)
+         "arithmetic.rkt")
 
 (provide g:for/sum g:for/product g:for*/sum g:for*/product)
 
@@ -10,7 +11,8 @@
     (syntax-case stx ()
       [(_ clauses body (... ...))
        (with-syntax ([original stx]
-                     [((before (... ...)) (after (... ...))) (split-for-body stx #'(body (... ...)))])
+                     [((before (... ...)) (after (... ...)))
+                      (split-for-body stx #'(body (... ...)))])
          #'(for/fold/derived original ([total start]) clauses
              before (... ...)
              (combine total (let () after (... ...)))))])))

@@ -6,19 +6,13 @@
 ;; from where it could be understood.
 
 (require "describe.rkt"
-         "../error/failure.rkt")
+         "../error/failure.rkt" "../error/words.rkt")
 
 (provide raise-no-derivative-at)
 
 ;; why : a clause that says what happens there, such as "where it jumps", or #f.
 (define (raise-no-derivative-at name arguments [why #f])
-  (raise
-   (exn:fail:mechanics:singular
-    (format "~a: has no derivative ~aat ~a"
-            name (if why (string-append why ", ") "") (arguments->text arguments))
-    (current-continuation-marks)
-    (if (null? (cdr arguments)) (car arguments) arguments))))
-
-(define (arguments->text arguments)
-  (for/fold ([text (value->text (car arguments))]) ([a (in-list (cdr arguments))])
-    (string-append text ", " (value->text a))))
+  (raise-singular name
+                  (format "has no derivative ~aat ~a" (if why (string-append why ", ") "")
+                          (joined (map value->text arguments)))
+                  (if (null? (cdr arguments)) (car arguments) arguments)))

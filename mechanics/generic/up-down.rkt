@@ -8,13 +8,14 @@
 
 (require racket/flonum
          (submod racket/performance-hint begin-encourage-inline)
-         "describe.rkt" "kind.rkt" "scalar.rkt")
+         "describe.rkt" "kind.rkt" "scalar.rkt" "value-struct.rkt"
+         "../error/complain.rkt")
 
 (provide
  ;; data
  structure structure? structure-orientation structure-elements
  computed-structure structure-ref
- up down up? down? tuple? adopt vector->up vector->down
+ up down up? down? tuple? adopt tuple-elements vector->up vector->down up-of down-of
  same-orientation flip-orientation structure-length
  structure-map structure-map2 compatible? same-shape?
  ;; arithmetic over a given ring
@@ -22,8 +23,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Data
-
-(define (write-structure s port mode) (write-value s port))
 
 (define kind:structure
   (make-kind
@@ -43,22 +42,14 @@
 
 ;; orientation : 'up or 'down.  stored : the components, in a vector nobody else may
 ;; change or, until it is asked for, computed.
-(struct structure (orientation [stored #:mutable])
-  #:authentic
-  #:property prop:kind kind:structure
+(value-struct structure (orientation [stored #:mutable])
+  #:kind kind:structure
+  #:equality same-structure? hash-structure
   #:property prop:procedure
   (case-lambda
     [(s x) (structure-map (lambda (f) ((applicable f s) x)) s)]
     [(s . xs) (structure-map (lambda (f) (apply (applicable f s) xs)) s)])
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write write-structure
-  #:property prop:sequence (lambda (s) (in-components (structure-stored s)))
-  #:property prop:equal+hash
-  (list (lambda (a b recur)
-          (and (eq? (structure-orientation a) (structure-orientation b))
-               (recur (structure-elements a) (structure-elements b))))
-        (lambda (s recur) (hash-structure s recur))
-        (lambda (s recur) (hash-structure s recur))))
+  #:property prop:sequence (lambda (s) (in-components (structure-stored s))))
 
 ;; Components made each time one is asked for: a long tuple that a function walks
 ;; along only once need not be there all at the same time.
@@ -104,6 +95,10 @@
           (lambda () (values (computed-at c) add1 0 (lambda (i) (< i n)) #f #f)))]
         [else (in-vector c)]))
 
+(define (same-structure? a b recur)
+  (and (eq? (structure-orientation a) (structure-orientation b))
+       (recur (structure-elements a) (structure-elements b))))
+
 (define (hash-structure s recur)
   (+ (if (eq? (structure-orientation s) 'up) 1 2)
      (recur (structure-elements s))))
@@ -112,18 +107,15 @@
   (cond [(procedure? f) f]
         [(vector? f) (vector->up f)]
         [else
-         (raise
-          (exn:fail:contract
-           (format (string-append
-                    "application: a tuple applies its components to the arguments, "
-                    "but the component ~a of ~a is not a function~a")
+         (complain 'application
+                   (string-append "a tuple applies its components to the arguments, "
+                                  "but the component ~a of ~a is not a function~a")
                    (value->text f) (value->text s)
                    (cond [(symbol? f)
                           (format "; (literal-function '~a) makes a function of it" f)]
                          [(number? f)
                           (format "; (constant-function ~a) makes a function of it" f)]
-                         [else ""]))
-           (current-continuation-marks)))]))
+                         [else ""]))]))
 
 (define-syntax-rule (define-constructor make)
   (define make
@@ -143,8 +135,15 @@
 (define (vector->up v) (structure 'up (vector-copy v)))
 (define (vector->down v) (structure 'down (vector-copy v)))
 
+;; Of a vector that nobody else changes.
+(define (up-of elements) (structure 'up elements))
+(define (down-of elements) (structure 'down elements))
+
 ;; A structure from a structure or a Racket vector.
 (define (adopt x) (if (structure? x) x (vector->up x)))
+
+;; To look at, where `adopt` would copy a Racket vector.
+(define (tuple-elements x) (if (structure? x) (structure-elements x) x))
 
 (define (flip-orientation o) (if (eq? o 'up) 'down 'up))
 (define (same-orientation s elements) (structure (structure-orientation s) elements))
@@ -197,19 +196,19 @@
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
 
-;; The componentwise sum or difference; (complain a b) where shapes differ.
-(define (structure-add add a b complain)
+;; The componentwise sum or difference; (refuse a b) where shapes differ.
+(define (structure-add add a b refuse)
   (cond [(and (structure? a) (structure? b))
-         (if (compatible? a b) (structure-map2 add a b) (complain a b))]
-        [(and (tuple? a) (tuple? b)) (structure-add add (adopt a) (adopt b) complain)]
-        [else (complain a b)]))
+         (if (compatible? a b) (structure-map2 add a b) (refuse a b))]
+        [(and (tuple? a) (tuple? b)) (structure-add add (adopt a) (adopt b) refuse)]
+        [else (refuse a b)]))
 
 ;; Two tuples contract when they are of opposite orientation and equal length
 ;; and each pair of components contracts too or has a component that is no
 ;; tuple; the product is then the sum of the products of components.
 ;; Otherwise each component of the right one is multiplied by the left one
-;; (SICM p. 515).  (complain-sum a b) where the products cannot be added.
-(define (structure-multiply add multiply a b complain complain-sum)
+;; (SICM p. 515).  (refuse-sum a b) where the products cannot be added.
+(define (structure-multiply add multiply a b refuse refuse-sum)
   (cond [(not (tuple? a)) (structure-map (lambda (y) (multiply a y)) (adopt b))]
         [(not (tuple? b)) (structure-map (lambda (x) (multiply x b)) (adopt a))]
         [else
@@ -217,8 +216,8 @@
          (define t (adopt b))
          (cond [(contract-flonums s t)]
                [(contractible? s t)
-                (contract (adding add (lambda () (complain-sum s t))) multiply s t)]
-               [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (complain s t)]
+                (contract (adding add (lambda () (refuse-sum s t))) multiply s t)]
+               [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (refuse s t)]
                [else (structure-map (lambda (y) (multiply s y)) t)])]))
 
 ;; What the product of an up and a down tuple of scalars is when their lengths

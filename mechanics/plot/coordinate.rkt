@@ -4,8 +4,8 @@
 ;; What has no place in the plane, as the logarithm of a negative number has none, is
 ;; left out of the picture: it becomes a NaN.  What is no number is an error.
 
-(require racket/string
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+(require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../error/complain.rkt" "../error/words.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt")
 
@@ -18,11 +18,8 @@
         [(number? x) +nan.0]
         [(other-number? x) (real->double-flonum (comparand x))]
         [else
-         (raise
-          (exn:fail:contract
-           (format "~a: ~a is no number\n  given: ~a~a"
-                   who (what) (describe-with-value x) (advice x))
-           (current-continuation-marks)))]))
+         (complain who "~a is no number\n  given: ~a~a"
+                   (what) (describe-with-value x) (advice x))]))
 
 (define (advice x)
   (cond [(symbolic? x)
@@ -30,7 +27,7 @@
          (if (null? symbols)
              ""
              (format "\n  without a number: ~a\n  give its symbols values first"
-                     (string-join symbols ", ")))]
+                     (joined symbols)))]
         [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
         [else ""]))
 
@@ -38,15 +35,12 @@
 (define (plane-point who what p)
   (define-values (x y)
     (cond [(and (tuple? p) (= (structure-length (adopt p)) 2))
-           (define v (structure-elements (adopt p)))
+           (define v (tuple-elements p))
            (values (vector-ref v 0) (vector-ref v 1))]
           [(and (pair? p) (not (list? p))) (values (car p) (cdr p))]
           [else
-           (raise
-            (exn:fail:contract
-             (format "~a: ~a is no point of the plane, such as (up x y) or (cons x y)\n  given: ~a"
-                     who (what) (describe-with-value p))
-             (current-continuation-marks)))]))
+           (complain who "~a is no point of the plane, such as (up x y) or (cons x y)\n  given: ~a"
+                     (what) (describe-with-value p))]))
   (values (coordinate-of who (lambda () (string-append (what) ", its first component,")) x)
           (coordinate-of who (lambda () (string-append (what) ", its second component,")) y)))
 

@@ -11,7 +11,8 @@
 
 (require file/convertible
          racket/serialize
-         "layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt")
+         "layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt"
+         "../generic/value-struct.rkt")
 
 (provide
  frame frame?
@@ -23,14 +24,11 @@
  frame-view frame-now frame-version frame-on-close set-frame-on-close! frame->bytes)
 
 ;; layers : latest first; version : number of changes; on-close : -> any, or #f
-(struct frame (view lock [layers #:mutable] [closed? #:mutable]
-                    [version #:mutable] [on-close #:mutable])
-  #:authentic
+(value-struct frame (view lock [layers #:mutable] [closed? #:mutable]
+                          [version #:mutable] [on-close #:mutable])
+  #:text frame->text
   #:constructor-name new-frame
   #:omit-define-syntaxes
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (f port mode) (write-string (frame->text f) port))
   #:property prop:convertible
   (lambda (f request default)
     (cond [(eq? request 'text) (frame->text f)]

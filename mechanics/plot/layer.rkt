@@ -1,7 +1,8 @@
 #lang racket/base
 ;; What a picture is made of: layers, one above the other, each drawn in one style.
 
-(require "points.rkt")
+(require "points.rkt"
+         "../error/words.rkt")
 
 (provide (struct-out style) (struct-out layer) (struct-out field)
          layer-kind layers-now layers->text
@@ -34,22 +35,16 @@
     (for/sum ([l (in-list layers)] #:when (memq (layer-kind l) kinds))
       (count (layer-data l))))
   (define parts
-    (list (counted (total (lambda (data) 1) '(curve level)) "curve")
-          (counted (total line-count '(lines)) "line")
-          (counted (total snapshot-count '(points)) "point")))
-  (separated (filter values parts)))
+    (for/list ([noun (in-list '("curve" "line" "point"))]
+               [n (in-list (list (total (lambda (data) 1) '(curve level))
+                                 (total line-count '(lines))
+                                 (total snapshot-count '(points))))]
+               #:unless (zero? n))
+      (counted n noun)))
+  (if (null? parts) "empty" (joined parts)))
 
 ;; Two points, and what separates them from the next line.
 (define (line-count s) (quotient (snapshot-count s) 3))
-
-(define (counted n noun)
-  (and (> n 0) (format "~a ~a~a" n noun (if (= n 1) "" "s"))))
-
-(define (separated parts)
-  (if (null? parts)
-      "empty"
-      (for/fold ([text (car parts)]) ([p (in-list (cdr parts))])
-        (string-append text ", " p))))
 
 ;; ---------------------------------------------------------------------------
 ;; Layers in files

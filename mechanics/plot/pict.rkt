@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Frames as picts: their picture now, which later drawing does not change.
 
-(require "frame.rkt" "on-demand.rkt" "view.rkt")
+(require "frame.rkt" "on-demand.rkt" "view.rkt"
+         "../error/machine.rkt")
 
 (provide frame->pict frame->pict/size)
 
@@ -9,9 +10,8 @@
   (check-frame 'frame->pict f)
   (define reason (why-not))
   (when reason
-    (raise (exn:fail (format "frame->pict: pictures cannot be drawn on this machine\n  reason: ~a"
-                             reason)
-                     (current-continuation-marks))))
+    (raise-unavailable 'frame->pict "pictures cannot be drawn on this machine\n  reason: ~a"
+                       reason))
   (make-picture (frame-view f) (frame-now f)))
 
 ;; For a window that has another size.

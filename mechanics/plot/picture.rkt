@@ -3,7 +3,10 @@
 ;; a second to load, and that needs the libraries of racket/draw.
 
 (require file/convertible
-         plot/no-gui plot/utils
+         plot/no-gui
+         plot/utils
+         (only-in racket/class send)
+         (only-in racket/draw the-color-database)
          "layer.rkt" "points.rkt" "view.rkt")
 
 (provide loaded? color-name? make-picture picture-bytes)
@@ -12,9 +15,8 @@
 (define (loaded?) #t)
 
 (define (color-name? name)
-  (with-handlers ([exn:fail? (lambda (e) #f)])
-    (->pen-color name)
-    #t))
+  (and (send the-color-database find-color (if (symbol? name) (symbol->string name) name))
+       #t))
 
 ;; -> pict
 (define (make-picture v layers)

@@ -3,7 +3,8 @@
 
 (require racket/file
          racket/path
-         "frame.rkt" "on-demand.rkt")
+         "frame.rkt" "on-demand.rkt"
+         "../error/machine.rkt")
 
 (provide graphics-save)
 
@@ -50,8 +51,5 @@
     (raise-not-written "pictures cannot be drawn on this machine" file reason)))
 
 (define (raise-not-written what file reason)
-  (raise
-   (exn:fail:filesystem
-    (format "graphics-save: ~a\n  file: ~a~a" what file
-            (if reason (format "\n  reason: ~a" reason) ""))
-    (current-continuation-marks))))
+  (raise-unwritable 'graphics-save "~a\n  file: ~a~a" what file
+                    (if reason (format "\n  reason: ~a" reason) "")))

@@ -3,9 +3,10 @@
 ;; loaded when the first is opened.
 
 (require racket/lazy-require
-         "frame.rkt" "pict.rkt" "view.rkt")
+         "frame.rkt" "pict.rkt" "view.rkt"
+         "../error/machine.rkt")
 
-(lazy-require ["window.rkt" (open-window)])
+(lazy-require ["window.rkt" (loaded? open-window)])
 
 (provide graphics-show)
 
@@ -13,20 +14,21 @@
 (define (graphics-show f)
   (check-open 'graphics-show f)
   (unless (frame-on-close f)
+    (check-screen)
     (define v (frame-view f))
     (set-frame-on-close!
      f
-     (with-handlers ([exn:fail? (lambda (e) (raise-no-screen e))])
-       (open-window (or (view-title v) "mechanics")
-                    (view-width v) (view-height v)
-                    (lambda () (frame-version f))
-                    (lambda (width height) (frame->pict/size f width height))
-                    (lambda () (set-frame-on-close! f #f)))))))
+     (open-window (or (view-title v) "mechanics")
+                  (view-width v) (view-height v)
+                  (lambda () (frame-version f))
+                  (lambda (width height) (frame->pict/size f width height))
+                  (lambda () (set-frame-on-close! f #f))))))
+
+;; Racket's library of windows asks for the screen when it is loaded.
+(define (check-screen)
+  (with-handlers ([exn:fail? raise-no-screen]) (loaded?)))
 
 (define (raise-no-screen e)
-  (raise
-   (exn:fail
-    (format "graphics-show: no window can be opened here\n  reason: ~a\n  ~a"
-            (exn-message e)
-            "to a file it goes with (graphics-save frame \"picture.png\")")
-    (current-continuation-marks))))
+  (raise-unavailable 'graphics-show "no window can be opened here\n  reason: ~a\n  ~a"
+                     (exn-message e)
+                     "to a file it goes with (graphics-save frame \"picture.png\")"))

@@ -10,7 +10,10 @@
          racket/gui/base
          (only-in pict draw-pict))
 
-(provide open-window)
+(provide loaded? open-window)
+
+;; For those who load this module lazily and want to know whether they can.
+(define (loaded?) #t)
 
 (define least-pause 40)          ; milliseconds between two looks
 

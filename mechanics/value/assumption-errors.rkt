@@ -2,19 +2,15 @@
 ;; What is wrong with a relation that cannot be declared or withdrawn.
 
 (require "../algebra/expression/write.rkt"
+         "../error/complain.rkt" "../error/words.rkt"
          "../generic/describe.rkt")
 
 (provide complaint raise-contradiction raise-not-declared)
 
-(define (raise-complaint who . lines)
-  (raise (exn:fail:contract (apply string-append (format "~a: " who) lines)
-                            (current-continuation-marks))))
-
 ;; -> what to call with a reason and a part of the relation (algebra/assumption/relation.rkt)
 (define ((complaint who relation) reason part)
-  (raise-complaint who
-                   (explain reason part)
-                   (if (eq? relation part) "" (format "\n  in: ~a" (value->text relation)))))
+  (complain who "~a~a" (explain reason part)
+            (if (eq? relation part) "" (format "\n  in: ~a" (value->text relation)))))
 
 (define (explain reason part)
   (case reason
@@ -49,24 +45,17 @@
 (define (raise-contradiction who data because)
   (define others (filter (lambda (d) (not (member d data))) because))
   (define own (filter (lambda (d) (member d data)) because))
-  (raise-complaint
-   who
-   (if (null? others)
-       (if (= 1 (length own))
-           (format "the relation cannot hold: ~a" (list-text own))
-           (format "the relations contradict each other: ~a" (list-text own)))
-       (format "~a contradicts what was assumed: ~a" (list-text own) (list-text others)))
-   (if (null? others) "" "\n  forget-assumptions withdraws what was assumed")))
+  (cond [(pair? others)
+         (complain who "~a contradicts what was assumed: ~a~a" (list-text own) (list-text others)
+                   "\n  forget-assumptions withdraws what was assumed")]
+        [(= 1 (length own)) (complain who "the relation cannot hold: ~a" (list-text own))]
+        [else (complain who "the relations contradict each other: ~a" (list-text own))]))
 
-(define (list-text data)
-  (define texts (map datum->text data))
-  (for/fold ([text (car texts)]) ([t (in-list (cdr texts))]) (string-append text ", " t)))
+(define (list-text data) (joined (map datum->text data)))
 
 ;; declared : relations that are
 (define (raise-not-declared d declared)
-  (raise-complaint
-   'forget-assumptions
-   (format "~a was not declared" (datum->text d))
-   (if (null? declared)
-       "; nothing is"
-       (format "\n  declared: ~a" (list-text declared)))))
+  (complain 'forget-assumptions "~a was not declared~a" (datum->text d)
+            (if (null? declared)
+                "; nothing is"
+                (format "\n  declared: ~a" (list-text declared)))))

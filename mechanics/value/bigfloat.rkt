@@ -10,9 +10,10 @@
 
 (require (prefix-in m: math/bigfloat)
          "../algebra/expression/expression.rkt"
+         "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
-         "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
-         "../numeric/linear/rows.rkt")
+         "../generic/value-struct.rkt"
+         "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt")
 
 (provide bigfloat bigfloat? bigfloat-precision bigfloat->exact
          ;; linear systems
@@ -28,21 +29,17 @@
              #:binary (lambda (op a b) (operate-2 op a b))
              #:comparand (lambda (x) (exact-value (unwrap x)))))
 
-(struct big (value)
-  #:authentic
-  #:property prop:kind kind:bigfloat
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (x port mode) (write-string (numeral (unwrap x)) port))
-  #:property prop:equal+hash
-  (list (lambda (a b recur) (recur (unwrap a) (unwrap b)))
-        (lambda (x recur) (recur (unwrap x)))
-        (lambda (x recur) (recur (unwrap x)))))
+(value-struct big (value)
+  #:kind kind:bigfloat
+  #:text numeral
+  #:equal-by unwrap)
 
 (define (wrap x) (big x))
 (define (unwrap x) (big-value x))
 
 ;; As flonums are written, with a point or an exponent.
-(define (numeral x)
+(define (numeral b)
+  (define x (unwrap b))
   (cond [(m:bfnan? x) "+nan.0"]
         [(m:bfinfinite? x) (if (m:bfnegative? x) "-inf.0" "+inf.0")]
         [else
@@ -65,7 +62,7 @@
         (cond [(real? x) (real->bigfloat x)]
               [(big? x) (m:bfcopy (unwrap x))]
               [(m:bigfloat? x) (m:bfcopy x)]
-              [(string? x) (with-handlers ([exn:fail? (lambda (e) #f)]) (m:bf x))]
+              [(string? x) (m:string->bigfloat x)]
               [else #f]))))
   (unless (m:bigfloat? value)
     (raise-argument-error 'bigfloat "a real number or the numeral of one, such as \"0.1\"" x))
@@ -123,14 +120,12 @@
     [(+) (cond [(eqv? a 0) b] [(eqv? b 0) a] [else #f])]
     [(-) (and (eqv? b 0) a)]
     [(*) (cond [(or (eqv? a 0) (eqv? b 0)) 0] [(eqv? a 1) b] [(eqv? b 1) a] [else #f])]
-    [(/) (cond [(eqv? b 0) (raise-division-by-zero a)] [(eqv? a 0) 0] [(eqv? b 1) a] [else #f])]
+    [(/) (cond [(eqv? b 0) (raise-zero-divisor a)] [(eqv? a 0) 0] [(eqv? b 1) a] [else #f])]
     [(expt) (cond [(or (eqv? b 0) (eqv? a 1)) 1] [(eqv? b 1) a] [else #f])]
     [else #f]))
 
-(define (raise-division-by-zero a)
-  (raise (exn:fail:contract:divide-by-zero
-          (format "/: division by zero\n  in: (/ ~a 0)" (value->text a))
-          (current-continuation-marks))))
+(define (raise-zero-divisor a)
+  (raise-division-by-zero '/ (format "division by zero\n  in: (/ ~a 0)" (value->text a))))
 
 ;; ---------------------------------------------------------------------------
 ;; Linear systems

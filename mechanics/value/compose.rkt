@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Composition, the identity, constant functions.
 
-(require "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt")
+(require "../error/complain.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt")
 
 (provide compose identity constant-function
          make-function arity-mask accepts?)
@@ -26,10 +27,7 @@
 
 (define (check f)
   (unless (procedure? f)
-    (raise
-     (exn:fail:contract
-      (format "compose: expected functions; given ~a" (describe-with-value f))
-      (current-continuation-marks)))))
+    (complain 'compose "expected functions; given ~a" (describe-with-value f))))
 
 (define (identity x) x)
 

@@ -13,7 +13,7 @@
 (require "series/coefficients.rkt" "series/series.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/scalar.rkt")
+         "../generic/scalar.rkt" "../generic/value-struct.rkt")
 
 (provide make-operator make-primitive-operator operator?
          I-operator commutator anticommutator)
@@ -28,15 +28,12 @@
 ;; procedure : function -> function.  make-datum : -> what the operator prints as.
 ;; iterate : n -> the procedure of the power n > 1, where there is a better way than
 ;; to repeat; or #f.  power : what it is a multiple of a power of, or #f.
-(struct operator (procedure make-datum iterate power)
-  #:authentic
-  #:property prop:kind kind:operator
+(value-struct operator (procedure make-datum iterate power)
+  #:kind kind:operator
   #:property prop:procedure
   (case-lambda
     [(o f) ((operator-procedure o) f)]
-    [(o . fs) (apply (operator-procedure o) fs)])
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (o port mode) (write-value o port)))
+    [(o . fs) (apply (operator-procedure o) fs)]))
 
 ;; The operator of this procedure, printing as `name`; the image of a function
 ;; prints as the application that made it.
@@ -175,5 +172,3 @@
          (define known
            (make-coefficients (lambda (k) (if (eqv? k 0) f (o (coefficient known (sub1 k)))))))
          (reader known)]))
-
-(define (factorial k) (for/product ([j (in-range 1 (add1 k))]) j))

@@ -2,6 +2,7 @@
 ;; Angles brought back to one turn (SICM 1.7, p. 76).
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/rounding.rkt" "../generic/tracing.rkt" "../generic/up-down.rkt"
          "../numeric/constants.rkt")
@@ -24,8 +25,5 @@
     (principal x)))
 
 (define (raise-not-an-angle what x)
-  (raise
-   (exn:fail:contract
-    (format "principal-value: ~a\n  given: ~a~a" what (describe-with-value x)
-            (if (symbolic? x) "\n  give its symbols values first" ""))
-    (current-continuation-marks))))
+  (complain 'principal-value "~a\n  given: ~a~a" what (describe-with-value x)
+            (if (symbolic? x) "\n  give its symbols values first" "")))

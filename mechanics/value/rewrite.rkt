@@ -10,7 +10,7 @@
          "../algebra/rewriting/apart.rkt" "../algebra/rewriting/collect.rkt"
          "../algebra/rewriting/expand.rkt" "../algebra/rewriting/factor.rkt"
          "../algebra/rewriting/together.rkt"
-         "../algebra/simplify/simplify-expression.rkt"
+         "../error/complain.rkt"
          "../generic/describe.rkt")
 
 (provide expand factor collect coefficient together apart
@@ -95,33 +95,23 @@
 ;; Complaints
 
 (define (raise-no-expression who x)
-  (raise
-   (exn:fail:contract
-    (format "~a: expected an expression, or a tuple or matrix of them; given ~a~a"
-            who (describe-with-value x)
-            (if (procedure? x) "\n  apply the function first, and use it on its value" ""))
-    (current-continuation-marks))))
+  (complain who "expected an expression, or a tuple or matrix of them; given ~a~a"
+            (describe-with-value x)
+            (if (procedure? x) "\n  apply the function first, and use it on its value" "")))
 
 (define (unknown? e)
   (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
 
 (define (check-unknown who e)
   (unless (unknown? e)
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a symbol, or a literal function applied such as ((D f) 't); given ~a"
-              who (describe-with-value e))
-      (current-continuation-marks)))))
+    (complain who "expected a symbol, or a literal function applied such as ((D f) 't); given ~a"
+              (describe-with-value e))))
 
 (define (raise-no-unknown who usage x)
-  (raise
-   (exn:fail:contract
-    (format "~a: it is not said in what; use ~a\n  given only: ~a" who usage (value->text x))
-    (current-continuation-marks))))
+  (complain who "it is not said in what; use ~a\n  given only: ~a" usage (value->text x)))
 
 (define (raise-not-polynomial e in)
-  (raise
-   (exn:fail:contract
-    (format "coefficient: the expression is no polynomial in ~a: it is divided by a sum with ~a in it\n  expression: ~a"
-            (value->text in) (value->text in) (value->text e))
-    (current-continuation-marks))))
+  (complain 'coefficient
+            (string-append "the expression is no polynomial in ~a: "
+                           "it is divided by a sum with ~a in it\n  expression: ~a")
+            (value->text in) (value->text in) (value->text e)))

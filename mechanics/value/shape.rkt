@@ -11,7 +11,7 @@
   (let walk ([x x] [rest '()])
     (if (tuple? x)
         (for/fold ([rest rest]) ([k (in-range (- (structure-length (adopt x)) 1) -1 -1)])
-          (walk (vector-ref (structure-elements (adopt x)) k) rest))
+          (walk (vector-ref (tuple-elements x) k) rest))
         (cons x rest))))
 
 (define (shape-length x) (length (scalars x)))

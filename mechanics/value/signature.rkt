@@ -85,7 +85,8 @@
 (define (raise-bad-shape d)
   (raise-arguments-error
    'literal-function
-   "expected Real, (UP shape ...), (DOWN shape ...), (UP* shape n), (DOWN* shape n) or, as a domain, (X shape ...)"
+   (string-append "expected Real, (UP shape ...), (DOWN shape ...), (UP* shape n), (DOWN* shape n) "
+                  "or, as a domain, (X shape ...)")
    "given" (value->datum d)))
 
 ;; ---------------------------------------------------------------------------
@@ -105,7 +106,7 @@
 ;; A scalar, or a tuple of such at any depth.
 (define (scalars? x)
   (if (tuple? x)
-      (for/and ([e (in-vector (structure-elements (adopt x)))]) (scalars? e))
+      (for/and ([e (in-vector (tuple-elements x))]) (scalars? e))
       (scalar? x)))
 
 (define (shape->datum shape)

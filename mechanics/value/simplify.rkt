@@ -1,7 +1,8 @@
 #lang racket/base
 ;; The algebra of expressions, applied to every scalar of a value.
 
-(require "assumptions.rkt"
+(require racket/list
+         "assumptions.rkt"
          "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
@@ -50,11 +51,7 @@
              [else leaf]))
      x))
   (value->datum value)                  ; a series gets the terms that are shown
-  (values value (undeclared (distinct assumptions))))
-
-(define (distinct xs)
-  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
-    (if (member x kept) kept (cons x kept))))
+  (values value (undeclared (remove-duplicates assumptions))))
 
 ;; (substitute value 'm 3 'k (expt omega 2) ...), all at once.
 (define (substitute x . names-and-replacements)

@@ -2,9 +2,9 @@
 ;; What one does with structures: take them apart, rebuild them, multiply them.
 
 (require "series/access.rkt" "series/series.rkt"
-         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/up-down.rkt")
+         "../error/complain.rkt" "../error/hint.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt")
 
 (provide
  ;; data, from the floor below
@@ -38,11 +38,8 @@
         [(procedure? s) (ref-of-function s i)]
         [(eq? s whole) (raise-not-a-tuple 'ref s)]
         [else
-         (raise
-          (exn:fail:contract
-           (format "ref: expected a tuple; index ~a was asked of ~a\n  in: ~a"
-                   i (describe-with-value s) (value->text whole))
-           (current-continuation-marks)))]))
+         (complain 'ref "expected a tuple; index ~a was asked of ~a\n  in: ~a" i
+                   (describe-with-value s) (value->text whole))]))
 
 (define (tuple-ref s i)
   (define n (if (structure? s) (structure-length s) (vector-length s)))
@@ -50,16 +47,10 @@
     (raise-arguments-error 'ref "an index is an integer" "index" i))
   (define k (if (negative? i) (+ n i) i))
   (unless (< -1 k n)
-    (raise
-     (exn:fail:contract
-      (format "ref: index ~a is outside ~a~a\n  in: ~a" i (describe s)
+    (complain 'ref "index ~a is outside ~a~a\n  in: ~a" i (describe s)
               (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n)))
-              (value->text s))
-      (current-continuation-marks))))
+              (value->text s)))
   (if (structure? s) (structure-ref s k) (vector-ref s k)))
-
-;; To look at, where `adopt` would copy a Racket vector.
-(define (elements-of s) (if (structure? s) (structure-elements s) s))
 
 (define (ref-of-function f i)
   (make-function (lambda args (ref (apply f args) i))
@@ -81,7 +72,7 @@
 ;; The number of scalars in x.
 (define (s:dimension x)
   (if (tuple? x)
-      (for/sum ([e (in-vector (elements-of x))]) (s:dimension e))
+      (for/sum ([e (in-vector (tuple-elements x))]) (s:dimension e))
       1))
 (define (dimension x) (s:dimension x))
 
@@ -132,7 +123,7 @@
 ;; (f scalar accumulator) over all scalars, from the first to the last.
 (define (s:fold f start s)
   (if (tuple? s)
-      (for/fold ([a start]) ([e (in-vector (structure-elements (adopt s)))]) (s:fold f a e))
+      (for/fold ([a start]) ([e (in-vector (tuple-elements s))]) (s:fold f a e))
       (f s start)))
 
 (define (s:same s) (structure-orientation (structure-of 's:same s)))
@@ -219,8 +210,5 @@
   (if (tuple? s) (adopt s) (raise-not-a-tuple who s)))
 
 (define (raise-not-a-tuple who s)
-  (raise
-   (exn:fail:contract
-    (format "~a: expected a tuple; given ~a~a" who (describe-with-value s)
-            (if (pair? s) "\n  a list is not a tuple; use (up x y ...)" ""))
-    (current-continuation-marks))))
+  (complain who "expected a tuple; given ~a~a" (describe-with-value s)
+            (list-hint s)))

@@ -9,13 +9,14 @@
          "../../generic/up-down.rkt")
 
 (provide points values-at check-increasing check-distinct
-         location complain)
+         location)
 
 ;; A list, vector or tuple as a vector.
 (define (->vector who what xs)
   (cond [(list? xs) (list->vector xs)]
         [(tuple? xs) (structure-elements (adopt xs))]
-        [else (complain who "expected ~a in a list, a vector or a tuple\n  given: ~a" what (describe-with-value xs))]))
+        [else (complain who "expected ~a in a list, a vector or a tuple\n  given: ~a" what
+                        (describe-with-value xs))]))
 
 (define (points who xs)
   (define v (->vector who "points" xs))
@@ -40,7 +41,8 @@
   (for ([x (in-vector xs)] [next (in-vector xs 1)] [k (in-naturals 1)])
     (cond [(g:= x next) (raise-same who x)]
           [(g:< next x)
-           (complain who "expected points in increasing order\n  point ~a: ~a\n  point ~a: ~a" (- k 1) (value->text x) k (value->text next))])))
+           (complain who "expected points in increasing order\n  point ~a: ~a\n  point ~a: ~a"
+                     (- k 1) (value->text x) k (value->text next))])))
 
 (define (check-distinct who xs)
   (for* ([i (in-range (vector-length xs))] [j (in-range i)])

@@ -17,10 +17,10 @@
 ;; (Fritsch and Butland 1984).
 
 (require "data.rkt" "tridiagonal.rkt"
+         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt"
-         "../../generic/define-plain.rkt"
-         "../../generic/describe.rkt" "../../generic/elementary.rkt"
-         "../../generic/function.rkt")
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/elementary.rkt" "../../generic/function.rkt")
 
 (provide cubic-spline Hermite-spline monotone-spline linear-interpolation)
 
@@ -101,7 +101,8 @@
         (<= (- low rounding) x (+ high rounding)))))
 
 (define (raise-outside who x low high)
-  (complain who "there are no data for the argument\n  argument: ~a\n  from: ~a\n  to: ~a\n  ~a" (value->text x) (value->text low) (value->text high)
+  (complain who "there are no data for the argument\n  argument: ~a\n  from: ~a\n  to: ~a\n  ~a"
+            (value->text x) (value->text low) (value->text high)
             "with #:extrapolate? #t the pieces at the ends are continued"))
 
 ;; Bisection: the piece that holds x, at a point the one that begins there.

@@ -10,8 +10,9 @@
 
 (require racket/flonum
          racket/lazy-require
+         racket/list
          "linear-algebra.rkt" "row-systems.rkt"
-         "../../error/failure.rkt"
+         "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/scalar.rkt"
          "../../numeric/linear/rows.rkt" "../../numeric/linear/unit.rkt")
@@ -31,20 +32,19 @@
 (define (square who m)
   (or (square-entries who m)
       (and (scalar? m) (vector (vector m)))
-      (raise
-       (exn:fail:contract
-        (format "~a: expected a square matrix or tuple of tuples; given ~a" who
-                (describe-with-value m))
-        (current-continuation-marks)))))
+      (complain who "expected a square matrix or tuple of tuples; given ~a"
+                (describe-with-value m))))
 
 ;; A list, each as often as it is a root of the characteristic polynomial.
 (define (eigenvalues m)
-  (apply append
-         (for/list ([block (in-list (rows-diagonal-blocks (square 'eigenvalues m)))])
-           (cond [(= (vector-length block) 1) (list (entry block 0 0))]
-                 [(flonums? block) (numeric-eigenvalues m block)]
-                 [(= (vector-length block) 2) (two-eigenvalues block)]
-                 [else (raise-degree m (vector-length block))]))))
+  (append-map (lambda (block) (block-eigenvalues m block))
+              (rows-diagonal-blocks (square 'eigenvalues m))))
+
+(define (block-eigenvalues m block)
+  (cond [(= (vector-length block) 1) (list (entry block 0 0))]
+        [(flonums? block) (numeric-eigenvalues m block)]
+        [(= (vector-length block) 2) (two-eigenvalues block)]
+        [else (raise-degree m (vector-length block))]))
 
 (define (two-eigenvalues block)
   (define-values (a b c d)
@@ -98,20 +98,14 @@
       (and (= (real-part a) (real-part b)) (< (imag-part a) (imag-part b)))))
 
 (define (raise-not-separate m)
-  (raise (exn:fail:mechanics:not-convergent
-          (format "eigenvalues: they do not separate\n  matrix: ~a" (value->text m))
-          (current-continuation-marks)
-          m
-          #f)))
+  (raise-not-convergent 'eigenvalues (format "they do not separate\n  matrix: ~a" (value->text m))
+                        m #f #:show? #f))
 
 (define (raise-degree m n)
-  (raise
-   (exn:fail:contract
-    (format (string-append
-             "eigenvalues: the zeros of the matrix leave a block of ~a rows; "
-             "formulas are for 1 and 2\n"
+  (complain 'eigenvalues
+            (string-append
+             "the zeros of the matrix leave a block of ~a rows; formulas are for 1 and 2\n"
              "  the eigenvalues are the zeros of (characteristic-polynomial m 'x);\n"
              "  those of flonums are found: (eigenvalues (exact->inexact m))\n"
              "  matrix: ~a")
-            n (value->text m))
-    (current-continuation-marks))))
+            n (value->text m)))

@@ -7,7 +7,7 @@
 
 (require "matrix.rkt" "row-systems.rkt"
          "../structure.rkt"
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/dispatch.rkt"
          "../../generic/function.rkt" "../../generic/kind.rkt" "../../generic/scalar.rkt"
          "../../generic/up-down.rkt")
@@ -76,7 +76,7 @@
 (define (parts-of-shape A like)
   (cond [(same-shape? A like) (list A)]
         [(tuple? A)
-         (for/fold ([parts '()]) ([x (in-vector (structure-elements (adopt A)))])
+         (for/fold ([parts '()]) ([x (in-vector (tuple-elements A))])
            #:break (not parts)
            (define more (parts-of-shape x like))
            (and more (append parts more)))]
@@ -111,7 +111,7 @@
 (define (transpose-tuple s)
   (check-tuple-of-tuples 'transpose s)
   (define rows
-    (for/vector ([x (in-vector (structure-elements s))]) (structure-elements (adopt x))))
+    (for/vector ([x (in-vector (structure-elements s))]) (tuple-elements x)))
   (define inner (adopt (s:ref s 0)))
   (unless (for/and ([row (in-vector rows)])
             (and (= (vector-length row) (structure-length inner))
@@ -136,7 +136,7 @@
         [(matrix? A)
          (define rows (square-rows who A))
          (cond [(and (up? b) (= (s:length b) (m:num-rows A)))
-                (structure 'up (rows-solve who A rows (structure-elements (adopt b))))]
+                (structure 'up (rows-solve who A rows (tuple-elements b)))]
                [(and (matrix? b) (= (m:num-rows b) (m:num-rows A)))
                 (matrix (rows-transpose
                          (rows-solve-each who A rows (rows-transpose (matrix-rows b)))))]
@@ -151,9 +151,9 @@
         [(matrix? A)
          (define rows (rows-transpose (square-rows who A)))
          (cond [(and (down? b) (= (s:length b) (m:num-cols A)))
-                (down (rows-solve who A rows (structure-elements b) down))]
+                (down-of (rows-solve who A rows (structure-elements b) down-of))]
                [(and (matrix? b) (= (m:num-cols b) (m:num-cols A)))
-                (matrix (rows-solve-each who A rows (matrix-rows b) down))]
+                (matrix (rows-solve-each who A rows (matrix-rows b) down-of))]
                [else (raise-right-hand-side who "a down tuple or a matrix of ~a columns" A b)])]
         [(not (tuple? A)) (solve-one who A b)]
         [(eq? (s:same A) (innermost-orientation A)) (solve-by-outer-index who (adopt A) b)]
@@ -169,11 +169,10 @@
       (only (rows-solve who A (vector (vector A)) (vector b) only))
       (g:/ b A)))
 
-(define (down components) (structure 'down components))
-
 (define (raise-right-hand-side who expected A b)
-  (complain who "the right-hand side must be ~a, to match ~a; given ~a~a" (format expected (m:num-rows A)) (value->text A) (describe-with-value b)
-            (if (pair? b) "\n  a list is not a tuple; use (up x y ...)" "")))
+  (complain who "the right-hand side must be ~a, to match ~a; given ~a~a"
+            (format expected (m:num-rows A)) (value->text A) (describe-with-value b)
+            (list-hint b)))
 
 (define (innermost-orientation s)
   (define first (and (positive? (s:length s)) (s:ref s 0)))
@@ -211,8 +210,8 @@
   (cond [(not (tuple? b)) (list A)]
         [(and (tuple? A) (compatible? (adopt A) (adopt b)))
          (for/fold ([parts '()])
-                   ([x (in-vector (structure-elements (adopt A)))]
-                    [y (in-vector (structure-elements (adopt b)))])
+                   ([x (in-vector (tuple-elements A))]
+                    [y (in-vector (tuple-elements b))])
            #:break (not parts)
            (define more (parts-at-scalars x y))
            (and more (append parts more)))]
@@ -239,7 +238,8 @@
   (s:map/r (lambda (_) (set! k (add1 k)) (vector-ref v k)) like))
 
 (define (raise-mismatch who A like b)
-  (complain who "the right-hand side must be ~a, to match ~a; given ~a" (describe (adopt like)) (value->text A) (describe-with-value b)))
+  (complain who "the right-hand side must be ~a, to match ~a; given ~a"
+            (describe (adopt like)) (value->text A) (describe-with-value b)))
 
 ;; ---------------------------------------------------------------------------
 ;; Rank and null space
@@ -263,7 +263,8 @@
               (values (rows-transpose (list->vector (map scalars parts)))
                       (lambda (v) (fill like v))))]
         [(scalar? A) (values (vector (vector A)) (lambda (v) (vector-ref v 0)))]
-        [else (complain who "expected a matrix or a tuple of tuples; given ~a" (describe-with-value A))]))
+        [else (complain who "expected a matrix or a tuple of tuples; given ~a"
+                        (describe-with-value A))]))
 
 ;; The columns of A: its components, or if those that make it square lie deeper, these.
 (define (nested-parts who A)

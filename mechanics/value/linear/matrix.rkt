@@ -7,8 +7,10 @@
 
 (require "row-systems.rkt"
          "../structure.rkt"
+         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/dispatch.rkt" "../../generic/kind.rkt" "../../generic/up-down.rkt")
+         "../../generic/dispatch.rkt" "../../generic/kind.rkt" "../../generic/up-down.rkt"
+         "../../generic/value-struct.rkt")
 
 (provide
  ;; construction
@@ -40,15 +42,9 @@
                          (g:zero? x)))))
 
 ;; rows : a vector of vectors of one length, changed by nobody.
-(struct matrix (rows)
-  #:authentic
-  #:property prop:kind kind:matrix
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (m port mode) (write-value m port))
-  #:property prop:equal+hash
-  (list (lambda (a b recur) (recur (matrix-rows a) (matrix-rows b)))
-        (lambda (m recur) (recur (matrix-rows m)))
-        (lambda (m recur) (recur (matrix-rows m)))))
+(value-struct matrix (rows)
+  #:kind kind:matrix
+  #:equal-by matrix-rows)
 
 ;; ---------------------------------------------------------------------------
 ;; Construction
@@ -127,10 +123,7 @@
 
 (define (check-matrix who m)
   (unless (matrix? m)
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a matrix; given ~a" who (describe-with-value m))
-      (current-continuation-marks)))))
+    (complain who "expected a matrix; given ~a" (describe-with-value m))))
 
 (define (entry m i j) (vector-ref (vector-ref (matrix-rows m) i) j))
 (define (column m j)
@@ -180,13 +173,12 @@
   (cond [(not (matrix? b))
          (if (tuple? b) (raise-inapplicable op a b) (matrix-map (lambda (x) (g:/ x b)) a))]
         [(and (matrix? a) (= (m:num-cols a) (m:num-cols b)))
-         (matrix (rows-solve-each '/ b (divisor-rows b) (matrix-rows a) row))]
+         (matrix (rows-solve-each '/ b (divisor-rows b) (matrix-rows a) down-of))]
         [(and (down? a) (= (s:length a) (m:num-cols b)))
-         (row (rows-solve '/ b (divisor-rows b) (structure-elements a) row))]
+         (down-of (rows-solve '/ b (divisor-rows b) (structure-elements a) down-of))]
         [(or (matrix? a) (tuple? a)) (raise-inapplicable op a b)]
         [else (multiply op a (matrix (rows-inverse '/ b (square-rows '/ b))))]))
 
-(define (row components) (structure 'down components))
 (define (divisor-rows b) (rows-transpose (square-rows '/ b)))
 
 ;; A number added to a square matrix is that multiple of the identity.
@@ -237,7 +229,7 @@
 (define (matrix-times-tuple op m s)
   (unless (and (up? s) (= (m:num-cols m) (s:length s))) (raise-inapplicable op m s))
   (structure 'up (for/vector ([row (in-vector (matrix-rows m))])
-                   (dot row (structure-elements (adopt s))))))
+                   (dot row (tuple-elements s)))))
 
 (define (tuple-times-matrix op s m)
   (unless (and (down? s) (= (m:num-rows m) (s:length s))) (raise-inapplicable op s m))

@@ -3,7 +3,8 @@
 ;; with numbers: no formula for their solution is as short, or as exact, as an
 ;; elimination.
 
-(require "../../algebra/expression/expression.rkt"
+(require racket/list
+         "../../algebra/expression/expression.rkt"
          (only-in "../../algebra/expression/operation.rkt" op:solution op:component)
          "../../generic/tracing.rkt"
          "../../numeric/linear/rows.rkt")
@@ -24,7 +25,7 @@
   (define systems
     (for/list ([b (in-vector (rows-transpose right))])
       (define rows (beside A (for/vector ([x (in-vector b)]) (vector x))))
-      (make-node op:solution (apply append (map vector->list (vector->list rows))))))
+      (make-node op:solution (append-map vector->list (vector->list rows)))))
   (for/vector #:length (vector-length A) ([k (in-naturals)] [_ (in-vector A)])
     (for/vector #:length (length systems) ([s (in-list systems)])
       (make-node op:component (list k s)))))

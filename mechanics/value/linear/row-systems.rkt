@@ -12,6 +12,7 @@
 ;; Results are graphs that share what they are made of, not simplified.
 
 (require racket/lazy-require
+         racket/list
          "division-free.rkt" "open-system.rkt" "singular.rkt"
          "../../algebra/expression/expression.rkt"
          "../../algebra/linear/block-form.rkt" "../../algebra/linear/characteristic.rkt"
@@ -40,8 +41,6 @@
 
 (define (flonums? rows) (and (all-entries? number? rows) (not (exact-numbers? rows))))
 
-(define (append-map f xs) (apply append (map f xs)))
-
 (define (block-determinant rows)
   (cond [(exact-numbers? rows) (eliminated-determinant rows 1)]
         [(all-entries? number? rows) (floating-determinant rows)]
@@ -52,21 +51,19 @@
 
 ;; The vector x with rows · x = b.  For the failure: who asked, what the matrix was
 ;; given as, and what is made of the components of an unknown.
-(define (rows-solve who given rows b [shape up])
+(define (rows-solve who given rows b [shape up-of])
   (define right (for/vector #:length (vector-length b) ([x (in-vector b)]) (vector x)))
   (for/vector #:length (vector-length rows)
               ([row (in-vector (solve (failure who given rows right shape) rows right))])
     (vector-ref row 0)))
 
 ;; The solutions for several right-hand sides, a vector of vectors.
-(define (rows-solve-each who given rows bs [shape up])
+(define (rows-solve-each who given rows bs [shape up-of])
   (define right (rows-transpose bs))
   (rows-transpose (solve (failure who given rows right shape) rows right)))
 
 (define (rows-inverse who given rows)
-  (solve (failure who given rows #f up) rows (unit-rows (vector-length rows))))
-
-(define (up components) (structure 'up components))
+  (solve (failure who given rows #f up-of) rows (unit-rows (vector-length rows))))
 
 (define ((failure who given rows right shape))
   (raise-singular-matrix who given rows right shape))

@@ -7,7 +7,7 @@
          "../../algebra/linear/elimination.rkt" "../../algebra/linear/entries.rkt"
          "../../algebra/simplify/simplify-expression.rkt"
          "../../algebra/zero/vanishing.rkt"
-         "../../error/failure.rkt"
+         "../../error/complain.rkt" "../../error/failure.rkt" "../../error/words.rkt"
          "../../generic/describe.rkt"
          "../../numeric/linear/flonum-systems.rkt" "../../numeric/linear/rows.rkt")
 
@@ -27,17 +27,15 @@
   (define kernel (kernel-of rows))
   (define dependences (kernel-of (rows-transpose rows)))
   (define null-vectors (and kernel (map shape (kernel-basis-vectors kernel))))
-  (raise
-   (exn:fail:mechanics:singular:matrix
-    (apply string-append (symbol->string who) ": the matrix has no inverse"
-           (field "matrix" (matrix-text rows))
-           (append (if kernel (kernel-fields kernel null-vectors (vector-length rows)) '())
-                   (if dependences
-                       (dependence-fields (kernel-basis-vectors dependences) right)
-                       '())))
-    (current-continuation-marks)
-    given
-    null-vectors)))
+  (raise-without-inverse
+   who
+   (string-append
+    "the matrix has no inverse"
+    (field "matrix" (matrix-text rows))
+    (if kernel (kernel-text kernel null-vectors (vector-length rows)) "")
+    (if dependences (dependences-text (kernel-basis-vectors dependences) right) ""))
+   given
+   null-vectors))
 
 (define (field label text) (format "\n  ~a: ~a" label text))
 
@@ -46,18 +44,22 @@
       (format "~a rows and columns" (vector-length rows))
       (format "~a" (for/list ([row (in-vector rows)]) (map value->datum (vector->list row))))))
 
-(define (kernel-fields kernel null-vectors n)
-  (append (list (field "rank" (format "~a of ~a" (kernel-basis-rank kernel) n)))
-          (for/list ([v (in-list null-vectors)]) (field "null vector" (value->text v)))
-          (for/list ([a (in-list (kernel-basis-assumptions kernel))])
-            (field "assuming" (format "~a" a)))))
+;; A line for each of xs.
+(define (fields label ->text xs)
+  (joined (for/list ([x (in-list xs)]) (field label (->text x))) ""))
+
+(define (kernel-text kernel null-vectors n)
+  (string-append (field "rank" (format "~a of ~a" (kernel-basis-rank kernel) n))
+                 (fields "null vector" value->text null-vectors)
+                 (fields "assuming" (lambda (a) (format "~a" a))
+                         (kernel-basis-assumptions kernel))))
 
 ;; ---------------------------------------------------------------------------
 ;; Dependent rows
 
-(define (dependence-fields dependences right)
-  (append (for/list ([y (in-list dependences)]) (field "dependent" (dependence-text y)))
-          (if right (list (field "solutions" (solutions-text dependences right))) '())))
+(define (dependences-text dependences right)
+  (string-append (fields "dependent" dependence-text dependences)
+                 (if right (field "solutions" (solutions-text dependences right)) "")))
 
 ;; Σ yᵢ (row i) = 0, as the last of them in terms of the others.
 (define (dependence-text y)
@@ -65,14 +67,10 @@
   (define terms
     (for/list ([c (in-vector y)] [i (in-range last)] #:unless (eqv? c 0))
       (multiple-text (simple (e:/ (e:negate c) (vector-ref y last))) i)))
-  (format "row ~a is ~a" last (if (null? terms) "zero" (joined terms))))
+  (format "row ~a is ~a" last (if (null? terms) "zero" (joined terms " plus "))))
 
 (define (multiple-text c i)
   (if (eqv? c 1) (format "row ~a" i) (format "~a times row ~a" (value->text c) i)))
-
-(define (joined strings)
-  (apply string-append (car strings)
-         (for/list ([s (in-list (cdr strings))]) (string-append " plus " s))))
 
 (define (simple e) (if (number? e) e (simplify-expression e (assumptions-in-force))))
 
@@ -92,15 +90,9 @@
 ;; Rank and null space
 
 (define (raise-no-scalars who given)
-  (raise
-   (exn:fail:contract
-    (format "~a: expected numbers or expressions as entries; given ~a" who
-            (describe-with-value given))
-    (current-continuation-marks))))
+  (complain who "expected numbers or expressions as entries; given ~a" (describe-with-value given)))
 
 (define (raise-too-large who given)
-  (raise
-   (exn:fail:mechanics
-    (format "~a: elimination would make the entries too large, or one divides by zero\n  matrix: ~a"
-            who (value->text given))
-    (current-continuation-marks))))
+  (raise-no-answer who (string-append "elimination would make the entries too large, "
+                                      "or one divides by zero\n  matrix: ~a")
+                   (value->text given)))

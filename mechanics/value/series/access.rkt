@@ -2,6 +2,7 @@
 ;; What one does with series: make them, and look at as many terms as one wants.
 
 (require "coefficients.rkt" "series.rkt"
+         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt")
 
 (provide
@@ -83,11 +84,10 @@
 
 (define (check-series who s)
   (unless (series? s)
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a series; given ~a~a" who (describe-with-value s)
-              (if (procedure? s) "\n  a function whose values are series must be applied first" ""))
-      (current-continuation-marks)))))
+    (complain who "expected a series; given ~a~a" (describe-with-value s)
+              (if (procedure? s)
+                  "\n  a function whose values are series must be applied first"
+                  ""))))
 
 (define (check-count who what n)
   (unless (exact-nonnegative-integer? n) (raise-argument-error who what n)))

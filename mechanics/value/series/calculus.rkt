@@ -2,6 +2,7 @@
 ;; Derivatives and integrals of series, and the inverse function of a power series.
 
 (require "coefficients.rkt" "series.rkt"
+         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt")
 
 (provide series:derivative series:integral series:reversion)
@@ -41,11 +42,8 @@
 
 (define (check-power-series who s)
   (unless (power-series? s)
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a power series; given ~a~a" who (describe-with-value s)
+    (complain who "expected a power series; given ~a~a" (describe-with-value s)
               (if (series? s)
                   (string-append "\n  a series of terms has no variable; "
                                  "(series:->function s) takes its terms as coefficients")
-                  ""))
-      (current-continuation-marks)))))
+                  ""))))

@@ -8,7 +8,8 @@
 ;; two equal values is kept.
 
 (provide make-coefficients coefficients-from coefficients-length coefficients-finite?
-         coefficient reader)
+         coefficient reader
+         factorial)
 
 ;; length : from where on all coefficients are exact 0; +inf.0 if they never are
 ;; known  : a vector of the first coefficients, `unknown` where not yet computed
@@ -50,3 +51,6 @@
 
 ;; The coefficients as a function of the index.
 (define (reader c) (lambda (k) (coefficient c k)))
+
+;; k!, what parts a Taylor coefficient from a derivative.
+(define (factorial k) (for/product ([j (in-range 1 (add1 k))]) j))

@@ -9,7 +9,7 @@
 ;; it is known, and it looks only at what is.
 
 (require "coefficients.rkt"
-         "../../generic/kind.rkt" "../../generic/recurrence.rkt" "../../generic/arithmetic.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/kind.rkt" "../../generic/recurrence.rkt")
 
 (provide operate-1 operate-2 reduced)
 
@@ -54,7 +54,8 @@
     (make-coefficients
      (lambda (k) (if (eqv? k 0) start (step k read-a la read-other)))))
   (define r (sequence (generic-op-procedure op) step (lambda (k) (coefficient p k))))
-  (define p (sequence (partner-procedure other) (partner-step other) (lambda (k) (coefficient r k))))
+  (define p
+    (sequence (partner-procedure other) (partner-step other) (lambda (k) (coefficient r k))))
   r)
 
 ;; ---------------------------------------------------------------------------

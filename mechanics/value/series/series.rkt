@@ -13,7 +13,7 @@
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
-         "../../generic/scalar.rkt" "../../generic/up-down.rkt")
+         "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/value-struct.rkt")
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series
@@ -31,26 +31,21 @@
              #:binary (lambda (op a b) (series-binary op a b))
              #:zero? (lambda (s)
                        (and (finite-series? s)
-                            (andmap g:zero? (first-terms s (series-length s)))))
+                            (andmap g:zero? (all-terms s))))
              #:same? (lambda (same? a b) (same-series? same? a b))
              #:arity (lambda (s) (if (power-series? s) 2 -1))))
 
 ;; terms-at : of a power series, x -> the coefficients of the series of its terms at
 ;; x; else #f
-(struct series (coefficients terms-at)
-  #:authentic
-  #:property prop:kind kind:series
-  #:property prop:procedure (lambda (s . args) (apply-series s args))
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (s port mode) (write-value s port))
-  #:property prop:equal+hash
-  (list (lambda (a b recur)
-          (or (eq? a b)
-              (and (eq? (power-series? a) (power-series? b))
-                   (finite-series? a) (finite-series? b)
-                   (recur (first-terms a (series-length a)) (first-terms b (series-length b))))))
-        (lambda (s recur) (if (finite-series? s) (recur (first-terms s (series-length s))) 1))
-        (lambda (s recur) (if (finite-series? s) (recur (first-terms s (series-length s))) 2))))
+(value-struct series (coefficients terms-at)
+  #:kind kind:series
+  #:equality (lambda (a b recur)
+               (or (eq? a b)
+                   (and (eq? (power-series? a) (power-series? b))
+                        (finite-series? a) (finite-series? b)
+                        (recur (all-terms a) (all-terms b)))))
+             (lambda (s recur) (if (finite-series? s) (recur (all-terms s)) 1))
+  #:property prop:procedure (lambda (s . args) (apply-series s args)))
 
 (define (series-of coefficients) (series coefficients #f))
 (define (power-series-of coefficients)
@@ -69,6 +64,7 @@
 (define (finite-series? s) (coefficients-finite? (series-coefficients s)))
 
 (define (first-terms s n) (for/list ([k (in-range n)]) (series-term s k)))
+(define (all-terms s) (first-terms s (series-length s)))
 
 ;; f applied to each term, when it is asked for; f takes 0 to 0.
 (define (map-series f s)
@@ -118,8 +114,8 @@
 ;; where A and B do not.
 (define (check-commutes op x)
   (when (and (has-kind? x) (memv (kind-rank (kind-of x)) (list rank:matrix rank:operator)))
-    (complain (generic-op-name op)
-              "the terms of the series must commute with each other; one is ~a" (describe-with-value x)))
+    (complain (generic-op-name op) "the terms of the series must commute with each other; one is ~a"
+              (describe-with-value x)))
   x)
 
 (define (series-binary op a b)
@@ -153,16 +149,14 @@
         [else (values-at s args)]))
 
 (define (raise-one-variable s args)
-  (raise (exn:fail:contract:arity
-          (format "~a: a power series takes one argument, its variable; given ~a"
-                  (value->text s) (length args))
-          (current-continuation-marks))))
+  (complain-of-arity (value->text s) "a power series takes one argument, its variable; given ~a"
+                     (length args)))
 
 ;; Terms that are functions are applied; scalars among them are constants, among
 ;; operators multiples of the identity.  Where the value of the term of order n is a
 ;; series, its terms count from order n on.
 (define (values-at s args)
-  (when (and (finite-series? s) (not (ormap applicable? (first-terms s (series-length s)))))
+  (when (and (finite-series? s) (not (ormap applicable? (all-terms s))))
     (raise-no-function s))
   (define (value x)
     (if (and (scalar? x) (pair? args) (procedure? (car args)) (of-operators? s))

@@ -225,3 +225,15 @@
 
 (test-case "what failed has drawn nothing"
   (check-equal? (append (frame-points f) (frame-curves f)) '()))
+
+(test-case "an error of the function's own is what the reader sees"
+  (define (own . arguments) (raise-user-error 'own "no luck with ~a" arguments))
+  (define (check-own draw)
+    (define f (unit))
+    (check-exn (lambda (e) (regexp-match? #rx"^own: no luck with " (exn-message e)))
+               (lambda () (draw f)))
+    (check-equal? (frame-curves f) '()))
+  (check-own (lambda (f) (plot-function f own 0 1)))
+  (check-own (lambda (f) (plot-parametric f own 0 1)))
+  (check-own (lambda (f) (plot-parametric-fill f own 0 1)))
+  (check-own (lambda (f) (plot-contours f own '(0)))))

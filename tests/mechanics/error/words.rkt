@@ -1,0 +1,29 @@
+#lang racket/base
+;; Words put together, and what is raised with them.
+
+(require rackunit
+         mechanics/error/complain
+         mechanics/error/machine
+         mechanics/error/words)
+
+(test-case "texts are joined by commas, or as one likes"
+  (check-equal? (joined '()) "")
+  (check-equal? (joined '("a")) "a")
+  (check-equal? (joined '("a" "b" "c")) "a, b, c")
+  (check-equal? (joined '("a" "b") " plus ") "a plus b"))
+
+(test-case "one is singular"
+  (check-equal? (for/list ([n '(0 1 2)]) (counted n "argument"))
+                '("0 arguments" "1 argument" "2 arguments")))
+
+(test-case "what is raised says who, and is of the kind it should be"
+  (for ([raise-with (list complain complain-of-arity raise-unavailable raise-unwritable)]
+        [kind? (list exn:fail:contract? exn:fail:contract:arity?
+                     exn:fail? exn:fail:filesystem?)])
+    (define (check who)
+      (check-exn (lambda (e) (and (kind? e) (equal? (exn-message e) "f: 1 and ~a")))
+                 (lambda () (raise-with who "~a and ~a" 1 "~a"))))
+    (check 'f)
+    (check "f"))
+  (check-exn (lambda (e) (not (exn:fail:contract? e)))
+             (lambda () (raise-unavailable 'f "no"))))
