@@ -11,14 +11,14 @@
          "lang/pattern/pattern.rkt"
          (only-in "numeric/constants.rkt" pi :pi :-pi :pi/2 :2pi)
          (except-in "value/assumptions.rkt" assumptions-in-force note-used! undeclared)
-         "value/compose.rkt" "value/operator.rkt" "value/principal-value.rkt"
-         "value/rewrite.rkt" "value/signature.rkt" "value/simplify.rkt"
-         (except-in "value/structure.rkt" up down) "value/vector.rkt"
+         "value/compose.rkt" "value/operator.rkt" "value/principal-value.rkt" "value/rewrite.rkt"
+         "value/signature.rkt" "value/simplify.rkt" (except-in "value/structure.rkt" up down)
+         "value/vector.rkt"
          "value/linear/eigenvalues.rkt"
          (except-in "value/linear/linear-algebra.rkt" square-entries) "value/linear/matrix.rkt"
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
-         "verdict/verdict.rkt")
+         "verdict/prove-zero.rkt" "verdict/verdict.rkt")
 
 (provide
  ;; binding forms with structure patterns

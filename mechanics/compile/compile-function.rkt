@@ -10,6 +10,7 @@
          "cache.rkt" "program.rkt" "trace.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/value-struct.rkt"
          "../numeric/constants.rkt"
          "../value/shape.rkt")
 
@@ -25,15 +26,11 @@
 ;; inputs, outputs : how many scalars; value-shape : a structure of that many
 ;; operations : how many flonum operations a call takes, or #f
 ;; reason : why there are none, or #f
-(struct compiled-function (make-runner inputs outputs value-shape operations reason datum)
-  #:authentic
+(value-struct compiled-function (make-runner inputs outputs value-shape operations reason datum)
+  #:datum (lambda (c) `(compile-function ,(compiled-function-datum c)))
   #:property prop:procedure (lambda (c input) (apply-to-flvector c input))
   #:property prop:object-name
-  (lambda (c) (let ([d (compiled-function-datum c)]) (if (symbol? d) d 'compiled-function)))
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (c port mode)
-    (write-value `(compile-function ,(compiled-function-datum c)) port)))
+  (lambda (c) (let ([d (compiled-function-datum c)]) (if (symbol? d) d 'compiled-function))))
 
 ;; A new procedure (input output -> void), for one thread at a time and as many runs as
 ;; wanted: it has its room to work in, which a run does not have to make.

@@ -11,9 +11,9 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/shape.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide
  ;; made by the user
@@ -24,11 +24,8 @@
  value-of shape-values check-linear)
 
 ;; linear-at : coordinates for which A was found linear in the velocities, or #f
-(struct constraint (kind function [linear-at #:mutable])
-  #:authentic
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (c port mode) (write-value (constraint->datum c) port)))
+(value-struct constraint (kind function [linear-at #:mutable])
+  #:datum constraint->datum)
 
 (define (constraint->datum c)
   (list (constraint-kind c) (value->datum (constraint-function c))))

@@ -21,7 +21,7 @@
          "../lagrangian/generic-state.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/linear/row-systems.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide Frobenius-test constraint-integral check-generic)
 

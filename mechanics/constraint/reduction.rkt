@@ -8,22 +8,20 @@
 
 (require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt"
          "../value/linear/row-systems.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide reduce-by-substitution reduction? reduction-integrability reduction-agreement)
 
 ;; A Lagrangian, and two verdicts: are the constraints integrable, and is the true motion one
 ;; of this Lagrangian?
-(struct reduction (Lagrangian integrability agreement)
-  #:authentic
-  #:property prop:procedure 0
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (r port mode) (write-string (report r) port)))
+(value-struct reduction (Lagrangian integrability agreement)
+  #:text report
+  #:property prop:procedure 0)
 
 (define (report r)
   (define agreement (reduction-agreement r))

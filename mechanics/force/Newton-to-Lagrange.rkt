@@ -8,7 +8,7 @@
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt")
 
 (provide Newton-steps Newton-identities)
 

@@ -11,9 +11,9 @@
 ;; but here it is computed from accelerations, so that the one can be checked by the other.
 
 (require "force.rkt" "generalized-force.rkt" "masses.rkt" "particles.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt"
          "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../lagrangian/local-tuple.rkt")
 
 (provide d-Alembert-equations
@@ -27,14 +27,11 @@
              #:datum (lambda (e) (newtonian->datum e))
              #:arity (lambda (e) 2)))
 
-(struct newtonian (masses positions force)
-  #:authentic
-  #:property prop:kind kind:newtonian
+(value-struct newtonian (masses positions force)
+  #:kind kind:newtonian
   #:property prop:procedure
   (case-lambda [(e q) (residual-along e q)]
-               [(e . arguments) (raise-one-path e arguments)])
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (e port mode) (write-value e port)))
+               [(e . arguments) (raise-one-path e arguments)]))
 
 (define (newtonian->datum e)
   (list 'd-Alembert-equations (masses->datum (newtonian-masses e))

@@ -15,7 +15,7 @@
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
          (only-in "../value/compose.rkt" compose))
 
 (provide Lagrange-equations generalized-LE
@@ -30,14 +30,11 @@
 
 ;; A function of paths that keeps what it was made from, for those who want to
 ;; see its steps.
-(struct equations (Lagrangian force order)
-  #:authentic
-  #:property prop:kind kind:equations
+(value-struct equations (Lagrangian force order)
+  #:kind kind:equations
   #:property prop:procedure
   (case-lambda [(e q) (residual-along e q)]
-               [(e . arguments) (raise-one-path e arguments)])
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (e port mode) (write-value e port)))
+               [(e . arguments) (raise-one-path e arguments)]))
 
 (define (equations->datum e)
   (append (list 'Lagrange-equations (value->datum (equations-Lagrangian e)))

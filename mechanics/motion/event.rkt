@@ -16,7 +16,7 @@
          "../compile/compile-function.rkt"
          "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt"
+         "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../value/shape.rkt")
 
 (provide event event? event-f event-direction event-terminal?
@@ -26,13 +26,10 @@
          crosses?)
 
 ;; f : state -> real; direction : 'rising, 'falling or 'both
-(struct event (f name direction terminal?)
-  #:authentic
+(value-struct event (f name direction terminal?)
+  #:datum (lambda (e) (list 'event (event-name e)))
   #:constructor-name make-event
-  #:omit-define-syntaxes
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (e port mode) (write-value (list 'event (event-name e)) port)))
+  #:omit-define-syntaxes)
 
 (define-plain (event f #:name [name (procedure-datum f)]
                #:direction [direction 'both] #:terminal? [terminal? #f])
@@ -46,12 +43,9 @@
   (make-event f name direction terminal?))
 
 ;; An event, when it happened and the state then.
-(struct occurrence (event time state)
-  #:authentic
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (o port mode)
-    (write-value (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o)) port)))
+(value-struct occurrence (event time state)
+  #:datum (lambda (o)
+            (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o))))
 
 ;; so-far : the trajectory up to there
 (define (raise-undefined e t state so-far)

@@ -7,7 +7,7 @@
 
 (require racket/flonum
          "../compile/compile-function.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt"
+         "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../numeric/ode/projected.rkt"
          "../value/shape.rkt")
 
@@ -22,14 +22,11 @@
 
 ;; A state derivative.
 ;; prepare : who state -> a state derivative for motions from there on, and corrections
-(struct manifold-derivative (at prepare make-datum)
-  #:authentic
+(value-struct manifold-derivative (at prepare make-datum)
+  #:kind kind:manifold-derivative
   #:constructor-name make-manifold-derivative
   #:omit-define-syntaxes
-  #:property prop:procedure 0
-  #:property prop:kind kind:manifold-derivative
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write (lambda (d port mode) (write-value d port)))
+  #:property prop:procedure 0)
 
 ;; positions, velocities : state -> increment of the state, or compiled; or #f
 ;; complain : who state -> does not return; the state is not on the manifold

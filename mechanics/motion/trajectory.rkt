@@ -5,12 +5,13 @@
 ;; state at any time from the first to the last, about as well as the steps
 ;; themselves do.
 
-(require racket/flonum racket/lazy-require
+(require racket/flonum
+         racket/lazy-require
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "system.rkt"
          "../calculus/perturbed.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../numeric/ode/vectors.rkt"
-         "../numeric/progress.rkt")
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
+         "../numeric/progress.rkt"
+         "../numeric/ode/vectors.rkt")
 
 (lazy-require
  ["precise-trajectory.rkt" (follow-precise-trajectory)])
@@ -21,13 +22,9 @@
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
 ;; reading : what makes states of steps
-(struct trajectory (steps events reading)
-  #:authentic
-  #:property prop:procedure (lambda (tr t) (state-at tr t))
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (tr port mode)
-    (write-value `(trajectory from ,(trajectory-start tr) to ,(trajectory-end tr)) port)))
+(value-struct trajectory (steps events reading)
+  #:datum (lambda (tr) `(trajectory from ,(trajectory-start tr) to ,(trajectory-end tr)))
+  #:property prop:procedure (lambda (tr t) (state-at tr t)))
 
 ;; From one time to another, and what leads to the states between.
 (struct step (from to inside) #:authentic)

@@ -23,7 +23,7 @@
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/state-derivative.rkt" "../lagrangian/total-derivative.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide rate-of-change verify-conserved)
 

@@ -15,7 +15,7 @@
          "../numeric/constants.rkt"
          "../search/find-root.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equilibrium equilibria find-equilibrium
          equilibrium? equilibrium-coordinates equilibrium-conditions)

@@ -1,17 +1,14 @@
 #lang racket/base
 ;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
 
-(require "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt")
+(require "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/value-struct.rkt")
 
 (provide (struct-out equilibrium) check-coordinates)
 
 ;; conditions : for the coordinates to be real, such as (<= e 1)
-(struct equilibrium (coordinates conditions)
-  #:authentic
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (e port mode)
-    (write-value `(equilibrium ,(equilibrium-coordinates e) ,@(equilibrium-conditions e)) port)))
+(value-struct equilibrium (coordinates conditions)
+  #:datum (lambda (e) `(equilibrium ,(equilibrium-coordinates e) ,@(equilibrium-conditions e))))
 
 (define (check-coordinates who q)
   (unless (or (scalar? q) (and (tuple? q) (up? q)))

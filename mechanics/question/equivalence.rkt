@@ -19,13 +19,13 @@
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
          "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../value/structure.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians
          equivalence? equivalence-kind equivalence-factor equivalence-gauge
@@ -34,11 +34,8 @@
 ;; kind : 'total-derivative, 'proportional, 'combination, or #f if not equivalent
 ;; factor : C with E₂ = C E₁, a scalar or a matrix; #f if not known
 ;; gauge : f at the local tuple with L₂ = C L₁ + D_t f; #f if not known
-(struct equivalence (kind factor gauge verdict)
-  #:authentic
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (e port mode) (write-string (equivalence->text e) port)))
+(value-struct equivalence (kind factor gauge verdict)
+  #:text equivalence->text)
 
 ;; local : a local tuple of symbols (up t q v)
 (define (verify-equivalent-Lagrangians L1 L2 local)

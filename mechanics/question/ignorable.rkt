@@ -7,7 +7,7 @@
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-ignorable ignorable-coordinates conserved-momenta)
 

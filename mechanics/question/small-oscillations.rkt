@@ -18,7 +18,7 @@
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide mass-matrix stiffness-matrix gyroscopic-matrix
          normal-modes small-oscillation-frequencies

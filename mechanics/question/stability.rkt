@@ -19,6 +19,7 @@
          "../algebra/rewriting/solve.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/value-struct.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
@@ -28,11 +29,8 @@
 
 ;; kind : 'stable 'linearly-stable 'unstable 'undecided
 ;; conditions : inequalities (> e 0) for it to be stable, unstable if e < 0 in one
-(struct stability (kind conditions)
-  #:authentic
-  #:property prop:custom-print-quotable 'never
-  #:property prop:custom-write
-  (lambda (s port mode) (write-string (stability->text s) port)))
+(value-struct stability (kind conditions)
+  #:text stability->text)
 
 ;; q : coordinates of an equilibrium of an L that does not change in time
 (define (equilibrium-stability L q)

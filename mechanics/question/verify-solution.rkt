@@ -4,7 +4,7 @@
 (require racket/lazy-require
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt")
 
 (lazy-require ["../constraint/equations.rkt" (constrained-Lagrange-equations)]
               ["../constraint/eliminate.rkt" (eliminate-multipliers)])

@@ -5,8 +5,10 @@
 ;; a list of strings and S-expressions; whoever prints it knows how wide a line
 ;; may be.
 
-(require "../algebra/expression/write.rkt"
+(require racket/list
+         "../algebra/expression/write.rkt"
          "../algebra/zero/zero-test.rkt"
+         "../error/words.rkt"
          "../generic/describe.rkt")
 
 (provide verdict-report report->text)
@@ -23,14 +25,14 @@
   (append
    (list (list 0 (headline status) #f))
    (if (null? labels)
-       (append* (for/list ([entry (in-list open)]) (evidence (cdr entry) 1 #t)))
-       (append* (for/list ([entry (in-list open)])
-                  (cons (list 1 (car entry) #f)
-                        (evidence (cdr entry) 2 (null? shared))))))
+       (append-map (lambda (entry) (evidence (cdr entry) 1 #t)) open)
+       (append-map (lambda (entry)
+                     (cons (list 1 (car entry) #f) (evidence (cdr entry) 2 (null? shared))))
+                   open))
    (if (and (pair? shared) (pair? labels))
        (list (list 1 "zero if:" (equations shared)))
        '())
-   (grounds (distinct (append* (map zero-test-assumptions tests))) given)))
+   (grounds (remove-duplicates (append-map zero-test-assumptions tests)) given)))
 
 ;; What was declared and used, then what was assumed.
 (define (grounds all given)
@@ -49,7 +51,7 @@
 ;; the same.
 (define (shared-conditions open)
   (define conditions (map (lambda (entry) (zero-test-conditions (cdr entry))) open))
-  (if (and (pair? conditions) (null? (cdr (distinct conditions))))
+  (if (and (pair? conditions) (null? (cdr (remove-duplicates conditions))))
       (car conditions)
       '()))
 
@@ -121,9 +123,7 @@
                (list (value->datum (car entry)) "=" (cdr entry)))))
 
 (define (separated contents)
-  (append*
-   (for/list ([c (in-list contents)] [i (in-naturals)])
-     (if (zero? i) c (cons "," c)))))
+  (append* (add-between contents '(","))))
 
 ;; The bound is rounded upwards.
 (define (bound z line)
@@ -131,10 +131,11 @@
   (define size (zero-test-bound z))
   (line "evidence:"
         (cond [(zero? points) (without-points z)]
-              [(eqv? size 0) (format "zero at ~a, exactly or modulo primes" (counted points))]
-              [else (format "at ~a, zero to within ~a" (counted points) (readable (* 1.05 size) 2))])))
+              [(eqv? size 0) (format "zero at ~a, exactly or modulo primes" (points->text points))]
+              [else (format "at ~a, zero to within ~a" (points->text points)
+                            (readable (* 1.05 size) 2))])))
 
-(define (counted points) (if (eqv? points 1) "one point" (format "~a points" points)))
+(define (points->text n) (if (eqv? n 1) "one point" (counted n "point")))
 
 ;; Either the residual is zero, but for rounding, or no point was found.
 (define (without-points z)
@@ -146,12 +147,12 @@
 
 ;; The report with each line's content written plainly.
 (define (report->text report)
-  (join "\n"
-        (for/list ([line (in-list report)])
-          (define content (caddr line))
-          (string-append (make-string (* 2 (car line)) #\space)
-                         (cadr line)
-                         (if content (string-append " " (content->text content)) "")))))
+  (joined (for/list ([line (in-list report)])
+            (define content (caddr line))
+            (string-append (make-string (* 2 (car line)) #\space)
+                           (cadr line)
+                           (if content (string-append " " (content->text content)) "")))
+          "\n"))
 
 (define (content->text content)
   (for/fold ([text ""]) ([part (in-list content)])
@@ -159,13 +160,3 @@
     (cond [(string=? text "") s]
           [(equal? part ",") (string-append text s)]
           [else (string-append text " " s)])))
-
-(define (join separator strings)
-  (for/fold ([text (car strings)]) ([s (in-list (cdr strings))])
-    (string-append text separator s)))
-
-(define (append* lists) (apply append lists))
-
-(define (distinct xs)
-  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
-    (if (member x kept) kept (cons x kept))))

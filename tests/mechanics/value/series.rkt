@@ -18,6 +18,7 @@
          mechanics/value/series/series
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
+         mechanics/verdict/prove-zero
          mechanics/verdict/verdict
          "../laws/element.rkt" "../laws/law.rkt" "../laws/random.rkt" "../laws/ring.rkt"
          "../laws/same.rkt")

@@ -12,6 +12,7 @@
          mechanics/value/signature
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
+         mechanics/verdict/prove-zero
          mechanics/verdict/verdict)
 
 (define V (literal-function 'V))

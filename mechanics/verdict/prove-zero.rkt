@@ -1,0 +1,114 @@
+#lang racket/base
+;; Is a value zero, are two values equal?
+;;
+;; The algebra judges scalars one by one, of a structure, a matrix or a series each.
+;; A function is judged by its value at symbolic arguments.
+
+(require "verdict.rkt"
+         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/zero/zero-test.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         "../value/assumptions.rkt" "../value/operator.rkt"
+         "../value/series/access.rkt" "../value/series/series.rkt")
+
+(provide prove-zero verify-equal)
+
+;; ---------------------------------------------------------------------------
+;; Judging
+
+;; x : a value, or a function, which is judged at symbolic arguments.
+;; names : symbols that no condition may speak of, as x must vanish whatever they are
+(define (prove-zero x #:variables [names '()])
+  (check-variables names)
+  (define A (assumptions-in-force))
+  (define tests '())
+  (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
+  (define endless? #f)
+  (define residual
+    (map-leaves (lambda (leaf)
+                  (define z (judge leaf A (hash-keys variables)))
+                  (set! tests (cons z tests))
+                  (zero-test-residual z))
+                (at-symbolic-arguments x '() variables (lambda () (set! endless? #t)))))
+  (for ([z (in-list tests)]) (note-used! (zero-test-assumptions z)))
+  (make-verdict residual (reverse tests) (assumptions 'declared) endless?))
+
+(define (check-variables names)
+  (unless (and (list? names) (andmap symbol? names))
+    (raise-argument-error 'prove-zero "the variables, a list of symbols" names)))
+
+(define (judge leaf A variables)
+  (unless (expression? leaf)
+    (complain 'prove-zero
+              "expected a number, an expression, a tuple of them, or a function; given ~a"
+              (describe-with-value leaf)))
+  (zero-test leaf A variables))
+
+(define (verify-equal a b) (prove-zero (difference a b)))
+
+;; a - b, where flonums are not subtracted yet: what is lost to rounding shows
+;; only beside the numbers themselves.
+(define (difference a b)
+  (cond [(and (number? a) (number? b) (not (and (exact? a) (exact? b))))
+         (make-node op:- (list a b))]
+        [(and (tuple? a) (tuple? b) (compatible? (adopt a) (adopt b)))
+         (structure-map2 difference (adopt a) (adopt b))]
+        [else (g:- a b)]))
+
+;; x with the up tuple of its terms in place of a series; of one that does not end
+;; as many as are compared, and (note!) is called.
+(define (with-terms x note!)
+  (cond [(series? x)
+         (define endless? (not (finite-series? x)))
+         (when endless? (note!))
+         (apply up (series:head x (if endless? compared-terms (series-length x))))]
+        [(tuple? x) (structure-map (lambda (e) (with-terms e note!)) (adopt x))]
+        [else x]))
+
+;; ---------------------------------------------------------------------------
+;; Functions are judged at symbolic arguments
+
+;; A function, wherever it stands in x, is taken at symbols of its own, which
+;; occur nowhere else; its value may be a function again.  In the result they
+;; are renamed to t, or t0 t1 ... if there are several, or to what comes next if
+;; the user has a t already.  Their names are added to the table `variables`.
+(define (at-symbolic-arguments x arguments variables note!)
+  (map-leaves
+   (lambda (leaf)
+     (cond [(operator? leaf) (raise-operator leaf)]
+           [(procedure? leaf)
+            (define fresh (fresh-arguments leaf))
+            (at-symbolic-arguments (apply leaf fresh) (append arguments fresh) variables note!)]
+           [(symbolic? leaf) (rename-arguments leaf arguments variables)]
+           [else leaf]))
+   (with-terms x note!)))
+
+(define (raise-operator o)
+  (complain 'prove-zero
+            "~a is an operator; give it a function to act on, as in (~a (literal-function 'f))"
+            (value->text o) (value->text o)))
+
+(define (fresh-arguments f)
+  (define n (for/first ([n (in-sequences (in-range 1 21) '(0))] #:when (accepts? f n)) n))
+  (unless n
+    (raise-arguments-error 'prove-zero "cannot choose arguments for the function" "function" f))
+  (for/list ([i (in-range n)])
+    (string->uninterned-symbol (if (= n 1) "t" (format "t~a" i)))))
+
+(define (rename-arguments e arguments variables)
+  (define taken (make-hasheq (for/list ([s (in-list (symbols-in e))]) (cons s #t))))
+  (substitute-expression
+   e
+   (for/list ([a (in-list arguments)])
+     (define name (unused-name (symbol->string a) taken))
+     (hash-set! taken name #t)
+     (hash-set! variables name #t)
+     (cons a name))))
+
+(define (unused-name base taken)
+  (for/first ([suffix (in-sequences '("") (in-naturals 1))]
+              #:unless (hash-ref taken (string->symbol (format "~a~a" base suffix)) #f))
+    (string->symbol (format "~a~a" base suffix))))
