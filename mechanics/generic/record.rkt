@@ -7,9 +7,9 @@
 ;; of values of any kind; and together with the operation's value in one procedure,
 ;; of flonums, which saves the most of what calls and dispatch cost.
 
-(require racket/flonum
-         (for-syntax racket/base "flonum-form.rkt") "kind.rkt"
-         "../algebra/expression/operation-table.rkt" "../algebra/expression/operation.rkt")
+(require (for-syntax racket/base "flonum-form.rkt")
+         "kind.rkt"
+         "../algebra/expression/operation-table.rkt")
 
 (provide define-record define-composite-record case-at-flonums)
 

@@ -4,7 +4,6 @@
 
 (require file/convertible
          plot/no-gui
-         plot/utils
          (only-in racket/class send)
          (only-in racket/draw the-color-database)
          "layer.rkt" "points.rkt" "view.rkt")

@@ -11,8 +11,7 @@
 ;; With slopes given too: Newton's divided differences, each point taken twice.
 
 (require "data.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/function.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/function.rkt")
 
 (provide barycentric-interpolation-function Hermite-interpolation-function)
 
