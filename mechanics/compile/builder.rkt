@@ -32,6 +32,10 @@
         (hash-set! (builder-instructions b) (place-index p) instruction)
         p)))
 
+;; What an operand is the value of; #f for a number or an input.
+(define (instruction-of b x)
+  (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
+
 (define (written b)
   (define n (builder-inputs b))
   (for/vector ([k (in-range (hash-count (builder-places b)))])
@@ -67,21 +71,27 @@
   (and (equal? z w) (sum-fits? e c d) (multiply! b e z)))
 
 (define (coefficient b x)
-  (define i (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
+  (define i (instruction-of b x))
   (case (and i (instruction-operation i))
-    [(negate) (values -1 (cadr i))]
-    [(multiply) (if (number? (cadr i)) (values (cadr i) (caddr i)) (values 1 x))]
+    [(negate) (values -1 (first-operand i))]
+    [(multiply)
+     (if (number? (first-operand i))
+         (values (first-operand i) (second-operand i))
+         (values 1 x))]
     [else (values 1 x)]))
 
-;; A term is a sign and an operand.  Those of a value: of a sum or difference two.
-(define (terms b x)
-  (define i (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
-  (case (and i (instruction-operation i))
-    [(add) (list (cons 1 (cadr i)) (cons 1 (caddr i)))]
-    [(subtract) (list (cons 1 (cadr i)) (cons -1 (caddr i)))]
-    [else (list (cons 1 x))]))
+;; sign : 1 or -1.  Transparent: equal ones cancel their opposites.
+(struct term (sign operand) #:transparent)
 
-(define (opposite t) (cons (- (car t)) (cdr t)))
+;; Those of a value: of a sum or difference two.
+(define (terms b x)
+  (define i (instruction-of b x))
+  (case (and i (instruction-operation i))
+    [(add) (list (term 1 (first-operand i)) (term 1 (second-operand i)))]
+    [(subtract) (list (term 1 (first-operand i)) (term -1 (second-operand i)))]
+    [else (list (term 1 x))]))
+
+(define (opposite t) (term (- (term-sign t)) (term-operand t)))
 
 ;; The sum of terms and others, if one of them is the opposite of one of the others: in
 ;; Lagrange's equations much is added only to be subtracted.  Otherwise #f.
@@ -90,7 +100,8 @@
                [other (in-value (member (opposite t) others))]
                #:when other)
     (for/fold ([sum 0]) ([rest (in-list (append (remove t ts) (remove (car other) others)))])
-      (if (= (car rest) 1) (add! b sum (cdr rest)) (subtract! b sum (cdr rest))))))
+      (define x (term-operand rest))
+      (if (= (term-sign rest) 1) (add! b sum x) (subtract! b sum x)))))
 
 (define (multiply! b x y)
   (cond [(and (number? x) (number? y)) (* x y)]
@@ -128,15 +139,16 @@
 
 ;; y if x is the value -y; or #f.
 (define (negated b x)
-  (define i (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
+  (define i (instruction-of b x))
   (and i
        (eq? (instruction-operation i) 'negate)
-       (car (instruction-operands i))))
+       (first-operand i)))
 
 ;; (c z) if x y is c z with a number c; or #f.
 (define (scaled b x y)
-  (define i (hash-ref (builder-instructions b) (place-index y) #f))
-  (define factors (if (and i (eq? (instruction-operation i) 'multiply)) (cdr i) '(#f)))
+  (define i (instruction-of b y))
+  (define factors
+    (if (and i (eq? (instruction-operation i) 'multiply)) (instruction-operands i) '(#f)))
   (define c (and (number? (car factors)) (* ((builder-as-constant b) x) (car factors))))
   (and c (< 1e-100 (abs c) 1e100) (cons c (cdr factors))))
 

@@ -4,7 +4,8 @@
 ;; A program is its own key: it says all there is to know about the code, so
 ;; that nothing stale can be served.  The last few are kept.
 
-(require "program.rkt" "code.rkt")
+(require racket/list
+         "code.rkt" "program.rkt")
 
 (provide compiled-program clear-compiled-programs compiled-program-count)
 
@@ -28,8 +29,6 @@
 
 (define (remember p maker)
   (define old (unbox cache))
-  (define new (cons (cons p maker) (first-few old (- capacity 1))))
+  (define kept (if (< (length old) capacity) old (take old (- capacity 1))))
+  (define new (cons (cons p maker) kept))
   (unless (box-cas! cache old new) (remember p maker)))
-
-(define (first-few xs n)
-  (if (or (null? xs) (eqv? n 0)) '() (cons (car xs) (first-few (cdr xs) (- n 1)))))

@@ -13,6 +13,7 @@
 ;; other; several threads may run the code at once, each with room of its own.
 
 (require racket/linklet
+         racket/list
          "program.rkt"
          "../algebra/expression/operation.rkt"
          "../numeric/linear/factored-system.rkt")
@@ -30,10 +31,11 @@
 (define (functions)
   (apply make-instance 'functions #f 'constant
          'solve-dense! solve-dense!
-         (apply append
-                (for/list ([op (in-list operations)])
-                  (list (operation-name op) (flonum-function (operation-numeric op)))))))
+         (append*
+          (for/list ([op (in-list operations)])
+            (list (operation-name op) (flonum-function (operation-numeric op)))))))
 
+;; f is an operation of the algebra, no function of the user's.
 (define ((flonum-function f) . xs)
   (define value
     (with-handlers ([exn:fail:contract? (lambda (e) +nan.0)])
@@ -64,22 +66,22 @@
 
 ;; Where systems are solved: three vectors for a size, which systems of that size share.
 (define (systems-room p)
-  (apply append
-         (for/list ([n (in-list (system-sizes p))])
-           `((make-flvector ,(* n n)) (make-flvector ,n) (make-fxvector ,n)))))
+  (append*
+   (for/list ([n (in-list (system-sizes p))])
+     `((make-flvector ,(* n n)) (make-flvector ,n) (make-fxvector ,n)))))
 
 (define (system-sizes p)
-  (for/fold ([sizes '()]) ([i (in-vector (program-instructions p))]
-                           #:when (eq? (instruction-operation i) 'solve))
-    (define n (instruction-unknowns i))
-    (if (memv n sizes) sizes (cons n sizes))))
+  (remove-duplicates
+   (for/list ([i (in-vector (program-instructions p))]
+              #:when (eq? (instruction-operation i) 'solve))
+     (instruction-unknowns i))
+   eqv?))
 
 ;; Of a system: n rows of n + 1 entries.
 (define (instruction-unknowns i) (integer-sqrt (length (instruction-operands i))))
 
 (define (systems-place p system)
-  (define n (instruction-unknowns system))
-  (for/first ([size (in-list (system-sizes p))] [k (in-naturals)] #:when (= size n)) (* 3 k)))
+  (* 3 (index-of (system-sizes p) (instruction-unknowns system))))
 
 ;; Places from `start` on and before `end`.
 (struct section (start end) #:authentic)
@@ -229,9 +231,11 @@
 
 ;; The operations a program takes from `functions`.
 (define (functions-used p)
-  (for/fold ([names '()]) ([i (in-vector (program-instructions p))])
-    (define name (instruction-operation i))
-    (if (or (memq name '(negate solve component wrapped)) (memq name names)
-            (primitive-for name (length (instruction-operands i))))
-        names
-        (cons name names))))
+  (remove-duplicates
+   (for/list ([i (in-vector (program-instructions p))]
+              #:unless (in-place? (instruction-operation i) (instruction-operands i)))
+     (instruction-operation i))
+   eq?))
+
+(define (in-place? name operands)
+  (or (memq name '(negate solve component wrapped)) (primitive-for name (length operands))))

@@ -7,8 +7,8 @@
 ;; slower, and the same in all else: what is complex is not a number there too.
 
 (require racket/flonum
-         "cache.rkt" "program.rkt" "trace.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "agreement.rkt" "cache.rkt" "program.rkt" "trace.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/value-struct.rkt"
          "../numeric/constants.rkt"
@@ -44,20 +44,22 @@
     (code-or-reason who f example value-at (shape-length example) value))
   (or code (evaluate-generically who f example reason)))
 
-;; The same for a function that can be traced; of others #f.  The code is used only
-;; where the scalars of the argument after the first `varying` are those of the
-;; example; value-at : flvector -> what the value is there
+;; The same for a function that can be traced; of others, and where symbols are left, #f.
+;; The code is used only where the scalars of the argument after the first `varying` are
+;; those of the example; value-at : flvector -> what the value is there
 (define (compile-traced f example #:name who
                         #:value-at [value-at (lambda (v) (f (flvector->structure example v)))]
                         #:varying [varying (shape-length example)]
                         #:value [value #f])
   (check-function who f)
-  (define-values (code reason) (code-or-reason who f example value-at varying value))
+  (define-values (code reason)
+    (code-or-reason who f example value-at varying value #:unknown void))
   code)
 
-(define (code-or-reason who f example value-at varying value)
+(define (code-or-reason who f example value-at varying value
+                        #:unknown [check-unknown raise-no-value])
   (define point (example->flvector who example))
-  (define-values (p shape) (trace who f example))
+  (define-values (p shape) (trace who f example #:unknown check-unknown))
   (define code (and (program? p) (compiled f p shape)))
   (cond [(not code) (values #f p)]
         [(right? code value-at point varying value) (values code #f)]
@@ -117,15 +119,13 @@
 ;; As compiled code does, where a matrix has no inverse or an exact zero divides.
 (define (value-or-nan f x shape)
   (define (nan e) (scalars->structure shape (lambda (k) +nan.0)))
-  (with-handlers ([exn:fail:mechanics:singular? nan]
-                  [exn:fail:contract:divide-by-zero? nan])
-    (f x)))
+  (with-handlers ([no-value? nan]) (f x)))
 
 ;; Racket's own tests, `number?` in a file that is not written in mechanics, say,
 ;; take a placeholder for what it is.  So the code is compared with the function, at
 ;; the example, beside it, and on the other side of zero.
 (define (right? code value-at point varying value)
-  (and (agree? code value-at point value)
+  (and (agree? code (if value (lambda (v) value) value-at) point)
        (agree? code value-at (moved nearby point varying))
        (agree? code value-at (moved opposite point varying))))
 
@@ -138,15 +138,13 @@
 (define (opposite x d) (- (* -1.1 x) d))
 (define (nearby x d) (+ x (* 0.1 d (+ 1.0 (abs x)))))
 
-;; Where the function has no value, nothing is known.
-(define (agree? code value-at v [value #f])
-  (define generic
-    (with-handlers ([exn:fail? (lambda (x) #f)])
-      (structure->flvector (or value (value-at v)) (lambda (x) +nan.0))))
-  (or (not generic)
-      (and (= (flvector-length generic) (compiled-function-outputs code))
-           (for/and ([x (in-flvector generic)] [y (in-flvector (apply-to-flvector code v))])
-             (close? x y)))))
+(define (agree? code value-at v)
+  (agrees? (lambda () (structure->flvector (value-at v) (lambda (x) +nan.0)))
+           (lambda () (apply-to-flvector code v))
+           #:same? (lambda (xs ys)
+                     (and (= (flvector-length xs) (flvector-length ys))
+                          (for/and ([x (in-flvector xs)] [y (in-flvector ys)]) (close? x y))))
+           #:numbers? (lambda (ys) (for/and ([y (in-flvector ys)]) (rational? y)))))
 
 ;; x : of the function, y : of the code; up to what rounding does where the order of
 ;; operations differs.  An x that is not finite tells nothing.

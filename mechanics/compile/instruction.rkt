@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Instructions of programs, and the places of their values.
 
-(provide (struct-out place) instruction-operation instruction-operands)
+(provide (struct-out place)
+         instruction-operation instruction-operands first-operand second-operand)
 
 ;; An input or the value of an instruction.  Transparent: two of one index are
 ;; the same operand.
@@ -12,3 +13,5 @@
 ;; by row, followed at once by its components: (component system k).
 (define (instruction-operation i) (car i))
 (define (instruction-operands i) (cdr i))
+(define (first-operand i) (cadr i))
+(define (second-operand i) (caddr i))

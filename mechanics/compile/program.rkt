@@ -70,6 +70,7 @@
         [(eq? head op:expt) (power! b (car operands) (cadr operands))]
         [else (apply do! b (operation-name head) operands)]))
 
+;; What an operation of the algebra is not defined for has no value.
 (define (combine-numbers head operands e fail)
   (define value
     (with-handlers ([exn:fail:contract? (lambda (x) #f)])

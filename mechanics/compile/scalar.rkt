@@ -9,9 +9,7 @@
 ;; f as a function from flonum to flonum, or #f; `example` is an argument to try it on.
 ;; Not for two threads at once: argument and value pass through vectors of its own.
 (define (compile-scalar f example)
-  (define code
-    (with-handlers ([exn:fail? (lambda (e) #f)])
-      (compile-traced f example #:name 'compile-scalar)))
+  (define code (compile-traced f example #:name 'compile-scalar))
   (and code
        (= 1 (compiled-function-outputs code))
        (flonum-function (compiled-function-runner code))))

@@ -9,15 +9,18 @@
 
 (require "program.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/describe.rkt" "../generic/tracing.rkt"
          "../value/shape.rkt")
 
-(provide trace)
+(provide trace raise-no-value)
 
 ;; f : a procedure of one structure of the shape of `example`
 ;; -> program and the shape of f's value there; or the reason why there is none,
-;; a string, and #f.  as-constant : what numbers in the program become
-(define (trace who f example #:constants [as-constant real->double-flonum])
+;; a string, and #f.  as-constant : what numbers in the program become; check-unknown : called
+;; with who and an expression that has no numeric value
+(define (trace who f example #:constants [as-constant real->double-flonum]
+               #:unknown [check-unknown raise-no-value])
   (define placeholders
     (for/list ([k (in-range (shape-length example))])
       (make-placeholder (format "x~a" k))))
@@ -26,21 +29,23 @@
   (define result (value-or-reason run))
   (if (string? result)
       (values result #f)
-      (make-program who placeholders (unbox result) as-constant)))
+      (make-program placeholders (unbox result) as-constant
+                    (lambda (e) (check-unknown who e)))))
 
+;; An error that is not due to the placeholders comes up again when f is run on numbers.
 (define (value-or-reason run)
-  (with-handlers ([exn:fail? exn-message])
+  (with-handlers ([failure? (lambda (x) (if (exn? x) (exn-message x) (format "it raises ~e" x)))])
     (call-traced (lambda () (box (run)))
                  (lambda (test) (format "it takes a decision by `~a`" test)))))
 
-(define (make-program who placeholders value as-constant)
+(define (make-program placeholders value as-constant check-unknown)
   (define es (scalars value))
   (define odd (for/first ([e (in-list es)] #:unless (expression? e)) e))
   (if odd
       (values (format "its value holds ~a" (describe-with-value odd)) #f)
       (let/ec return
         (define (fail e)
-          (when (unknown? e) (raise-no-value who e))
+          (when (unknown? e) (check-unknown e))
           (return (format "~a is not a real number" (value->text e)) #f))
         (values (expressions->program placeholders es fail #:constants as-constant) value))))
 
@@ -48,11 +53,8 @@
   (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
 
 (define (raise-no-value who e)
-  (raise
-   (exn:fail:contract
-    (format "~a: ~a is left in the function's value, but has no numeric value\n  ~a"
-            who (describe-with-value e)
+  (complain who "~a is left in the function's value, but has no numeric value\n  ~a"
+            (describe-with-value e)
             (if (symbol? e)
                 "give every symbol a number"
-                "a literal function stands for any function; put a definite one in its place"))
-    (current-continuation-marks))))
+                "a literal function stands for any function; put a definite one in its place")))

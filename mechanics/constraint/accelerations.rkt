@@ -13,7 +13,8 @@
 ;; which keeps formulas short, for M is diagonal more often than not.  Where it has none,
 ;; there may be inertia in all directions that are left: then both are solved together.
 
-(require "constraint.rkt" "dependence.rkt" "linearized.rkt"
+(require (only-in racket/vector vector-append)
+         "constraint.rkt" "dependence.rkt" "linearized.rkt"
          "../calculus/derivative.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
@@ -52,7 +53,7 @@
   (define cs (gather who constraints))
   (define (name)
     `(,who ,(value->datum L) ,(constraints->datum cs)
-           ,@(if Q (list '#:force (value->datum Q)) '())))
+           ,@(force->datum Q)))
   (unary-function name (state) (f state)))
 
 ;; -> (state -> a, shaped like the velocities, and λ, shaped like the constraints)
@@ -127,17 +128,11 @@
   (define rows
     (for/vector ([k (in-range (+ n m))])
       (if (< k n)
-          (vector-append-2 (vector-ref M k)
-                           (for/vector ([g (in-list J)]) (g:negate (vector-ref g k))))
-          (vector-append-2 (list-ref J (- k n)) (make-vector m 0)))))
-  (define x (solve-or-explain who J rows (vector-append-2 f (list->vector c))))
+          (vector-append (vector-ref M k)
+                         (for/vector ([g (in-list J)]) (g:negate (vector-ref g k))))
+          (vector-append (list-ref J (- k n)) (make-vector m 0)))))
+  (define x (solve-or-explain who J rows (vector-append f (list->vector c))))
   (values (for/vector ([y (in-vector x 0 n)]) y) (for/vector ([y (in-vector x n)]) y)))
-
-(define (vector-append-2 u v) (list->vector (append (vector->list u) (vector->list v))))
-
-(define (dot u v)
-  (for/fold ([sum 0]) ([x (in-vector u)] [y (in-vector v)] #:unless (or (eqv? x 0) (eqv? y 0)))
-    (g:+ sum (g:* x y))))
 
 (define (solve-or-explain who J rows right)
   (with-handlers ([exn:fail:mechanics:singular:matrix?

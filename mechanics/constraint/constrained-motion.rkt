@@ -13,7 +13,7 @@
 
 (require racket/flonum
          "accelerations.rkt" "constraint.rkt" "dependence.rkt" "linearized.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
@@ -49,7 +49,7 @@
              (and kept (numeric? (ready state)) (corrections-of who L cs kept))))
    (lambda ()
      `(,who ,(value->datum given-L) ,(constraints->datum cs)
-            ,@(if Q (list '#:force (value->datum Q)) '())))))
+            ,@(force->datum Q)))))
 
 (define (check-state who cs state)
   (check-velocity who state)
@@ -82,20 +82,18 @@
    (let ([xs (list->vector (scalars state))])
      (lambda (k)
        (define x (vector-ref xs k))
-       (+ x (* 1e-3 (+ 1 (abs x)) (- (* (+ k 1) golden-ratio) (floor (* (+ k 1) golden-ratio)))))))))
+       (define turns (* (+ k 1) golden-ratio))
+       (+ x (* 1e-3 (+ 1 (abs x)) (- turns (floor turns))))))))
 
 (define (raise-singular-state who cs state)
   (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
-  (raise
-   (exn:fail:mechanics:singular
-    (apply string-append
-           (format (string-append "~a: where the motion begins, constraints depend on each other "
-                                  "that are independent elsewhere\n  state: ~a")
-                   who (value->text state))
-           (for/list ([y (in-list (dependences who (jacobian-rows who cs t q v)))])
-             (format "\n  ~a" (dependence->text y))))
-    (current-continuation-marks)
-    state)))
+  (raise-singular
+   who
+   (string-append "where the motion begins, constraints depend on each other "
+                  "that are independent elsewhere"
+                  (format "\n  state: ~a" (value->text state))
+                  (dependences->text (dependences who (jacobian-rows who cs t q v))))
+   state))
 
 ;; ---------------------------------------------------------------------------
 ;; Back to the constraints
@@ -144,15 +142,14 @@
     (if (ormap values xs)
         (format "\n  ~a: ~a" label (value->text (one-or-up (filter values xs))))
         ""))
-  (raise
-   (exn:fail:contract
-    (string-append
-     (format "~a: the state does not keep the constraints" caller)
-     (field "values of the constraints" positions)
-     (field "their rates of change" velocities)
-     (format "\n  state: ~a" (value->text state))
-     "\n  ((consistent-state L constraints) state) is one beside it that does")
-    (current-continuation-marks))))
+  (complain caller
+            (string-append "the state does not keep the constraints~a~a"
+                           "\n  state: ~a"
+                           "\n  ((consistent-state L constraints) state) is one beside it "
+                           "that does")
+            (field "values of the constraints" positions)
+            (field "their rates of change" velocities)
+            (value->text state)))
 
 (define (one-or-up xs) (if (null? (cdr xs)) (car xs) (structure 'up (list->vector xs))))
 
@@ -176,8 +173,5 @@
     (up (time state) (coordinate found) (velocity found))))
 
 (define (raise-no-number who x state)
-  (raise
-   (exn:fail:contract
-    (format "~a: expected a state of real numbers; it holds ~a\n  state: ~a" who
-            (describe-with-value x) (value->text state))
-    (current-continuation-marks))))
+  (complain who "expected a state of real numbers; it holds ~a\n  state: ~a"
+            (describe-with-value x) (value->text state)))

@@ -77,7 +77,8 @@
         [else
          (define parts (parts-of given))
          (unless (and parts (pair? parts) (andmap constraint? parts))
-           (complain who "expected a constraint, (holonomic G) or (nonholonomic A), ~a\n  given: ~a" "or a list of them" (describe-with-value given)))
+           (complain who "expected a constraint, (holonomic G) or (nonholonomic A), ~a\n  given: ~a"
+                     "or a list of them" (describe-with-value given)))
          (constraint-set parts #f)]))
 
 (define (parts-of given)

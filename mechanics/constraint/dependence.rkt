@@ -2,36 +2,35 @@
 ;; Constraints that depend on each other, and directions without inertia: why a motion or
 ;; its multipliers are not determined, in words.
 
-(require "../error/failure.rkt"
+(require "../error/failure.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../numeric/linear/rows.rkt"
          "../value/simplify.rkt"
          "../value/linear/row-systems.rkt")
 
-(provide raise-undetermined independent-rows dependences dependence->text)
+(provide raise-undetermined independent-rows dependences dependences->text)
 
 ;; J : list of rows of the Jacobian; e : the failure
 (define (raise-undetermined who J e)
   (define found (dependences who J))
-  (raise
-   (exn:fail:mechanics:singular:matrix
-    (if (pair? found)
-        (apply string-append
-               (format "~a: the constraints are redundant; their multipliers are not determined"
-                       who)
-               (for/list ([y (in-list found)]) (format "\n  ~a" (dependence->text y))))
-        (format (string-append
-                 "~a: the mass matrix and the constraints do not determine the accelerations"
-                 "\n  a motion that the constraints allow has no inertia")
-                who))
-    (exn-continuation-marks e)
-    (exn:fail:mechanics:singular-where e)
-    (map (lambda (y) (structure 'up y)) found))))
+  (raise-without-inverse
+   who
+   (if (pair? found)
+       (string-append "the constraints are redundant; their multipliers are not determined"
+                      (dependences->text found))
+       (string-append "the mass matrix and the constraints do not determine the accelerations"
+                      "\n  a motion that the constraints allow has no inertia"))
+   (exn:fail:mechanics:singular-where e)
+   (map (lambda (y) (structure 'up y)) found)
+   e))
 
 ;; A basis of the y with Σ yⱼ (row j) = 0, vectors; none if elimination gives up.
 (define (dependences who J)
   (with-handlers ([exn:fail:mechanics? (lambda (e) '())])
     (rows-null-space who J (rows-transpose (list->vector J)))))
+
+(define (dependences->text ys)
+  (joined (for/list ([y (in-list ys)]) (format "\n  ~a" (dependence->text y))) ""))
 
 ;; The last constraint in it, by the others.
 (define (dependence->text y)
@@ -45,8 +44,7 @@
   (format "constraint ~a demands ~a" last
           (if (null? terms)
               "nothing here: its derivatives by the coordinates are zero"
-              (apply string-append "the same as " (car terms)
-                     (for/list ([s (in-list (cdr terms))]) (string-append " plus " s))))))
+              (string-append "the same as " (joined terms " plus ")))))
 
 ;; Without the last digits of a flonum, which are those of rounding.
 (define (readable x)

@@ -11,7 +11,8 @@
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
-         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt"
          "../numeric/linear/rows.rkt"
          "../value/compose.rkt" "../value/shape.rkt"
          "../value/linear/row-systems.rkt")
@@ -28,7 +29,7 @@
     (raise-argument-error who "a coordinate transformation: a function of the local tuple" F))
   (define (name)
     `(,who ,(value->datum L) ,(constraints->datum cs) ,@(if F (list (value->datum F)) '())
-           ,@(if Q (list '#:force (value->datum Q)) '())))
+           ,@(force->datum Q)))
   (unary-function name (given-path)
     (define s (path who given-path))
     (define q (if F (compose F (Gamma s)) s))
@@ -57,9 +58,7 @@
   (rows-null-space who J (list->vector J)))
 
 (define (in-directions directions residual)
-  (for/list ([d (in-list directions)])
-    (for/fold ([sum 0]) ([x (in-vector residual)] [y (in-vector d)] #:unless (eqv? y 0))
-      (g:+ sum (g:* y x)))))
+  (for/list ([d (in-list directions)]) (dot d residual)))
 
 ;; One residual is a number, several are a down tuple.
 (define (shape-like s xs)

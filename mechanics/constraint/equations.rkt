@@ -8,9 +8,11 @@
 ;; L + λ G, in which the multipliers are coordinates without velocities.
 
 (require "constraint.rkt" "linearized.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
-         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt")
 
 (provide constrained-Lagrange-equations augmented-Lagrangian)
@@ -39,42 +41,35 @@
           values-of-constraints)))
   (define name-datum
     `(,who ,(value->datum L) ,(constraints->datum cs)
-           ,@(if Q (list '#:force (value->datum Q)) '())))
+           ,@(force->datum Q)))
   (make-function residual 4 (lambda () name-datum)))
 
 (define (raise-no-multipliers who cs)
-  (raise
-   (exn:fail:contract
-    (format (string-append "~a: the multipliers are missing; they are an argument beside the path"
+  (complain who
+            (string-append "the multipliers are missing; they are an argument beside the path"
                            "\n  constraints: ~a"
-                           "\n  (eliminate-multipliers L constraints) makes equations without them")
-            who (value->text (constraints->datum cs)))
-    (current-continuation-marks))))
+                           "\n  (eliminate-multipliers L constraints) "
+                           "makes equations without them")
+            (value->text (constraints->datum cs))))
 
 (define (multiplier-path who given)
   (unless (procedure? given)
-    (raise
-     (exn:fail:contract
-      (format "~a: multipliers are functions of time, as paths are; given ~a~a" who
+    (complain who "multipliers are functions of time, as paths are; given ~a~a"
               (describe-with-value given)
               (cond [(symbol? given)
                      (format "\n  (literal-function '~a) makes a function of that name" given)]
                     [(number? given)
                      (format "\n  a constant one is (lambda (t) ~a)" given)]
-                    [else ""]))
-      (current-continuation-marks))))
+                    [else ""])))
   (path who given))
 
 ;; Multipliers are shaped as the constraints are.
 (define (check-multipliers who expected given)
   (unless (same-shape? expected given)
-    (raise
-     (exn:fail:contract
-      (format "~a: the multipliers must be ~a, like the constraints~a~a" who
+    (complain who "the multipliers must be ~a, like the constraints~a~a"
               (if (tuple? expected) (describe expected) "a number")
               (format "\n  multipliers: ~a" (value->text given))
-              (format "\n  constraints: ~a" (value->text expected)))
-      (current-continuation-marks)))))
+              (format "\n  constraints: ~a" (value->text expected)))))
 
 ;; (t, (q, λ), (v, λ̇)) ↦ L + λ G
 (define (augmented-Lagrangian L constraints)
@@ -94,19 +89,15 @@
 
 (define (halves who x what expected)
   (unless (and (up? x) (= 2 (structure-length (adopt x))))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected ~a with multipliers, ~a; given ~a" who what expected
-              (describe-with-value x))
-      (current-continuation-marks))))
+    (complain who "expected ~a with multipliers, ~a; given ~a"
+              what expected (describe-with-value x)))
   (define parts (structure-elements (adopt x)))
   (values (vector-ref parts 0) (vector-ref parts 1)))
 
 (define (raise-not-holonomic who cs)
-  (raise
-   (exn:fail:contract
-    (format (string-append
-             "~a: with a nonholonomic constraint in the Lagrangian, its equations are not those "
-             "of the motion\n  use constrained-Lagrange-equations\n  constraints: ~a")
-            who (value->text (constraints->datum cs)))
-    (current-continuation-marks))))
+  (complain who
+            (string-append "with a nonholonomic constraint in the Lagrangian, "
+                           "its equations are not those of the motion"
+                           "\n  use constrained-Lagrange-equations"
+                           "\n  constraints: ~a")
+            (value->text (constraints->datum cs))))

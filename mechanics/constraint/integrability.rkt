@@ -15,7 +15,7 @@
          "../algebra/expression/operation.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../lagrangian/generic-state.rkt"
@@ -59,11 +59,8 @@
 
 (define (check-symbols who q)
   (unless (and (andmap symbol? (scalars q)) (not (memq 't (scalars q))))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected coordinates that are symbols other than t, such as (up 'x 'y); given ~a"
-              who (describe-with-value q))
-      (current-continuation-marks)))))
+    (complain who "expected coordinates that are symbols other than t, such as (up 'x 'y); given ~a"
+              (describe-with-value q))))
 
 ;; A vector (b a₁ a₂ ...) for each scalar of the constraints.
 (define (forms who cs q)
@@ -78,30 +75,32 @@
   (define values
     (for*/list ([w (in-list forms)]
                 [slopes (in-value (derivative-of-form w variables))]
-                [tail (in-list (tails allowed))]
-                [y (in-list (cdr tail))])
-      (on-pair slopes (car tail) y)))
+                [(X k) (in-indexed allowed)]
+                [(Y l) (in-indexed allowed)]
+                #:when (< k l))
+      (on-pair slopes X Y)))
   (if (and (pair? values) (null? (cdr values)))
       (car values)
       (structure 'down (list->vector values))))
 
-(define (tails xs) (if (null? xs) '() (cons xs (tails (cdr xs)))))
+;; The component dω_ij of the derivative of a form.
+(struct component (i j value) #:authentic)
 
-;; The (i j dω_ij) with i < j that are not zero.
+;; Those with i < j that are not zero.
 (define (derivative-of-form w variables)
   (for*/list ([(x i) (in-indexed variables)] [(y j) (in-indexed variables)]
               #:when (< i j)
               [slope (in-value (simple (e:- (expression-derivative (vector-ref w j) x)
                                             (expression-derivative (vector-ref w i) y))))]
               #:unless (eqv? slope 0))
-    (list i j slope)))
+    (component i j slope)))
 
 (define (in-indexed xs) (in-parallel xs (in-naturals)))
 
 (define (on-pair slopes X Y)
-  (for/fold ([sum 0]) ([s (in-list slopes)])
-    (define-values (i j) (values (car s) (cadr s)))
-    (g:+ sum (g:* (caddr s)
+  (for/fold ([sum 0]) ([c (in-list slopes)])
+    (define-values (i j) (values (component-i c) (component-j c)))
+    (g:+ sum (g:* (component-value c)
                   (g:- (g:* (vector-ref X i) (vector-ref Y j))
                        (g:* (vector-ref X j) (vector-ref Y i)))))))
 
@@ -136,21 +135,18 @@
   (unless (proved? v) (raise-not-integrable who cs v))
   (or (for/or ([factor (in-list (integrating-factors w variables))])
         (integral-of-gradient (for/vector ([a (in-vector w)]) (simple (e:* factor a))) variables))
-      (raise
-       (exn:fail:mechanics
-        (format "~a: the constraint is integrable; its integral was not found\n  constraint: ~a"
-                who (value->text (constraints->datum cs)))
-        (current-continuation-marks)))))
+      (raise-no-answer who
+                       "the constraint is integrable; its integral was not found\n  constraint: ~a"
+                       (value->text (constraints->datum cs)))))
 
 (define (raise-not-integrable who cs v)
-  (raise
-   (exn:fail:mechanics
-    (format (string-append "~a: the constraint ~a integrable\n  constraint: ~a"
-                           "\n  by Frobenius's condition this had to vanish: ~a")
-            who (if (refuted? v) "is not" "is not known to be")
-            (value->text (constraints->datum cs))
-            (value->text (verdict-residual v)))
-    (current-continuation-marks))))
+  (raise-no-answer who
+                   (string-append "the constraint ~a integrable"
+                                  "\n  constraint: ~a"
+                                  "\n  by Frobenius's condition this had to vanish: ~a")
+                   (if (refuted? v) "is not" "is not known to be")
+                   (value->text (constraints->datum cs))
+                   (value->text (verdict-residual v))))
 
 (define (integrating-factors w variables)
   (append (list 1)

@@ -11,14 +11,16 @@
 ;;
 ;; Everything is in rows here: scalars of the coordinates and of the constraints in order.
 
-(require "constraint.rkt"
+(require racket/list
+         "constraint.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../numeric/linear/rows.rkt"
          "../value/shape.rkt")
 
 (provide constraint-values jacobian-rows drifts force-of-multipliers check-count
-         positions-and-velocities rows-of-function shaped)
+         positions-and-velocities rows-of-function shaped dot)
 
 ;; The structure like q with these scalars, a vector.
 (define (shaped q v) (scalars->structure q (lambda (k) (vector-ref v k))))
@@ -29,11 +31,10 @@
 
 ;; One row of derivatives by the coordinates, or velocities, for each scalar.
 (define (jacobian-rows who cs t q v)
-  (apply append
-         (for/list ([c (in-list (constraint-set-parts cs))])
-           (define (f x)
-             (if (holonomic? c) (value-of who c t x v) (value-of who c t q x)))
-           (vector->list (rows-of-function f (if (holonomic? c) q v))))))
+  (define (rows c)
+    (define (f x) (if (holonomic? c) (value-of who c t x v) (value-of who c t q x)))
+    (vector->list (rows-of-function f (if (holonomic? c) q v))))
+  (append-map rows (constraint-set-parts cs)))
 
 ;; The derivatives of f at x: a row for each scalar of the value.
 (define (rows-of-function f x)
@@ -44,8 +45,8 @@
 
 ;; γ for each scalar of each constraint, as a list.
 (define (drifts who cs t q v)
-  (append-map-parts
-   cs (lambda (c) (scalars (car (reverse (moved who c t q v (if (holonomic? c) 2 1))))))))
+  (define (drift c) (scalars (last (moved who c t q v (if (holonomic? c) 2 1)))))
+  (append-map drift (constraint-set-parts cs)))
 
 ;; Two lists with an element for each scalar: the values of the holonomic constraints, #f for
 ;; others; and for all of them what their time derivative, or value, is in the velocities.
@@ -56,14 +57,12 @@
       (if rates
           (list (map (lambda (x) #f) rates) rates)
           (map scalars (moved who c t q v 1)))))
-  (values (apply append (map car both)) (apply append (map cadr both))))
+  (values (append-map first both) (append-map second both)))
 
 ;; A constraint and its derivatives up to order n at s = 0, the coordinates moving on
 ;; with velocity v.
 (define (moved who c t q v n)
   (derivatives-at (lambda (s) (value-of who c (g:+ t s) (g:+ q (g:* s v)) v)) 0 n))
-
-(define (append-map-parts cs f) (apply append (map f (constraint-set-parts cs))))
 
 ;; Σ λ J, shaped like a momentum.
 (define (force-of-multipliers who cs t q v multipliers)
@@ -81,13 +80,16 @@
                    (structure-elements (structure-map flipped s))))
       q))
 
+(define (dot u v)
+  (for/fold ([sum 0]) ([x (in-vector u)] [y (in-vector v)] #:unless (or (eqv? x 0) (eqv? y 0)))
+    (g:+ sum (g:* x y))))
+
 ;; No more constraints than coordinates.
 (define (check-count who count q)
   (define n (shape-length q))
   (when (> count n)
-    (raise
-     (exn:fail:contract
-      (format (string-append "~a: there are more constraints than coordinates"
-                             "\n  constraints: ~a\n  coordinates: ~a, ~a")
-              who count n (value->text q))
-      (current-continuation-marks)))))
+    (complain who
+              (string-append "there are more constraints than coordinates"
+                             "\n  constraints: ~a"
+                             "\n  coordinates: ~a, ~a")
+              count n (value->text q))))

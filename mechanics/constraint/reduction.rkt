@@ -7,6 +7,7 @@
 ;; into the equations of the substituted Lagrangian.
 
 (require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
@@ -71,18 +72,13 @@
   (define-values (positions rates) (positions-and-velocities who cs t q v))
   (define verdict (prove-zero (structure 'up (list->vector rates))))
   (when (refuted? verdict)
-    (raise
-     (exn:fail:contract
-      (format "~a: the velocities do not keep the constraints\n  velocities: ~a\n  constraints: ~a"
-              who (value->text v) (value->text (verdict-residual verdict)))
-      (current-continuation-marks)))))
+    (complain who "the velocities do not keep the constraints\n  velocities: ~a\n  constraints: ~a"
+              (value->text v) (value->text (verdict-residual verdict)))))
 
 ;; What is left of the residual where the kept constraints let the system move.
 (define (in-allowed who kept t q v residual)
   (define J (jacobian-rows who kept t q v))
-  (define xs (scalars residual))
+  (define left (list->vector (scalars residual)))
   (structure
    'down
-   (for/vector ([d (in-list (rows-null-space who J (list->vector J)))])
-     (for/fold ([sum 0]) ([x (in-list xs)] [y (in-vector d)] #:unless (eqv? y 0))
-       (g:+ sum (g:* y x))))))
+   (for/vector ([d (in-list (rows-null-space who J (list->vector J)))]) (dot d left))))

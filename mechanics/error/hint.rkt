@@ -6,6 +6,6 @@
 
 ;; Lists are what a reader of other languages writes for tuples.
 (define (list-hint x [instead "(up x y ...)"])
-  (if (pair? x)
+  (if (or (pair? x) (null? x))
       (format "\n  a list is not a tuple; use ~a" instead)
       ""))

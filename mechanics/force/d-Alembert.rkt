@@ -12,6 +12,7 @@
 
 (require "force.rkt" "generalized-force.rkt" "masses.rkt" "particles.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../lagrangian/local-tuple.rkt")
@@ -38,12 +39,12 @@
         (value->datum (newtonian-positions e)) (value->datum (newtonian-force e))))
 
 (define (raise-one-path e arguments)
-  (raise
-   (exn:fail:contract:arity
-    (format "d-Alembert-equations: the equations take one argument, a path; they were given ~a~a"
-            (if (null? arguments) "none" (length arguments))
-            (if (= (length arguments) 2) "\n  the time comes next: ((equations path) time)" ""))
-    (current-continuation-marks))))
+  (complain-of-arity 'd-Alembert-equations
+                     "the equations take one argument, a path; they were given ~a~a"
+                     (if (null? arguments) "none" (length arguments))
+                     (if (= (length arguments) 2)
+                         "\n  the time comes next: ((equations path) time)"
+                         "")))
 
 ;; (((d-Alembert-equations masses r F) q) t)
 (define (d-Alembert-equations masses r F)

@@ -6,6 +6,7 @@
 ;; if the constraint moves, no motion need go that way.
 
 (require "particles.rkt" "several-arguments.rkt"
+         "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/local-tuple.rkt")
 
@@ -27,7 +28,8 @@
   (check-positions who r)
   (function-of (local dq) (lambda () (list who (value->datum r)))
     (unless (local-tuple? local)
-      (complain who "expected a local tuple (up t q v), then a displacement; given ~a" (describe-with-value local)))
+      (complain who "expected a local tuple (up t q v), then a displacement; given ~a"
+                (describe-with-value local)))
     (check-displacement who dq (coordinate local))
     (define-values (positions changes)
       (motion-at who r (time local) (coordinate local) 0 dq))

@@ -4,6 +4,7 @@
 
 (require "particles.rkt" "several-arguments.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../value/structure.rkt")
@@ -14,7 +15,8 @@
 (define (potential->force V)
   (define who 'potential->force)
   (unless (takes? V 2)
-    (complain who "a potential energy is a function of the time and the positions, ~a; given ~a~a" "(V t r)" (describe-with-value V)
+    (complain who "a potential energy is a function of the time and the positions, ~a; given ~a~a"
+              "(V t r)" (describe-with-value V)
               (if (procedure? V) (format "\n  it takes ~a" (arity->text V)) "")))
   (define slope ((partial 1) (scalar-potential who V)))
   (function-of (t r v) (lambda () (list who (value->datum V)))
@@ -23,12 +25,14 @@
 (define ((scalar-potential who V) t positions)
   (define value (V t positions))
   (unless (scalar? value)
-    (complain who "the value of a potential energy is a number, but that of ~a is ~a" (value->text V) (describe-with-value value)))
+    (complain who "the value of a potential energy is a number, but that of ~a is ~a"
+              (value->text V) (describe-with-value value)))
   value)
 
 (define (check-force who F)
   (unless (takes? F 3)
-    (complain who "forces are a function of the time, positions and velocities, ~a; given ~a~a" "(F t r v)" (describe-with-value F)
+    (complain who "forces are a function of the time, positions and velocities, ~a; given ~a~a"
+              "(F t r v)" (describe-with-value F)
               (cond [(or (tuple? F) (not (procedure? F)))
                      (if (or (scalar? F) (tuple? F))
                          "\n  a constant force is (lambda (t r v) ...)"
@@ -42,7 +46,8 @@
 (define (forces-at who F t positions velocities)
   (define forces (F t positions velocities))
   (unless (fits? forces positions)
-    (complain who "the forces must be like the positions\n  positions: ~a\n  forces: ~a~a" (value->text positions) (value->text forces) (difference forces positions)))
+    (complain who "the forces must be like the positions\n  positions: ~a\n  forces: ~a~a"
+              (value->text positions) (value->text forces) (difference forces positions)))
   forces)
 
 (define (fits? force position)
@@ -54,7 +59,7 @@
 
 ;; What is different, where it can be said.
 (define (difference forces positions)
-  (cond [(pair? forces) "\n  a list is not a tuple; use (up F_x F_y ...)"]
+  (cond [(pair? forces) (list-hint forces "(up F_x F_y ...)")]
         [(and (tuple? forces) (fits? (flip forces) positions))
          "\n  forces are up tuples; a generalized force is the down tuple"]
         [(and (tuple? forces) (tuple? positions) (compatible? (adopt forces) (adopt positions)))

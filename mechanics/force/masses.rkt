@@ -3,6 +3,7 @@
 ;; the mass is a moment of inertia.
 
 (require "particles.rkt"
+         "../error/complain.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt")
 
@@ -11,7 +12,8 @@
 (define (check-masses who masses)
   (unless (or (scalar? masses)
               (and (pair? masses) (list? masses) (andmap scalar? masses)))
-    (complain who "expected a mass, or a list of the masses of several particles; given ~a~a" (describe-with-value masses)
+    (complain who "expected a mass, or a list of the masses of several particles; given ~a~a"
+              (describe-with-value masses)
               (cond [(tuple? masses)
                      (format "\n  as a list: ~a"
                              (cons 'list (cdr (value->datum (adopt masses)))))]
@@ -30,15 +32,14 @@
                    (string-append "there is one mass, but the positions are those of ~a"
                                   "\n  positions: ~a"
                                   "\n  several masses are a list: (list m1 m2 ...)")
-                   (plural particles) (value->text positions))]))
+                   (counted particles "particle") (value->text positions))]))
 
 (define (raise-wrong-count who n positions)
-  (complain who "there ~a, but the positions are those of ~a\n  positions: ~a~a" (if (= n 1) "is 1 mass in the list" (format "are ~a masses" n))
-            (plural (if (tuple? positions) (structure-length (adopt positions)) 1))
+  (complain who "there ~a, but the positions are those of ~a\n  positions: ~a~a"
+            (if (= n 1) "is 1 mass in the list" (format "are ~a masses" n))
+            (counted (if (tuple? positions) (structure-length (adopt positions)) 1) "particle")
             (value->text positions)
             (if (= n 1) "\n  the mass of a particle alone stands by itself, in no list" "")))
-
-(define (plural n) (if (= n 1) "1 particle" (format "~a particles" n)))
 
 ;; The number of particles, if their positions show that there may be several.
 (define (particle-count positions)

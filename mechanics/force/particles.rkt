@@ -8,13 +8,13 @@
 ;; Here is checked what the user gives; what is computed is in the files beside this one.
 
 (require "../calculus/derivative.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt")
 
 (provide takes? check-positions check-local check-displacement
-         positions-at motion-at scaled-sum complain)
+         positions-at motion-at scaled-sum)
 
 ;; ---------------------------------------------------------------------------
 ;; Positions and how they move
@@ -51,7 +51,8 @@
 
 (define (check-positions who r)
   (unless (takes? r 2)
-    (complain who "positions are a function of the time and the coordinates, ~a; given ~a~a" "(r t q)" (describe-with-value r)
+    (complain who "positions are a function of the time and the coordinates, ~a; given ~a~a"
+              "(r t q)" (describe-with-value r)
               (cond [(or (tuple? r) (not (procedure? r))) ""]
                     [(accepts? r 1)
                      (string-append "\n  it takes one argument: the time comes first, "
@@ -61,35 +62,41 @@
 ;; Ups of scalars, in a space of one dimension number only.
 (define (check-positions-value who r positions)
   (check-ups who r positions positions)
-  (define spaces (particles-in-space positions))
-  (for ([space (in-list spaces)])
-    (unless (= (cdr space) (cdar spaces))
+  (define particles (particles-in-space positions))
+  (for ([p (in-list particles)])
+    (define first-one (car particles))
+    (unless (= (particle-dimension p) (particle-dimension first-one))
       (complain who
                 (string-append "the particles are in spaces of different dimension"
                                "\n  particle ~a: ~a coordinates\n  particle ~a: ~a coordinates"
                                "\n  positions: ~a")
-                (caar spaces) (cdar spaces) (car space) (cdr space)
+                (particle-index first-one) (particle-dimension first-one)
+                (particle-index p) (particle-dimension p)
                 (value->text positions)))))
 
 (define (check-ups who r part whole)
   (cond [(down? part)
-         (complain who "positions are up tuples; ~a has the value ~a~a" (value->text r) (value->text whole)
+         (complain who "positions are up tuples; ~a has the value ~a~a"
+                   (value->text r) (value->text whole)
                    (if (eq? part whole) "" (format ", of which a part is ~a" (value->text part))))]
         [(tuple? part)
          (for ([p (in-vector (structure-elements (adopt part)))]) (check-ups who r p whole))]
         [(not (scalar? part))
-         (complain who "positions are tuples of scalars; ~a has the value ~a~a" (value->text r) (value->text whole)
-                   (cond [(pair? part) "\n  a list is not a tuple; use (up x y ...)"]
-                         [(procedure? part)
-                          (format "\n  of which a part is ~a" (describe-with-value part))]
-                         [else ""]))]))
+         (complain who "positions are tuples of scalars; ~a has the value ~a~a"
+                   (value->text r) (value->text whole)
+                   (if (procedure? part)
+                       (format "\n  of which a part is ~a" (describe-with-value part))
+                       (list-hint part)))]))
 
-;; ((index . number of coordinates) ...) of the particles that have several.
+;; dimension : how many coordinates its position has
+(struct particle (index dimension) #:authentic)
+
+;; Those with several.
 (define (particles-in-space positions)
   (if (tuple? positions)
       (for/list ([p (in-vector (structure-elements (adopt positions)))] [k (in-naturals)]
                  #:when (tuple? p))
-        (cons k (structure-length (adopt p))))
+        (particle k (structure-length (adopt p))))
       '()))
 
 ;; ---------------------------------------------------------------------------
@@ -98,7 +105,7 @@
 (define (check-local who local)
   (unless (and (local-tuple? local) (>= (structure-length (adopt local)) 3))
     (complain who "expected a local tuple (up t q v); given ~a~a" (describe-with-value local)
-              (if (pair? local) "\n  a list is not a tuple; use (up t q v)" "")))
+              (list-hint local "(up t q v)")))
   (check-alike who "velocities" (velocity local) (coordinate local)))
 
 (define (check-displacement who displacement q)

@@ -9,8 +9,8 @@
 ;; and what is missing in this balance, along any path, is the residual of Lagrange's
 ;; equations times q̇.
 
-(require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../calculus/derivative.rkt"
+(require "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/energy.rkt" "../lagrangian/external-force.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt")
 
@@ -23,7 +23,7 @@
   (define outside (external-force who Q dissipation))
   (define rate (Lagrangian->power-loss L))
   (define (name)
-    `(,who ,(value->datum L) ,@(if outside `(#:force ,(value->datum outside)) '())))
+    `(,who ,(value->datum L) ,@(force->datum outside)))
   (unary-function name (given-q)
     (define q (path who given-q))
     (define local (Gamma q))

@@ -2,7 +2,8 @@
 ;; Functions of several arguments that print as what made them, and say by that name how
 ;; many they take.
 
-(require "../generic/describe.rkt" "../generic/function.rkt")
+(require "../error/complain.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt")
 
 (provide function-of)
 
@@ -15,9 +16,5 @@
                    name)))
 
 (define (raise-takes datum names given)
-  (raise
-   (exn:fail:contract:arity
-    (format "~a: takes ~a arguments, ~a; it was given ~a"
-            (value->text datum) (length names) names
-            (if (null? given) "none" (length given)))
-    (current-continuation-marks))))
+  (complain-of-arity (value->text datum) "takes ~a arguments, ~a; it was given ~a"
+                     (length names) names (if (null? given) "none" (length given))))

@@ -13,6 +13,7 @@
 
 (require "external-force.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
@@ -38,7 +39,7 @@
 
 (define (equations->datum e)
   (append (list 'Lagrange-equations (value->datum (equations-Lagrangian e)))
-          (if (equations-force e) (list '#:force (value->datum (equations-force e))) '())
+          (force->datum (equations-force e))
           (if (= (equations-order e) 1) '() (list '#:order (equations-order e)))))
 
 ;; ((Lagrange-equations L) q) is the residual, a function of time.
@@ -76,16 +77,13 @@
 ;; Bad paths
 
 (define (raise-one-path e arguments)
-  (raise
-   (exn:fail:contract:arity
-    (format "Lagrange-equations: the equations take one argument, a path, but got ~a~a"
-            (length arguments)
-            (if (= (length arguments) 2)
-                (format "; the time comes next: (((Lagrange-equations ~a) ~a) ~a)"
-                        (value->text (equations-Lagrangian e))
-                        (argument->text (car arguments)) (argument->text (cadr arguments)))
-                ""))
-    (current-continuation-marks))))
+  (complain-of-arity 'Lagrange-equations "the equations take one argument, a path, but got ~a~a"
+                     (length arguments)
+                     (if (= (length arguments) 2)
+                         (format "; the time comes next: (((Lagrange-equations ~a) ~a) ~a)"
+                                 (value->text (equations-Lagrangian e))
+                                 (argument->text (car arguments)) (argument->text (cadr arguments)))
+                         "")))
 
 (define (argument->text x)
   (string-append (if (symbol? x) "'" "") (value->text x)))
@@ -95,21 +93,19 @@
 
 (define (check-Lagrangian who L)
   (cond [(not (procedure? L))
-         (raise
-          (exn:fail:contract
-           (format "~a: a Lagrangian is a function of the local tuple (up t q v); given ~a"
-                   who (describe-with-value L))
-           (current-continuation-marks)))]
+         (complain who "a Lagrangian is a function of the local tuple (up t q v); given ~a"
+                   (describe-with-value L))]
         [(not (accepts? L 1))
-         (raise
-          (exn:fail:contract
-           (format "~a: a Lagrangian takes one argument, the local tuple, but ~a does not.~a\n  If it takes parameters first, supply them: (~a (~a ...))"
-                   who (value->text L)
+         (complain who
+                   (string-append "a Lagrangian takes one argument, the local tuple, "
+                                  "but ~a does not.~a"
+                                  "\n  If it takes parameters first, supply them: (~a (~a ...))")
+                   (value->text L)
                    (if (accepts? L 3)
-                       "\n  If it takes the time, coordinates and velocities, write them as one argument: (up t q v)"
+                       (string-append "\n  If it takes the time, coordinates and velocities, "
+                                      "write them as one argument: (up t q v)")
                        "")
-                   who (value->text L))
-           (current-continuation-marks)))]))
+                   who (value->text L))]))
 
 ;; L, refusing to go on when its value is no number.
 (define (scalar-valued who L)
@@ -118,11 +114,8 @@
     (if (scalar? value) value (raise-not-scalar who L value))))
 
 (define (raise-not-scalar who L value)
-  (raise
-   (exn:fail:contract
-    (format "~a: the value of a Lagrangian is a number, but that of ~a is ~a~a"
-            who (value->text L) (describe-with-value value)
+  (complain who "the value of a Lagrangian is a number, but that of ~a is ~a~a"
+            (value->text L) (describe-with-value value)
             (if (pointwise? value)
                 "\n  was a parameter left out, as the mass in (L-free-particle 'm)?"
-                ""))
-    (current-continuation-marks))))
+                "")))

@@ -11,6 +11,7 @@
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../value/structure.rkt")
@@ -35,20 +36,15 @@
 (define (moved F-tilde n k s local)
   (define F (apply F-tilde (for/list ([i (in-range n)]) (if (= i k) s 0))))
   (unless (procedure? F)
-    (raise
-     (exn:fail:contract
-      (format (string-append "Noether-integral: the family ~a gives no coordinate "
-                             "transformation, a function of the local tuple, but ~a")
-              (value->text F-tilde) (describe-with-value F))
-      (current-continuation-marks))))
+    (complain 'Noether-integral
+              (string-append "the family ~a gives no coordinate transformation, "
+                             "a function of the local tuple, but ~a")
+              (value->text F-tilde) (describe-with-value F)))
   (define q (F local))
   (unless (same-shape? q (coordinate local))
-    (raise
-     (exn:fail:contract
-      (format "Noether-integral: the family ~a gives ~a where the coordinates are ~a"
+    (complain 'Noether-integral "the family ~a gives ~a where the coordinates are ~a"
               (value->text F-tilde) (describe-with-value q)
-              (describe-with-value (coordinate local)))
-      (current-continuation-marks))))
+              (describe-with-value (coordinate local))))
   q)
 
 ;; How many parameters the family takes, the fewest if it leaves a choice.

@@ -9,6 +9,7 @@
 
 (require "local-tuple.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../value/compose.rkt" "../value/structure.rkt")
@@ -25,14 +26,11 @@
     (transform F local)))
 
 (define (raise-takes-parameters F)
-  (raise
-   (exn:fail:contract
-    (format (string-append
-             "F->C: a coordinate transformation takes one argument, the local tuple, "
-             "but ~a takes ~a.\n"
-             "  If it takes parameters first, supply them: (F->C (~a ...))")
-            (value->text F) (arity->text F) (value->text F))
-    (current-continuation-marks))))
+  (complain 'F->C
+            (string-append "a coordinate transformation takes one argument, the local tuple, "
+                           "but ~a takes ~a."
+                           "\n  If it takes parameters first, supply them: (F->C (~a ...))")
+            (value->text F) (arity->text F) (value->text F)))
 
 (define (transform F local)
   (check-local-tuple local)
@@ -44,20 +42,13 @@
 
 ;; At least (t, q, v), and v of the shape of q.
 (define (check-local-tuple local)
-  (check-local 'F->C local 3)
+  (check-local-length 'F->C local 3)
   (unless (same-shape? (coordinate local) (velocity local))
-    (raise
-     (exn:fail:contract
-      (format "F->C: the velocities are not of the shape of the coordinates\n  coordinates: ~a\n  velocities: ~a"
-              (value->text (coordinate local)) (value->text (velocity local)))
-      (current-continuation-marks)))))
-
-(define (check-local who local least-length)
-  (unless (and (local-tuple? local) (>= (s:length local) least-length))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a local tuple (up t q v ...); given ~a" who (describe-with-value local))
-      (current-continuation-marks)))))
+    (complain 'F->C
+              (string-append "the velocities are not of the shape of the coordinates"
+                             "\n  coordinates: ~a"
+                             "\n  velocities: ~a")
+              (value->text (coordinate local)) (value->text (velocity local)))))
 
 ;; How a local tuple (t, q, v) moves: (1, v, 0).
 (define (drift local)
@@ -70,7 +61,7 @@
 
 ;; q + v (t − t₀) + a (t − t₀)²/2 + ... through the local tuple (SICM p. 96).
 (define (osculating-path local)
-  (check-local 'osculating-path local 2)
+  (check-local-length 'osculating-path local 2)
   (define parts (cdr (structure->list local)))
   (lambda (t)
     (define dt (g:- t (time local)))
@@ -85,11 +76,8 @@
 (define (tuple-coordinates who n local)
   (define q (coordinate local))
   (unless (and (tuple? q) (= (s:length q) n))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a local tuple with ~a coordinates; given ~a"
-              who n (describe-with-value local))
-      (current-continuation-marks))))
+    (complain who "expected a local tuple with ~a coordinates; given ~a"
+              n (describe-with-value local)))
   (structure->list q))
 
 ;; (r, φ) to (x, y)

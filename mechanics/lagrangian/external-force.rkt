@@ -7,10 +7,11 @@
 
 (require "local-tuple.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt")
 
-(provide Rayleigh-dissipation external-force force-like)
+(provide Rayleigh-dissipation external-force force-like force->datum)
 
 (define (Rayleigh-dissipation k)
   (unary-function (lambda () (list 'Rayleigh-dissipation (value->datum k))) (local)
@@ -30,35 +31,32 @@
 
 ;; Newton's forces are functions of time, positions and velocities; these are not.
 (define (raise-arity-of-force who Q)
-  (raise
-   (exn:fail:contract
-    (format "~a: a force is a function of the local tuple (up t q v); given ~a~a"
-            who (describe-function Q)
+  (complain who "a force is a function of the local tuple (up t q v); given ~a~a"
+            (describe-function Q)
             (if (accepts? Q 3)
                 "\n  of a force on particles, (F t r v), (generalized-force r F) makes one"
-                ""))
-    (current-continuation-marks))))
+                "")))
+
+;; As the last argument of what it is given to, if it is.
+(define (force->datum Q)
+  (if Q (list '#:force (value->datum Q)) '()))
 
 ;; F, refusing to go on when its value is a tuple, as that of a force is.
 (define (scalar-dissipation who F)
   (unary-function (lambda () (value->datum F)) (local)
     (define value (F local))
     (unless (scalar? value)
-      (raise
-       (exn:fail:contract
-        (format (string-append "~a: the value of a dissipation function is a number, "
-                               "but that of ~a is ~a\n  a force is given as #:force ~a")
-                who (value->text F) (describe-with-value value) (value->text F))
-        (current-continuation-marks))))
+      (complain who
+                (string-append "the value of a dissipation function is a number, "
+                               "but that of ~a is ~a"
+                               "\n  a force is given as #:force ~a")
+                (value->text F) (describe-with-value value) (value->text F)))
     value))
 
 ;; The force, known to have the shape of the momenta; 0 is no force whatever the shape.
 (define (force-like who momenta force)
   (cond [(or (eqv? force 0) (same-shape? momenta force)) force]
         [else
-         (raise
-          (exn:fail:contract
-           (format "~a: the force must be ~a, like the momenta; given ~a"
-                   who (if (tuple? momenta) (describe momenta) "a number")
-                   (describe-with-value force))
-           (current-continuation-marks)))]))
+         (complain who "the force must be ~a, like the momenta; given ~a"
+                   (if (tuple? momenta) (describe momenta) "a number")
+                   (describe-with-value force))]))

@@ -6,6 +6,7 @@
 ;; turned or moved to the coordinates of another frame at that time.
 
 (require "local-tuple.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../value/structure.rkt")
@@ -34,12 +35,10 @@
   (for/or ([part (in-vector (structure-elements (adopt q)))]) (tuple? part)))
 
 (define (raise-local-tuple who angle q)
-  (raise
-   (exn:fail:contract
-    (format (string-append "~a: expected a tuple of 3 coordinates; given ~a\n"
-                           "  of a local tuple: (compose (~a ~a) coordinate)")
-            who (describe-with-value q) who (value->text angle))
-    (current-continuation-marks))))
+  (complain who
+            (string-append "expected a tuple of 3 coordinates; given ~a"
+                           "\n  of a local tuple: (compose (~a ~a) coordinate)")
+            (describe-with-value q) who (value->text angle)))
 
 (define (turn q angle i j)
   (define c (g:cos angle))
@@ -84,7 +83,4 @@
     (g:+ (coordinate local) (g:* half (g:square (time local)) a))))
 
 (define (raise-wrong-size who expected given)
-  (raise
-   (exn:fail:contract
-    (format "~a: expected ~a; given ~a" who expected (describe-with-value given))
-    (current-continuation-marks))))
+  (complain who "expected ~a; given ~a" expected (describe-with-value given)))

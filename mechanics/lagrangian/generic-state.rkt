@@ -4,10 +4,11 @@
 
 (require "local-tuple.rkt" "total-derivative.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../error/complain.rkt"
          "../generic/describe.rkt"
          "../value/shape.rkt" "../value/structure.rkt")
 
-(provide check-generic-state check-parameters lengthened)
+(provide check-generic-state check-generic-states check-parameters lengthened)
 
 (define (check-generic-state who local [least-length 3])
   (check-local-tuple who local least-length)
@@ -17,14 +18,19 @@
                 #:unless (and (symbol? x) (not (memq x (list-tail names (add1 i))))))
       x))
   (when odd-one
-    (raise
-     (exn:fail:contract
-      (format (string-append
-               "~a: the local tuple must be made of symbols, each there once, "
-               "to stand for any state\n  given: ~a\n  ~a: ~a")
-              who (value->text local)
-              (if (symbol? odd-one) "more than once" "no symbol") (value->text odd-one))
-      (current-continuation-marks)))))
+    (complain who
+              (string-append "the local tuple must be made of symbols, each there once, "
+                             "to stand for any state"
+                             "\n  given: ~a"
+                             "\n  ~a: ~a")
+              (value->text local) (if (symbol? odd-one) "more than once" "no symbol")
+              (value->text odd-one))))
+
+;; Of functions of (t, q, v), some of them #f, none of which has a parameter that is there.
+(define (check-generic-states who local . fs)
+  (check-generic-state who local)
+  (define state ((clip-state 3) local))
+  (for ([f (in-list fs)] #:when f) (check-parameters who f state)))
 
 ;; A symbol that is a parameter of f could not stand for any state as well: f is asked
 ;; for its value at other symbols, where those of the local tuple must not occur.
@@ -36,13 +42,12 @@
          #:when (expression? e)
          [name (in-list names)]
          #:when (occurs? name e))
-    (raise
-     (exn:fail:contract
-      (format (string-append
-               "~a: the symbol ~a is a parameter of ~a, and stands in the local tuple, too\n"
-               "  local tuple: ~a\n  give one of them another name")
-              who name (value->text f) (value->text local))
-      (current-continuation-marks)))))
+    (complain who
+              (string-append "the symbol ~a is a parameter of ~a, and stands in the local tuple, "
+                             "too"
+                             "\n  local tuple: ~a"
+                             "\n  give one of them another name")
+              name (value->text f) (value->text local))))
 
 ;; The local tuple with derivatives up to `length` components in all; new ones are
 ;; named after the coordinates: xddot, xdddot, and so on.

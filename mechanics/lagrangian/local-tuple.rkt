@@ -6,6 +6,7 @@
 ;; compose with D and with each other.
 
 (require "../calculus/derivative.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt"
          "../value/structure.rkt")
@@ -18,7 +19,8 @@
  coordinate-tuple velocity-tuple acceleration-tuple momentum-tuple
  state->t state->q state->qdot state->qddot state->n-dof
  Q Qdot Qdotdot
- literal-Lagrangian-state)
+ literal-Lagrangian-state
+ check-local-length)
 
 ;; ---------------------------------------------------------------------------
 ;; Paths to local tuples
@@ -49,17 +51,15 @@
   q)
 
 (define (raise-no-path who q hint)
-  (raise
-   (exn:fail:contract
-    (format "~a: a path is a function of time, or a tuple of such functions; given ~a~a"
-            who (describe-with-value q) hint)
-    (current-continuation-marks))))
+  (complain who "a path is a function of time, or a tuple of such functions; given ~a~a"
+            (describe-with-value q) hint))
 
 (define (path-hint q)
   (cond [(symbol? q) (format "\n  (literal-function '~a) makes a path of that name" q)]
-        [(pair? q) "\n  a list is not a tuple; use (up x y ...)"]
+        [(pair? q) (list-hint q)]
         [(scalar? q) "\n  a path is written (lambda (t) ...), with t where the time stands"]
-        [(procedure? q) (format "\n  a path takes one argument, the time; this takes ~a" (arity->text q))]
+        [(procedure? q)
+         (format "\n  a path takes one argument, the time; this takes ~a" (arity->text q))]
         [else ""]))
 
 (define (component-hint i f)
@@ -86,21 +86,26 @@
 (define (local-tuple? x)
   (and (up? x) (>= (s:length x) 2)))
 
+(define (check-local-length who local least)
+  (unless (and (local-tuple? local) (>= (s:length local) least))
+    (complain who "expected a local tuple (up t q v ...)~a; given ~a"
+              (if (<= least 3) "" (format " of at least ~a components" least))
+              (describe-with-value local))))
+
 (define-syntax-rule (define-selector name index what)
   (define (name local) (select 'name local index what)))
 
 (define (select who local i what)
   (unless (and (up? local) (< i (s:length local)))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a local tuple (up t q v ...) with ~a; given ~a~a"
-              who what (describe-with-value local)
-              (cond [(eq? who 'time)
-                     "\n  Racket's form for timing an expression is in racket/base under the same name: (require (only-in racket/base [time racket:time]))"]
-                    [(pair? local) "\n  a list is not a tuple; use (up t q v ...)"]
-                    [else ""]))
-      (current-continuation-marks))))
+    (complain who "expected a local tuple (up t q v ...) with ~a; given ~a~a"
+              what (describe-with-value local)
+              (if (eq? who 'time) timing-hint (list-hint local "(up t q v ...)"))))
   (vector-ref (structure-elements (adopt local)) i))
+
+(define timing-hint
+  (string-append
+   "\n  Racket's form for timing an expression is in racket/base under the same name: "
+   "(require (only-in racket/base [time racket:time]))"))
 
 (define-selector time 0 "the time")
 (define-selector coordinate 1 "coordinates")

@@ -2,7 +2,8 @@
 ;; Paths made to measure: through given points, or varied between fixed ends
 ;; (SICM 1.4, pp. 18–21).
 
-(require "action.rkt"
+(require racket/list
+         "action.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt")
 
 (provide make-path make-eta parametric-path-action
@@ -57,9 +58,8 @@
 
 ;; name : what it prints as, with its first and last point
 (define (interpolation who name ys xs)
-  (for ([tail (in-list (tails xs))])
-    (when (member (car tail) (cdr tail))
-      (raise-arguments-error who "two points are the same" "point" (car tail))))
+  (define twice (check-duplicates xs))
+  (when twice (raise-arguments-error who "two points are the same" "point" twice))
   (define coefficients
     (for/list ([y (in-list ys)] [xi (in-list xs)] [i (in-naturals)])
       (g:/ y (product-of-distances xi i xs))))
@@ -71,10 +71,6 @@
                ([c (in-list coefficients)] [distance (in-list distances)]
                 [after (in-list (products-after distances))])
        (values (g:+ sum (g:* before after c)) (g:* before distance))))))
-
-(define (last xs) (if (null? (cdr xs)) (car xs) (last (cdr xs))))
-
-(define (tails xs) (if (null? xs) '() (cons xs (tails (cdr xs)))))
 
 (define (product-of-distances xi i xs)
   (for/fold ([p 1]) ([xj (in-list xs)] [j (in-naturals)] #:unless (= i j))

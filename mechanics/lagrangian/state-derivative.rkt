@@ -11,7 +11,7 @@
 
 (require "external-force.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../value/compose.rkt"
@@ -20,7 +20,9 @@
 (provide Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
          Lagrange-equations-first-order Lagrange-equations-1
          qv->state-path qv->local-path
-         check-velocity)
+         check-velocity
+         ;; for those who explain a failure
+         directions->text)
 
 ;; (Lagrangian->acceleration L) : (t, q, v) ↦ a
 (define (Lagrangian->acceleration L [dissipation #f] #:force [Q #f])
@@ -59,29 +61,28 @@
 (define (check-velocity who state)
   (define-values (q v) (values (coordinate state) (velocity state)))
   (unless (same-shape? q v)
-    (raise
-     (exn:fail:contract
-      (format "~a: the velocities are of another shape than the coordinates~a~a" who
+    (complain who "the velocities are of another shape than the coordinates~a~a"
               (format "\n  coordinates: ~a" (value->text q))
-              (format "\n  velocities: ~a" (value->text v)))
-      (current-continuation-marks)))))
+              (format "\n  velocities: ~a" (value->text v)))))
 
 ;; A null vector of the mass matrix is a direction in which a change of velocity
 ;; changes no momentum.
 (define (raise-no-inertia e)
   (define directions (exn:fail:mechanics:singular:matrix-null-vectors e))
-  (raise
-   (exn:fail:mechanics:singular:matrix
-    (apply string-append
-           "Lagrangian->acceleration: the mass matrix has no inverse; "
-           "accelerations do not follow from the state"
-           (append (for/list ([v (in-list (or directions '()))])
-                     (format "\n  no inertia in the direction: ~a" (value->text v)))
-                   (list (format "\n  mass matrix: ~a"
-                                 (value->text (exn:fail:mechanics:singular-where e))))))
-    (exn-continuation-marks e)
-    (exn:fail:mechanics:singular-where e)
-    directions)))
+  (define mass-matrix (exn:fail:mechanics:singular-where e))
+  (raise-without-inverse
+   'Lagrangian->acceleration
+   (string-append "the mass matrix has no inverse; accelerations do not follow from the state"
+                  (directions->text (or directions '()))
+                  (format "\n  mass matrix: ~a" (value->text mass-matrix)))
+   mass-matrix
+   directions
+   e))
+
+(define (directions->text directions)
+  (joined (for/list ([v (in-list directions)])
+            (format "\n  no inertia in the direction: ~a" (value->text v)))
+          ""))
 
 ;; ---------------------------------------------------------------------------
 ;; Lagrange's equations of first order
@@ -115,4 +116,4 @@
 (define (made-from who L dissipation Q)
   `(,who ,(value->datum L)
          ,@(if dissipation (list (value->datum dissipation)) '())
-         ,@(if Q (list '#:force (value->datum Q)) '())))
+         ,@(force->datum Q)))

@@ -15,6 +15,7 @@
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative-errors.rkt" "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../value/compose.rkt" "../value/operator.rkt" "../value/structure.rkt")
@@ -45,21 +46,11 @@
   (list->up (cons 1 (cddr (structure->list local)))))
 
 (define (check-local-tuple who local [least-length 3])
-  (unless (and (local-tuple? local) (>= (s:length local) least-length))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a local tuple (up t q v ...)~a; given ~a"
-              who
-              (if (= least-length 3) "" (format " of at least ~a components" least-length))
-              (describe-with-value local))
-      (current-continuation-marks))))
+  (check-local-length who local least-length)
   (for ([part (in-list (cddr (structure->list local)))])
     (unless (same-shape? part (coordinate local))
-      (raise
-       (exn:fail:contract
-        (format "~a: the parts of the local tuple differ in shape\n  coordinates: ~a\n  another: ~a"
-                who (value->text (coordinate local)) (value->text part))
-        (current-continuation-marks))))))
+      (complain who "the parts of the local tuple differ in shape\n  coordinates: ~a\n  another: ~a"
+                (value->text (coordinate local)) (value->text part)))))
 
 ;; The residual of Lagrange's equations as a function of (t, q, v, a).
 (define (Euler-Lagrange-operator L #:order [n 1])
@@ -85,11 +76,8 @@
     (raise-argument-error 'clip-state "a length of local tuples, an integer of at least 2" n))
   (lambda (local)
     (unless (and (up? local) (<= n (s:length local)))
-      (raise
-       (exn:fail:contract
-        (format "clip-state: expected a local tuple of at least ~a components; given ~a"
-                n (describe-with-value local))
-        (current-continuation-marks))))
+      (complain 'clip-state "expected a local tuple of at least ~a components; given ~a"
+                n (describe-with-value local)))
     (for/fold ([parts '()] #:result (list->up (reverse parts)))
               ([part (in-vector (structure-elements (adopt local)))] [_ (in-range n)])
       (cons part parts))))
@@ -97,8 +85,5 @@
 ;; All components but the last.
 (define (trim-last-argument local)
   (unless (up? local)
-    (raise
-     (exn:fail:contract
-      (format "trim-last-argument: expected a local tuple; given ~a" (describe-with-value local))
-      (current-continuation-marks))))
+    (complain 'trim-last-argument "expected a local tuple; given ~a" (describe-with-value local)))
   ((clip-state (sub1 (s:length local))) local))

@@ -12,6 +12,7 @@
 (require racket/flonum
          racket/unsafe/ops
          "../compile/compile-function.rkt"
+         "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
          (only-in "../value/structure.rkt" ref))
 
@@ -63,21 +64,17 @@
 
 ;; -> the map as a compiled function from (up x y) to (up x y), or #f
 (define (compile-step map x y)
-  (define (image point)
-    (map (ref point 0) (ref point 1)
-         (lambda (x y) (up x y))
-         (lambda () (raise (exn:fail "no image" (current-continuation-marks))))))
-  (with-handlers ([exn:fail? (lambda (e) #f)])
-    (compile-traced image (up x y) #:name 'iterated-map)))
+  (define (no-image) #f)                ; what no compiled function has for its value
+  (define (image point) (map (ref point 0) (ref point 1) up no-image))
+  (compile-traced image (up x y) #:name 'iterated-map))
 
 (define (check-map who map)
   (unless (and (procedure? map) (accepts? map 4))
-    (raise
-     (exn:fail:contract
-      (format
-       "~a: expected a map, a procedure of two coordinates and of two procedures\n  given: ~a~a"
-       who (describe-with-value map)
-       (if (and (procedure? map) (accepts? map 2))
-           "\n  its image goes to the third argument: (define (map x y return fail) ...)"
-           ""))
-      (current-continuation-marks)))))
+    (complain who
+              (string-append "expected a map, a procedure of two "
+                             "coordinates and of two procedures"
+                             "\n  given: ~a~a")
+              (describe-with-value map)
+              (if (and (procedure? map) (accepts? map 2))
+                  "\n  its image goes to the third argument: (define (map x y return fail) ...)"
+                  ""))))

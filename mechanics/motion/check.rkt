@@ -3,7 +3,7 @@
 
 (require racket/flonum
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
          "../value/shape.rkt")
@@ -14,7 +14,9 @@
  ;; procedures
  checked-monitor check-maker takes-state-only? raise-arguments
  ;; states and their derivatives
- state-vector check-derivative check-clock)
+ state-vector check-derivative check-clock
+ ;; what to do about a value with symbols
+ symbols-hint)
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
@@ -56,11 +58,11 @@
 
 (define (complain-of who what x [hint ""])
   (complain who "~a\n  given: ~a~a" what (describe-with-value x)
-            (cond [(symbolic? x) "\n  give its symbols values first"]
-                  [(list? x) list-hint]
+            (cond [(symbolic? x) symbols-hint]
+                  [(list? x) (list-hint x)]
                   [else hint])))
 
-(define list-hint "\n  a list is not a tuple; use (up x y ...)")
+(define symbols-hint "\n  give its symbols values first")
 
 ;; ---------------------------------------------------------------------------
 ;; Procedures
@@ -73,7 +75,9 @@
               (describe-function f)))
   (define (check-shown . values)
     (for ([v (in-list values)] #:when (pointwise? v))
-      (complain who "the monitor returns a function; it does nothing with the state\n  monitor: ~a~a" (describe-with-value f) (parameters-hint f))))
+      (complain who
+                "the monitor returns a function; it does nothing with the state\n  monitor: ~a~a"
+                (describe-with-value f) (parameters-hint f))))
   (lambda (state) (call-with-values (lambda () (f state)) check-shown)))
 
 (define (parameters-hint f)
@@ -82,7 +86,8 @@
 ;; maker : what is to make a state derivative of that many parameters
 (define (check-maker who maker parameters)
   (unless (procedure? maker)
-    (complain who "expected a procedure that makes a state derivative\n  given: ~a" (describe-with-value maker)))
+    (complain who "expected a procedure that makes a state derivative\n  given: ~a"
+              (describe-with-value maker)))
   (unless (or (accepts? maker (length parameters)) (takes-state-only? maker parameters))
     (complain
      who
@@ -103,13 +108,11 @@
 ;; datum : what the procedure prints as; takes : what it takes, in words
 (define (raise-arguments datum takes arguments)
   (define n (length arguments))
-  (raise
-   (exn:fail:contract:arity
-    (format "~a: takes ~a\n  given: ~a" (value->text datum) takes
-            (cond [(= n 0) "no arguments"]
-                  [(= n 1) (describe-with-value (car arguments))]
-                  [else (format "~a arguments" n)]))
-    (current-continuation-marks))))
+  (complain-of-arity (value->text datum) "takes ~a\n  given: ~a"
+                     takes
+                     (cond [(= n 0) "no arguments"]
+                           [(= n 1) (describe-with-value (car arguments))]
+                           [else (format "~a arguments" n)])))
 
 ;; ---------------------------------------------------------------------------
 ;; States and their derivatives
@@ -124,24 +127,25 @@
   y)
 
 (define (raise-no-state who state x)
-  (complain who "expected a state of real numbers; ~a is none\n  state: ~a~a" (describe-with-value x) (value->text state)
-            (cond [(pair? x) list-hint]
-                  [(symbolic? x) "\n  give its symbols values first"]
-                  [else ""])))
+  (complain who "expected a state of real numbers; ~a is none\n  state: ~a~a"
+            (describe-with-value x) (value->text state)
+            (if (symbolic? x) symbols-hint (list-hint x))))
 
 ;; -> the value of the derivative at the state
 (define (check-derivative who derivative state)
   (define y (state-vector who state))
   (unless (and (procedure? derivative) (accepts? derivative 1))
-    (complain who "expected a state derivative, a function of the state\n  given: ~a~a" (describe-function derivative)
+    (complain who "expected a state derivative, a function of the state\n  given: ~a~a"
+              (describe-function derivative)
               (if (pointwise? derivative) (parameters-hint derivative) "")))
   (define slope (derivative (flvector->structure state y)))
   (unless (same-shape? slope state)
     (complain who "the state derivative is of another shape than the state~a~a~a"
               (field "state" state) (field "derivative" slope)
               (cond [(and (tuple? state) (real? slope))
-                     "\n  (Lagrangian->state-derivative L) makes a state derivative of a Lagrangian"]
-                    [(list? slope) list-hint]
+                     (string-append "\n  (Lagrangian->state-derivative L) makes "
+                                    "a state derivative of a Lagrangian")]
+                    [(list? slope) (list-hint slope)]
                     [(pointwise? slope) (parameters-hint derivative)]
                     [else ""])))
   (for ([x (in-list (scalars slope))])
@@ -151,10 +155,12 @@
 (define (raise-no-derivative who slope x)
   (define symbols (if (symbolic? x) (symbols-in x) '()))
   (cond [(pair? symbols)
-         (complain who "the symbol ~a is left in the state derivative~a\n  ~a" (car symbols) (field "state derivative" slope)
+         (complain who "the symbol ~a is left in the state derivative~a\n  ~a"
+                   (car symbols) (field "state derivative" slope)
                    "give it as a parameter, or substitute a number for it")]
         [else
-         (complain who "the state derivative holds ~a; expected real numbers~a" (describe-with-value x) (field "state derivative" slope))]))
+         (complain who "the state derivative holds ~a; expected real numbers~a"
+                   (describe-with-value x) (field "state derivative" slope))]))
 
 (define (field label x) (format "\n  ~a: ~a" label (value->text x)))
 

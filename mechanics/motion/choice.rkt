@@ -4,7 +4,9 @@
 ;;
 ;; The names are here, the methods are loaded when one is used.
 
-(require "../generic/describe.rkt" "../numeric/ode/stepper.rkt")
+(require "../error/complain.rkt"
+         "../generic/describe.rkt"
+         "../numeric/ode/stepper.rkt")
 
 (provide ode-integration-method set-ode-integration-method! integration-method?
          check-method
@@ -16,15 +18,12 @@
 
 (define (check-method who m)
   (unless (integration-method? m)
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a method of integration or the name of one\n  given: ~a\n  ~a"
-              who (describe-with-value m)
+    (complain who "expected a method of integration or the name of one\n  given: ~a\n  ~a"
+              (describe-with-value m)
               (if (procedure? m)
                   (format "a method with a fixed step is made of the step: (~a 0.01)"
                           (value->text m))
-                  (format "names: ~a" names)))
-      (current-continuation-marks))))
+                  (format "names: ~a" names))))
   m)
 
 (define ode-integration-method

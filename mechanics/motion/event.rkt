@@ -14,7 +14,7 @@
          "check.rkt"
          "../algebra/expression/expression.rkt"
          "../compile/compile-function.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../value/shape.rkt")
@@ -22,7 +22,7 @@
 (provide event event? event-f event-direction event-terminal?
          event-value raise-undefined
          (struct-out occurrence)
-         watch-for (struct-out undefined)
+         watch-for (struct-out crossing) (struct-out undefined)
          crosses?)
 
 ;; f : state -> real; direction : 'rising, 'falling or 'both
@@ -34,10 +34,7 @@
 (define-plain (event f #:name [name (procedure-datum f)]
                #:direction [direction 'both] #:terminal? [terminal? #f])
   (unless (and (procedure? f) (accepts? f 1))
-    (raise
-     (exn:fail:contract
-      (format "event: expected a function of one state\n  given: ~a" (describe-function f))
-      (current-continuation-marks))))
+    (complain 'event "expected a function of one state\n  given: ~a" (describe-function f)))
   (unless (memq direction '(rising falling both))
     (raise-argument-error 'event "'rising, 'falling or 'both" direction))
   (make-event f name direction terminal?))
@@ -63,8 +60,12 @@
 ;; An event whose function has no real value.
 (struct undefined (event) #:authentic)
 
-;; -> (at -> ((theta . event or undefined) ...)): what is within a step, in order, from
-;; its interpolant; to be asked of each step in turn
+;; What is found within a step: `event`, or that it is undefined, `at` a place, from 0 to 1,
+;; or a time.
+(struct crossing (at event) #:authentic)
+
+;; -> (interpolant -> crossings): what is within a step, in order; to be asked of each step
+;; in turn
 (define (watch-for who events state n)
   (define all (for/list ([e (in-list events)]) (watched e (event-code who e state) #f)))
   (define value (make-flvector 1))
@@ -77,7 +78,7 @@
     (sort (for*/list ([w (in-list all)]
                       [found (in-list (crossings! w (along at (watched-code w))))])
             found)
-          < #:key car)))
+          < #:key crossing-at)))
 
 (define (event-code who e state)
   (define value (event-value who e state))
@@ -97,14 +98,11 @@
 
 (define (check-event-value who e x)
   (unless (or (number? x) (other-number? x))
-    (raise
-     (exn:fail:contract
-      (format "~a: the value of an event's function is a real number\n  event: ~a\n  value: ~a~a"
-              who (value->text e) (describe-with-value x)
+    (complain who "the value of an event's function is a real number\n  event: ~a\n  value: ~a~a"
+              (value->text e) (describe-with-value x)
               (cond [(boolean? x) "\n  it passes through zero: (- a b) where (< a b) changes"]
-                    [(symbolic? x) "\n  give its symbols values first"]
-                    [else ""]))
-      (current-continuation-marks)))))
+                    [(symbolic? x) symbols-hint]
+                    [else ""]))))
 
 ;; Where a step is looked at.
 (define places '(0.0 0.125 0.25 0.375 0.5 0.625 0.75 0.875 1.0))
@@ -114,7 +112,7 @@
 (define (crossings! w g)
   (define e (watched-event w))
   (let loop ([a 0.0] [ga (or (watched-last w) (g 0.0))] [places (cdr places)])
-    (cond [(not (fl= ga ga)) (list (cons a (undefined e)))]
+    (cond [(not (fl= ga ga)) (list (crossing a (undefined e)))]
           [(null? places)
            (set-watched-last! w ga)
            '()]
@@ -124,7 +122,7 @@
            (define (rest) (loop b gb (cdr places)))
            (define zero
              (and (crosses? ga gb (event-direction e)) (zero-between g a ga b gb)))
-           (if zero (cons (cons zero e) (rest)) (rest))])))
+           (if zero (cons (crossing zero e) (rest)) (rest))])))
 
 ;; From a sign to the other or to zero; from zero to a sign is no crossing.
 (define (crosses? ga gb direction)

@@ -6,10 +6,8 @@
 ;; States between the steps are those that a shorter step leads to.
 
 (require math/bigfloat
-         "check.rkt" "manifold.rkt" "plan.rkt" "sample-times.rkt" "system.rkt"
+         "check.rkt" "manifold.rkt" "plan.rkt" "sample-times.rkt" "stuck.rkt" "system.rkt"
          "../compile/bigfloat-function.rkt"
-         "../error/failure.rkt"
-         "../generic/describe.rkt"
          "../numeric/progress.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
          (only-in "../value/bigfloat.rkt" [bigfloat rounded]))
@@ -44,7 +42,7 @@
       (define clock? (constant-rate? slope traced?))
       (define (stuck t y why)
         (define last (shown-state state y bits))
-        (raise-stuck who why (rounded t bits) last (kept last)))
+        (raise-cut-short who why (rounded t bits) last (kept last)))
       (define (from t y)
         (make-integrator (if (and clock? (not traced?)) (on-time who f) f)
                          y t (bf each-step) digits #:clock (and clock? 0) #:stuck stuck
@@ -52,16 +50,6 @@
                          #:shortest (expt 2.0 (- bits))))
       (define start (if clock? (vector-ref y 0) (bf 0)))
       (motion state clock? bits working (exact-value start) y f (from start y) from))))
-
-(define (raise-stuck who why t state kept)
-  (define (message what)
-    (format "~a: ~a\n  time: ~a\n  last state: ~a" who what t (value->text state)))
-  (raise
-   (if (eq? why 'too-many-steps)
-       (exn:fail:mechanics:not-convergent (message "the motion takes more steps than allowed")
-                                          (current-continuation-marks) kept #f)
-       (exn:fail:mechanics:singular (message "the motion cannot be followed any further")
-                                    (current-continuation-marks) kept))))
 
 (define (shown-state shape y bits)
   (define rounded

@@ -137,9 +137,8 @@
 (define (compile-jacobian who slopes example
                           #:value-at [value-at #f] #:varying [varying (shape-length example)])
   (define (at v) (slopes (flvector->structure example v)))
-  (with-handlers ([exn:fail? (lambda (e) #f)])
-    (compile-traced slopes example
-                    #:name who #:value-at (or value-at at) #:varying varying)))
+  (compile-traced slopes example
+                  #:name who #:value-at (or value-at at) #:varying varying))
 
 ;; ---------------------------------------------------------------------------
 ;; The clock

@@ -7,8 +7,10 @@
 
 (require racket/flonum
          racket/lazy-require
-         "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "system.rkt"
+         "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "recording.rkt"
+         "system.rkt"
          "../calculus/perturbed.rkt"
+         "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
          "../numeric/progress.rkt"
          "../numeric/ode/vectors.rkt")
@@ -55,10 +57,8 @@
 (define (trajectory-states tr [times #f])
   (check-trajectory 'trajectory-states tr)
   (unless (or (not times) (list? times))
-    (raise (exn:fail:contract
-            (format "trajectory-states: expected a list of times\n  given: ~a"
-                    (describe-with-value times))
-            (current-continuation-marks))))
+    (complain 'trajectory-states "expected a list of times\n  given: ~a"
+              (describe-with-value times)))
   (for/list ([t (or times (step-times tr))]) (state-at tr t)))
 
 (define (check-trajectory who tr)
@@ -95,37 +95,35 @@
                 (reading exactly shown (lambda (s t) (state (step-inside s) t)))))
   (follow-precise-trajectory p derivative state end events make))
 
-;; In flonums, the inside of a step is the time to which it was taken, beyond its end if
-;; an event ended the trajectory, and its interpolant.
+;; The inside of a step in flonums: the time to which it was taken, beyond its end if an event
+;; ended the trajectory, and its interpolant.
+(struct span (end at) #:authentic)
+
 (define (flonum-trajectory p derivative state end events)
   (define s (make-system 'evolve-trajectory derivative state))
   (define y (state-vector 'evolve-trajectory state))
   (define events-in (watch-for 'evolve-trajectory events state (flvector-length y)))
-  (define steps '())
-  (define occurrences '())
-  (define (record! from to full at) (set! steps (cons (step from to (cons full at)) steps)))
+  (define start (start-time s y))
+  (define r (make-recording))
+  (define (stay) (step start start (span start (lambda (theta out) (flvector-copy! out y)))))
+  (define (so-far)
+    (trajectory (list->vector (recorded-steps r stay)) (recorded-occurrences r)
+                (flonum-reading s)))
   ;; -> is the integration to go on?
   (define (visit from to interpolant)
-    (define at (interpolant))
-    (let loop ([found (events-in at)])
-      (cond [(null? found) (record! from to to at) #t]
-            [else
-             (define e (cdar found))
-             (define t (time-within from to (caar found)))
-             (define there (state-within s (step from to (cons to at)) t))
-             (when (undefined? e)
-               (record! from t to at)
-               (raise-undefined (undefined-event e) t there (so-far)))
-             (set! occurrences (cons (occurrence e t there) occurrences))
-             (cond [(event-terminal? e) (record! from t to at) #f]
-                   [else (loop (cdr found))])])))
-  (define start (start-time s y))
-  (define (stay theta out) (flvector-copy! out y))
-  (define (so-far)
-    (when (null? steps) (record! start start start stay))
-    (trajectory (list->vector (reverse steps)) (reverse occurrences) (flonum-reading s)))
+    (define inside (span to (interpolant)))
+    (record-crossings! r (timed (events-in (span-at inside)) from to) to
+                       (lambda (t) (record-step! r (step from t inside)))
+                       #:state (lambda (t) (state-within s (step from to inside) t))
+                       #:shown values
+                       #:give-up (lambda (e t there) (raise-undefined e t there (so-far)))))
   (run-system p s y start end visit (lambda (state) (so-far)))
   (so-far))
+
+;; Crossings at times in place of fractions of the step.
+(define (timed found from to)
+  (for/list ([c (in-list found)])
+    (crossing (time-within from to (crossing-at c)) (crossing-event c))))
 
 (define (flonum-reading s)
   (reading real->double-flonum values (lambda (st t) (state-within s st t))))
@@ -141,11 +139,9 @@
   (define all (if (list? events) events (list events)))
   (for ([e (in-list all)])
     (unless (event? e)
-      (raise
-       (exn:fail:contract
-        (format "~a: expected events; (event f) makes one of a function of the state\n  given: ~a"
-                'evolve-trajectory (describe-with-value e))
-        (current-continuation-marks)))))
+      (complain 'evolve-trajectory
+                "expected events; (event f) makes one of a function of the state\n  given: ~a"
+                (describe-with-value e))))
   all)
 
 ;; ---------------------------------------------------------------------------
@@ -166,13 +162,12 @@
 ;; A derivative by interpolation would be worse than the one that was integrated; and that
 ;; one would tell nothing of how good the trajectory is.
 (define (raise-differentiated tr)
-  (raise
-   (exn:fail:contract
-    (string-append
-     "trajectory: a trajectory is not differentiated; its rate of change at a time is the"
-     " state derivative of the state there: (compose state-derivative trajectory)"
-     (format "\n  trajectory: ~a" tr))
-    (current-continuation-marks))))
+  (complain 'trajectory
+            (string-append "a trajectory is not differentiated; its rate of change at a time is "
+                           "the state derivative of the state there: "
+                           "(compose state-derivative trajectory)"
+                           "\n  trajectory: ~a")
+            tr))
 
 (define (between? a x b) (or (<= a x b) (>= a x b)))
 
@@ -187,7 +182,8 @@
 
 (define (state-within s st x)
   (define y (make-flvector (system-size s)))
-  (define length (fl- (car (step-inside st)) (step-from st)))
-  ((cdr (step-inside st)) (if (fl= length 0.0) 0.0 (fl/ (fl- x (step-from st)) length)) y)
+  (define inside (step-inside st))
+  (define length (fl- (span-end inside) (step-from st)))
+  ((span-at inside) (if (fl= length 0.0) 0.0 (fl/ (fl- x (step-from st)) length)) y)
   (when (system-clock? s) (flvector-set! y 0 x))
   (system-state s y))

@@ -17,6 +17,7 @@
 (require "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
@@ -31,11 +32,8 @@
 ;; local tuple (up t q v) of symbols.
 (define (verify-conserved L Q local #:force [force #f])
   (check-arguments 'verify-conserved L Q)
-  (check-generic-state 'verify-conserved local)
+  (check-generic-states 'verify-conserved local L Q (external-force 'verify-conserved force #f))
   (define state (state-of local))
-  (define outside (external-force 'verify-conserved force #f))
-  (for ([f (in-list (list L Q outside))] #:when f)
-    (check-parameters 'verify-conserved f state))
   (define v (prove-zero ((rate 'verify-conserved L Q force) state) #:variables (scalars local)))
   (when (refuted? v) (check-accelerations L force state))
   v)
@@ -50,7 +48,7 @@
   (define at (rate 'rate-of-change L Q force))
   (define (name)
     `(rate-of-change ,(value->datum L) ,(value->datum Q)
-                     ,@(if force (list '#:force (value->datum force)) '())))
+                     ,@(force->datum force)))
   (unary-function name (local)
     (check-local-tuple 'rate-of-change local)
     (at (state-of local))))
@@ -60,13 +58,11 @@
 (define (check-arguments who L Q)
   (check-Lagrangian who L)
   (unless (and (procedure? Q) (accepts? Q 1))
-    (raise
-     (exn:fail:contract
-      (format "~a: a quantity is a function of the local tuple (up t q v); given ~a~a"
-              who (describe-function Q)
+    (complain who "a quantity is a function of the local tuple (up t q v); given ~a~a"
+              (describe-function Q)
               (if (and (procedure? L) (scalar? Q))
-                  "\n  the Lagrangian comes first, then the quantity" ""))
-      (current-continuation-marks)))))
+                  "\n  the Lagrangian comes first, then the quantity"
+                  ""))))
 
 ;; ---------------------------------------------------------------------------
 ;; The rate at a state

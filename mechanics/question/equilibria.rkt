@@ -7,7 +7,7 @@
 (require "equilibrium.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/rewriting/solve.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
@@ -49,10 +49,7 @@
 ;; A list of them, by formulas in the parameters.
 (define (equilibria L local #:force [force #f])
   (check-Lagrangian 'equilibria L)
-  (check-generic-state 'equilibria local)
-  (define outside (external-force 'equilibria force #f))
-  (for ([f (in-list (list L outside))] #:when f)
-    (check-parameters 'equilibria f ((clip-state 3) local)))
+  (check-generic-states 'equilibria local L (external-force 'equilibria force #f))
   (define q (coordinate local))
   (define residual (simplify (residual-at-rest 'equilibria L force (time local) q)))
   (check-constant 'equilibria residual (time local))
@@ -89,30 +86,23 @@
 ;; Newton's method is one of numbers.
 (define (check-no-symbols residual)
   (when (ormap symbolic? (scalars (simplify residual)))
-    (raise
-     (exn:fail:contract
-      (format (string-append
-               "find-equilibrium: symbols are left in the force on the system at rest\n"
-               "  residual: ~a\n"
-               "  give the Lagrangian numbers as parameters; equilibria finds formulas in symbols")
-              (value->text (simplify residual)))
-      (current-continuation-marks)))))
+    (complain 'find-equilibrium
+              (string-append "symbols are left in the force on the system at rest"
+                             "\n  residual: ~a"
+                             "\n  give the Lagrangian numbers as parameters; "
+                             "equilibria finds formulas in symbols")
+              (value->text (simplify residual)))))
 
 (define (check-constant who residual t)
   (define name (string->uninterned-symbol "t"))
   (define (at value) (substitute residual t value))
   (when (refuted? (prove-zero (g:- (at name) residual)))
-    (raise
-     (exn:fail:contract
-      (format "~a: the force on the system at rest changes in time\n  residual: ~a"
-              who (value->text residual))
-      (current-continuation-marks)))))
+    (complain who "the force on the system at rest changes in time\n  residual: ~a"
+              (value->text residual))))
 
 (define (raise-no-formula residual)
-  (raise
-   (exn:fail:mechanics
-    (format (string-append
-             "equilibria: no formula was found for the zeros of ~a\n"
-             "  find-equilibrium finds one near given coordinates, by numbers")
-            (value->text residual))
-    (current-continuation-marks))))
+  (raise-no-answer 'equilibria
+                   (string-append "no formula was found for the zeros of ~a"
+                                  "\n  find-equilibrium finds one near given coordinates, "
+                                  "by numbers")
+                   (value->text residual)))

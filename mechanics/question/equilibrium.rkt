@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
 
-(require "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+(require "../error/complain.rkt" "../error/hint.rkt"
+         "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt")
 
 (provide (struct-out equilibrium) check-coordinates)
@@ -12,13 +13,10 @@
 
 (define (check-coordinates who q)
   (unless (or (scalar? q) (and (tuple? q) (up? q)))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected coordinates, a scalar or an up tuple of scalars\n  given: ~a~a"
-              who (if (equilibrium? q) q (describe-with-value q)) (hint q))
-      (current-continuation-marks)))))
+    (complain who "expected coordinates, a scalar or an up tuple of scalars\n  given: ~a~a"
+              (if (equilibrium? q) q (describe-with-value q)) (hint q))))
 
 (define (hint q)
-  (cond [(list? q) "\n  a list is not a tuple; use (up x y ...)"]
-        [(equilibrium? q) "\n  its coordinates are (equilibrium-coordinates e)"]
-        [else ""]))
+  (if (equilibrium? q)
+      "\n  its coordinates are (equilibrium-coordinates e)"
+      (list-hint q)))

@@ -47,8 +47,7 @@
 (define (compared who L1 L2 given)
   (check-Lagrangian who L1)
   (check-Lagrangian who L2)
-  (check-generic-state who given)
-  (for ([L (in-list (list L1 L2))]) (check-parameters who L ((clip-state 3) given)))
+  (check-generic-states who given L1 L2)
   (define local (lengthened ((clip-state 3) given) 4))
   (define-values (S1 S2) (values (scalar-valued who L1) (scalar-valued who L2)))
   (define-values (E1 E2) (values (residual S1 local) (residual S2 local)))
@@ -136,14 +135,15 @@
 (define (restricting? M A) (< (rank M) (rank (apply matrix-by-rows A))))
 
 (define (raise-restricting who E1 E2)
-  (raise
-   (exn:fail:mechanics
-    (format (string-append
-             "~a: the equations of both Lagrangians restrict coordinates and velocities\n"
-             "  such equations are compared only where the ones are a constant multiple of "
-             "the others\n  residuals: ~a\n             ~a")
-            who (value->text (simplify (list->down E1))) (value->text (simplify (list->down E2))))
-    (current-continuation-marks))))
+  (raise-no-answer who
+                   (string-append
+                    "the equations of both Lagrangians restrict coordinates and velocities"
+                    "\n  such equations are compared only where the ones are a constant "
+                    "multiple of the others"
+                    "\n  residuals: ~a"
+                    "\n             ~a")
+                   (value->text (simplify (list->down E1)))
+                   (value->text (simplify (list->down E2)))))
 
 (define (augmented rows b)
   (for/list ([row (in-list rows)] [x (in-list b)]) (append row (list x))))

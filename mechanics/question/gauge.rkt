@@ -16,11 +16,12 @@
 ;; are found, else along a straight line, with numbers.  No f_j depends on derivatives
 ;; from the k-th on, which may be 0 while it is evaluated.
 
-(require "../algebra/expression/expression.rkt"
+(require racket/list
+         "../algebra/expression/expression.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"
          "../calculus/expression-function.rkt" "../calculus/integral.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
@@ -56,11 +57,8 @@
 
 (define (check-question who F local)
   (unless (and (procedure? F) (accepts? F 1))
-    (raise
-     (exn:fail:contract
-      (format "~a: expected a function of the local tuple (up t q v); given ~a"
-              who (describe-function F))
-      (current-continuation-marks))))
+    (complain who "expected a function of the local tuple (up t q v); given ~a"
+              (describe-function F)))
   (check-generic-state who local)
   (check-parameters who F local))
 
@@ -76,13 +74,11 @@
 
 (define (check-exact F v)
   (unless (proved? v)
-    (raise
-     (exn:fail:mechanics
-      (format "gauge-function: ~a ~a a total time derivative\n  its Euler-Lagrange expression: ~a"
-              (value->text F)
-              (if (refuted? v) "is not" "is not known to be")
-              (value->text (verdict-residual v)))
-      (current-continuation-marks)))))
+    (raise-no-answer 'gauge-function
+                     "~a ~a a total time derivative\n  its Euler-Lagrange expression: ~a"
+                     (value->text F)
+                     (if (refuted? v) "is not" "is not known to be")
+                     (value->text (verdict-residual v)))))
 
 ;; ---------------------------------------------------------------------------
 ;; The gradient
@@ -114,7 +110,7 @@
                     (for/list ([_ (in-range (- length (s:length local)))]) zero))))
 
 (define (gradient-at slopes local)
-  (apply append (for/list ([slope (in-list slopes)]) (scalars (slope local)))))
+  (append-map (lambda (slope) (scalars (slope local))) slopes))
 
 ;; ---------------------------------------------------------------------------
 ;; The integral
@@ -148,31 +144,24 @@
 (define (check-start F slopes start)
   (unless (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
             (andmap finite? (gradient-at slopes start)))
-    (raise
-     (exn:fail:mechanics
-      (format (string-append
-               "gauge-function: the integral for ~a cannot begin where it is not finite\n"
-               "  begin: ~a\n  another place to begin is given as #:from")
-              (value->text F) (value->text start))
-      (current-continuation-marks)))))
+    (raise-no-answer 'gauge-function
+                     (string-append "the integral for ~a cannot begin where it is not finite"
+                                    "\n  begin: ~a"
+                                    "\n  another place to begin is given as #:from")
+                     (value->text F) (value->text start))))
 
 (define (finite? x) (and (real? x) (< -inf.0 x +inf.0)))
 
 (define (raise-no-closed-form F)
-  (raise
-   (exn:fail:mechanics
-    (format (string-append
-             "gauge-function: ~a is a total time derivative, but no formula for its "
-             "integral was found\n  it can be evaluated at numbers")
-            (value->text F))
-    (current-continuation-marks))))
+  (raise-no-answer 'gauge-function
+                   (string-append "~a is a total time derivative, "
+                                  "but no formula for its integral was found"
+                                  "\n  it can be evaluated at numbers")
+                   (value->text F)))
 
 (define (like given short)
   (define clipped ((clip-state (s:length short)) given))
   (unless (= (shape-length clipped) (shape-length short))
-    (raise
-     (exn:fail:contract
-      (format "gauge-function: expected a local tuple like ~a; given ~a"
-              (value->text short) (describe-with-value given))
-      (current-continuation-marks))))
+    (complain 'gauge-function "expected a local tuple like ~a; given ~a"
+              (value->text short) (describe-with-value given)))
   clipped)

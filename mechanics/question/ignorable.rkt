@@ -2,7 +2,9 @@
 ;; Ignorable coordinates, also called cyclic: those that L does not depend on.  The
 ;; momenta ∂₂L that belong to them are conserved (SICM 1.8, p. 79).
 
-(require "../calculus/derivative.rkt"
+(require racket/list
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/describe.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
@@ -22,7 +24,7 @@
 ;; The symbols of all coordinates for which that is proved.
 (define (ignorable-coordinates L local)
   (check-question 'ignorable-coordinates L local)
-  (map car (ignorable 'ignorable-coordinates L local)))
+  (map leaf-symbol (ignorable 'ignorable-coordinates L local)))
 
 ;; A list of (up coordinate momentum), one for each.
 (define (conserved-momenta L local)
@@ -30,18 +32,17 @@
   (define found (ignorable 'conserved-momenta L local))
   (define momenta (slope 'conserved-momenta L 2 local))
   (for/list ([entry (in-list found)])
-    (up (car entry) (simplify (component-at momenta (cdr entry))))))
+    (up (leaf-symbol entry) (simplify (component-at momenta (leaf-chain entry))))))
 
 (define (check-question who L local)
   (check-Lagrangian who L)
-  (check-generic-state who local)
-  (check-parameters who L ((clip-state 3) local)))
+  (check-generic-states who local L))
 
-;; ((coordinate . chain) ...)
+;; Those of the coordinates that are.
 (define (ignorable who L local)
   (define slopes (slope who L 1 local))
-  (for/list ([entry (in-list (chains (coordinate local)))]
-             #:when (proved? (prove-zero (component-at slopes (cdr entry)))))
+  (for/list ([entry (in-list (leaves (coordinate local)))]
+             #:when (proved? (prove-zero (component-at slopes (leaf-chain entry)))))
     entry))
 
 (define (slope who L slot local)
@@ -52,24 +53,25 @@
 
 (define (component-at x chain) (if (null? chain) x (apply ref x chain)))
 
-;; ((symbol index ...) ...)
-(define (chains q)
+;; chain : the indices that lead to a coordinate
+(struct leaf (symbol chain) #:authentic)
+
+(define (leaves q)
   (let walk ([x q] [path '()])
     (if (tuple? x)
-        (apply append (for/list ([e (in-list (structure->list x))] [i (in-naturals)])
-                        (walk e (cons i path))))
-        (list (cons x (reverse path))))))
+        (append* (for/list ([e (in-list (structure->list x))] [i (in-naturals)])
+                   (walk e (cons i path))))
+        (list (leaf x (reverse path))))))
 
 (define (index-chain which q)
-  (define known (chains q))
+  (define known (leaves q))
   (define chain (if (exact-nonnegative-integer? which) (list which) which))
-  (cond [(assq which known) => cdr]
-        [(for/or ([entry (in-list known)]) (and (equal? (cdr entry) chain) chain))]
+  (cond [(findf (lambda (entry) (eq? (leaf-symbol entry) which)) known) => leaf-chain]
+        [(member chain (map leaf-chain known)) chain]
         [else
-         (raise
-          (exn:fail:contract
-           (format (string-append
-                    "verify-ignorable: expected a coordinate: its symbol, its index, "
-                    "or a list of indices\n  given: ~a\n  coordinates: ~a")
-                   (value->text which) (value->text q))
-           (current-continuation-marks)))]))
+         (complain 'verify-ignorable
+                   (string-append "expected a coordinate: its symbol, its index, "
+                                  "or a list of indices"
+                                  "\n  given: ~a"
+                                  "\n  coordinates: ~a")
+                   (value->text which) (value->text q))]))

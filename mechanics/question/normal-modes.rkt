@@ -10,6 +10,8 @@
 ;; each, as in a chain of equal pendulums, the factors come out of the square root.
 
 (require racket/lazy-require
+         racket/list
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt"
          "../numeric/linear/rows.rkt"
@@ -25,11 +27,11 @@
 (define (modes-of who M K G)
   (define n (vector-length M))
   (define found
-    (apply append
-           (for/list ([block (in-list (components n (list M K G)))])
-             (define (part rows) (submatrix rows block block))
-             (for/list ([mode (in-list (block-modes who (part M) (part K) (part G)))])
-               (cons (car mode) (spread (cdr mode) block n))))))
+    (append*
+     (for/list ([block (in-list (components n (list M K G)))])
+       (define (part rows) (submatrix rows block block))
+       (for/list ([mode (in-list (block-modes who (part M) (part K) (part G)))])
+         (cons (car mode) (spread (cdr mode) block n))))))
   (if (andmap (lambda (mode) (real? (car mode))) found) (sort found < #:key car) found))
 
 (define (frequencies-of who M K G) (map car (modes-of who M K G)))
@@ -140,19 +142,15 @@
   (values factor (and (all-entries? real? quotients) quotients)))
 
 (define (raise-no-formula who M)
-  (raise
-   (exn:fail:contract
-    (format (string-append
-             "~a: ~a coordinates act on one another, and formulas are for 1 and 2\n"
-             "  give the parameters numbers, some of them decimal, for numbers in return")
-            who (vector-length M))
-    (current-continuation-marks))))
+  (complain who
+            (string-append "~a coordinates act on one another, and formulas are for 1 and 2"
+                           "\n  give the parameters numbers, some of them decimal, "
+                           "for numbers in return")
+            (vector-length M)))
 
 (define (raise-not-positive who M)
-  (raise
-   (exn:fail:contract
-    (format (string-append
-             "~a: the kinetic energy is not positive for all velocities at this equilibrium\n"
-             "  mass matrix: ~a")
-            who (value->text (cons 'matrix-by-rows (map vector->list (vector->list M)))))
-    (current-continuation-marks))))
+  (complain who
+            (string-append "the kinetic energy is not positive for all "
+                           "velocities at this equilibrium"
+                           "\n  mass matrix: ~a")
+            (value->text (cons 'matrix-by-rows (map vector->list (vector->list M))))))

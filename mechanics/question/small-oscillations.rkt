@@ -14,6 +14,7 @@
 (require racket/lazy-require
          "equilibrium.rkt"
          "../calculus/derivative.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
@@ -87,14 +88,12 @@
   (define force (simplify (((partial 1) L) (at-rest q))))
   (define v (prove-zero force))
   (unless (or (not (refuted? v)) (<= (magnitude (verdict-value v)) 1e-8))
-    (raise
-     (exn:fail:contract
-      (format (string-append "~a: these coordinates are not an equilibrium; "
-                             "at rest there, a force remains\n"
-                             "  coordinates: ~a\n"
-                             "  ∂₁L: ~a")
-              who (value->text q) (value->text force))
-      (current-continuation-marks)))))
+    (complain who
+              (string-append "these coordinates are not an equilibrium; at rest there, "
+                             "a force remains"
+                             "\n  coordinates: ~a"
+                             "\n  ∂₁L: ~a")
+              (value->text q) (value->text force))))
 
 ;; ∂₂L, too: what ∂₁∂₂L gains in time is a force.
 (define (check-autonomous who L q)
@@ -105,11 +104,8 @@
     (up (P state) (((partial 1) P) state) (((partial 2) P) state)
         (((partial 1) ((partial 1) L)) state)))
   (when (refuted? (prove-zero ((D derivatives) t) #:variables (list t)))
-    (raise
-     (exn:fail:contract
-      (format "~a: the Lagrangian changes in time at these coordinates; ~a" who
-              "small oscillations are those of a system that does not")
-      (current-continuation-marks)))))
+    (complain who "the Lagrangian changes in time at these coordinates; ~a"
+              "small oscillations are those of a system that does not")))
 
 ;; Components in order, in the shape of q.
 (define (like-coordinates components q)

@@ -14,10 +14,12 @@
 ;;
 ;; K is positive if its leading minors are; if one of them is negative it is not.
 
-(require "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "small-oscillations.rkt"
+(require racket/list
+         "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "small-oscillations.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/rewriting/solve.rkt"
          "../algebra/simplify/simplify-expression.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/value-struct.rkt"
          "../lagrangian/Lagrange-equations.rkt"
@@ -53,12 +55,9 @@
 (define (check-equilibrium L q)
   (define v (verify-equilibrium L q))
   (when (and (refuted? v) (> (magnitude (verdict-value v)) 1e-8))
-    (raise
-     (exn:fail:contract
-      (format (string-append "equilibrium-stability: these coordinates are not an equilibrium\n"
-                             "  coordinates: ~a\n  residual: ~a")
-              (value->text q) (value->text (verdict-residual v)))
-      (current-continuation-marks)))))
+    (complain 'equilibrium-stability
+              "these coordinates are not an equilibrium\n  coordinates: ~a\n  residual: ~a"
+              (value->text q) (value->text (verdict-residual v)))))
 
 ;; M > 0, unless its parameters leave that open.
 (define (check-inertia M)
@@ -116,13 +115,8 @@
   (cond [(memv -1 signs) (stability 'unstable '())]
         [(memv 0 signs) (stability 'undecided '())]
         [else
-         (stability kind
-                    (distinct (for/list ([s (in-list signs)] #:unless (eqv? s 1))
-                                (list '> s 0))))]))
-
-(define (distinct xs)
-  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
-    (if (member x kept) kept (cons x kept))))
+         (stability kind (for/list ([s (in-list (remove-duplicates signs))] #:unless (eqv? s 1))
+                           (list '> s 0)))]))
 
 ;; 1, 0 or −1, or an expression of the same sign.
 (define (known-sign e)

@@ -2,6 +2,7 @@
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
 (require racket/lazy-require
+         "../error/complain.rkt" "../error/refusal.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          "../verdict/prove-zero.rkt")
@@ -16,7 +17,7 @@
 (define (verify-solution L q [dissipation #f] #:force [Q #f] #:order [n 1]
                          #:constraints [constraints #f] #:multipliers [multipliers #f])
   (when (or constraints multipliers) (check-constrained n constraints))
-  (with-handlers ([exn:fail:contract? (lambda (e) (raise (if (swapped? L q) (swap-error) e)))])
+  (with-handlers ([exn:fail:contract? (lambda (e) (check-not-swapped L q) (raise e))])
     (define outside (external-force 'verify-solution Q dissipation))
     (prove-zero
      (cond [multipliers
@@ -32,14 +33,15 @@
     (raise-arguments-error 'verify-solution "with constraints, the order of a Lagrangian is 1"
                            "order" n)))
 
-;; Would the arguments do in the other order?  Asked only when they fail in this.
+(define (check-not-swapped L q)
+  (when (swapped? L q)
+    (complain 'verify-solution
+              "the Lagrangian comes first, then the path; these look swapped")))
+
+;; Would the arguments do in the other order?  Asked only when they fail in this; if they
+;; fail in that one, too, it is the first failure that the user gets to see.
 (define (swapped? L q)
-  (define (works? thunk) (with-handlers ([exn:fail? (lambda (e) #f)]) (thunk) #t))
+  (define (works? thunk) (with-handlers ([failure? (lambda (x) #f)]) (thunk) #t))
   (and (procedure? L) (procedure? q)
        (not (works? (lambda () (q 't))))
        (works? (lambda () ((scalar-valued 'verify-solution q) ((Gamma L) 't))))))
-
-(define (swap-error)
-  (exn:fail:contract
-   "verify-solution: the Lagrangian comes first, then the path; these look swapped"
-   (current-continuation-marks)))

@@ -10,7 +10,7 @@
 (require racket/flonum
          "implicit.rkt"
          "../calculus/derivative.rkt" "../calculus/number.rkt" "../calculus/perturbed.rkt"
-         "../error/failure.rkt"
+         "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt"
          "../numeric/search/brent-root.rkt" "../numeric/search/newton.rkt"
          "../value/shape.rkt")
@@ -43,10 +43,11 @@
 ;; (list found? root evaluations)
 (define (zbrent f low high [tolerance 1e-15] [limit 100])
   (check-function-of-one-variable 'zbrent f)
-  (define (method f low high #:tolerance tolerance #:observe observe #:name who)
-    (bracketed-root f low high #:tolerance tolerance #:limit limit #:name who))
-  (with-handlers ([exn:fail:mechanics:not-convergent?
-                   (lambda (e) (list #f (exn:fail:mechanics:not-convergent-value e) limit))])
+  (let/ec return
+    (define (give-up x error count) (return (list #f x limit)))
+    (define (method f low high #:tolerance tolerance #:observe observe #:name who)
+      (bracketed-root f low high
+                      #:tolerance tolerance #:limit limit #:give-up give-up #:name who))
     (root-between 'zbrent method f low high tolerance void
                   (lambda (x error count) (list #t x count)))))
 
@@ -62,14 +63,14 @@
   (report (varying-root who f x slope) error count))
 
 (define (root-near who f start tolerance observe report)
-  (define (complain x) (number who x))
+  (define (check-number x) (number who x))
   (define from (plain start))
-  (define x (structure->flvector from complain))
+  (define x (structure->flvector from check-number))
   (define (argument x) (flvector->structure from x))
   (define evaluations 0)
   (define (value x)
     (set! evaluations (+ evaluations 1))
-    (define y (structure->flvector (plain (f (argument x))) complain))
+    (define y (structure->flvector (plain (f (argument x))) check-number))
     (check-count who from y)
     y)
   (define (jacobian x) (jacobian-at f value (argument x) x))
@@ -91,9 +92,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Matrices of derivatives
 
-;; Of f at an argument; value : the same from flvector x to flvector
+;; Of f at an argument; value : the same from flvector x to flvector.  An f that has a value
+;; at numbers and refuses dual numbers is left to differences; one that fails fails there.
 (define (jacobian-at f value argument x)
-  (with-handlers ([exn:fail? (lambda (e) ((difference-jacobian value) x))])
+  (with-handlers ([refusal? (lambda (e) ((difference-jacobian value) x))])
     (define slopes (plain (derivative-at f argument)))
     (columns->rows (flvector-length x) (structure->flvector slopes raise-not-a-number))))
 

@@ -3,7 +3,7 @@
 
 (require racket/flonum
          "../calculus/gradient.rkt" "../calculus/number.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../numeric/progress.rkt" "../numeric/sample.rkt"
@@ -135,7 +135,7 @@
 ;; gradient vanishes may be a maximum.
 (define (slopes? value-and-gradient x)
   (define slope
-    (with-handlers ([exn:fail? (lambda (e) #f)])
+    (with-handlers ([refusal? (lambda (e) #f)])
       (define-values (y slope) (value-and-gradient x))
       slope))
   (and slope (for/or ([g (in-flvector slope)]) (not (fl= g 0.0)))))
@@ -168,11 +168,8 @@
   (cond [(list? x) (apply up (for/list ([y (in-list x)]) (list->tuple who y)))]
         [(or (tuple? x) (real? x)) x]
         [else
-         (raise
-          (exn:fail:contract
-           (format "~a: expected real numbers to start from, in a list or a tuple; given ~a"
-                   who (describe-with-value x))
-           (current-continuation-marks)))]))
+         (complain who "expected real numbers to start from, in a list or a tuple; given ~a"
+                   (describe-with-value x))]))
 
 (define (tuple-like given s)
   (if (list? given)

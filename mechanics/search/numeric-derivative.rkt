@@ -27,10 +27,10 @@
   (lambda (x)
     (define at (real->double-flonum (number who x)))
     (define example (f at))
-    (define (complain y) (if (number? y) +nan.0 (number who y)))
+    (define (odd-value y) (if (number? y) +nan.0 (number who y)))
     (define (shape v) (flvector->structure example v))
     (define-values (value error count)
-      (difference-derivative (lambda (x) (structure->flvector (f x) complain)) at
+      (difference-derivative (lambda (x) (structure->flvector (f x) odd-value)) at
                              #:step (or step (* 0.1 (max 1.0 (abs at))))
                              #:tolerance tolerance #:shape shape #:name who))
     (report (shape value) (shape error) count)))

@@ -25,19 +25,21 @@
 (struct point (x y) #:authentic)
 
 ;; The root is right to `tolerance` times its own size or, near zero, times a
-;; hundredth of the width of the interval; (observe x y) for each point tried.
+;; hundredth of the width of the interval; (observe x y) for each point tried.  After
+;; `limit` evaluations (give-up root error count), which does not return.
 (define (bracketed-root f low high
                         #:tolerance [tolerance 1e-14]
                         #:limit [limit 200]
                         #:observe [observe void]
-                        #:name [who 'find-root])
+                        #:name [who 'find-root]
+                        #:give-up [give-up (giving-up who)])
   (check-finite who low "end of the interval")
   (check-finite who high "end of the interval")
   (check-tolerance who tolerance)
   (define at (observed who f observe))
   (define-values (a b) (ends low high at who))
   (define-values (root half count)
-    (narrow a b a (resolution tolerance (- (point-x b) (point-x a))) at limit who))
+    (narrow a b a (resolution tolerance (- (point-x b) (point-x a))) at limit give-up))
   (check-not-pole who root a b)
   (values (point-x root) (if (= (point-y root) 0.0) 0.0 (abs half)) count))
 
@@ -62,8 +64,11 @@
        (* 4.5e-16 (abs x))
        1e-300))
 
+(define ((giving-up who) x error count)
+  (raise-not-convergent who "no root found" x error "evaluations" count))
+
 ;; -> the best point, half of the bracket, evaluations
-(define (narrow a b c nearest at limit who)
+(define (narrow a b c nearest at limit give-up)
   (define all (- (point-x c) (point-x b)))
   (let loop ([a a] [b b] [c c] [last all] [before all] [count 2])
     (define near (nearest (point-x b)))
@@ -72,8 +77,7 @@
       [(< (abs (point-y c)) (abs (point-y b))) (loop b c b last before count)]
       [(or (= (point-y b) 0.0) (<= (abs half) near)) (values b half count)]
       [(>= count limit)
-       (raise-not-convergent who "no root found" (point-x b) (abs (* 2.0 half))
-                             "evaluations" count)]
+       (give-up (point-x b) (abs (* 2.0 half)) count)]
       [else
        (define step (interpolated-step a b c before near))
        (define next (at (+ (point-x b) (at-least near (or step half)))))
