@@ -16,8 +16,8 @@
 ;; sin³x cos x looks better with u = sin x than as a sum of waves.
 
 (require "expression-function.rkt"
-         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
 (provide antiderivative)

@@ -11,8 +11,7 @@
 ;; coordinate x: of these, (log μ)' = (∂_i ω_x − ∂_x ω_i)/ω_i has to be a function of x.
 
 (require "constraint.rkt" "linearized.rkt"
-         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/operation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"
          "../error/complain.rkt" "../error/failure.rkt"

@@ -3,7 +3,7 @@
 
 (require racket/list
          "assumptions.rkt"
-         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt")

@@ -5,8 +5,8 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require "verdict.rkt"
-         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/zero/zero-test.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"

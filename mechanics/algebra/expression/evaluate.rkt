@@ -1,14 +1,9 @@
 #lang racket/base
-;; Numbers for expressions, and expressions for parts of expressions.
-;;
-;; Both walks cost the graph.
+;; Numbers for expressions: their values at a point, at the cost of the graph.
 
 (require "expression.rkt" "operation.rkt")
 
-(provide evaluate-expression point-lookup substitute-expression rebuild)
-
-;; ---------------------------------------------------------------------------
-;; Evaluation
+(provide evaluate-expression point-lookup)
 
 ;; The value of e.  lookup : leaf arguments -> number, where the leaf is a
 ;; symbol, with no arguments, or a literal function applied, with the values of
@@ -58,31 +53,3 @@
 (define (raise-no-value leaf arguments)
   (raise-arguments-error 'evaluate-expression "the point gives it no value"
                          "expression" leaf))
-
-;; ---------------------------------------------------------------------------
-;; Substitution
-
-;; e with each key of the alist, a symbol or any expression, replaced by its
-;; value wherever an equal expression stands.
-(define (substitute-expression e replacements)
-  (define table (make-hash replacements))
-  (define memo (make-memo))
-  (let walk ([e e])
-    (cond [(hash-ref table e #f)]
-          [(node? e)
-           (memo e (lambda ()
-                     (define args (map walk (node-args e)))
-                     (if (andmap eq? args (node-args e))
-                         e
-                         (rebuild (node-head e) args))))]
-          [else e])))
-
-;; The head applied to expressions, by the constructors.
-(define (rebuild head args)
-  (cond [(literal-head? head) (make-node head args)]
-        [(eq? head op:+) (for/fold ([sum 0]) ([a (in-list args)]) (e:+ sum a))]
-        [(eq? head op:*) (for/fold ([product 1]) ([a (in-list args)]) (e:* product a))]
-        [(eq? head op:-) (e:- (car args) (cadr args))]
-        [(eq? head op:/) (e:/ (car args) (cadr args))]
-        [(eq? head op:expt) (e:expt (car args) (cadr args))]
-        [else (apply e:apply head args)]))

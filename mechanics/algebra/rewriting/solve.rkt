@@ -11,9 +11,10 @@
 ;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
 ;; solutions to be real are kept with them.
 
-(require "factor.rkt"
-         "../expression/evaluate.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/symbols.rkt"
+(require racket/list
+         "factor.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt"
          "../../numeric/constants.rkt")
 
@@ -81,11 +82,9 @@
 
 ;; Each once.
 (define (unconditional-first solutions)
-  (define distinct
-    (for/fold ([kept '()] #:result (reverse kept)) ([s (in-list solutions)])
-      (if (member s kept) kept (cons s kept))))
-  (define (conditional? s) (pair? (cdr s)))
-  (append (filter (lambda (s) (not (conditional? s))) distinct) (filter conditional? distinct)))
+  (define-values (conditional others)
+    (partition (lambda (s) (pair? (cdr s))) (remove-duplicates solutions)))
+  (append others conditional))
 
 ;; ---------------------------------------------------------------------------
 ;; Factors
@@ -99,7 +98,7 @@
   (let walk ([e product] [power 1])
     (define args (if (node? e) (node-args e) '()))
     (define head (and (node? e) (node-head e)))
-    (cond [(eq? head op:*) (apply append (for/list ([a (in-list args)]) (walk a power)))]
+    (cond [(eq? head op:*) (append-map (lambda (a) (walk a power)) args)]
           [(eq? head op:/) (append (walk (car args) power) (walk (cadr args) (- power)))]
           [(and (eq? head op:expt) (exact-integer? (cadr args)))
            (walk (car args) (* power (cadr args)))]

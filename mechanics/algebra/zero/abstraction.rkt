@@ -13,8 +13,8 @@
 ;; left alone.
 
 (require "fingerprint.rkt"
-         "../expression/evaluate.rkt" "../expression/expression.rkt"
-         "../expression/flat-graph.rkt")
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/substitute.rkt")
 
 (provide abstract)
 

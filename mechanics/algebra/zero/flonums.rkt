@@ -10,8 +10,8 @@
 
 (require "proof.rkt"
          "../assumption/assumption-set.rkt"
-         "../expression/evaluate.rkt" "../expression/expression.rkt"
-         "../expression/flat-graph.rkt")
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/substitute.rkt")
 
 (provide contains-flonum? vanishes-for-any-flonums?)
 

@@ -7,8 +7,8 @@
 ;; the normal form is far smaller: the cosine of 5a + 3b is two products of
 ;; powers of eⁱᵃ and eⁱᵇ, in cos a, sin a, cos b and sin b it has twelve terms.
 
-(require "../expression/evaluate.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt")
+(require "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/substitute.rkt")
 
 (provide in-exponentials single-valued?)
 

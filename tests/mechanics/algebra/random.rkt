@@ -5,7 +5,8 @@
 (require racket/list
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/expression/evaluate)
+         mechanics/algebra/expression/evaluate
+         mechanics/algebra/expression/substitute)
 
 (provide with-seeds
          random-expression random-lookup close? value-at

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Numbers for expressions, and expressions for parts of them.
+;; Numbers for expressions.
 
 (require rackunit
          mechanics/algebra/expression/expression
@@ -10,16 +10,6 @@
   (evaluate-expression (datum->expression d)
                        (point-lookup (for/list ([entry (in-list point)])
                                        (cons (datum->expression (car entry)) (cdr entry))))))
-
-(define (substituted d . pairs)
-  (expression->datum
-   (substitute-expression (datum->expression d)
-                          (let loop ([ps pairs])
-                            (if (null? ps)
-                                '()
-                                (cons (cons (datum->expression (car ps))
-                                            (datum->expression (cadr ps)))
-                                      (loop (cddr ps))))))))
 
 (test-case "expressions are evaluated exactly where numbers are exact"
   (check-equal? (value '(/ (+ a (* 2 b)) (expt a 2)) '((a . 3) (b . 1/2))) 4/9)
@@ -34,10 +24,3 @@
 (test-case "a point that leaves something out is an error naming it"
   (check-exn #rx"gives it no value.*\\(V 2\\)"
              (lambda () (value '(V 2) '((t . 1))))))
-
-(test-case "symbols and whole subexpressions are replaced, all at once"
-  (check-equal? (substituted '(+ (* k (x t)) k) 'k '(* m w)) '(+ (* m w (x t)) (* m w)))
-  (check-equal? (substituted '(+ a b) 'a 'b 'b 'a) '(+ b a))
-  (check-equal? (substituted '(* 2 (x t)) '(x t) '(cos t)) '(* 2 (cos t)))
-  (check-equal? (substituted '(* 2 a) 'a 3) 6)
-  (check-equal? (substituted '(f (up a b)) 'a 1) '(f (up 1 b))))

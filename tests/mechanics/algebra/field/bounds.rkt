@@ -6,6 +6,7 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/order
          mechanics/algebra/expression/evaluate
+         mechanics/algebra/expression/substitute
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test)
 

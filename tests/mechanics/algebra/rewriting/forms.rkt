@@ -4,7 +4,6 @@
 
 (require rackunit
          mechanics/algebra/expression/expression
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/rewriting/expand
          mechanics/algebra/rewriting/collect
          mechanics/algebra/rewriting/together
