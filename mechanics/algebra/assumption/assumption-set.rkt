@@ -9,9 +9,10 @@
 ;; exponentials ...), from the table, from its factors, and from the relations it is
 ;; a sum of.
 
-(require "services.rkt" "signs.rkt"
+(require racket/list
+         "signs.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt")
+         "../expression/operation.rkt" "../expression/simplifier.rkt")
 
 (provide
  ;; sets
@@ -47,23 +48,20 @@
 
 (define (decided? k) (signs-decided? (known-signs k)))
 
-(define (union as bs)
-  (append as (filter (lambda (b) (not (member b as))) bs)))
+;; What all of them rest on.
+(define (union ks) (remove-duplicates (append-map known-because ks)))
 
 ;; Both are known.
 (define (meet a b)
   (define s (bitwise-and (known-signs a) (known-signs b)))
   (cond [(eqv? s (known-signs a)) a]
         [(eqv? s (known-signs b)) b]
-        [else (known s (union (known-because a) (known-because b)))]))
+        [else (known s (union (list a b)))]))
 
 ;; Signs that say nothing rest on nothing.
 (define (derive f . ks)
   (define s (apply f (map known-signs ks)))
-  (known s (if (eqv? s any-sign) '() (unions (map known-because ks)))))
-
-(define (unions lists)
-  (for/fold ([all '()]) ([l (in-list lists)]) (union all l)))
+  (known s (if (eqv? s any-sign) '() (union ks))))
 
 (define (known-product ks)
   (for/fold ([p (because-of positive)]) ([k (in-list ks)]) (derive signs-product p k)))
@@ -78,7 +76,8 @@
 ;; ---------------------------------------------------------------------------
 ;; The sign of an expression
 
-;; The services are used only if there are relations. -> known
+;; s : simplifier, used only if there are relations
+;; -> known
 (define (infer-signs A s e)
   (node-fold e
              (lambda (leaf)
@@ -161,7 +160,7 @@
 (define arithmetic (list op:+ op:- op:* op:/ op:expt))
 
 (define (terms-of s n)
-  (if (memq (node-head n) arithmetic) ((services-terms s) n) (list (cons 1 n))))
+  (if (memq (node-head n) arithmetic) (simplifier-terms s n) (list (cons 1 n))))
 
 (define (from-table A s n k)
   (define ts (terms-of s n))
@@ -177,7 +176,7 @@
 ;; By the factors of a sum, if there are several.
 (define (from-factors A s ts n)
   (define-values (number factors)
-    (if (null? (cdr ts)) (values 1 '()) ((services-irreducible s) n)))
+    (if (null? (cdr ts)) (values 1 '()) (simplifier-irreducible-factors s n)))
   (if (single? factors)
       unknown
       (scaled number

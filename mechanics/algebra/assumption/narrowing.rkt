@@ -7,8 +7,8 @@
 ;; gets narrower, so this ends, and the order of the relations makes no difference.
 ;; An expression that is left without a possible sign is a contradiction.
 
-(require "assumption-set.rkt" "services.rkt" "signs.rkt"
-         "../expression/expression.rkt")
+(require "assumption-set.rkt" "signs.rkt"
+         "../expression/expression.rkt" "../expression/simplifier.rkt")
 
 (provide add-relations (struct-out exn:algebra:contradiction))
 
@@ -21,7 +21,7 @@
   (define sums
     (append (assumptions-sums A)
             (for*/list ([r (in-list new)] #:unless (number? (relation-expression r))
-                        [ts (in-value (key-of ((services-terms s) (relation-expression r))))]
+                        [ts (in-value (key-of (simplifier-terms s (relation-expression r))))]
                         #:when (pair? (cdr ts)))
               ts)))
   (define (with-table table)
@@ -49,9 +49,9 @@
       (narrow-parts A s e now)))
 
 (define (narrow-parts A s e k)
-  (define ts ((services-terms s) e))
+  (define ts (simplifier-terms s e))
   (define table (record (assumptions-table A) ts k))
-  (define-values (number parts) ((services-irreducible s) e))
+  (define-values (number parts) (simplifier-irreducible-factors s e))
   (if (and (eqv? 1 number) (single? parts))
       (narrow-terms A s table ts k)
       (narrow-factors A s table number parts k)))

@@ -12,15 +12,16 @@
 ;; from the top once suffices.
 
 (require "bounds.rkt" "walk.rkt"
-         "../assumption/services.rkt"
+         "../assumption/ledger.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/simplifier.rkt"
          "../kernel/circle.rkt" "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../kernel/roots.rkt"
          "../polynomial/fraction.rkt" "../polynomial/monomial.rkt" "../polynomial/polynomial.rkt"
          "../polynomial/ring.rkt" "../polynomial/term-list.rkt")
 
 (provide (struct-out field) (struct-out relation)
-         make-field field-fraction field-inexact?
+         make-field field-fraction field-inexact? field-simplifier
          wider-field with-room degree-limit
          field-combined-circle field-doubled? field-whole-kernel field-not-negative?
          reduce-poly reduce-fraction lower)
@@ -34,19 +35,20 @@
 (struct relation (index degree radicand) #:authentic)
 
 (define (field-inexact? F) (atlas-inexact? (field-atlas F)))
+(define (field-simplifier F) (atlas-simplifier (field-atlas F)))
 
 ;; Is e known not to be negative, or taken to be so from now on?
 (define (field-not-negative? F e)
-  (eqv? 1 (services-branch (atlas-services (field-atlas F)) e)))
+  (eqv? 1 (sign-or-assumed (field-simplifier F) e)))
 
 ;; ---------------------------------------------------------------------------
 ;; The field and the value of an expression
 
 ;; atlas -> field, in a ring of the given greatest degree.
 (define (make-field atlas kernels max-degree branch)
-  (define tank (services-fuel (atlas-services atlas)))
+  (define tank (simplifier-fuel (atlas-simplifier atlas)))
   (define R (make-ring (vector-length kernels) max-degree (fuel-meter tank)))
-  (define circles (make-circles kernels (atlas-services atlas)))
+  (define circles (make-circles kernels (atlas-simplifier atlas)))
   (define (over relations) (field atlas kernels R relations circles branch))
   (for/fold ([F (over (circle-relations R kernels))])
             ([r (in-list (sort-tower (atlas-tower atlas)))])
@@ -154,38 +156,50 @@
   (end-steps! (field-fuel F))
   (reduce-fraction F value))
 
-(define (field-fuel F) (services-fuel (atlas-services (field-atlas F))))
+(define (field-fuel F) (simplifier-fuel (field-simplifier F)))
 
 (define (fraction-arithmetic F)
   (define R (field-ring F))
-  (define fuel (field-fuel F))
-  (define (divisor f)
-    (define g (reduce-fraction F f))
-    (when (fraction-zero? g) (raise-obstacle))
-    g)
-  (define (multiply f g) (reduce-if-worthwhile F (fraction* R f g)))
   (arithmetic
    (lambda (c) (fraction-constant R c))
    (lambda (k) (fraction-from-poly R (poly-variable R (kernel-index k))))
-   (lambda (fs)
-     (begin-step! fuel)
-     (check-sum fuel fs)
-     (fraction-sum R fs))
-   (lambda (fs)
-     (begin-step! fuel)
-     (for/fold ([p (car fs)]) ([f (in-list (cdr fs))]) (multiply p f)))
-   (lambda (f g)
-     (begin-step! fuel)
-     (check-sum fuel (list f g))
-     (fraction- R f g))
-   (lambda (f g)
-     (begin-step! fuel)
-     (reduce-fraction F (fraction/ R f (divisor g))))
-   (lambda (f k)
-     (begin-step! fuel)
-     (define base (if (negative? k) (divisor f) f))
-     (check-expansion fuel base (abs k))
-     (reduce-if-worthwhile F (fraction-expt R base k)))))
+   (lambda (fs) (field-sum F fs))
+   (lambda (fs) (field-product F fs))
+   (lambda (f g) (field-difference F f g))
+   (lambda (f g) (field-quotient F f g))
+   (lambda (f k) (field-power F f k))))
+
+;; Each is a step of the walk, which may cost so much and no more.
+(define (field-sum F fs)
+  (begin-step! (field-fuel F))
+  (check-sum (field-fuel F) fs)
+  (fraction-sum (field-ring F) fs))
+
+(define (field-product F fs)
+  (begin-step! (field-fuel F))
+  (for/fold ([p (car fs)]) ([f (in-list (cdr fs))])
+    (reduce-if-worthwhile F (fraction* (field-ring F) p f))))
+
+(define (field-difference F f g)
+  (begin-step! (field-fuel F))
+  (check-sum (field-fuel F) (list f g))
+  (fraction- (field-ring F) f g))
+
+(define (field-quotient F f g)
+  (begin-step! (field-fuel F))
+  (reduce-fraction F (fraction/ (field-ring F) f (divisor F g))))
+
+(define (field-power F f k)
+  (begin-step! (field-fuel F))
+  (define base (if (negative? k) (divisor F f) f))
+  (check-expansion (field-fuel F) base (abs k))
+  (reduce-if-worthwhile F (fraction-expt (field-ring F) base k)))
+
+;; f reduced, which must not be zero
+(define (divisor F f)
+  (define g (reduce-fraction F f))
+  (when (fraction-zero? g) (raise-obstacle))
+  g)
 
 ;; Short polynomials are left for the end: most of their sin² + cos² cancel.
 (define (reduce-if-worthwhile F f)

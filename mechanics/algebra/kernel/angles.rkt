@@ -11,8 +11,8 @@
 ;;     cosh(log u) = (u + 1/u)/2 ...
 
 (require "circle.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "lattice.rkt"
-         "../assumption/services.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt")
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/simplifier.rkt")
 
 (provide visit-angle! settle-angles! doubled-circles dependent-angles?)
 
@@ -21,7 +21,7 @@
 (define (visit-angle! c n)
   (define head (node-head n))
   (define circular? (and (memq head circular-functions) #t))
-  (define terms ((services-terms (collector-services c)) (car (node-args n))))
+  (define terms (simplifier-terms (collector-simplifier c) (car (node-args n))))
   (define inverse (and circular? (for/first ([t (in-list terms)] #:when (inverse-term? t)) t)))
   (cond [inverse (resolve-alias! c n (unfold head inverse terms))]
         [(and (not circular?) (ormap logarithm-term? terms)) (hyperbolic->exponential! c n)]
@@ -87,7 +87,7 @@
         (cons (car basic) (* (cdr basic) (cdr x)))))))
 
 (define (basic-angle c sign form)
-  (signed-angle (collector-services c) (form->expression c form)
+  (signed-angle (collector-simplifier c) (form->expression c form)
                  (lambda (u) (make-circle u sign (lambda (e o) (intern-kernel! c e o))))))
 
 ;; The basic angles that occurred doubled.

@@ -6,19 +6,19 @@
 ;; term has the circle.
 
 (require "kernel.rkt"
-         "../assumption/services.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt")
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/simplifier.rkt")
 
 (provide signed-angle make-circle make-circles combine-circles! whole-kernel!)
 
 ;; What make gives for u with 1, or for -u with -1 if u has a negative leading
 ;; term.
-(define (signed-angle services u make)
-  (define simple ((services-simplify services) u))
+(define (signed-angle s u make)
+  (define simple (simplifier-simplify s u))
   (define leading
-    (if (number? simple) simple (caar ((services-terms services) simple))))
+    (if (number? simple) simple (caar (simplifier-terms s simple))))
   (if (and (real? leading) (negative? leading))
-      (cons (make ((services-simplify services) (e:negate simple))) -1)
+      (cons (make (simplifier-simplify s (e:negate simple))) -1)
       (cons (make simple) 1)))
 
 ;; intern : expression relation -> kernel
@@ -33,11 +33,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Circles by their angles, with all kernels by rank
 
-(struct circles (circular hyperbolic wholes services [ranked #:mutable]) #:authentic)
+(struct circles (circular hyperbolic wholes simplifier [ranked #:mutable]) #:authentic)
 
-(define (make-circles kernels services)
+(define (make-circles kernels s)
   (define cs
-    (circles (make-hash) (make-hash) (make-hash) services
+    (circles (make-hash) (make-hash) (make-hash) s
              (sort (vector->list kernels) < #:key kernel-rank)))
   (for ([k (in-vector kernels)] #:when (circle? (kernel-relation k)))
     (define o (kernel-relation k))
@@ -55,7 +55,7 @@
     (for/fold ([sum 0]) ([m (in-list multiples)])
       (e:+ sum (e:* (cdr m) (circle-expression (car m))))))
   (define table (circles-of cs sign))
-  (signed-angle (circles-services cs) u
+  (signed-angle (circles-simplifier cs) u
                  (lambda (u)
                    (or (hash-ref table u #f)
                        (let ([o (make-circle u sign (lambda (e o) (add-kernel! cs e o)))])

@@ -2,9 +2,8 @@
 ;; What finding kernels keeps, and what it finds.
 
 (require "kernel.rkt" "lattice.rkt"
-         "../assumption/services.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/order.rkt")
+         "../expression/operation.rkt" "../expression/order.rkt" "../expression/simplifier.rkt")
 
 (provide
  ;; what stands for a node
@@ -32,12 +31,12 @@
 ;; root.  tower : roots, and kernels of absolute values, the last met first: so
 ;; those within others come after them.  inexact?, inexact-forms? : did a flonum
 ;; occur, in arithmetic or in a form?
-(struct collector (services visit root blocked kernels resolutions atoms angles logarithms
+(struct collector (simplifier visit root blocked kernels resolutions atoms angles logarithms
                    roots [tower #:mutable] [inexact? #:mutable] [inexact-forms? #:mutable])
   #:authentic)
 
-(define (make-collector services visit root blocked)
-  (collector services visit root blocked
+(define (make-collector s visit root blocked)
+  (collector s visit root blocked
              (make-hash) (make-hasheqv) (make-atoms) (make-hash) (make-hash)
              (make-hash) '() #f #f))
 

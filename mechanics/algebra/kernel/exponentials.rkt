@@ -9,10 +9,10 @@
 ;; Hyperbolic functions stay as they are unless their arguments depend on those
 ;; of exponentials; then they are written as exponentials.
 
-(require "circle.rkt" "collector.rkt" "kernel.rkt" "lattice.rkt"
-         "../assumption/services.rkt"
+(require racket/list
+         "circle.rkt" "collector.rkt" "kernel.rkt" "lattice.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt")
+         "../expression/operation.rkt" "../expression/simplifier.rkt")
 
 (provide visit-exponential! visit-symbolic-power! settle-exponentials!
          combine-exponentials merge-exponentials
@@ -20,17 +20,17 @@
 
 ;; (exp u)
 (define (visit-exponential! c n)
-  (visit-terms! c n ((services-terms (collector-services c)) (car (node-args n)))))
+  (visit-terms! c n (simplifier-terms (collector-simplifier c) (car (node-args n)))))
 
 ;; base^k, k not a rational number
 (define (visit-symbolic-power! c n base k)
   (define logarithm (make-node op:log (list base)))
-  (visit-terms! c n ((services-terms (collector-services c)) (make-node op:* (list k logarithm)))))
+  (define exponent (make-node op:* (list k logarithm)))
+  (visit-terms! c n (simplifier-terms (collector-simplifier c) exponent)))
 
 ;; e to the sum of the terms ((rational . expression) ...) stands for n.
 (define (visit-terms! c n terms)
-  (define powers (filter logarithm-term? terms))
-  (define others (filter (lambda (t) (not (logarithm-term? t))) terms))
+  (define-values (powers others) (partition logarithm-term? terms))
   (cond [(null? powers)
          (resolve! c n (exponential-power (intern-angle! c 'exponential (linear-form c others))))]
         [else
@@ -60,7 +60,7 @@
   (settle-hyperbolics! c)
   (define ordered (sort-forms c (angles-of c 'exponential)))
   (define-values (basis coordinates) (modest-basis (map angle-form ordered) power-limit))
-  (define s (collector-services c))
+  (define s (collector-simplifier c))
   (define basics
     (for/vector ([form (in-list basis)])
       (signed-angle s (form->expression c form)
@@ -77,11 +77,12 @@
 
 ;; e^u, as bⁿ if u is n log b.
 (define (exponential-expression s u)
-  (define terms ((services-terms s) u))
+  (define terms (simplifier-terms s u))
   (define b (common-base terms))
   (if b
       (make-node op:expt
-                 (list b ((services-simplify s)
+                 (list b (simplifier-simplify
+                          s
                           (for/fold ([sum 0]) ([t (in-list terms)])
                             (e:+ sum (e:* (car t) (without-logarithm (cdr t))))))))
       (make-node op:exp (list u))))
@@ -113,19 +114,19 @@
 ;; into the exponent of bⁿ.
 (define (combine-exponentials powers)
   (define (exponential-power? p) (exponential? (kernel-relation (car p))))
-  (define es (filter exponential-power? powers))
-  (define others (filter (lambda (p) (not (exponential-power? p))) powers))
+  (define-values (es others) (partition exponential-power? powers))
   (cond [(null? es) (values #f powers)]
         [else (absorb-base (exponential-product es) others)]))
 
 (define (exponential-product es)
   (if (and (null? (cdr es)) (eqv? 1 (cdar es)))
       (kernel-expression (caar es))
-      (exponential-expression (exponential-services (kernel-relation (caar es)))
+      (exponential-expression (exponential-simplifier (kernel-relation (caar es)))
                               (total-exponent es))))
 
 (define (total-exponent es)
-  ((services-simplify (exponential-services (kernel-relation (caar es))))
+  (simplifier-simplify
+   (exponential-simplifier (kernel-relation (caar es)))
    (for/fold ([sum 0]) ([p (in-list es)])
      (e:+ sum (e:* (cdr p) (exponential-exponent (kernel-relation (car p))))))))
 
@@ -136,7 +137,7 @@
   (define es (filter (lambda (p) (exponential? (kernel-relation (car p)))) powers))
   (if e
       (cons (cons (intern e (exponential (total-exponent es)
-                                         (exponential-services (kernel-relation (caar es)))))
+                                         (exponential-simplifier (kernel-relation (caar es)))))
                   1)
             others)
       powers))

@@ -7,13 +7,13 @@
 ;; canonical expressions are equal are one kernel.  What depends on all that
 ;; occurs (which angles and exponents are basic) is settled at the end.
 ;;
-;; Arguments of kernels are simplified first, by the procedures of `services`,
-;; which belong to the simplifier above.
+;; Arguments of kernels are simplified first, by the simplifier above.
 
-(require "angles.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "logarithms.rkt"
-         "../assumption/services.rkt"
+(require racket/list
+         "angles.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "logarithms.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/order.rkt" "../expression/size.rkt")
+         "../expression/operation.rkt" "../expression/order.rkt" "../expression/simplifier.rkt"
+         "../expression/size.rkt")
 
 (provide (struct-out atlas) collect-kernels imaginary-unit
          (struct-out circular) (struct-out surd) (struct-out exponential-power)
@@ -24,13 +24,13 @@
 ;; values, those within others after them.  doubled : circles of which twice the
 ;; angle occurred.  dependent? : were there angles that are not basic?
 ;; inexact? : did a flonum occur?
-(struct atlas (kernels resolutions tower doubled dependent? inexact? services)
+(struct atlas (kernels resolutions tower doubled dependent? inexact? simplifier)
   #:authentic)
 
 ;; blocked : nodes to be taken as they simplify by themselves, not expanded; if e
 ;; is one, its operands are simplified.
-(define (collect-kernels e services [blocked '()])
-  (define c (make-collector services visit! e blocked))
+(define (collect-kernels e s [blocked '()])
+  (define c (make-collector s visit! e blocked))
   (visit! c e)
   (settle-logarithms! c)
   (settle-exponentials! c)
@@ -43,7 +43,7 @@
          (doubled-circles c)
          (dependent-angles? c)
          (collector-inexact? c)
-         services))
+         s))
 
 ;; ---------------------------------------------------------------------------
 ;; The walk
@@ -86,7 +86,7 @@
   (define simple
     (if (eq? n (collector-root c))
         (simplify-arguments c n)
-        ((services-simplify (collector-services c)) n)))
+        (simplifier-simplify (collector-simplifier c) n)))
   (if (and (node? simple) (memq (node-head simple) (list op:+ op:- (node-head n))))
       (resolve! c n (intern-kernel! c simple))
       (resolve-alias! c n simple)))
@@ -106,7 +106,7 @@
 (define (simplify-argument c a)
   (cond [(not (node? a)) a]
         [(memq (node-head a) (list op:up op:down)) (simplify-arguments c a)]
-        [else ((services-simplify (collector-services c)) a)]))
+        [else (simplifier-simplify (collector-simplifier c) a)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers and roots
@@ -121,7 +121,7 @@
 (define (visit-root! c n base k)
   (define degree (denominator k))
   (define-values (outer roots)
-    ((services-split-root (collector-services c)) base degree))
+    (simplifier-split-root (collector-simplifier c) base degree))
   (cond [(or (null? roots) (and (null? (cdr roots)) (eqv? (cdar roots) (/ 1 degree))))
          (visit-surd! c n base k outer (and (pair? roots) (caar roots)))]
         [else (resolve-alias! c n (root-product outer roots (numerator k)))]))
@@ -183,7 +183,7 @@
 (define (signed-operands e sign)
   (define (headed? op) (and (node? e) (eq? (node-head e) op)))
   (cond [(headed? op:+)
-         (apply append (for/list ([a (in-list (node-args e))]) (signed-operands a sign)))]
+         (append-map (lambda (a) (signed-operands a sign)) (node-args e))]
         [(headed? op:-)
          (append (signed-operands (car (node-args e)) sign)
                  (signed-operands (cadr (node-args e)) (- sign)))]
@@ -198,7 +198,7 @@
       (make-node op:+ (append (map cdr plus) (map (lambda (a) (e:negate (cdr a))) minus)))))
 
 (define (tidy-power c e)
-  (define simplify (services-simplify (collector-services c)))
+  (define (simplify e) (simplifier-simplify (collector-simplifier c) e))
   (define base+exponent (power-parts e))
   (if base+exponent
       (e:expt (simplify (car base+exponent)) (cdr base+exponent))

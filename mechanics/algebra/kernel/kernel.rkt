@@ -60,8 +60,8 @@
 ;; The absolute value of an expression.
 (struct modulus (argument) #:authentic)
 
-;; e^exponent, and the services to simplify exponents with.
-(struct exponential (exponent services) #:authentic)
+;; e^exponent, and what simplifies exponents.
+(struct exponential (exponent simplifier) #:authentic)
 
 ;; ---------------------------------------------------------------------------
 ;; Places

@@ -12,10 +12,11 @@
 ;;
 ;; |c x²y| = |c| x² |y|, and |y|² = y²; |y| is y or -y if the sign of y is known.
 
-(require "collector.rkt" "kernel.rkt"
-         "../assumption/services.rkt"
+(require racket/list
+         "collector.rkt" "kernel.rkt"
+         "../assumption/ledger.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt")
+         "../expression/operation.rkt" "../expression/simplifier.rkt")
 
 (provide visit-logarithm! settle-logarithms! visit-modulus!)
 
@@ -23,13 +24,13 @@
 ;; Logarithms
 
 (define (visit-logarithm! c n)
-  (define u ((services-simplify (collector-services c)) (car (node-args n))))
+  (define u (simplifier-simplify (collector-simplifier c) (car (node-args n))))
   (cond [(eqv? u 1) (resolve-alias! c n 0)]
-        [(not ((services-real? (collector-services c)) u))
+        [(not (known-real? (collector-simplifier c) u))
          (resolve! c n (intern-kernel! c (make-node op:log (list u))))]
         [(headed? u op:exp) (resolve-alias! c n (car (node-args u)))]
         [(and (symbolic-power? u)
-              (eqv? 1 (services-branch (collector-services c) (car (node-args u)))))
+              (eqv? 1 (sign-or-assumed (collector-simplifier c) (car (node-args u)))))
          (resolve-alias! c n (e:* (cadr (node-args u))
                                   (make-node op:log (list (car (node-args u))))))]
         [else
@@ -90,12 +91,12 @@
 
 ;; Then log x³ is 3 log x, but for a negative x: log -1 + 3 log(-x).
 (define (negative-part? c p)
-  (and (symbolic? (cdr p)) (eqv? -1 ((services-sign (collector-services c)) (cdr p)))))
+  (and (symbolic? (cdr p)) (eqv? -1 (decided-sign (collector-simplifier c) (cdr p)))))
 
 ;; The part of an even power of what has a known sign, or #f.
 (define (power-parts c parts)
   (define f (and (pair? parts) (null? (cdr parts)) (cdar parts)))
-  (define sign (and f (symbolic? f) (services-ask (collector-services c) f)))
+  (define sign (and f (symbolic? f) (sign-or-left-open (collector-simplifier c) f)))
   (and sign (list (cons (caar parts) (if (eqv? sign 1) f (opposite c f))))))
 
 ;; ---------------------------------------------------------------------------
@@ -104,14 +105,14 @@
 ;; The same sum with logarithms of what is not negative.  Of a negative part the
 ;; opposite stands in it; if that changes the sign of the whole, so does one other.
 (define (signed-parts c parts)
-  (define s (collector-services c))
+  (define s (collector-simplifier c))
   (define-values (positive negative unknown)
     (for/fold ([positive '()] [negative '()] [unknown '()]) ([p (in-list parts)])
-      (define sign (if (symbolic? (cdr p)) (services-branch s (cdr p)) 1))
+      (define sign (if (symbolic? (cdr p)) (sign-or-assumed s (cdr p)) 1))
       (cond [(eqv? sign 1) (values (cons p positive) negative unknown)]
             [(and sign (integer? (car p))) (values positive (cons p negative) unknown)]
             [else (values positive negative (cons p unknown))])))
-  (define-values (powers odd) (partition-even-powers unknown))
+  (define-values (powers odd) (partition even-power? unknown))
   (define sign (expt -1 (for/sum ([p (in-list negative)]) (car p))))
   (append (reverse positive)
           (for/list ([p (in-list powers)]) (cons (car p) (make-node op:abs (list (cdr p)))))
@@ -119,13 +120,10 @@
               (opposite-parts c (reverse negative) sign)
               (cons (cons 1 (joined c odd sign)) (opposite-parts c (reverse negative) 1)))))
 
-(define (partition-even-powers parts)
-  (values (filter even-power? parts)
-          (filter (lambda (p) (not (even-power? p))) parts)))
-
 ;; The product of the parts' powers, and a sign.
 (define (joined c parts sign)
-  ((services-simplify (collector-services c))
+  (simplifier-simplify
+   (collector-simplifier c)
    (for/fold ([u sign]) ([p (in-list parts)]) (e:* u (e:expt (cdr p) (car p))))))
 
 ;; If the sign is -1, a part that is no power stays negative, or -1 is a part.
@@ -143,12 +141,10 @@
 
 ;; log u as ((rational . expression) ...), a multiple of the logarithm of each.
 (define (logarithm-parts c u)
-  (define-values (number factors) ((services-factors (collector-services c)) u))
+  (define-values (number factors) (simplifier-factors (collector-simplifier c) u))
   (define-values (positive signed) (absorb-sign c number factors))
   (append (number-parts positive (collector-inexact? c))
-          (append* (for/list ([f (in-list signed)]) (factor-parts c (car f) (cdr f))))))
-
-(define (append* lists) (apply append lists))
+          (append-map (lambda (f) (factor-parts c (car f) (cdr f))) signed)))
 
 ;; log f^e, where f may be a root
 (define (factor-parts c f e)
@@ -173,7 +169,7 @@
                 (if (eq? f odd) (cons (opposite c (car f)) (cdr f)) f)))
       (values number factors)))
 
-(define (opposite c e) ((services-simplify (collector-services c)) (e:negate e)))
+(define (opposite c e) (simplifier-simplify (collector-simplifier c) (e:negate e)))
 
 ;; By primes, unless these are so large that the number was a flonum.
 (define (number-parts x inexact?)
@@ -201,21 +197,21 @@
 ;; Absolute values
 
 (define (visit-modulus! c n)
-  (define s (collector-services c))
-  (define u ((services-simplify s) (car (node-args n))))
-  (define sign ((services-sign s) u))
+  (define s (collector-simplifier c))
+  (define u (simplifier-simplify s (car (node-args n))))
+  (define sign (decided-sign s u))
   (cond [sign (resolve-alias! c n (e:* sign u))]
-        [((services-real? s) u) (resolve-alias! c n (product-of-moduli c u))]
+        [(known-real? s u) (resolve-alias! c n (product-of-moduli c u))]
         [else (resolve! c n (intern-kernel! c (make-node op:abs (list u))))]))
 
 (define (product-of-moduli c u)
-  (define-values (number factors) ((services-factors (collector-services c)) u))
+  (define-values (number factors) (simplifier-factors (collector-simplifier c) u))
   (for/fold ([product (abs number)]) ([f (in-list factors)])
     (e:* product (modulus-power c (car f) (cdr f)))))
 
 ;; |f|^e, the kernel |f| being interned.
 (define (modulus-power c f e)
-  (define sign (if (even? e) 1 (services-ask (collector-services c) f)))
+  (define sign (if (even? e) 1 (sign-or-left-open (collector-simplifier c) f)))
   (cond [sign (e:* sign (e:expt f e))]
         [else
          (define n (make-node op:abs (list f)))

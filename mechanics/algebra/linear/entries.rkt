@@ -16,7 +16,7 @@
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt"
-         "../simplify/normalize.rkt"
+         "../simplify/normalize.rkt" "../simplify/workspace.rkt"
          "../../numeric/linear/rows.rkt")
 
 (provide (struct-out coefficients) (struct-out ratio) call-with-coefficients exact-numbers?)

@@ -12,27 +12,25 @@
 ;; - what exponentials, angles, roots and logarithms are taken of, whose terms and
 ;;   factors count, is written in the kernels of all.
 
-(require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
-         "../expression/size.rkt"
-         "../field/field.rkt"
+(require "normalize.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
+         "../expression/simplifier.rkt" "../expression/size.rkt"
+         "../field/bounds.rkt" "../field/field.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
 (provide align make-involved? least-expression)
 
+;; s : simplifier
 ;; involved? : does a function occur in an expression? (make-involved?)
 ;; alone : expression -> the kernels of its field, a vector
-;; simplify : expression -> expression
-;; atlas-of : expression -> atlas
-;; values-in : atlas expressions -> field and fractions, or #f #f if they grow too large
 ;; -> an expression equal to e
-(define (align e involved? alone simplify atlas-of values-in)
-  (define (align-all es)
-    (node-args (align (make-node op:+ es) involved? alone simplify atlas-of values-in)))
+(define (align e s involved? alone)
+  (define (align-all es) (node-args (align (make-node op:+ es) s involved? alone)))
   (define arguments (involved-arguments e involved?))
   (cond [(or (null? arguments) (null? (cdr arguments))) e]
         [else
-         (define table (spellings arguments (align-all arguments) alone simplify atlas-of values-in))
+         (define table (spellings arguments (align-all arguments) s alone))
          (if table (respell e table) e)]))
 
 (define (least-expression es)
@@ -100,13 +98,15 @@
 
 ;; inner : the arguments, those of their own functions aligned.
 ;; -> argument parts? -> expression; or #f if all may stay as they are
-(define (spellings arguments inner alone simplify atlas-of values-in)
-  (define atlas (atlas-of (make-node op:+ inner)))
+(define (spellings arguments inner s alone)
+  (define atlas (collect-kernels (make-node op:+ inner) s))
   (define own (map alone inner))
   (define-values (F fractions)
-    (if (comparable? atlas own) (values #f #f) (values-in atlas inner)))
+    (if (comparable? atlas own)
+        (values #f #f)
+        (call-nested (simplifier-fuel s) (lambda () (values-together atlas inner)))))
   (cond [F (table-of arguments (spell-by-parts F inner fractions own)
-                     (spell-by-wholes F inner fractions simplify))]
+                     (spell-by-wholes F inner fractions s))]
         [(andmap eq? arguments inner) #f]
         [else (table-of arguments inner inner)]))
 
@@ -160,8 +160,9 @@
            (e:* product (e:expt (kernel-expression k) (power-exponent power)))))))
 
 ;; The least of those that are equal, simplified by itself.
-(define (spell-by-wholes F arguments fractions simplify)
+(define (spell-by-wholes F arguments fractions s)
   (define R (field-ring F))
+  (define (simplified e) (simplifier-simplify s e))
   (define groups (make-hasheqv))        ; hash -> ((fraction . argument) ...)
   (for ([f (in-list fractions)] [a (in-list arguments)])
     (hash-update! groups (fraction-hash R f) (lambda (group) (cons (cons f a) group)) '()))
@@ -170,4 +171,4 @@
       (for/list ([g (in-list (hash-ref groups (fraction-hash R f)))]
                  #:when (fraction=? R f (car g)))
         (cdr g)))
-    (if (null? (cdr equals)) a (least-expression (map simplify equals)))))
+    (if (null? (cdr equals)) a (least-expression (map simplified equals)))))

@@ -5,7 +5,7 @@
 ;; set: with x > 0, |x| - 1 becomes x - 1.  So relations that simplify to something
 ;; else in the new set are added in that form too.
 
-(require "normalize.rkt" "simplify-expression.rkt"
+(require "simplify-expression.rkt" "workspace.rkt"
          "../assumption/assumption-set.rkt" "../assumption/narrowing.rkt"
          "../assumption/relation.rkt")
 
@@ -28,7 +28,7 @@
 
 (define (add A new)
   (define w (make-workspace (with-automatic-assumptions no-assumptions #f)))
-  (if (null? new) A (add-relations A new (workspace-services w))))
+  (if (null? new) A (add-relations A new w)))
 
 (define (simplified r A)
   (relation (relation-datum r)
@@ -44,4 +44,4 @@
 ;; The set without those of these datums; what they implied is gone.
 (define (without-relations A data)
   (declare-relations (with-automatic-assumptions no-assumptions (assumptions-automatic? A))
-                     (filter (lambda (d) (not (member d data))) (declared-relations A))))
+                     (remove* data (declared-relations A))))

@@ -12,30 +12,29 @@
 ;; even number of factors under an even root is one of |g|.  Of factors that are not real
 ;; all stay under one root: √(e^(2it)) is e^(it) or its opposite.
 
-(require "../assumption/services.rkt"
+(require racket/list
+         "../assumption/ledger.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt"
          "../field/field.rkt"
-         (only-in "../kernel/find-kernels.rkt" atlas-services) "../kernel/kernel.rkt"
+         "../kernel/kernel.rkt"
          "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt" "../presentation/sine-or-cosine.rkt")
 
 (provide split-root fraction-factors fraction-factors/irreducible)
 
-;; branch : expression -> 1 or -1, as its sign is known or taken to be, or #f
 ;; all-real? : is all that f holds plainly real?
 ;; -> outer and ((inner . exponent) ...), expressions and rationals, with
 ;; f^(1/q) = outer ∏ inner^exponent.
-(define (split-root F f q branch all-real?)
-  (define (real? p)
-    (or all-real? ((services-real? (field-services F)) (present-poly F p))))
+(define (split-root F f q all-real?)
+  (define (real? p) (or all-real? (known-real? (field-simplifier F) (present-poly F p))))
   (cond
     [(fraction-zero? f) (values 0 '())]
     [else
      (define R (field-ring F))
      (define-values (number factors) (value-parts F f))
      (define-values (roots others) (partition-roots F factors real?))
-     (define-values (sign known unknown) (by-signs F others q branch real?))
+     (define-values (sign known unknown) (by-signs F others q real?))
      (define parts (append (number-parts (* sign number) q (field-inexact? F))
                            (for/list ([g (in-list known)]) (cons (car g) (/ (cdr g) q)))))
      (define-values (outer lower kept) (careful-roots F unknown q real?))
@@ -50,14 +49,15 @@
 
 ;; Factors ((polynomial . integer) ...) by their signs, if these matter: -> 1 or -1 and
 ;; factors that together are those of known signs, and those of unknown sign.
-(define (by-signs F factors q branch real?)
+(define (by-signs F factors q real?)
   (for/fold ([sign 1] [known '()] [unknown '()]
              #:result (values sign (reverse known) (reverse unknown)))
             ([g (in-list factors)])
     (define s
-      (cond [(sign-matters? (cdr g) q) (branch (present-poly F (car g)))]
+      (cond [(sign-matters? (cdr g) q)
+             (sign-or-assumed (field-simplifier F) (present-poly F (car g)))]
             [(not (real? (car g))) #f]
-            [(negative? (cdr g)) (known-sign F (car g))]
+            [(negative? (cdr g)) (sign-below F (car g))]
             [else 1]))
     (cond [(eqv? s 1) (values sign (cons g known) unknown)]
           [s (values (* sign (expt -1 (cdr g)))
@@ -71,10 +71,8 @@
   (not (or (and (integer? e) (even? e))
            (and (odd? n) (even? (truncate e)) (eqv? q (denominator e))))))
 
-(define (field-services F) (atlas-services (field-atlas F)))
-
 ;; 1/√x is √(1/x) unless x is negative.
-(define (known-sign F p) (or ((services-sign (field-services F)) (present-poly F p)) 1))
+(define (sign-below F p) (or (decided-sign (field-simplifier F) (present-poly F p)) 1))
 
 (define (present-poly F p) (present F (fraction-from-poly (field-ring F) p)))
 
@@ -149,7 +147,7 @@
 ;; Parts with fractions for exponents, those of one denominator in one root: its
 ;; radicand is no power itself, unless it is negative.
 (define (grouped-roots F parts)
-  (define degrees (distinct (for/list ([p (in-list parts)]) (denominator (cdr p)))))
+  (define degrees (remove-duplicates (for/list ([p (in-list parts)]) (denominator (cdr p))) eqv?))
   (for/list ([d (in-list degrees)])
     (define group (filter (lambda (p) (eqv? d (denominator (cdr p)))) parts))
     (define signed? (assv -1 group))
@@ -159,10 +157,6 @@
     (define inner
       (for/list ([p (in-list group)]) (cons (car p) (/ (numerator (cdr p)) power))))
     (cons (present F (fraction-product (field-ring F) inner)) (/ power d))))
-
-(define (distinct xs)
-  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
-    (if (memv x kept) kept (cons x kept))))
 
 ;; -> number and ((polynomial . integer) ...), whose product f is: the parts of
 ;; numerator and denominator.  In the form with fewest terms 1 - cos² is a square.

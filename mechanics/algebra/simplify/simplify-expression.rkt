@@ -2,7 +2,7 @@
 ;; Simplification: to a canonical value, and from it to a readable expression,
 ;; under assumptions about signs.
 
-(require "normalize.rkt"
+(require "workspace.rkt"
          "../assumption/assumption-set.rkt"
          "../expression/expression.rkt"
          "../field/bounds.rkt")
@@ -38,16 +38,20 @@
 ;; -> the field of the expression's kernels, its value there, what that rests on.
 ;; fuel : what it may cost (field/bounds.rkt)
 (define (normal-form e [A no-assumptions] [fuel (make-fuel)])
-  (define-values (n grounds)
-    (work-under A (lambda (w) (workspace-normal w e)) (lambda () fuel)))
-  (values (car n) (cdr n) grounds))
+  (define-values (result grounds)
+    (work-under A
+                (lambda (w)
+                  (define-values (F f) (workspace-normal w e))
+                  (list F f))
+                (lambda () fuel)))
+  (values (car result) (cadr result) grounds))
 
 ;; -> the same, and the simplified expression.  The last value holds what is to be
 ;; known of it as well.
 (define (normal-form+simplified e [A no-assumptions])
   (define-values (result grounds)
     (work-under A (lambda (w)
-                    (define n (workspace-normal w e))
-                    (define simple (if (node? e) (workspace-simplify w e) e))
-                    (list (car n) (cdr n) simple (workspace-left w)))))
-  (values (car result) (cadr result) (caddr result) (append grounds (cadddr result))))
+                    (define-values (F f) (workspace-normal w e))
+                    (list F f (if (node? e) (workspace-simplify w e) e) (workspace-left w)))))
+  (define-values (F f simple left) (apply values result))
+  (values F f simple (append grounds left)))

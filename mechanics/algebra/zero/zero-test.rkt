@@ -2,10 +2,10 @@
 ;; Is an expression zero?  Proved, refuted, or undecided.
 ;;
 ;; *Proved* rests on the canonical form being 0, whatever numbers stand in place of
-;; the flonums (flonums.rkt).  *Refuted* rests on a point where the value is farther from zero than rounding can
-;; explain: small integers for the symbols and for the literal functions
-;; applied, which a person can put in by hand; all assumptions hold there.
-;; Otherwise the test is *undecided* and says at how many points it found zero,
+;; the flonums (flonums.rkt).  *Refuted* rests on a point where the value is farther
+;; from zero than rounding can explain: small integers for the symbols and for the
+;; literal functions applied, which a person can put in by hand; all assumptions hold
+;; there.  Otherwise the test is *undecided* and says at how many points it found zero,
 ;; and to what bound.  The points are always the same.
 ;;
 ;; A large graph is first judged modulo primes (fingerprint.rkt): if it is not
@@ -20,7 +20,7 @@
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt"
          "../field/bounds.rkt" (only-in "../field/field.rkt" field-atlas)
-         (only-in "../kernel/find-kernels.rkt" atlas-services)
+         (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../polynomial/fraction.rkt"
          "../simplify/simplify-expression.rkt")
 
@@ -88,7 +88,7 @@
 
 ;; Do the assumptions allow the expression over F to be zero?
 (define (may-vanish? A F e)
-  (define k (infer-signs A (atlas-services (field-atlas F)) e))
+  (define k (infer-signs A (atlas-simplifier (field-atlas F)) e))
   (signs-within? zero (known-signs k)))
 
 ;; ---------------------------------------------------------------------------

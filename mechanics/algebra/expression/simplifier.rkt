@@ -1,0 +1,38 @@
+#lang racket/base
+;; The simplifier, as the rooms below it know it.
+;;
+;; Kernels are found with their arguments simplified, and signs by the terms and
+;; factors of an expression: work of the simplifier (simplify/workspace.rkt), which
+;; stands above both.  It hands itself down, with its methods in one record.
+
+(provide (struct-out simplifier) (struct-out methods)
+         simplifier-simplify simplifier-terms
+         simplifier-factors simplifier-irreducible-factors simplifier-split-root)
+
+;; ledger : what the work rests on (assumption/ledger.rkt)
+;; fuel : what it may cost altogether (field/bounds.rkt)
+(struct simplifier (methods ledger fuel) #:authentic)
+
+;; Procedures that take the simplifier first.
+(struct methods (simplify terms factors irreducible-factors split-root) #:authentic)
+
+(define-syntax-rule (define-method (name s argument ...) method)
+  (define (name s argument ...) ((method (simplifier-methods s)) s argument ...)))
+
+;; -> the simplified expression
+(define-method (simplifier-simplify s e) methods-simplify)
+
+;; -> ((number . expression) ...), whose sum e is; the numbers are flonums if they
+;; came from flonums
+(define-method (simplifier-terms s e) methods-terms)
+
+;; -> number and ((expression . integer) ...), whose product e is; the expressions
+;; have a positive leading coefficient
+(define-method (simplifier-factors s e) methods-factors)
+
+;; -> the same, of factors that cannot be factored further
+(define-method (simplifier-irreducible-factors s e) methods-irreducible-factors)
+
+;; -> outer and ((inner . rational) ...), the root of this degree being
+;; outer ∏ inner^rational
+(define-method (simplifier-split-root s e degree) methods-split-root)

@@ -1,0 +1,60 @@
+#lang racket/base
+;; Presenting a normal form as an expression that stays as it is.
+
+(require "align.rkt" "normalize.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../field/field.rkt"
+         "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
+         "../presentation/present.rkt")
+
+(provide settle)
+
+;; What a normal form is presented as.  Which angles are basic depends on those
+;; that occur, so a result in others is simplified again until it stays as it is or is
+;; one that came before: the least of those that keep coming back.
+(define (settle form s)
+  (let loop ([form form] [seen '()])
+    (define e (present (normal-field form) (normal-fraction form)))
+    (define cycle (member e (reverse seen)))
+    (cond [cycle (least-expression cycle)]
+          [(or (not (node? e)) (settled? (normal-field form) e s)) e]
+          [(= (length seen) settle-limit) (least-expression (cons e seen))]
+          [else (loop (normalize e s) (cons e seen))])))
+
+(define settle-limit 4)
+
+;; Would e, presented from this field, come out again?
+(define (settled? F e s)
+  (or (not (or (atlas-dependent? (field-atlas F)) (new-angles? F e)))
+      (same-field? F e s)))
+
+;; Would e be simplified in this very field?
+(define (same-field? F e s)
+  (define known
+    (for/hash ([k (in-vector (field-kernels F))]) (values (kernel-expression k) #t)))
+  (define (known? e) (hash-ref known e #f))
+  (define atlas (collect-kernels e s))
+  (define kernels (atlas-kernels atlas))
+  (and (= (length kernels) (hash-count known))
+       (for/and ([k (in-list kernels)]) (known? (kernel-expression k)))
+       (same-circles? (atlas-doubled atlas) (atlas-doubled (field-atlas F)))))
+
+(define (same-circles? as bs)
+  (define (expressions os) (for/hash ([o (in-list os)]) (values (circle-expression o) #t)))
+  (equal? (expressions as) (expressions bs)))
+
+;; Has presentation put angles together that did not occur?
+(define (new-angles? F e)
+  (define known
+    (for/hash ([k (in-vector (field-kernels F))] #:when (circle? (kernel-relation k)))
+      (values (circle-expression (kernel-relation k)) #t)))
+  (define memo (make-memo))
+  (define (new? e)
+    (and (node? e) (memo e (lambda () (new-node? e)))))
+  (define (new-node? n)
+    (cond [(memq (node-head n) (list op:+ op:- op:* op:/ op:expt))
+           (ormap new? (node-args n))]
+          [(memq (node-head n) (list op:sin op:cos op:sinh op:cosh))
+           (not (hash-ref known (car (node-args n)) #f))]
+          [else #f]))
+  (and (positive? (hash-count known)) (new? e)))

@@ -1,0 +1,148 @@
+#lang racket/base
+;; The simplifier: one workspace serves an expression and everything within it.
+;;
+;; Each node is treated once, and what is taken for granted is written in a ledger.
+;; The rooms below, which need parts simplified, know the workspace by its methods.
+
+(require racket/list
+         "align.rkt" "normalize.rkt" "radicand.rkt" "settle.rkt"
+         (only-in "../assumption/assumption-set.rkt" plainly-real?) "../assumption/ledger.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/simplifier.rkt" "../expression/size.rkt"
+         "../field/bounds.rkt" "../field/field.rkt"
+         "../kernel/find-kernels.rkt"
+         "../presentation/present.rkt")
+
+(provide make-workspace workspace-assumptions workspace-revision workspace-left
+         workspace-simplify workspace-normal workspace-atlas)
+
+;; normals : expression -> normal form; simples : expression -> simplified
+;; term-lists : expression -> terms.  These tables know expressions by structure:
+;; kernels are met again and again in nodes of their own.
+;; involved? : expression -> boolean (align.rkt)
+;; left-unexpanded : nodes, the last met first
+(struct workspace simplifier (normals simples term-lists involved? [left-unexpanded #:mutable])
+  #:authentic)
+
+(define (make-workspace A [fuel (make-fuel)])
+  (workspace workspace-methods (make-ledger A) fuel
+             (make-hash) (make-hash) (make-hash) (make-involved?) '()))
+
+;; ---------------------------------------------------------------------------
+;; Normal forms
+
+(define (normal-of w e)
+  (define n (if (node? e) e (make-node op:+ (list e))))
+  (or (hash-ref (workspace-normals w) n #f)
+      (let ([form (normalize (aligned w n) w)])
+        (hash-set! (workspace-normals w) n form)
+        form)))
+
+(define (aligned w n)
+  (align n w (workspace-involved? w)
+         (lambda (e) (field-kernels (normal-field (nested-normal w e))))))
+
+(define (nested-normal w e)
+  (call-nested (simplifier-fuel w) (lambda () (normal-of w e))))
+
+;; (proceed field fraction), with room to present it
+(define (with-normal w e proceed)
+  (define n (roomy (nested-normal w e)))
+  (proceed (normal-field n) (normal-fraction n)))
+
+;; -> field and fraction
+(define (workspace-normal w e)
+  (define n (roomy (normal-of w e)))
+  (values (normal-field n) (normal-fraction n)))
+
+;; The kernels of e, without evaluating it.
+(define (workspace-atlas w e) (collect-kernels e w))
+
+;; ---------------------------------------------------------------------------
+;; Simplified expressions
+
+(define (workspace-simplify w e) (if (plain? e) e (simplify-anew w e)))
+
+(define (simplify w e)
+  (cond [(plain? e) e]
+        [(hash-ref (workspace-simples w) e #f)]
+        [(and (fuel-empty? (simplifier-fuel w)) (not (small? e))) e]
+        [else (call-nested (simplifier-fuel w) (lambda () (simplify-anew w e)))]))
+
+;; What something simplifies to has its normal form.
+(define (simplify-anew w e)
+  (define form (readable-form e (normal-of w e) w))
+  (define simple (settle form w))
+  (define simples (workspace-simples w))
+  (hash-set! simples e simple)
+  (when (node? simple)
+    (leave! w (normal-stuck form))
+    (hash-set! simples simple simple)
+    (hash-set! (workspace-normals w) simple (normal-of w e)))
+  simple)
+
+;; Simplified even when there is no fuel left.
+(define (small? e) (< (expression-size e) 60))
+
+;; Nothing to do?
+(define (plain? e) (or (not (node? e)) (simple-application? e)))
+
+;; A literal function of symbols and exact numbers.
+(define (simple-application? e)
+  (and (node? e)
+       (literal-head? (node-head e))
+       (for/and ([a (in-list (node-args e))])
+         (or (symbol? a) (and (number? a) (exact? a))))))
+
+;; ---------------------------------------------------------------------------
+;; Terms and factors
+
+(define (terms w e)
+  (if (or (symbol? e) (simple-application? e))
+      (list (cons 1 e))
+      (hash-ref! (workspace-term-lists w) e (lambda () (with-normal w e linear-terms)))))
+
+(define (factors w e) (with-normal w e fraction-factors))
+
+(define (irreducible-factors w e) (with-normal w e fraction-factors/irreducible))
+
+(define (root-parts w e degree)
+  (with-normal w e (lambda (F f) (split-root F f degree (plainly-real? e)))))
+
+(define workspace-methods (methods simplify terms factors irreducible-factors root-parts))
+
+;; ---------------------------------------------------------------------------
+;; What the work rests on; what was left unexpanded
+
+;; What the work so far rests on, as datums such as (>= R 0).
+(define (workspace-assumptions w) (simplifier-grounds w))
+
+;; Assumptions with which to begin anew, or #f (see assumption/ledger.rkt).
+(define (workspace-revision w) (simplifier-revision w))
+
+(define (leave! w nodes)
+  (set-workspace-left-unexpanded! w (append (reverse nodes) (workspace-left-unexpanded w))))
+
+;; What would have grown too large, as datums (left-unexpanded e): the innermost
+;; such operations, of which a few are told.
+(define (workspace-left w)
+  (define all (reverse (workspace-left-unexpanded w)))
+  (define others (make-hasheq))
+  (for ([e (in-list all)]) (hash-set! others e #t))
+  (define innermost
+    (filter-not (lambda (e) (contains-any? e others)) (remove-duplicates all)))
+  (for/list ([e (in-list innermost)] [_ (in-range told-limit)])
+    (list 'left-unexpanded (expression->datum e))))
+
+(define told-limit 3)
+
+;; Is one of these nodes below e?
+(define (contains-any? e nodes)
+  (define seen (make-hasheq))
+  (define (below? e)
+    (for/or ([a (in-list (node-args e))])
+      (and (node? a)
+           (not (hash-ref seen a #f))
+           (begin (hash-set! seen a #t)
+                  (or (hash-ref nodes a #f) (below? a))))))
+  (below? e))
