@@ -18,4 +18,5 @@
   (raise (exn:fail:contract:arity (message who text parts) (current-continuation-marks))))
 
 (define (raise-division-by-zero who [what "division by zero"])
-  (raise (exn:fail:contract:divide-by-zero (message who what '()) (current-continuation-marks))))
+  (raise (exn:fail:contract:divide-by-zero (format "~a: ~a" who what)
+                                           (current-continuation-marks))))

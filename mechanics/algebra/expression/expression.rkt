@@ -15,7 +15,8 @@
 ;; elements and flatten short sums and products.  Everything dearer is
 ;; simplification.
 
-(require "constant-range.rkt" "operation.rkt" "write.rkt")
+(require "constant-range.rkt" "operation.rkt" "write.rkt"
+         "../../error/complain.rkt")
 
 (provide
  ;; kinds
@@ -83,38 +84,50 @@
 
 ;; Pairs already found equal are remembered, so that two graphs built apart are
 ;; compared in time proportional to their nodes.
-(define (expression=? a b)
-  (define seen #f)
-  (define (known? a b)
-    (and seen (let ([bs (hash-ref seen a #f)]) (and bs (memq b bs) #t))))
-  (define (learn! a b)
-    (unless seen (set! seen (make-hasheq)))
-    (hash-update! seen a (lambda (bs) (cons b bs)) '()))
-  (define (same? a b)
-    (cond [(eq? a b) #t]
-          [(and (node? a) (node? b))
-           (and (= (node-hash a) (node-hash b))
-                (head=? (node-head a) (node-head b))
-                (or (known? a b)
-                    (and (or (same-list? (node-args a) (node-args b))
-                             (and (commutative? (node-head a))
-                                  (same-multiset? (node-args a) (node-args b))))
-                         (begin (learn! a b) #t))))]
-          [else (eqv? a b)]))
-  (define (same-list? as bs)
-    (cond [(null? as) (null? bs)]
-          [(null? bs) #f]
-          [else (and (same? (car as) (car bs)) (same-list? (cdr as) (cdr bs)))]))
-  (define (same-multiset? as bs)
-    (cond [(null? as) (null? bs)]
-          [else (define rest (remove-one (car as) bs))
-                (and rest (same-multiset? (cdr as) rest))]))
-  (define (remove-one a bs)
-    (cond [(null? bs) #f]
-          [(same? a (car bs)) (cdr bs)]
-          [else (define rest (remove-one a (cdr bs)))
-                (and rest (cons (car bs) rest))]))
-  (same? a b))
+(define (expression=? a b) (same? a b (box #f)))
+
+;; seen : box of a table node -> nodes it is equal to, #f as long as there are none
+(define (same? a b seen)
+  (cond [(eq? a b) #t]
+        [(and (node? a) (node? b))
+         (and (= (node-hash a) (node-hash b))
+              (head=? (node-head a) (node-head b))
+              (or (seen? a b seen)
+                  (and (same-operands? a b seen)
+                       (begin (learn! a b seen) #t))))]
+        [else (eqv? a b)]))
+
+(define (seen? a b seen)
+  (define table (unbox seen))
+  (and table (memq b (hash-ref table a '())) #t))
+
+(define (learn! a b seen)
+  (unless (unbox seen) (set-box! seen (make-hasheq)))
+  (hash-update! (unbox seen) a (lambda (bs) (cons b bs)) '()))
+
+(define (same-operands? a b seen)
+  (or (same-list? (node-args a) (node-args b) seen)
+      (and (commutative? (node-head a))
+           (same-multiset? (node-args a) (node-args b) seen))))
+
+(define (same-list? as bs seen)
+  (cond [(null? as) (null? bs)]
+        [(null? bs) #f]
+        [else (and (same? (car as) (car bs) seen) (same-list? (cdr as) (cdr bs) seen))]))
+
+(define (same-multiset? as bs seen)
+  (cond [(null? as) (null? bs)]
+        [else
+         (define rest (remove-one (car as) bs seen))
+         (and rest (same-multiset? (cdr as) rest seen))]))
+
+;; bs without one that is equal to a, or #f
+(define (remove-one a bs seen)
+  (cond [(null? bs) #f]
+        [(same? a (car bs) seen) (cdr bs)]
+        [else
+         (define rest (remove-one a (cdr bs) seen))
+         (and rest (cons (car bs) rest))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Constructors
@@ -203,7 +216,7 @@
 
 (define (e:/ a b)
   (cond [(number? b)
-         (when (exact-zero? b) (raise-division-by-zero a))
+         (when (exact-zero? b) (complain-of-division a))
          (define c (/ 1 b))
          (cond [(reciprocal-fits? c b) (e:* c a)]
                [(number? a) (/ a b)]
@@ -212,11 +225,9 @@
         [(expression=? a b) 1]
         [else (make-node op:/ (list a b))]))
 
-(define (raise-division-by-zero a)
-  (raise (exn:fail:contract:divide-by-zero
-          (format "/: division by zero\n  in: (/ ~a 0)"
-                  (datum->text (expression->datum a)))
-          (current-continuation-marks))))
+(define (complain-of-division a)
+  (raise-division-by-zero
+   '/ (format "division by zero\n  in: (/ ~a 0)" (datum->text (expression->datum a)))))
 
 (define (e:expt b n)
   (cond [(and (number? b) (number? n)) (expt b n)]

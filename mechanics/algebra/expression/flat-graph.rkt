@@ -39,50 +39,62 @@
 (define most-places (fx- (fxlshift 1 place-bits) 1))
 (define most-tapes (fx- (fxlshift 1 31) 1))
 
-;; merged : table of the nodes met, or #f
+;; A tape in the making.  leaves : number or symbol -> place; keys : of the items, where
+;; equal nodes are merged; merged : table of the nodes met, or #f
+(struct recorder (number leaves items heads operands keys merged) #:authentic)
+
 (define (make-tape e merged)
-  (define leaves (make-hasheqv))
-  (define items (make-buffer))
-  (define heads (make-buffer))
-  (define operands (make-buffer))
-  (define keys (make-buffer))
-  (define number (next-number))
-  (define (append! e ks key)
-    (buffer-add! operands ks)
-    (buffer-add! heads (and (node? e) (node-head e)))
-    (when merged (buffer-add! keys key))
-    (buffer-add! items e))
-  (define (place e)
-    (cond [(not (node? e))
-           (or (hash-ref leaves e #f)
-               (let ([k (append! e '() '())])
-                 (hash-set! leaves e k)
-                 k))]
-          [else
-           (define mark (node-mark e))
-           (if (and mark (fx= number (fxrshift mark place-bits)))
-               (fxand mark most-places)
-               (place-node e (places-of (node-args e))))]))
-  (define (places-of es)
-    (if (null? es)
-        '()
-        (let ([k (place (car es))])
-          (cons k (places-of (cdr es))))))
-  (define (place-node e ks)
-    (define k
-      (if merged
-          (merged-place merged e ks)
-          (append! e ks #f)))
-    (set-node-mark! e (fxior (fxlshift number place-bits) k))
-    k)
-  (define (merged-place merged e ks)
-    (define key (if (memq (node-head e) commutative) (sort-places ks) ks))
-    (or (merged-ref merged items keys e key)
-        (let ([k (append! e ks key)])
-          (merged-add! merged e k)
-          k)))
-  (place e)
-  (tape (buffer->vector items) (buffer->vector heads) (buffer->vector operands)))
+  (define r
+    (recorder (next-number) (make-hasheqv)
+              (make-buffer) (make-buffer) (make-buffer) (make-buffer) merged))
+  (place r e)
+  (tape (buffer->vector (recorder-items r))
+        (buffer->vector (recorder-heads r))
+        (buffer->vector (recorder-operands r))))
+
+;; -> the place of e, recorded if it was not
+(define (place r e)
+  (cond [(not (node? e)) (place-leaf r e)]
+        [else
+         (define mark (node-mark e))
+         (if (and mark (fx= (recorder-number r) (fxrshift mark place-bits)))
+             (fxand mark most-places)
+             (place-node r e (places r (node-args e))))]))
+
+(define (places r es)
+  (if (null? es)
+      '()
+      (let ([k (place r (car es))])
+        (cons k (places r (cdr es))))))
+
+(define (place-leaf r e)
+  (define leaves (recorder-leaves r))
+  (or (hash-ref leaves e #f)
+      (let ([k (record! r e '() '())])
+        (hash-set! leaves e k)
+        k)))
+
+(define (place-node r e ks)
+  (define k
+    (if (recorder-merged r)
+        (merged-place r e ks)
+        (record! r e ks #f)))
+  (set-node-mark! e (fxior (fxlshift (recorder-number r) place-bits) k))
+  k)
+
+(define (merged-place r e ks)
+  (define merged (recorder-merged r))
+  (define key (if (memq (node-head e) commutative) (sort-places ks) ks))
+  (or (merged-ref merged (recorder-items r) (recorder-keys r) e key)
+      (let ([k (record! r e ks key)])
+        (merged-add! merged e k)
+        k)))
+
+(define (record! r e ks key)
+  (buffer-add! (recorder-operands r) ks)
+  (buffer-add! (recorder-heads r) (and (node? e) (node-head e)))
+  (when (recorder-merged r) (buffer-add! (recorder-keys r) key))
+  (buffer-add! (recorder-items r) e))
 
 ;; An expression equal to that on the tape, in which equal nodes are the same.
 (define (tape->expression t)

@@ -28,119 +28,155 @@
 
 (define (raise-obstacle) (raise (obstacle)))
 
+;; The walk of one expression.  resolutions : what stands for its nodes
+;; values, turns : of nodes and of angles met, by identity
+;; node : the operation that is being carried out
+(struct walk (arithmetic resolutions values turns [node #:mutable]) #:authentic)
+
 ;; The value of e, whose kernels the atlas holds.
 (define (evaluate-in A atlas e)
-  (define current e)
-  (define resolutions (atlas-resolutions atlas))
-  (define memo (make-memo))
-  (define turns (make-turns A))
-  (define (walk e)
-    (cond [(number? e) (number-value e)]
-          [(symbol? e) (resolved e)]
-          [else (memo e (lambda () (node-value e)))]))
-  (define (resolved e) (resolved-value e (hash-ref resolutions e)))
-  (define (number-value x)
-    (define constant (arithmetic-constant A))
-    (cond [(not (exact-constant? x)) (resolved x)]
-          [(real? x) (constant (rational-part x))]
-          [else
-           ((arithmetic-sum A)
-            (list (constant (rational-part x))
-                  ((arithmetic-product A)
-                   (list (constant (imaginary-part x)) (resolved imaginary-unit)))))]))
-  (define (node-value n)
-    (define r (hash-ref resolutions n))
-    (if (eq? r #t)
-        (operation-value n (node-head n) (node-args n))
-        (resolved-value n r)))
-  (define (resolved-value n r)
-    (cond [(kernel? r) ((arithmetic-kernel A) r)]
-          [(alias? r) (walk (alias-expression r))]
-          [(surd? r) (surd-value n r (walk (surd-outer r)))]
-          [else
-           (set! current n)
-           (if (circular? r) (circular-value r) (exponential-value r))]))
-  (define (operation-value n head args)
-    (if (eq? head op:/)
-        (divide n (walk (car args)) (cadr args))
-        (simple-operation-value n head args)))
-  ;; By the factors of a divisor one after the other: they are known then.
-  (define (divide n value divisor)
-    (define head (and (node? divisor) (eq? #t (hash-ref resolutions divisor)) (node-head divisor)))
-    (cond [(eq? head op:*)
-           (for/fold ([v value]) ([d (in-list (node-args divisor))]) (divide n v d))]
-          [(eq? head op:expt)
-           (define base (walk (car (node-args divisor))))
-           (set! current n)
-           ((arithmetic-product A)
-            (list value
-                  ((arithmetic-power A) base (- (exact-exponent (cadr (node-args divisor)))))))]
-          [else
-           (define d (walk divisor))
-           (set! current n)
-           ((arithmetic-quotient A) value d)]))
-  (define (simple-operation-value n head args)
-    (define values (map walk (if (eq? head op:expt) (list (car args)) args)))
-    (set! current n)
-    (cond [(eq? head op:+) ((arithmetic-sum A) values)]
-          [(eq? head op:*) ((arithmetic-product A) values)]
-          [(eq? head op:-) ((arithmetic-difference A) (car values) (cadr values))]
-          [else ((arithmetic-power A) (car values) (exact-exponent (cadr args)))]))
-  (define (circular-value r)
-    (define turn (turns (circular-angle r)))
-    (cond [(memq (circular-function r) (list op:sin op:sinh)) (cdr turn)]
-          [(memq (circular-function r) (list op:cos op:cosh)) (car turn)]
-          [else ((arithmetic-quotient A) (cdr turn) (car turn))]))
-  (define (exponential-value r)
-    ((arithmetic-product A)
-     (cons ((arithmetic-constant A) 1)
-           (for/list ([m (in-list (angle-multiples (exponential-power-angle r)))])
-             ((arithmetic-power A) ((arithmetic-kernel A) (car m)) (cdr m))))))
-  (define (surd-value n r outer)
-    (define root (surd-root r))
-    (define scale (if root (walk (root-scale root)) outer))
-    (set! current n)
-    (define (power v k) ((arithmetic-power A) v k))
-    (define outer-power (power outer (surd-power r)))
-    (if root
-        ((arithmetic-product A)
-         (list outer-power
-               (power scale (- (surd-power r)))
-               (power ((arithmetic-kernel A) (root-kernel root))
-                      (* (surd-power r) (/ (root-degree root) (surd-degree r))))))
-        outer-power))
+  (define w (walk A (atlas-resolutions atlas) (make-memo) (make-memo) e))
   (with-handlers ([(lambda (x) (or (obstacle? x) (overspent? x)))
-                   (lambda (x) (raise (stuck current)))])
-    (walk e)))
+                   (lambda (x) (raise (stuck (walk-node w))))])
+    (value-of w e)))
 
 ;; ---------------------------------------------------------------------------
-;; Angles
+;; Operations of an arithmetic
 
-;; (make-turns A) -> (angle -> (cosine . sine))
-(define (make-turns A)
-  (define memo (make-memo))
-  (define zero ((arithmetic-constant A) 0))
-  (define one ((arithmetic-constant A) 1))
-  (define (product . values) ((arithmetic-product A) values))
-  (define (scale c v) (product ((arithmetic-constant A) c) v))
-  (define (multiply sign t u)
-    (cons ((arithmetic-difference A)
-           (product (car t) (car u))
-           (scale sign (product (cdr t) (cdr u))))
-          ((arithmetic-sum A)
-           (list (product (cdr t) (car u)) (product (car t) (cdr u))))))
-  (define (power sign t n)
-    (cond [(eqv? n 1) t]
-          [(even? n) (power sign (multiply sign t t) (quotient n 2))]
-          [else (multiply sign t (power sign t (- n 1)))]))
-  (define (multiple circle n)
-    (define kernel (arithmetic-kernel A))
-    (define sine (kernel (circle-sine circle)))
-    (define t (cons (kernel (circle-cosine circle))
-                    (if (negative? n) (scale -1 sine) sine)))
-    (power (circle-sign circle) t (abs n)))
-  (define (turn multiples)
-    (for/fold ([t #f] #:result (or t (cons one zero))) ([m (in-list multiples)])
-      (define u (multiple (car m) (cdr m)))
-      (if t (multiply (circle-sign (car m)) t u) u)))
-  (lambda (a) (memo a (lambda () (turn (angle-multiples a))))))
+(define (constant A c) ((arithmetic-constant A) c))
+(define (kernel-value A k) ((arithmetic-kernel A) k))
+(define (sum A . values) ((arithmetic-sum A) values))
+(define (product A . values) ((arithmetic-product A) values))
+(define (difference A v w) ((arithmetic-difference A) v w))
+(define (quotient-of A v w) ((arithmetic-quotient A) v w))
+(define (power A v k) ((arithmetic-power A) v k))
+
+;; ---------------------------------------------------------------------------
+;; The walk
+
+(define (value-of w e)
+  (cond [(number? e) (number-value w e)]
+        [(symbol? e) (resolved-value w e (resolution w e))]
+        [else ((walk-values w) e (lambda () (node-value w e)))]))
+
+(define (resolution w e) (hash-ref (walk-resolutions w) e))
+
+(define (number-value w x)
+  (define A (walk-arithmetic w))
+  (cond [(not (exact-constant? x)) (resolved-value w x (resolution w x))]
+        [(real? x) (constant A (rational-part x))]
+        [else
+         (sum A
+              (constant A (rational-part x))
+              (product A
+                       (constant A (imaginary-part x))
+                       (resolved-value w imaginary-unit (resolution w imaginary-unit))))]))
+
+(define (node-value w n)
+  (define r (resolution w n))
+  (if (eq? r #t)
+      (operation-value w n)
+      (resolved-value w n r)))
+
+;; The value of what stands for n.
+(define (resolved-value w n r)
+  (cond [(kernel? r) (kernel-value (walk-arithmetic w) r)]
+        [(alias? r) (value-of w (alias-expression r))]
+        [(surd? r) (surd-value w n r (value-of w (surd-outer r)))]
+        [else
+         (set-walk-node! w n)
+         (if (circular? r) (circular-value w r) (exponential-value w r))]))
+
+(define (operation-value w n)
+  (define args (node-args n))
+  (if (eq? (node-head n) op:/)
+      (divided w n (value-of w (car args)) (cadr args))
+      (undivided-value w n (node-head n) args)))
+
+(define (undivided-value w n head args)
+  (define A (walk-arithmetic w))
+  (define values
+    (for/list ([a (in-list (if (eq? head op:expt) (list (car args)) args))]) (value-of w a)))
+  (set-walk-node! w n)
+  (cond [(eq? head op:+) ((arithmetic-sum A) values)]
+        [(eq? head op:*) ((arithmetic-product A) values)]
+        [(eq? head op:-) (difference A (car values) (cadr values))]
+        [else (power A (car values) (exact-exponent (cadr args)))]))
+
+;; By the factors of a divisor one after the other: they are known then.
+(define (divided w n value divisor)
+  (define A (walk-arithmetic w))
+  (define head
+    (and (node? divisor) (eq? #t (resolution w divisor)) (node-head divisor)))
+  (cond [(eq? head op:*)
+         (for/fold ([v value]) ([d (in-list (node-args divisor))]) (divided w n v d))]
+        [(eq? head op:expt)
+         (define base (value-of w (car (node-args divisor))))
+         (set-walk-node! w n)
+         (product A value (power A base (- (exact-exponent (cadr (node-args divisor))))))]
+        [else
+         (define d (value-of w divisor))
+         (set-walk-node! w n)
+         (quotient-of A value d)]))
+
+;; ---------------------------------------------------------------------------
+;; Roots and exponentials
+
+(define (surd-value w n r outer)
+  (define A (walk-arithmetic w))
+  (define root (surd-root r))
+  (define scale (if root (value-of w (root-scale root)) outer))
+  (set-walk-node! w n)
+  (define outer-power (power A outer (surd-power r)))
+  (if root
+      (product A
+               outer-power
+               (power A scale (- (surd-power r)))
+               (power A (kernel-value A (root-kernel root))
+                      (* (surd-power r) (/ (root-degree root) (surd-degree r)))))
+      outer-power))
+
+(define (exponential-value w r)
+  (define A (walk-arithmetic w))
+  ((arithmetic-product A)
+   (cons (constant A 1)
+         (for/list ([m (in-list (angle-multiples (exponential-power-angle r)))])
+           (power A (kernel-value A (car m)) (cdr m))))))
+
+;; ---------------------------------------------------------------------------
+;; Angles: turns (cosine . sine)
+
+(define (circular-value w r)
+  (define t (turn-of w (circular-angle r)))
+  (cond [(memq (circular-function r) (list op:sin op:sinh)) (cdr t)]
+        [(memq (circular-function r) (list op:cos op:cosh)) (car t)]
+        [else (quotient-of (walk-arithmetic w) (cdr t) (car t))]))
+
+(define (turn-of w a)
+  ((walk-turns w) a (lambda () (turn-by (walk-arithmetic w) (angle-multiples a)))))
+
+;; By multiples ((circle . integer) ...) of basic angles.
+(define (turn-by A multiples)
+  (for/fold ([t #f] #:result (or t (cons (constant A 1) (constant A 0))))
+            ([m (in-list multiples)])
+    (define u (basic-turn A (car m) (cdr m)))
+    (if t (turn-product A (circle-sign (car m)) t u) u)))
+
+(define (basic-turn A circle n)
+  (define sine (kernel-value A (circle-sine circle)))
+  (define t
+    (cons (kernel-value A (circle-cosine circle))
+          (if (negative? n) (product A (constant A -1) sine) sine)))
+  (turn-power A (circle-sign circle) t (abs n)))
+
+(define (turn-power A sign t n)
+  (cond [(eqv? n 1) t]
+        [(even? n) (turn-power A sign (turn-product A sign t t) (quotient n 2))]
+        [else (turn-product A sign t (turn-power A sign t (- n 1)))]))
+
+;; sign : 1 of circles, -1 of hyperbolas
+(define (turn-product A sign t u)
+  (cons (difference A
+                    (product A (car t) (car u))
+                    (product A (constant A sign) (product A (cdr t) (cdr u))))
+        (sum A (product A (cdr t) (car u)) (product A (car t) (cdr u)))))

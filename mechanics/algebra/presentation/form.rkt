@@ -43,34 +43,41 @@
   (define above (by-rank (positive-powers whole)))
   (define below (by-rank (negative-powers whole)))
   (define extra (if exponential (list exponential) '()))
+  (define quotient? (or (pair? below) (pair? divisors)))
   (define sum? (or (pair? sums) (ormap (lambda (p) (sum-kernel? (car p))) above)))
-  (define down? (and sum? (or (pair? below) (pair? divisors)) (not inexact?)))
+  (define down? (and sum? quotient? (not inexact?)))
   (define top (if down? (numerator (abs c)) (abs c)))
   (define bottom (if down? (denominator c) 1))
-  (define quotient? (or (pair? below) (pair? divisors)))
   (define (build sign)
-    (define numerator
-      (product-expression (present-number (* sign top) inexact?)
-                          (append (insert-sums (map form-expression sums)
-                                               (powers->expressions above))
-                                  extra)))
+    (define n (upper-expression (present-number (* sign top) inexact?) above sums extra))
     (if quotient?
-        (make-node op:/ (list numerator
-                              (product-expression bottom
-                                (append (powers->expressions below)
-                                        (map divisor-expression divisors)))))
-        numerator))
-  (form (+ (factors-size top
-                         (+ (powers-size above) (sizes sums)
-                            (for/sum ([e (in-list extra)]) (expression-size e)))
-                         (+ (length above) (length sums) (length extra)))
-           (if quotient?
-               (+ 1 (factors-size bottom (+ (powers-size below) (divisors-size divisors))
-                                  (+ (length below) (length divisors))))
-               0)
+        (make-node op:/ (list n (lower-expression bottom below divisors)))
+        n))
+  (form (+ (upper-size top above sums extra)
+           (if quotient? (+ 1 (lower-size bottom below divisors)) 0)
            (if (negative? c) 1 0))
         (if (negative? c) -1 1)
         build))
+
+(define (upper-expression c powers sums extra)
+  (product-expression c (append (insert-sums (map form-expression sums)
+                                             (powers->expressions powers))
+                                extra)))
+
+(define (lower-expression c powers divisors)
+  (product-expression c (append (powers->expressions powers)
+                                (map divisor-expression divisors))))
+
+(define (upper-size c powers sums extra)
+  (factors-size c
+                (+ (powers-size powers) (sizes sums)
+                   (for/sum ([e (in-list extra)]) (expression-size e)))
+                (+ (length powers) (length sums) (length extra))))
+
+(define (lower-size c powers divisors)
+  (factors-size c
+                (+ (powers-size powers) (divisors-size divisors))
+                (+ (length powers) (length divisors))))
 
 (define (divisor-expression d)
   (expt-expression (form-expression (car d)) (cdr d)))
