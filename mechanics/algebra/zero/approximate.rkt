@@ -22,6 +22,7 @@
 ;; lookup : as for evaluate-expression, giving plain numbers.
 ;; refuse! : #f, or called if a value is not real, which ends the evaluation
 ;; -> number and error; the number is not finite where e is not defined or refused.
+;; Raises exn:fail:contract:divide-by-zero as the operations on numbers do.
 (define (approximate-tape t lookup [refuse! #f])
   (define items (tape-items t))
   (define n (vector-length items))
@@ -51,6 +52,9 @@
 (define (plain x) (cons x 0))
 (define (constant x) (cons x (if (exact? x) 0 (* 4.0 unit (magnitude x)))))
 
+;; Of the angle of a point whose coordinates are not real.
+(define undefined (cons +nan.0 +nan.0))
+
 ;; The value alone, of tuples too.
 (define (bare v)
   (if (symbol? (car v)) (cons (car v) (map bare (cdr v))) (car v)))
@@ -79,6 +83,7 @@
         [(eq? op op:/) (divide (car args) (cadr args))]
         [(and (eq? op op:expt) (enormous? (caar args) (caadr args)))
          (approximate op (cons (inexact (car args)) (cdr args)))]
+        [(and (eq? op op:atan) (pair? (cdr args)) (ormap not-real? (map car args))) undefined]
         [else
          (define value (apply f (map car args)))
          (rounded value (propagated op (map car args) (map cdr args) value))]))

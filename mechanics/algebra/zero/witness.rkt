@@ -119,32 +119,33 @@
 ;; where e is not defined, the point is out of place or refused.
 (define (integer-point e residual place k zeros refuse!)
   (define seen (make-hash))
-  (define ((lookup next choose) leaf arguments)
-    (hash-ref! seen (leaf-key leaf arguments)
-               (lambda ()
-                 (choose leaf (lambda () (region-place place leaf (next leaf arguments)))))))
-  (define listed (make-hash))
-  (define point '())
-  (define (list! leaf value)
-    (unless (hash-ref listed leaf #f)
-      (hash-set! listed leaf #t)
-      (set! point (cons (cons leaf value) point))))
-  (define assign
-    (lookup (integers-from k)
-            (lambda (leaf other) (if (hash-ref zeros leaf #f) 0 (other)))))
+  (define assign (assignment seen place (integers-from k)))
+  (define assign-others (assignment seen place (integers-from (+ 100 (abs k)))))
+  (define listed (make-hash))           ; leaf -> (number . value)
   (define (assign-and-list leaf arguments)
-    (define value (assign leaf arguments))
-    (list! leaf value)
+    (define value
+      (if (hash-ref zeros leaf #f)
+          (hash-ref! seen (leaf-key leaf arguments) 0)
+          (assign leaf arguments)))
+    (hash-ref! listed leaf (lambda () (cons (hash-count listed) value)))
     value)
-  (define assign-others
-    (lookup (integers-from (+ 100 (abs k))) (lambda (leaf other) (other))))
   (define-values (value error) (value-at residual assign-and-list refuse!))
   (define-values (value-of-e error-of-e)
     (if (eq? e residual) (values value error) (value-at e assign-others refuse!)))
   (if (and (agree? value error value-of-e error-of-e)
            (admitted? place assign-others))
-      (values (reverse point) (best-known value value-of-e error-of-e) error-of-e)
+      (values (listed-point listed) (best-known value value-of-e error-of-e) error-of-e)
       (values #f +nan.0 +nan.0)))
+
+;; Integers of `next`, brought to where they may be, for leaves that were not seen.
+(define ((assignment seen place next) leaf arguments)
+  (hash-ref! seen (leaf-key leaf arguments)
+             (lambda () (region-place place leaf (next leaf arguments)))))
+
+;; In the order in which the leaves were met.
+(define (listed-point listed)
+  (for/list ([entry (in-list (sort (hash->list listed) < #:key cadr))])
+    (cons (car entry) (cddr entry))))
 
 ;; Where the value of e is not zero, the exact value that agrees with it says more: -4 where
 ;; leaves that cancel made it -4.0.
@@ -153,7 +154,8 @@
   (if (and (exact? value) (not-zero? value-of-e) (not-zero? value)) value value-of-e))
 
 (define (admitted? place lookup)
-  (with-handlers ([exn:fail? (lambda (x) #f)]) (region-admits? place lookup)))
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+    (region-admits? place lookup)))
 
 ;; Where e and the residual differ, the point is outside what simplification took
 ;; for granted.
@@ -162,7 +164,7 @@
        (<= (magnitude (- x y)) (* 4 (+ x-error y-error)))))
 
 (define (value-at t lookup refuse!)
-  (with-handlers ([exn:fail? (lambda (x) (values +nan.0 +nan.0))])
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) (values +nan.0 +nan.0))])
     (approximate-tape t lookup refuse!)))
 
 ;; A literal function is known by its name, derivative and arguments' values.

@@ -27,17 +27,17 @@
    "(relation-radicand r)"]
   ;; angles
   ["cos(a + b) = cos a cos b + sin a sin b" "field/walk.rkt"
-   "(scale sign (product (cdr t) (cdr u)))"
-   "(scale (- sign) (product (cdr t) (cdr u)))"]
+   "(constant A sign) (product A (cdr t) (cdr u))"
+   "(constant A (- sign)) (product A (cdr t) (cdr u))"]
   ["sin(a + b) = sin a cos b + sin a sin b" "field/walk.rkt"
-   "(list (product (cdr t) (car u)) (product (car t) (cdr u)))"
-   "(list (product (cdr t) (car u)) (product (cdr t) (cdr u)))"]
+   "(sum A (product A (cdr t) (car u)) (product A (car t) (cdr u)))"
+   "(sum A (product A (cdr t) (car u)) (product A (cdr t) (cdr u)))"]
   ["sin(-a) = sin a" "field/walk.rkt"
-   "(if (negative? n) (scale -1 sine) sine)"
+   "(if (negative? n) (product A (constant A -1) sine) sine)"
    "sine"]
   ["tan = cos / sin" "field/walk.rkt"
-   "[else ((arithmetic-quotient A) (cdr turn) (car turn))]"
-   "[else ((arithmetic-quotient A) (car turn) (cdr turn))]"]
+   "[else (quotient-of (walk-arithmetic w) (cdr t) (car t))]"
+   "[else (quotient-of (walk-arithmetic w) (car t) (cdr t))]"]
   ["cos(asin u) = 1 - u²" "kernel/angles.rkt"
    "(values u (root (e:- 1 (square u))))"
    "(values u (e:- 1 (square u)))"]
@@ -153,8 +153,8 @@
    "(cond [witness (make-zero-test 'refuted "
    "(cond [witness (make-zero-test 'proved "]
   ["a witness has another value" "zero/witness.rkt"
-   "(values (reverse point) (best-known value value-of-e error-of-e) error-of-e)"
-   "(values (reverse point) (- (best-known value value-of-e error-of-e)) error-of-e)"]
+   "(values (listed-point listed) (best-known value value-of-e error-of-e) error-of-e)"
+   "(values (listed-point listed) (- (best-known value value-of-e error-of-e)) error-of-e)"]
   ["flonums are proved" "zero/flonums.rkt"
    "(and (number? e) (not (exact? e)))"
    "#f"]
