@@ -2,9 +2,11 @@
 ;; Exponentials and symbolic powers.
 ;;
 ;; e^(a + b) = e^a e^b, and bⁿ is e^(n log b): so the exponents of both are
-;; linear forms over atoms, and a lattice basis of them gives basic exponentials
-;; of which all others are products of integer powers.  A rational multiple of a
-;; logarithm in an exponent is a power: e^(2 log b) = b².
+;; linear forms over atoms, and each atom has a basic exponential, of which all others
+;; are products of integer powers.  (A basis made of e^(a + b), where neither e^a nor
+;; e^b occurs, would be smaller; but then 1/(1 + e^a e^-b) and 1/(1 + e^(a - b)), reduced,
+;; would differ.)  A rational multiple of a logarithm in an exponent is a power:
+;; e^(2 log b) = b².
 ;;
 ;; Hyperbolic functions stay as they are unless their arguments depend on those
 ;; of exponentials; then they are written as exponentials.
@@ -58,15 +60,15 @@
 
 (define (settle-exponentials! c)
   (settle-hyperbolics! c)
-  (define ordered (sort-forms c (angles-of c 'exponential)))
-  (define-values (basis coordinates) (modest-basis (map angle-form ordered) power-limit))
+  (define angles (angles-of c 'exponential))
+  (define-values (basis coordinates) (modest-basis/atoms (map angle-form angles) power-limit))
   (define s (collector-simplifier c))
   (define basics
     (for/vector ([form (in-list basis)])
       (signed-angle s (form->expression c form)
                     (lambda (u)
                       (intern-kernel! c (exponential-expression s u) (exponential u s))))))
-  (for ([a (in-list ordered)] [v (in-list coordinates)])
+  (for ([a (in-list angles)] [v (in-list coordinates)])
     (set-angle-multiples! a
       (for/list ([x (in-list v)])
         (define basic (vector-ref basics (car x)))

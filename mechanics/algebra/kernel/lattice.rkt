@@ -14,7 +14,10 @@
 ;;
 ;; A vector is a list of (key . rational), keys ascending, rationals nonzero.
 
-(provide integer-basis modest-basis integer-combination vector-scale vector-add)
+(require racket/list)
+
+(provide integer-basis modest-basis modest-basis/atoms integer-combination
+         vector-scale vector-add)
 
 ;; vectors -> (values basis coordinates), coordinates a list with, for each
 ;; vector, a list of (basis position . integer).
@@ -33,6 +36,18 @@
   (if (modest? coordinates limit)
       (values basis coordinates)
       (basis-by-groups vectors limit)))
+
+;; The same, the vectors of the basis having one atom each: it depends on the multiples
+;; of every atom alone, not on the combinations given.
+(define (modest-basis/atoms vectors limit)
+  (define (parts v) (map list v))
+  (define (size part) (abs (cdar part)))
+  (define all (sort (remove-duplicates (append-map parts vectors)) < #:key size))
+  (define-values (basis coordinates) (modest-basis all limit))
+  (define table (for/hash ([part (in-list all)] [c (in-list coordinates)]) (values part c)))
+  (values basis
+          (for/list ([v (in-list vectors)])
+            (append-map (lambda (part) (hash-ref table part)) (parts v)))))
 
 (define (modest? coordinates limit)
   (for*/and ([v (in-list coordinates)] [entry (in-list v)]) (<= (abs (cdr entry)) limit)))
@@ -169,8 +184,7 @@
 
 (define (euclid key rows)
   (define (size v) (abs (coordinate v key)))
-  (define here (filter (lambda (v) (eqv? (caar v) key)) rows))
-  (define elsewhere (filter (lambda (v) (not (eqv? (caar v) key))) rows))
+  (define-values (here elsewhere) (partition (lambda (v) (eqv? (caar v) key)) rows))
   (define pivot (car (sort here < #:key size)))
   (define reduced
     (for/list ([v (in-list here)] #:unless (eq? v pivot))

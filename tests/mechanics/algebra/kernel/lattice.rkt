@@ -33,3 +33,14 @@
   (check-equal? (length (check-basis (list difference (vector-scale 1/2 difference) theta))) 2)
   (define multiples (list (vector-scale 2 difference) (vector-scale 3 difference)))
   (check-equal? (length (check-basis multiples)) 1))
+
+(test-case "a basis by atoms does not depend on the combinations given"
+  (define (basis-of . vectors)
+    (define-values (basis coordinates) (modest-basis/atoms vectors 1000))
+    (for ([v (in-list vectors)] [c (in-list coordinates)])
+      (check-equal? (combination basis c) v))
+    basis)
+  (check-equal? (basis-of difference) (list theta (vector-scale -1 phi)))
+  (check-equal? (basis-of half difference) (list half (vector-scale -1 phi)))
+  (check-equal? (basis-of '((0 . 2/3)) '((0 . 1/2) (1 . 1))) (list '((0 . 1/6)) phi))
+  (check-equal? (length (basis-of '((0 . 1)) '((0 . 100001/100000)))) 2))
