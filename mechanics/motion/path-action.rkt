@@ -2,10 +2,10 @@
 ;; The action of polynomial paths between two ends, and its gradient.
 ;;
 ;; A path of degree n + 1 is the straight line and n polynomials that vanish at both ends
-;; (end-polynomials.rkt), q(t) = line(t) + Σ cₖ φₖ(t).  Values at n points between would do
-;; as well as the c's, but as unknowns they are worse and worse the more there are: to the
-;; action of a free particle the c's contribute their squares, and to others not much else.
-;; The derivatives of the action S are
+;; (numeric/quadrature/end-polynomials.rkt), q(t) = line(t) + Σ cₖ φₖ(t).  Values at n
+;; points between would do as well as the c's, but as unknowns they are worse and worse the
+;; more there are: to the action of a free particle the c's contribute their squares, and to
+;; others not much else.  The derivatives of the action S are
 ;;
 ;;     ∂S/∂cₖ = ∫ (∂₁L φₖ + ∂₂L φₖ') dt,
 ;;

@@ -20,7 +20,7 @@
 
 ;; start   : the first time, exact; first : the first state, a vector
 ;; slope   : state -> its rate, vectors
-;; run     : end visit -> time and state reached (extrapolation.rkt)
+;; run     : end visit -> time and state reached (numeric/bigfloat/extrapolation.rkt)
 ;; restart : time state -> the same for a motion from there
 ;; These compute with more bits, `working`, than states are shown with.
 (struct motion (shape clock? bits working start first slope run restart) #:authentic)

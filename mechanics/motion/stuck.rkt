@@ -12,7 +12,7 @@
 (provide raise-stuck raise-cut-short)
 
 ;; s : system; m : method; t, y : the last time and the state there; why : as
-;; integrate.rkt says; kept : what the failure is to carry
+;; numeric/ode/integrate.rkt says; kept : what the failure is to carry
 (define (raise-stuck who s m t y why kept)
   (raise-cut-short who why t (system-state s y) kept (hints s m y why)))
 
