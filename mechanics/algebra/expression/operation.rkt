@@ -9,7 +9,7 @@
 ;; but numbers (its derivative, its action on structures) belongs to the floors
 ;; above.
 
-(require (for-syntax racket/base)
+(require (for-syntax racket/base racket/list)
          "operation-table.rkt")
 
 (provide
@@ -34,7 +34,7 @@
 (define-syntax (define-operations stx)
   (syntax-case stx ()
     [(_ all)
-     (let ([entries (distinct operation-entries)])
+     (let ([entries (remove-duplicates operation-entries eq? #:key entry-name)])
        (with-syntax ([((id name numeric) ...)
                       (for/list ([e (in-list entries)])
                         (syntax-case e ()
@@ -46,10 +46,7 @@
 
 (begin-for-syntax
   (define (entry-name e) (syntax-e (car (syntax-e e))))
-  (define (prefixed name) (string->symbol (format "op:~a" (syntax-e name))))
-  (define (distinct entries)
-    (for/fold ([kept '()] #:result (reverse kept)) ([e (in-list entries)])
-      (if (memq (entry-name e) (map entry-name kept)) kept (cons e kept)))))
+  (define (prefixed name) (string->symbol (format "op:~a" (syntax-e name)))))
 
 (define-operations operations)
 

@@ -12,7 +12,8 @@
 ;; if no element of the basis is negative.  One that is stands in it as its
 ;; opposite, which shows in the exponents of -1.
 
-(require "lattice.rkt"
+(require racket/list
+         "lattice.rkt"
          "../expression/exact-numbers.rkt"
          "../polynomial/coprime-basis.rkt" "../polynomial/fraction.rkt"
          "../polynomial/polynomial.rkt")
@@ -52,7 +53,7 @@
 
 (define (dependence R basis signs numbers q qs)
   (define factored (for/list ([c (in-list numbers)]) (number-factors (abs c))))
-  (define primes (distinct (map car (apply append factored))))
+  (define primes (remove-duplicates (map car (append* factored)) eqv?))
   (define exponents                     ; of all elements in the i-th radicand
     (for/list ([c (in-list numbers)] [factors (in-list factored)] [i (in-naturals)])
       (append (list (sign-exponent c basis signs i))
@@ -127,7 +128,3 @@
   (define p (fraction-numerator v))
   (define c (poly-content p))
   (if (negative? (poly-leading-coefficient p)) (- c) c))
-
-(define (distinct xs)
-  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
-    (if (memv x kept) kept (cons x kept))))

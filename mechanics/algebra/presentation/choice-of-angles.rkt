@@ -7,7 +7,8 @@
 ;; is cos 5t + cos t, and sin²(θ - φ), spread over four terms in sines and
 ;; cosines of θ and φ, is found again.  The shorter form is kept.
 
-(require "contract.rkt" "sine-or-cosine.rkt" "waves.rkt"
+(require racket/list
+         "contract.rkt" "sine-or-cosine.rkt" "waves.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/polynomial.rkt")
@@ -49,11 +50,11 @@
          (define written (make-hash))
          (for ([g (in-list (group-by-powers (summands F p) outside))])
            (hash-set! written (car g) (cdr g)))
-         (apply append
-                (for/list ([g (in-list groups)])
-                  (if (lone? g)
-                      (cdr g)
-                      (shorter-spelling F (cdr g) (hash-ref written (car g)) circles outside))))]))
+         (append*
+          (for/list ([g (in-list groups)])
+            (if (lone? g)
+                (cdr g)
+                (shorter-spelling F (cdr g) (hash-ref written (car g)) circles outside))))]))
 
 (define (lone? group) (null? (cddr group)))
 

@@ -6,7 +6,8 @@
 ;; with its content in front, or in one fraction.  The first form named is kept
 ;; unless another is smaller by a sixth.
 
-(require "form.rkt" "grouping.rkt" "radicals.rkt" "squares-of-sums.rkt" "term.rkt"
+(require racket/list
+         "form.rkt" "grouping.rkt" "radicals.rkt" "squares-of-sums.rkt" "term.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt")
@@ -80,7 +81,7 @@
 ;; ½ m (ẋ² + ẏ²) is how it is known, however little shorter.
 (define (symbols-times-sum? t)
   (define others
-    (filter (lambda (p) (not (symbol? (kernel-expression (car p))))) (term-powers t)))
+    (filter-not (lambda (p) (symbol? (kernel-expression (car p)))) (term-powers t)))
   (and (not (divided? t))
        (pair? others) (null? (cdr others)) (sum-kernel? (caar others))))
 
@@ -157,7 +158,7 @@
   (define (divided-by-sum? t)
     (for/or ([p (in-list (term-powers t))]) (and (negative? (cdr p)) (sum-kernel? (car p)))))
   (append (filter constant? sorted)
-          (filter (lambda (t) (not (or (constant? t) (divided-by-sum? t)))) sorted)
+          (filter-not (lambda (t) (or (constant? t) (divided-by-sum? t))) sorted)
           (filter divided-by-sum? sorted)))
 
 ;; ---------------------------------------------------------------------------

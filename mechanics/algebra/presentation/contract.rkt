@@ -14,7 +14,8 @@
 ;; the exponents of sines and cosines, above them the number of all the rest.  So
 ;; a term and its partner are one subtraction and one lookup apart.
 
-(require "../field/field.rkt"
+(require racket/list
+         "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/polynomial.rkt" "../polynomial/ring.rkt" "../polynomial/term-list.rkt")
 
@@ -212,8 +213,7 @@
 
 (define (apply-merges s merges width)
   (define known (map turn-circle (stage-turns s)))
-  (define circles
-    (filter (lambda (o) (not (memq o known))) (distinct (map merge-circle merges))))
+  (define circles (remq* known (remove-duplicates (map merge-circle merges) eq?)))
   (define shift (* 2 width (length circles)))
   (define turns
     (append (make-turns circles width)
@@ -238,7 +238,3 @@
              (if (eq? (merge-function m) 'sine) (turn-sine t) (turn-cosine t)))
           (merge-coefficient m)))
   (sort (for/list ([(k x) (in-hash sums)] #:unless (eqv? x 0)) (cons k x)) > #:key car))
-
-(define (distinct xs)
-  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
-    (if (memq x kept) kept (cons x kept))))

@@ -7,7 +7,8 @@
 ;; product with a sum in it, if that is enough smaller; and so on.  A group is not
 ;; grouped again, ω (ω (x + y) + z), unless it is a sum that is shared.
 
-(require "term.rkt"
+(require racket/list
+         "term.rkt"
          "../kernel/kernel.rkt")
 
 (provide group-by-kernels group-by-factors)
@@ -30,12 +31,12 @@
       (if known? keys (cons key keys))))
   (if (= (length keys) (length terms))
       terms
-      (apply append
-             (for/list ([key (in-list (reverse keys))])
-               (define group (reverse (hash-ref table key)))
-               (if (or (null? key) (null? (cdr group)))
-                   group
-                   (factored-if-better group sum->term better?))))))
+      (append*
+       (for/list ([key (in-list (reverse keys))])
+         (define group (reverse (hash-ref table key)))
+         (if (or (null? key) (null? (cdr group)))
+             group
+             (factored-if-better group sum->term better?))))))
 
 (define (kernel-part t)
   (for/list ([p (in-list (term-powers t))] #:unless (symbol? (kernel-expression (car p))))
@@ -78,7 +79,7 @@
                  (define new (factored-if-better group sum->term better?))
                  (if (eq? new group)
                      (try (cdr pairs) (cons factor tried))
-                     (regroup (append new (filter (lambda (t) (not (memq t group))) terms))
+                     (regroup (append new (remq* group terms))
                               (append new made)
                               tried))])))))
 

@@ -10,7 +10,8 @@
 ;; For a root r = u^(1/q) the factor is u, counting as r^q: so powers of r,
 ;; which a reduced numerator cannot hold, come back.
 
-(require "denominator.rkt" "sine-or-cosine.rkt"
+(require racket/list
+         "denominator.rkt" "sine-or-cosine.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt" "../polynomial/ring.rkt"
@@ -46,7 +47,7 @@
 
 (define (split-all F split pieces)
   (define parts (map split pieces))
-  (if (andmap whole? pieces parts) pieces (join F (apply append parts))))
+  (if (andmap whole? pieces parts) pieces (join F (append* parts))))
 
 ;; Is this all one part, as it was?
 (define (whole? p parts)
@@ -178,7 +179,7 @@
   (define R (field-ring F))
   (define own (poly-variables R h))
   (define outside
-    (monomial-part R (filter (lambda (i) (not (memv i own))) (range (ring-size R)))))
+    (monomial-part R (remv* own (range (ring-size R)))))
   (define table (make-monomial-hash R))
   (define order
     (for/fold ([order '()]) ([t (in-list p)])
@@ -187,8 +188,6 @@
       (hash-set! table m (cons t group))
       (if (null? group) (cons m order) order)))
   (for/list ([m (in-list (reverse order))]) (reverse (hash-ref table m))))
-
-(define (range n) (for/list ([i (in-range n)]) i))
 
 ;; ---------------------------------------------------------------------------
 ;; Joining
@@ -218,7 +217,4 @@
        (for/and ([a (in-list as)]) (for/or ([b (in-list bs)]) (same? a b)))))
 
 (define (distinct-factors pieces)
-  (for*/fold ([kept '()] #:result (reverse kept))
-             ([piece (in-list pieces)] [h (in-list (piece-factors piece))])
-    (define p (power-base h))
-    (if (for/or ([k (in-list kept)]) (poly=? k p)) kept (cons p kept))))
+  (remove-duplicates (map power-base (append-map piece-factors pieces)) poly=?))

@@ -11,7 +11,8 @@
 ;; The first form named is kept unless another is smaller by a sixth.  The
 ;; choice depends on the value and the order of kernels alone.
 
-(require "choice-of-angles.rkt" "condense.rkt" "form.rkt" "pieces.rkt" "term.rkt"
+(require racket/list
+         "choice-of-angles.rkt" "condense.rkt" "form.rkt" "pieces.rkt" "term.rkt"
          "../expression/exact-numbers.rkt"
          "../field/field.rkt" "../field/rationalize.rkt"
          "../kernel/exponentials.rkt"
@@ -85,11 +86,11 @@
 ;; A piece without divisors is the terms of its numerator, any other one term.
 (define (present-pieces F pieces)
   (sum-of F
-          (apply append
-                 (for/list ([p (in-list pieces)])
-                   (if (null? (piece-factors p))
-                       (piece-terms F p)
-                       (list (quotient-term F p)))))))
+          (append*
+           (for/list ([p (in-list pieces)])
+             (if (null? (piece-factors p))
+                 (piece-terms F p)
+                 (list (quotient-term F p)))))))
 
 (define (quotient-term F p)
   (define-values (c powers core) (extract-content (piece-terms F p)))

@@ -11,7 +11,8 @@
 ;; out, to an odd power must not be negative, unless all of the radicand does, which
 ;; is not negative itself.
 
-(require "term.rkt"
+(require racket/list
+         "term.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt"
          "../kernel/kernel.rkt")
@@ -54,7 +55,7 @@
 
 (define (product-factors e sign)
   (cond [(headed? e op:*)
-         (apply append (for/list ([a (in-list (node-args e))]) (product-factors a sign)))]
+         (append-map (lambda (a) (product-factors a sign)) (node-args e))]
         [(headed? e op:/)
          (append (product-factors (car (node-args e)) sign)
                  (product-factors (cadr (node-args e)) (- sign)))]
@@ -72,7 +73,7 @@
   (define n
     (for/product ([f (in-list factors)] #:when (number? (car f)))
       (expt (car f) (* (cdr p) (cdr f)))))
-  (define others (filter (lambda (f) (not (number? (car f)))) factors))
+  (define others (filter-not (lambda (f) (number? (car f))) factors))
   (define-values (number inside) (share-number c n))
   (define (outside? q)
     (and (not (eq? q p))
@@ -82,7 +83,7 @@
            (andmap not-negative? (bases-of-sign p others exponents)))
       (values number
               (append (root-powers inside exponents intern)
-                      (filter (lambda (q) (not (or (eq? q p) (outside? q)))) powers)))
+                      (filter-not (lambda (q) (or (eq? q p) (outside? q))) powers)))
       (values c powers)))
 
 ;; The factors on whose signs gathering depends: those of which an odd power passes

@@ -14,7 +14,8 @@
 ;; known by the powers of ω.  So where several squares have one content, they stay
 ;; squares only if their members are alike, x and y, not ẋ and ω y.
 
-(require "term.rkt"
+(require racket/list
+         "term.rkt"
          "../kernel/kernel.rkt")
 
 (provide merge-squares)
@@ -29,10 +30,8 @@
       (let-values ([(squares rest) (find-squares terms)])
         (define kept (filter (lambda (s) (welcome? s squares)) squares))
         (append (map (lambda (s) (square-term s sum->kernel)) kept)
-                (apply append
-                       rest
-                       (for/list ([s (in-list squares)] #:unless (memq s kept))
-                         (square-terms s)))))))
+                rest
+                (append-map square-terms (remq* kept squares))))))
 
 ;; The terms it is made of, and content · (Σ members)².
 (struct square (terms content members) #:authentic)
@@ -76,7 +75,7 @@
   (define found (find-square terms))
   (if found
       (let-values ([(squares rest)
-                    (find-squares (filter (lambda (t) (not (memq t (square-terms found)))) terms))])
+                    (find-squares (remq* (square-terms found) terms))])
         (values (cons found squares) rest))
       (values '() terms)))
 

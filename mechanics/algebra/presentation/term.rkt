@@ -6,7 +6,8 @@
 ;; their kernels, higher powers first, so that a residual is grouped by its
 ;; symbols and then by its highest derivatives.
 
-(require "../expression/exact-numbers.rkt" "../expression/order.rkt"
+(require racket/list
+         "../expression/exact-numbers.rkt" "../expression/order.rkt"
          "../kernel/exponentials.rkt" "../kernel/kernel.rkt")
 
 (provide (struct-out term) make-term term-sort
@@ -38,7 +39,7 @@
   (define keys
     (for/list ([t (in-list terms)])
       (define-values (exponential others) (combine-exponentials (term-powers t)))
-      (vector (filter (lambda (p) (not (exponential-power? p))) (term-powers t))
+      (vector (filter-not exponential-power? (term-powers t))
               (or exponential 0)
               t)))
   (define (before? a b)

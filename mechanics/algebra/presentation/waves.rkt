@@ -17,7 +17,8 @@
 ;;
 ;; The waves depend on the value alone, whatever the products were.
 
-(require "../expression/size.rkt"
+(require racket/list
+         "../expression/size.rkt"
          "../kernel/kernel.rkt")
 
 (provide (struct-out wave) power-waves pair-waves wave-size amplitude-size)
@@ -200,7 +201,7 @@
 
 ;; The size the wave would have, written with the angles of these circles.
 (define (wave-size w circles)
-  (define factors (distinct (wave-factors w)))
+  (define factors (remove-duplicates (wave-factors w)))
   (define powers (- (length (wave-factors w)) (length factors)))
   (define number (amplitude-size (wave-amplitude w)))
   (if (null? factors)
@@ -209,10 +210,6 @@
          (* 2 powers)
          (if (and (null? (cdr factors)) (eqv? number 0)) 0 1)
          (for/sum ([f (in-list factors)]) (+ 1 (angle-size (cdr f) circles))))))
-
-(define (distinct xs)
-  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
-    (if (member x kept) kept (cons x kept))))
 
 (define (amplitude-size x)
   (+ (if (negative? x) 1 0) (if (eqv? 1 (abs x)) 0 1)))

@@ -6,7 +6,8 @@
 ;; of them lowers its exponents; any other divisor keeps the value from being a
 ;; polynomial, and is left below the whole, collected like the numerator.
 
-(require "together.rkt"
+(require racket/list
+         "together.rkt"
          (only-in "../assumption/assumption-set.rkt" no-assumptions)
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
@@ -142,17 +143,13 @@
         (values e '())))
   (define (product factors) (flatten-products (make-node op:* factors)))
   (define-values (symbols others)
-    (partition-powers (lambda (k) (symbol? (kernel-expression k))) positive))
+    (partition (lambda (p) (symbol? (kernel-expression (car p)))) positive))
   (define above
     (product (append (power-expressions symbols) (list top) (power-expressions others))))
   (define below (append bottom (power-expressions negative)))
   (if (null? below)
       above
       (make-node op:/ (list above (product below)))))
-
-(define (partition-powers pred powers)
-  (values (filter (lambda (p) (pred (car p))) powers)
-          (filter (lambda (p) (not (pred (car p)))) powers)))
 
 (define (power-expressions powers)
   (for/list ([p (in-list (by-rank powers))])

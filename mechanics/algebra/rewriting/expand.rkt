@@ -6,7 +6,8 @@
 ;; nobody knows anything of, and unveiled after.  A term keeps only those sums
 ;; below it that it needs.
 
-(require "together.rkt"
+(require racket/list
+         "together.rkt"
          (only-in "../assumption/assumption-set.rkt" no-assumptions)
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
@@ -29,12 +30,11 @@
 
 (define (expanded-form F f)
   (define pieces (fraction->pieces F f))
-  (define whole (filter (lambda (p) (null? (piece-factors p))) pieces))
-  (define others (filter (lambda (p) (pair? (piece-factors p))) pieces))
-  (define terms (apply append (map (lambda (p) (piece-terms F p)) whole)))
+  (define-values (whole others) (partition (lambda (p) (null? (piece-factors p))) pieces))
+  (define terms (append-map (lambda (p) (piece-terms F p)) whole))
   (define summands
     (append (for/list ([t (in-list (in-order terms))]) (term-form t (inexact-field? F)))
-            (apply append (map (lambda (p) (quotient-forms F p)) others))))
+            (append-map (lambda (p) (quotient-forms F p)) others)))
   (if (null? summands) (expression->form 0) (sum-form summands)))
 
 (define (piece-terms F p)

@@ -6,7 +6,8 @@
 ;; front; so do powers of roots, which a reduced denominator cannot hold, taken
 ;; back from it.
 
-(require (only-in "../assumption/assumption-set.rkt" no-assumptions)
+(require racket/list
+         (only-in "../assumption/assumption-set.rkt" no-assumptions)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/size.rkt"
          "../field/field.rkt"
@@ -135,7 +136,7 @@
            (for/list ([a (in-list (node-args e))])
              (define flat (flatten-products a))
              (if (headed? flat op:*) (node-args flat) (list flat))))
-         (number-first (apply append factors))]
+         (number-first (append* factors))]
         [else e]))
 
 (define (number-first factors)

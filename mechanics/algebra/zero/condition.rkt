@@ -9,7 +9,8 @@
 ;; A core that moves, with a time t say, vanishes at all times if its coefficients
 ;; along sin ωt, cos ωt, t ... do: each may give an equation.
 
-(require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/size.rkt"
+(require racket/list
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/size.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
@@ -92,12 +93,8 @@
     (for/list ([c (in-list (moving-coefficients F p parameter?))])
       (condition F c parameter? may-vanish?)))
   (if (and (andmap values equations) (<= (length equations) equation-limit))
-      (distinct equations)
+      (remove-duplicates equations)
       '()))
-
-(define (distinct xs)
-  (for/fold ([kept '()] #:result (reverse kept)) ([x (in-list xs)])
-    (if (member x kept) kept (cons x kept))))
 
 ;; An equation that makes a polynomial in parameters vanish, or #f.
 (define (condition F p parameter? may-vanish?)
@@ -113,14 +110,12 @@
   (define keys
     (for/fold ([keys '()] #:result (reverse keys)) ([t (in-list (poly-terms R p))])
       (define key (filter moving? (poly-term-powers t)))
-      (define resting (remove-all moving? (poly-term-powers t)))
+      (define resting (filter-not moving? (poly-term-powers t)))
       (define known (hash-ref groups key '()))
       (hash-set! groups key (cons (term->poly R (poly-term-coefficient t) resting) known))
       (if (null? known) (cons key keys) keys)))
   (sort (for/list ([key (in-list keys)]) (poly-sum R (hash-ref groups key)))
         < #:key (lambda (c) (+ (* 100 (poly-term-count c)) (poly-total-degree R c)))))
-
-(define (remove-all bad? xs) (filter (lambda (x) (not (bad? x))) xs))
 
 (define (term->poly R c powers)
   (for/fold ([p (poly-constant R c)]) ([f (in-list powers)])

@@ -5,7 +5,8 @@
 ;; bounds it from one side; numbers are chosen within those bounds.  All
 ;; relations that concern an expression are checked at a point chosen for it.
 
-(require "approximate.rkt"
+(require racket/list
+         "approximate.rkt"
          "../assumption/assumption-set.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt")
@@ -80,7 +81,7 @@
   (define head (and (node? e) (node-head e)))
   (define (scale c terms)
     (and terms (for/list ([t (in-list terms)]) (cons (car t) (* c (cdr t))))))
-  (define (join parts) (and (andmap values parts) (apply append parts)))
+  (define (join parts) (and (andmap values parts) (append* parts)))
   (cond [(number? e) (and (rational? e) (list (cons #f e)))]
         [(leaf? e) (list (cons e 1))]
         [(eq? head op:+) (join (map affine-terms (node-args e)))]
