@@ -57,7 +57,7 @@
   (check-integral (form (t (x y θ) (vx vy ω)) (+ (* (+ (* 3 x) (* 2 y)) vx) (* x vy)))
                   (+ (cube 'x) (* (square 'x) 'y))))
 
-(test-case "coefficients that depend on time are a constraint that does, with a term without velocity or none"
+(test-case "coefficients that depend on time count, with a term without velocity or none"
   (define turning (form (t (x y θ) (vx vy ω)) (+ (* (cos t) vx) (* (sin t) vy))))
   (check-eq? (status turning) 'refuted)
   (check-exn #rx"^constraint-integral: the constraint is not integrable\n"

@@ -9,7 +9,8 @@
          "../laws/random.rkt")
 
 (define pairs
-  (list (cons g:floor floor) (cons g:ceiling ceiling) (cons g:truncate truncate) (cons g:round round)))
+  (list (cons g:floor floor) (cons g:ceiling ceiling)
+        (cons g:truncate truncate) (cons g:round round)))
 
 (define (jump? f x)
   (with-handlers ([exn:fail:mechanics:singular? (lambda (e) #t)])

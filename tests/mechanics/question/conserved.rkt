@@ -109,8 +109,9 @@
   (define (L (up t (up x y) (up vx vy))) (* -1 y vx))
   (check-pred proved? (verify-conserved L (compose (component 0) coordinate) plane))
   (check-pred proved? (verify-conserved (- L) (compose (component 1) coordinate) plane))
-  ;; ẋ = y and ẏ = −x: the circle about the origin is kept, another is not
-  (define (turning (up t (up x y) (up vx vy))) (- (* x vy) (* y vx) (* -1 (+ (square x) (square y)))))
+  ;; they are ẋ = y and ẏ = −x, and the energy is −x² − y²
+  (define (turning (up t (up x y) (up vx vy)))
+    (+ (- (* x vy) (* y vx)) (square x) (square y)))
   (check-pred proved? (verify-conserved turning (Lagrangian->energy turning) plane)))
 
 (test-case "ignorable coordinates, by symbol, index and chain"
