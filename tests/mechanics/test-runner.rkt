@@ -10,7 +10,7 @@
          racket/system
          rackunit
          "runner/discover.rkt"
-         "runner/skip.rkt")
+         "support/skip.rkt")
 
 (define-runtime-path runner "runner/main.rkt")
 (define-runtime-path fixtures "runner/fixture")

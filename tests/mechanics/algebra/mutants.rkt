@@ -7,7 +7,7 @@
 ;;
 ;; tries all and tells how each was noticed.
 
-(require rackunit "mutation/mutate.rkt" "mutation/mutants.rkt")
+(require rackunit "../support/mutation/mutate.rkt" "../support/mutation/mutants.rkt")
 
 (module+ test
   (test-case "what each mutant replaces occurs exactly once"

@@ -3,9 +3,9 @@
 ;; idempotent, and gives one form and one print whatever sound rewrites were made
 ;; anywhere; fingerprints and verdicts agree; wrong variants are told apart.
 ;;
-;; A batch runs here; property/run.rkt makes long ones and says what a seed is.
+;; A batch runs here; ../support/property/run.rkt makes long ones and says what a seed is.
 
-(require rackunit "property/run.rkt" "property/expressions.rkt")
+(require rackunit "../support/property/run.rkt" "../support/property/expressions.rkt")
 
 (define batch 1200)
 

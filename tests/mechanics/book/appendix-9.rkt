@@ -1,7 +1,7 @@
 #lang racket/base
 ;; SICM, appendix on notation (pp. 509-523).
 
-(require mechanics rackunit "check.rkt")
+(require mechanics rackunit "../support/session.rkt")
 
 (test-case "p. 511: derivatives are functions"
   (define derivative-of-sine (D sin))

@@ -5,7 +5,7 @@
 
 (require racket/string
          rackunit
-         "../lang/run.rkt")
+         "../support/run-text.rkt")
 
 (define (check-listing text)
   (define expected

@@ -3,7 +3,7 @@
 
 (require mechanics mechanics/book
          (only-in mechanics/plot frame frame-curves plot-function graphics-clear)
-         rackunit "check.rkt")
+         rackunit "../support/session.rkt")
 
 (define q (up (literal-function 'x) (literal-function 'y) (literal-function 'z)))
 

@@ -15,7 +15,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/calculus/Taylor
-         "../laws/derivation.rkt" "../laws/random.rkt" "../laws/same.rkt")
+         "../support/laws/derivation.rkt" "../support/random.rkt" "../support/same.rkt")
 
 (define-syntax-rule (check-same a b) (check-true (same? a b)))
 (define (head s [n 6]) (series:head s n))

@@ -9,7 +9,7 @@
          mechanics/algebra/assumption/assumption-set
          mechanics/calculus/antiderivative
          mechanics/calculus/expression-function
-         "../laws/random.rkt")
+         "../support/random.rkt")
 
 (define (integral e) (antiderivative e 'x no-assumptions))
 

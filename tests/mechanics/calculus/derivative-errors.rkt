@@ -9,7 +9,7 @@
          mechanics/value/signature
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 (define (g x y) (g:* x y))
 (define (h s) (ref-0 s))

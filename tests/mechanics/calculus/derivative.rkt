@@ -16,7 +16,7 @@
          mechanics/value/signature
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../laws/same.rkt")
+         "../support/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

@@ -12,7 +12,7 @@
          mechanics/calculus/dual
          mechanics/calculus/extract
          mechanics/calculus/literal-function
-         "../laws/element.rkt" "../laws/random.rkt" "../laws/same.rkt")
+         "../support/random/element.rkt" "../support/random.rkt" "../support/same.rkt")
 
 (test-case "a dual number without tangent is its value"
   (check-equal? (make-dual 1 'x 0) 'x)

@@ -7,7 +7,7 @@
          mechanics/generic/kind
          mechanics/generic/up-down
          mechanics/calculus/gradient
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 (define (g x y) (g:* x y))
 (define (pair s) (up (g:square (vector-ref (structure-elements s) 0)) 1))

@@ -21,9 +21,9 @@
          mechanics/compile/definite-integral
          mechanics/calculus/literal-function
          mechanics/error/failure
-         "random-program.rkt"
-         "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt" "../laws/random.rkt"
-         "../laws/same.rkt")
+         "../support/random/program.rkt"
+         "../support/laws/derivation.rkt" "../support/random/element.rkt" "../support/laws/law.rkt" "../support/random.rkt"
+         "../support/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

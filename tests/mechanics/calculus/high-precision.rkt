@@ -6,7 +6,7 @@
 
 (require rackunit
          (prefix-in m: mechanics)
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 ;; Programs over any arithmetic: (program + * / sin exp sqrt constant) -> function.
 (define programs

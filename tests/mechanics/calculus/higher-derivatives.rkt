@@ -17,7 +17,7 @@
          mechanics/value/linear/matrix
          mechanics/value/operator
          mechanics/value/signature
-         "../laws/derivation.rkt" "../laws/law.rkt" "../laws/random.rkt" "../laws/same.rkt")
+         "../support/laws/derivation.rkt" "../support/laws/law.rkt" "../support/random.rkt" "../support/same.rkt")
 
 ;; D repeated, which nests dual numbers: a plain function does not say that it is a
 ;; derivative.

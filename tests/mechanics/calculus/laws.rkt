@@ -4,8 +4,8 @@
 (require mechanics/generic/arithmetic
          mechanics/calculus/derivative mechanics/calculus/literal-function
          mechanics/value/signature
-         "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt"
-         "../laws/random.rkt" "../laws/same.rkt")
+         "../support/laws/derivation.rkt" "../support/random/element.rkt" "../support/laws/law.rkt"
+         "../support/random.rkt" "../support/same.rkt")
 
 (define generic-derivation
   (derivation D (lambda (i f) ((partial i) f))))

@@ -10,7 +10,7 @@
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../laws/numeric-value.rkt" "../laws/same.rkt")
+         "../support/numeric-value.rkt" "../support/same.rkt")
 
 (define (text x) (format "~a" x))
 (define x (literal-function 'x))

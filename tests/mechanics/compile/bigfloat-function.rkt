@@ -5,7 +5,7 @@
          rackunit
          mechanics/compile/bigfloat-function
          mechanics/numeric/bigfloat/bigfloat-arithmetic
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 ;; -> the exact values of f at x in 64 bits, and whether f could be traced
 (define (value-and-traced f x)

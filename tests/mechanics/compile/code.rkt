@@ -10,7 +10,7 @@
          mechanics/compile/program
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         (prefix-in random: "../algebra/random.rkt"))
+         (prefix-in random: "../support/random/expression.rkt"))
 
 (define (refuse e) (raise-argument-error 'program-of "an expression of the inputs" e))
 

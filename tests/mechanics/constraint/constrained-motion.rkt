@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define ((L-mass m g) (up t (up x y) (up vx vy)))
   (- (* 1/2 m (+ (square vx) (square vy))) (* m g y)))

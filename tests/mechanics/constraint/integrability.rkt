@@ -3,8 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../book/check.rkt"
-         "../laws/random.rkt")
+         "../support/random.rkt" "../support/session.rkt")
 
 (define q (up 'x 'y 'θ))
 (define-syntax-rule (form (t (x y θ) (vx vy ω)) value)

@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../book/check.rkt")
+         "../support/session.rkt")
 
 (define (L (up t q v)) (- (* 1/2 'm (square v)) (* 'm 'g (ref q 1))))
 (define (on-circle t q) (- (square q) (square 'l)))

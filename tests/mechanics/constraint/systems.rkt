@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../book/check.rkt")
+         "../support/session.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; A disk that rolls and leans: centre x and y, heading φ, inclination θ, angle of rolling ψ.

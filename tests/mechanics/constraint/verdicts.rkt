@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../book/check.rkt")
+         "../support/session.rkt")
 
 (define-syntax-rule (check-proved verdict) (check-eq? (verdict-status verdict) 'proved))
 (define-syntax-rule (check-refuted verdict) (check-eq? (verdict-status verdict) 'refuted))

@@ -4,7 +4,7 @@
 
 (require rackunit
          mechanics
-         "systems.rkt")
+         "../support/forces.rkt")
 
 (define q-1 (literal-function 'q))
 (define q-2 (up (literal-function 'a) (literal-function 'b)))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What is said where masses, positions, forces and coordinates do not go together.
 
-(require mechanics "../runner/messages.rkt" "systems.rkt")
+(require mechanics "../support/messages.rkt" "../support/forces.rkt")
 
 (define state (up 't (up 'x 'y) (up 'v_x 'v_y)))
 (define (plane t q) q)

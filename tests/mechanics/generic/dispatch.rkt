@@ -10,7 +10,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/lang/application
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Kinds that do not combine

@@ -4,7 +4,7 @@
 
 (require rackunit
          mechanics/generic/arithmetic mechanics/generic/elementary
-         "../laws/random.rkt" "../laws/same.rkt")
+         "../support/random.rkt" "../support/same.rkt")
 
 (define-check (check-close actual expected tolerance)
   (with-check-info (['actual actual] ['expected expected])

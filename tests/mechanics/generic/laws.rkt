@@ -5,8 +5,8 @@
 (require mechanics/generic/arithmetic
          mechanics/generic/up-down
          mechanics/value/structure
-         "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt" "../laws/module.rkt"
-         "../laws/random.rkt" "../laws/ring.rkt" "../laws/same.rkt")
+         "../support/laws/derivation.rkt" "../support/random/element.rkt" "../support/laws/law.rkt" "../support/laws/module.rkt"
+         "../support/random.rkt" "../support/laws/ring.rkt" "../support/same.rkt")
 
 (define commutative-ring-laws (append ring-laws commutativity-laws power-laws))
 (define field-laws (append commutative-ring-laws division-laws))

@@ -6,7 +6,7 @@
          mechanics/error/failure
          mechanics/generic/arithmetic
          mechanics/generic/rounding
-         "../laws/random.rkt")
+         "../support/random.rkt")
 
 (define pairs
   (list (cons g:floor floor) (cons g:ceiling ceiling)

@@ -14,8 +14,8 @@
          mechanics/generic/rounding
          mechanics/value/structure
          mechanics/calculus/derivative
-         "../laws/random.rkt" "../laws/same.rkt"
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define records (append arithmetic-operations elementary-operations rounding-operations))
 (define (arity r) (length (generic-op-partials r)))

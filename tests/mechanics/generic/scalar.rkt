@@ -12,7 +12,7 @@
          mechanics/value/bigfloat
          mechanics/value/linear/matrix
          mechanics/value/series/access
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define plain (list 0 1 1/2 0.5 1+2i +nan.0))
 (define open (list 'x (g:+ 'x 1) ((literal-function 'f) 't) (make-dual 1 2 3) (displaced 1 4 'x)))

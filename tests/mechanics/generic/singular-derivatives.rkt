@@ -9,7 +9,7 @@
          mechanics/error/failure
          mechanics/value/structure
          mechanics/calculus/derivative
-         "../laws/same.rkt")
+         "../support/same.rkt")
 
 (define-syntax-rule (check-singular message where expression)
   (check-exn (lambda (e)

@@ -13,8 +13,8 @@
          mechanics/value/signature
          mechanics/lagrangian/Lagrange-equations
          mechanics/lagrangian/local-tuple
-         "systems.rkt"
-         "../laws/same.rkt")
+         "../support/systems.rkt"
+         "../support/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

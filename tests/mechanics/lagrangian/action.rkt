@@ -10,7 +10,7 @@
          mechanics/search/minimize
          mechanics/lagrangian/action
          mechanics/lagrangian/local-tuple
-         "systems.rkt")
+         "../support/systems.rkt")
 
 (define (test-path t) (up (g:+ (g:* 4 t) 7) (g:+ (g:* 3 t) 5) (g:+ (g:* 2 t) 1)))
 

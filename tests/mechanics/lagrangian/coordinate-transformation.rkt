@@ -13,8 +13,8 @@
          mechanics/lagrangian/coordinate-transformation
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/Lagrange-equations
-         "systems.rkt"
-         "../laws/same.rkt")
+         "../support/systems.rkt"
+         "../support/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

@@ -3,7 +3,7 @@
 ;; inertia.
 
 (require rackunit mechanics
-         "../bench/systems.rkt" "../laws/same.rkt")
+         "../bench/systems.rkt" "../support/same.rkt")
 
 (define-syntax-rule (failure-of expr)
   (with-handlers ([exn:fail? values]) expr (void)))

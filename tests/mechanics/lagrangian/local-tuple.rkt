@@ -10,7 +10,7 @@
          mechanics/calculus/literal-function
          mechanics/value/signature
          mechanics/lagrangian/local-tuple
-         "../laws/same.rkt")
+         "../support/same.rkt")
 
 (define q (literal-function 'q))
 (define path-xy (up (literal-function 'x) (literal-function 'y)))

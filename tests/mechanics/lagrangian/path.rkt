@@ -6,7 +6,7 @@
          mechanics/value/structure mechanics/calculus/derivative
          mechanics/lagrangian/action mechanics/lagrangian/local-tuple
          mechanics/lagrangian/path
-         "systems.rkt" "../laws/random.rkt" "../laws/same.rkt")
+         "../support/systems.rkt" "../support/random.rkt" "../support/same.rkt")
 
 (test-case "points evenly spaced between two others"
   (check-equal? (linear-interpolants 0 1 3) '(1/4 1/2 3/4))

@@ -14,8 +14,8 @@
          mechanics/lagrangian/Lagrange-equations
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/total-derivative
-         "systems.rkt"
-         "../laws/same.rkt")
+         "../support/systems.rkt"
+         "../support/same.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

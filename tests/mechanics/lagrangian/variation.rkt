@@ -15,8 +15,8 @@
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/variation
          mechanics/lagrangian/Lagrange-equations
-         "systems.rkt"
-         "../laws/same.rkt")
+         "../support/systems.rkt"
+         "../support/same.rkt")
 
 (define q (literal-function 'q))
 (define eta (literal-function 'eta))

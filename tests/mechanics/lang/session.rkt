@@ -8,7 +8,7 @@
          racket/port
          racket/string
          rackunit
-         "run.rkt")
+         "../support/run-text.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Modules

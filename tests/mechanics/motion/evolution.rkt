@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "systems.rkt")
+         "../support/motions.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems

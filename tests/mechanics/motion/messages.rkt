@@ -3,7 +3,7 @@
 
 (require (only-in rackunit check-exn test-case)
          mechanics
-         tests/mechanics/runner/messages)
+         "../support/messages.rkt")
 
 (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
 (define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))

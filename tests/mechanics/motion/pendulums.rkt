@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "systems.rkt")
+         "../support/motions.rkt")
 
 (define (crossing-times derivative start end f direction)
   (map occurrence-time

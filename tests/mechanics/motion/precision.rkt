@@ -3,8 +3,8 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "systems.rkt"
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/motions.rkt"
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems

@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "systems.rkt")
+         "../support/motions.rkt")
 
 ;; Angular velocity along the principal axes (2.7).
 (define (body-omega s)

@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         tests/mechanics/runner/messages)
+         "../support/messages.rkt")
 
 (define makers (list leapfrog Yoshida-4 Yoshida-6 Yoshida-8))
 (define steps '(0.001 0.01 0.02 0.05))

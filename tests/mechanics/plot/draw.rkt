@@ -4,7 +4,7 @@
 (require (prefix-in m: mechanics)
          mechanics/plot
          rackunit
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 (define (unit) (frame 0 1 0 1))
 

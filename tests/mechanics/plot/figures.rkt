@@ -11,7 +11,7 @@
          racket/runtime-path
          racket/string
          rackunit
-         "../runner/skip.rkt")
+         "../support/skip.rkt")
 
 (define-runtime-path figures "../../../examples/mechanics/figures")
 (define-runtime-path constraints "../../../examples/mechanics/constraints")

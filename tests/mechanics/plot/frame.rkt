@@ -9,7 +9,7 @@
          racket/pretty
          racket/serialize
          rackunit
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 (define (points-of . xys)
   (define f (frame 0 1 0 1))

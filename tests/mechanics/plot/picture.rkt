@@ -9,7 +9,7 @@
          racket/string
          rackunit
          syntax/modresolve
-         "../runner/messages.rkt" "../runner/skip.rkt")
+         "../support/messages.rkt" "../support/skip.rkt")
 
 (define drawable? (not (why-not)))
 (define no-drawing "the shared libraries of racket/draw are not installed: no pictures")

@@ -8,7 +8,7 @@
          racket/port
          racket/runtime-path
          rackunit
-         "../runner/skip.rkt")
+         "../support/skip.rkt")
 
 (define-runtime-path program "../runner/fixture/window.rkt")
 

@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 (define ((L-oscillator m k) (up t x v)) (- (* 1/2 m (square v)) (* 1/2 k (square x))))
 

@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 (define line (up 't 'theta 'thetadot))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))

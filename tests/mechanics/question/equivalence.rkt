@@ -3,8 +3,8 @@
 
 (require rackunit
          mechanics
-         "../laws/random.rkt"
-         "../runner/messages.rkt")
+         "../support/random.rkt"
+         "../support/messages.rkt")
 
 (define line (up 't 'x 'v))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))

@@ -3,8 +3,8 @@
 
 (require rackunit
          mechanics
-         "../laws/random.rkt"
-         "../runner/messages.rkt")
+         "../support/random.rkt"
+         "../support/messages.rkt")
 
 (define ((L-pendulums m1 m2 l g) (up t (up a b) (up va vb)))
   (- (+ (* 1/2 (+ m1 m2) (square (* l va)))

@@ -4,8 +4,7 @@
 
 (require rackunit
          mechanics
-         "../laws/random.rkt"
-         "../runner/messages.rkt")
+         "../support/messages.rkt" "../support/random.rkt")
 
 (define (bilinear S a b)
   (for*/sum ([i 2] [j 2]) (* (ref a i) (vector-ref (vector-ref S i) j) (ref b j))))

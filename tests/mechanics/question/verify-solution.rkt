@@ -10,7 +10,7 @@
          mechanics/verdict/verdict
          mechanics/question/verify-solution
          mechanics/lagrangian/local-tuple
-         "../lagrangian/systems.rkt")
+         "../support/systems.rkt")
 
 (define (oscillation omega) (lambda (t) (g:* 'a (g:cos (g:+ (g:* omega t) 'phi)))))
 

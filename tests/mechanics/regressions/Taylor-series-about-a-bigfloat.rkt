@@ -4,7 +4,7 @@
 
 (require rackunit
          (prefix-in m: mechanics)
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define (series-of-sine x dx n) (m:series:head (((m:Taylor-series m:sin) x) dx) n))
 

@@ -11,7 +11,7 @@
          mechanics/algebra/expression/evaluate
          mechanics/algebra/zero/proof
          mechanics/algebra/expression/flat-graph
-         "../algebra/reading.rkt")
+         "../support/reading.rkt")
 
 (define negative-x (declare-relations no-assumptions '((< x 0))))
 

@@ -5,7 +5,7 @@
 (require (except-in rackunit fail)
          racket/flonum
          mechanics
-         "../laws/random.rkt")
+         "../support/random.rkt")
 
 ;; Of the function, of its code, and of its expression; equal up to rounding.
 (define-check (check-everywhere f x)

@@ -4,7 +4,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 ;; y = log |t - pole|
 (define ((logarithm pole) s) (up 1 (/ 1 (- (time s) pole))))

@@ -3,7 +3,7 @@
 ;; verdicts on stability; and what ∂₁∂₂L gains in time was no part of the frequencies.
 
 (require rackunit mechanics
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 (define ((L-driven k) (up t x v)) (- (* 1/2 (square v)) (* 1/2 (k t) (square x))))
 

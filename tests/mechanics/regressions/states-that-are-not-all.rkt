@@ -3,7 +3,7 @@
 ;; parameter of a force or of a constraint as well, or where the state was of numbers.
 
 (require rackunit mechanics
-         "../runner/messages.rkt")
+         "../support/messages.rkt")
 
 (define (L (up t x v)) (* 1/2 (square v)))
 (define (towards-v (up t x v)) (- 'v v))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Which files are tests: every module under tests/mechanics except the runner,
-;; the generator of random programs, the benchmarks and package information; and
-;; every example with a `test` submodule.
+;; the helpers, the benchmarks and package information; and every helper and
+;; example with a `test` submodule.
 
 (require racket/file
          racket/list
@@ -12,19 +12,20 @@
          files-under)    ; path -> (listof path): the modules in or at path
 
 (define-runtime-path tests-folder "..")
+(define-runtime-path support-folder "../support")
 (define-runtime-path examples-folder "../../../examples/mechanics")
 
-(define not-tests '("runner" "bench" "programs" "compiled"))
+(define not-tests '("runner" "bench" "support" "compiled"))
 
 (define (test-files)
   (append
    (append* (for/list ([p (directory-list (simplify-path tests-folder) #:build? #t)]
                        #:unless (member (name-of p) not-tests))
               (files-under p)))
-   (filter has-test-submodule?
-           (if (directory-exists? examples-folder)
-               (files-under (simplify-path examples-folder))
-               '()))))
+   (for*/list ([folder (list support-folder examples-folder)]
+               [p (in-list (files-under (simplify-path folder)))]
+               #:when (has-test-submodule? p))
+     p)))
 
 (define (files-under path)
   (sort (find-files module-file? path) path<?))

@@ -6,9 +6,9 @@
          (only-in mechanics bigfloat D partial)
          mechanics/calculus/dual mechanics/calculus/perturbed
          mechanics/generic/compare mechanics/generic/kind
-         "../laws/derivation.rkt" "../laws/element.rkt" "../laws/law.rkt" "../laws/random.rkt"
-         "../laws/ring.rkt"
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/laws/derivation.rkt" "../support/random/element.rkt" "../support/laws/law.rkt" "../support/random.rkt"
+         "../support/laws/ring.rkt"
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define least-bits 150)
 (define tag (fresh-tag))

@@ -5,7 +5,7 @@
          (only-in racket/format ~a)
          mechanics
          (only-in mechanics/numeric/bigfloat/bigfloat-arithmetic check-bigfloats)
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define (shown x) (~a x))
 

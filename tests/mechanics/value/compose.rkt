@@ -9,7 +9,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/value/signature
-         "../laws/same.rkt")
+         "../support/same.rkt")
 
 (define V (literal-function 'V))
 (define F (literal-function 'F (-> (X Real Real) Real)))

@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../runner/bigfloats.rkt" "../runner/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define (evenly a b n) (for/list ([k (in-range (+ n 1))]) (+ a (* k (/ (- b a) n)))))
 

@@ -4,7 +4,7 @@
 (require rackunit
          (prefix-in m: mechanics)
          mechanics/numeric/constants mechanics/value/principal-value
-         "../laws/random.rkt")
+         "../support/random.rkt")
 
 (test-case "an angle within the turn stays exactly as it is; the cut itself belongs to the next"
   (define principal (principal-value :pi))

@@ -4,7 +4,7 @@
 (require mechanics
          mechanics/lang/printer
          rackunit
-         "../laws/element.rkt" "../laws/random.rkt" "../laws/same.rkt")
+         "../support/random/element.rkt" "../support/random.rkt" "../support/same.rkt")
 
 (define (shown x)
   (define port (open-output-string))

@@ -20,8 +20,8 @@
          mechanics/calculus/literal-function
          mechanics/verdict/prove-zero
          mechanics/verdict/verdict
-         "../laws/element.rkt" "../laws/law.rkt" "../laws/random.rkt" "../laws/ring.rkt"
-         "../laws/same.rkt")
+         "../support/random/element.rkt" "../support/laws/law.rkt" "../support/random.rkt" "../support/laws/ring.rkt"
+         "../support/same.rkt")
 
 (define x (power-series 0 1))
 (define (head s [n 6]) (series:head s n))

@@ -10,7 +10,7 @@
          mechanics/value/simplify
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../laws/element.rkt" "../laws/random.rkt" "../laws/same.rkt")
+         "../support/random/element.rkt" "../support/random.rkt" "../support/same.rkt")
 
 (define x (literal-function 'x))
 

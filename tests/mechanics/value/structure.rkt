@@ -5,7 +5,7 @@
          mechanics/generic/arithmetic mechanics/generic/elementary
          mechanics/value/structure
          mechanics/calculus/literal-function mechanics/value/signature
-         "../laws/random.rkt" "../laws/element.rkt" "../laws/same.rkt")
+         "../support/random.rkt" "../support/random/element.rkt" "../support/same.rkt")
 
 (define s (up 't (up 'x 'y) (down 1 (up 2 3))))
 

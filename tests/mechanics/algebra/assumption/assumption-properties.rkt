@@ -13,7 +13,7 @@
          mechanics/algebra/assumption/relation
          mechanics/algebra/assumption/signs
          mechanics/algebra/simplify/simplify-expression
-         "../random.rkt")
+         "../../support/random/expression.rkt")
 
 (define (choose xs) (list-ref xs (random (length xs))))
 

@@ -4,7 +4,7 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/evaluate
-         "../reading.rkt")
+         "../../support/reading.rkt")
 
 (define (value d point)
   (evaluate-expression (datum->expression d)

@@ -4,7 +4,7 @@
 (require rackunit
          racket/list
          mechanics/algebra/expression/order
-         "../reading.rkt")
+         "../../support/reading.rkt")
 
 (define in-order
   (map datum->expression

@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/algebra/linear/block-form
-         "../../laws/random.rkt")
+         "../../support/random.rkt")
 
 (define (random-pattern n density)
   (for/vector ([i n])

@@ -8,8 +8,8 @@
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/linear/bareiss
          mechanics/algebra/linear/elimination
-         "matrices.rkt"
-         "../../laws/random.rkt" "../../laws/same.rkt")
+         "../../support/matrices.rkt"
+         "../../support/random.rkt" "../../support/same.rkt")
 
 (define (integer) (random-integer -5 5))
 (define no-limit 1000000)

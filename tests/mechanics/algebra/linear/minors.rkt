@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/algebra/linear/minors mechanics/algebra/linear/characteristic
-         "../../laws/random.rkt" "matrices.rkt")
+         "../../support/random.rkt" "../../support/matrices.rkt")
 
 (define (determinant-by-minors A)
   (define n (vector-length A))

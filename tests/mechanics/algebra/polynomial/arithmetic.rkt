@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
-         "laws.rkt" "random.rkt")
+         "../../support/laws/polynomial.rkt" "../../support/random/polynomial.rkt")
 
 (define (polynomial-operations R #:add [add (lambda (p q) (poly+ R p q))]
                                #:subtract [subtract (lambda (p q) (poly- R p q))]

@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
-         "random.rkt")
+         "../../support/random/polynomial.rkt")
 
 (for ([n '(1 3 50)])
   (test-case (format "dividing a product gives the factor back, in ~a variables" n)

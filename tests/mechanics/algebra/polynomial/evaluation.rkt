@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
-         "random.rkt")
+         "../../support/random/polynomial.rkt")
 
 ;; Which of sums, products and 1 the evaluation fails to keep, at some of the
 ;; points, for some of the pairs of polynomials.

@@ -2,7 +2,7 @@
 ;; Factors over the rationals: products of random factors come apart, what is
 ;; irreducible does not.
 
-(require rackunit "random.rkt"
+(require rackunit "../../support/random/polynomial.rkt"
          mechanics/algebra/polynomial/polynomial mechanics/algebra/polynomial/factor
          mechanics/algebra/polynomial/integer-factor mechanics/algebra/polynomial/dense
          mechanics/algebra/polynomial/modular-factor)

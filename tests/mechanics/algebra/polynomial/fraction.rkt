@@ -4,7 +4,7 @@
 (require rackunit
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/fraction
-         "laws.rkt" "random.rkt")
+         "../../support/laws/polynomial.rkt" "../../support/random/polynomial.rkt")
 
 (define (fraction-operations R #:add [add (lambda (f g) (fraction+ R f g))]
                              #:multiply [multiply (lambda (f g) (fraction* R f g))]

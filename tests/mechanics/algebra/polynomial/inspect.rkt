@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
-         "random.rkt")
+         "../../support/random/polynomial.rkt")
 
 (define R (make-ring 3 12))
 (define x (poly-variable R 0))

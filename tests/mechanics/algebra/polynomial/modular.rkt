@@ -9,7 +9,7 @@
          mechanics/algebra/polynomial/interpolation
          mechanics/algebra/polynomial/heuristic-gcd
          mechanics/algebra/polynomial/sparse-gcd
-         "random.rkt")
+         "../../support/random/polynomial.rkt")
 
 (define P first-prime)
 

@@ -7,7 +7,7 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
-         "../random.rkt" "../reading.rkt")
+         "../../support/random/expression.rkt" "../../support/reading.rkt")
 
 (define (simplified e) (expression->datum (simplify-expression e)))
 

@@ -9,7 +9,7 @@
          mechanics/algebra/rewriting/together
          mechanics/algebra/rewriting/apart
          mechanics/algebra/rewriting/factor
-         "../random.rkt" "../reading.rkt")
+         "../../support/random/expression.rkt" "../../support/reading.rkt")
 
 (define (first-value f . arguments)
   (define-values (e assumptions) (apply f arguments))

@@ -8,7 +8,7 @@
                                substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/rewriting/solve
-         "../../laws/random.rkt")
+         "../../support/random.rkt")
 
 (define (solutions equations unknowns)
   (define found (solve-equations equations unknowns no-assumptions))

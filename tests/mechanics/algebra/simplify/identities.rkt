@@ -8,7 +8,7 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         "../reading.rkt")
+         "../../support/reading.rkt")
 
 (define (difference u v)
   (make-node op:- (list (datum->expression u) (datum->expression v))))

@@ -4,7 +4,7 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/simplify/simplify-expression
-         "../reading.rkt")
+         "../../support/reading.rkt")
 
 (define (simplified d) (expression->datum (simplify-expression (datum->expression d))))
 

@@ -7,7 +7,7 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         "../property/expressions.rkt")
+         "../../support/property/expressions.rkt")
 
 ;; Twelve expressions, from seeds.
 (define expressions

@@ -7,7 +7,7 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/zero-test
-         "../random.rkt" "../reading.rkt")
+         "../../support/random/expression.rkt" "../../support/reading.rkt")
 
 (define (judge d) (fingerprint (datum->expression d)))
 

@@ -11,7 +11,7 @@
          mechanics/algebra/zero/proof
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         "../random.rkt" "../reading.rkt")
+         "../../support/random/expression.rkt" "../../support/reading.rkt")
 
 (define (sum es) (for/fold ([s 0]) ([e (in-list es)]) (e:+ s e)))
 (define (numbered name n)

@@ -2,7 +2,7 @@
 ;; What a `#lang mechanics` module defines again.
 
 (require rackunit
-         "../run.rkt")
+         "../../support/run-text.rkt")
 
 (test-case "functions defined before see the new definition"
   (check-equal? (prints "(define (f x) (* 2 (g x)))"

@@ -2,7 +2,7 @@
 ;; What a `#lang mechanics` module uses before its definition.
 
 (require rackunit
-         "../run.rkt")
+         "../../support/run-text.rkt")
 
 (define (early name line)
   (format "~a: used before its definition, which is on line ~a; a module is run from top to bottom"

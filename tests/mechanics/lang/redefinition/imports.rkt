@@ -2,7 +2,7 @@
 ;; What a `#lang mechanics` module imports and defines.
 
 (require rackunit
-         "../run.rkt")
+         "../../support/run-text.rkt")
 
 (test-case "what the language exports may be used until it is replaced"
   (check-equal? (prints "(define (f) (square 3))"

@@ -4,7 +4,7 @@
 (require racket/file
          racket/port
          rackunit
-         "../run.rkt")
+         "../../support/run-text.rkt")
 
 (define (call-with-program text proc)
   (define directory (make-temporary-file "mechanics~a" 'directory))

@@ -4,7 +4,7 @@
 
 (require racket/match
          rackunit
-         "../run.rkt")
+         "../../support/run-text.rkt")
 
 ;; How often the core forms `define-values` and `set!` of a name stand in the
 ;; expansion of a module: (list definitions assignments).

@@ -4,7 +4,7 @@
 (require math/bigfloat
          rackunit
          mechanics/numeric/bigfloat/extrapolation
-         "../../runner/bigfloats.rkt" "../../runner/skip.rkt")
+         "../../support/bigfloats.rkt" "../../support/skip.rkt")
 
 (define evaluations 0)
 (define (oscillator y)

@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics
-         "../../laws/random.rkt" "../../laws/same.rkt")
+         "../../support/random.rkt" "../../support/same.rkt")
 
 (test-case "the characteristic polynomial is the determinant of x - m, at any x"
   (with-seed 461

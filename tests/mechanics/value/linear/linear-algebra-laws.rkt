@@ -4,7 +4,7 @@
 
 (require rackunit
          mechanics
-         "../../laws/random.rkt" "../../laws/same.rkt")
+         "../../support/random.rkt" "../../support/same.rkt")
 
 (define (symbols n [name 'a])
   (m:generate n n (lambda (i j) (string->symbol (format "~a~a~a" name i j)))))

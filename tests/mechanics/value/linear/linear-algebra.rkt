@@ -12,7 +12,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/value/signature
-         "../../laws/element.rkt" "../../laws/random.rkt" "../../laws/same.rkt")
+         "../../support/random/element.rkt" "../../support/random.rkt" "../../support/same.rkt")
 
 (define scalars (list random-rational random-flonum random-expression random-dual))
 

@@ -10,7 +10,7 @@
          mechanics/value/linear/linear-algebra
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../../laws/element.rkt" "../../laws/random.rkt" "../../laws/same.rkt")
+         "../../support/random/element.rkt" "../../support/random.rkt" "../../support/same.rkt")
 
 (define M (matrix-by-rows '(1 2 3) '(a b c)))
 

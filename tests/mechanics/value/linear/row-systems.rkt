@@ -5,7 +5,7 @@
          mechanics/generic/arithmetic
          mechanics/error/failure
          mechanics/value/linear/row-systems
-         "../../laws/random.rkt" "../../laws/same.rkt")
+         "../../support/random.rkt" "../../support/same.rkt")
 
 (define (rows n entry)
   (for/vector ([i n]) (for/vector ([j n]) (entry i j))))

@@ -10,7 +10,7 @@
 ;; confused.
 
 (require racket/list
-         "language.rkt" "../runner/bigfloats.rkt")
+         "language.rkt" "../bigfloats.rkt")
 
 (provide rational-differences bigfloat-differences (struct-out tuple))
 

@@ -10,7 +10,7 @@
          mechanics/calculus/dual
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "derivation.rkt" "random.rkt" "ring.rkt")
+         "../laws/derivation.rkt" "../random.rkt" "../laws/ring.rkt")
 
 (provide generic-ring
          random-expression random-dual random-matrix random-operator random-real-function

@@ -2,7 +2,7 @@
 ;; Runs of the properties: a seed makes an expression, rewrites of it, and a
 ;; wrong variant; failures are shrunk and told with their seed.
 ;;
-;;     racket tests/mechanics/algebra/property/run.rkt --count 20000 --seed 1
+;;     racket tests/mechanics/support/property/run.rkt --count 20000 --seed 1
 ;;
 ;; makes a long one, tells every failure with the least expression that fails,
 ;; and counts them by kind.  `--only N` runs the seed N alone; with `--quick`

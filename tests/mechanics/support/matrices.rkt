@@ -2,7 +2,7 @@
 ;; Matrices for the tests of linear algebra, and determinants by the definition.
 
 (require mechanics/algebra/linear/minors
-         "../../laws/random.rkt")
+         "random.rkt")
 
 (provide rows number-ring Leibniz times identity-rows Hilbert random-rows)
 

@@ -6,7 +6,7 @@
 ;; variable; the two sides are values at the number.
 
 (require mechanics/generic/arithmetic mechanics/generic/elementary
-         "law.rkt" "random.rkt")
+         "law.rkt" "../random.rkt")
 
 (provide (struct-out derivation) derivation-laws partial-laws
          random-function random-function-of-two draw-functions)
@@ -107,7 +107,7 @@
 ;; Every law seen to fail, on central differences of differences
 
 (module+ test
-  (require "same.rkt")
+  (require "../same.rkt")
 
   ;; A derivation that is right to five digits and knows nothing of ours.
   (define h 1e-3)

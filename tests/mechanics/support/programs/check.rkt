@@ -3,7 +3,7 @@
 
 (require racket/list racket/promise
          (prefix-in m: mechanics)
-         "language.rkt" "generate.rkt" "differences.rkt" "../runner/bigfloats.rkt")
+         "language.rkt" "generate.rkt" "differences.rkt" "../bigfloats.rkt")
 
 (provide check-program random-check shrink (struct-out mode) modes)
 

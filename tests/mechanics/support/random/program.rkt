@@ -3,7 +3,7 @@
 ;; with sharing, conditions on values, and closures.
 
 (require mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
-         "../laws/random.rkt")
+         "../random.rkt")
 
 (provide random-program)
 
