@@ -7,7 +7,8 @@
 ;;
 ;; tries all and tells how each was noticed.
 
-(require rackunit "../support/mutation/mutate.rkt" "../support/mutation/mutants.rkt")
+(require rackunit
+         "../support/mutation/mutants.rkt" "../support/mutation/mutate.rkt")
 
 (module+ test
   (test-case "what each mutant replaces occurs exactly once"

@@ -5,7 +5,8 @@
 ;;
 ;; A batch runs here; ../support/property/run.rkt makes long ones and says what a seed is.
 
-(require rackunit "../support/property/run.rkt" "../support/property/expressions.rkt")
+(require rackunit
+         "../support/property/expressions.rkt" "../support/property/run.rkt")
 
 (define batch 1200)
 

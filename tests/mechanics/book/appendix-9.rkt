@@ -1,7 +1,9 @@
 #lang racket/base
 ;; SICM, appendix on notation (pp. 509-523).
 
-(require mechanics rackunit "../support/session.rkt")
+(require mechanics
+         rackunit
+         "../support/session.rkt")
 
 (test-case "p. 511: derivatives are functions"
   (define derivative-of-sine (D sin))

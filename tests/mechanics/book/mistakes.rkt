@@ -1,7 +1,9 @@
 #lang racket/base
 ;; The mistakes readers make, and what they are told: one case for each.
 
-(require mechanics rackunit "../support/session.rkt")
+(require mechanics
+         rackunit
+         "../support/session.rkt")
 
 (define (g x y) (* x y))
 (define F (literal-function 'F (-> (X Real Real) Real)))

@@ -1,9 +1,11 @@
 #lang racket/base
 ;; SICM 1.4, Computing Actions (pp. 14-23).
 
-(require mechanics mechanics/book
+(require mechanics
+         mechanics/book
          (only-in mechanics/plot frame frame-curves plot-function graphics-clear)
-         rackunit "../support/session.rkt")
+         rackunit
+         "../support/session.rkt")
 
 (define q (up (literal-function 'x) (literal-function 'y) (literal-function 'z)))
 

@@ -1,7 +1,10 @@
 #lang racket/base
 ;; SICM 1.5, The Euler-Lagrange Equations (pp. 23-37).
 
-(require mechanics mechanics/book rackunit "../support/session.rkt")
+(require mechanics
+         mechanics/book
+         rackunit
+         "../support/session.rkt")
 
 (define x (literal-function 'x))
 (define r (literal-function 'r))

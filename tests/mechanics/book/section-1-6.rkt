@@ -1,7 +1,10 @@
 #lang racket/base
 ;; SICM 1.6, How to Find Lagrangians (pp. 37-68).
 
-(require mechanics mechanics/book rackunit "../support/session.rkt")
+(require mechanics
+         mechanics/book
+         rackunit
+         "../support/session.rkt")
 
 (define-values (x y r phi theta ys)
   (apply values (map literal-function '(x y r phi theta y_s))))

@@ -1,8 +1,11 @@
 #lang racket/base
 ;; SICM 1.7, Evolution of Dynamical State (pp. 68-78).
 
-(require mechanics mechanics/book (only-in mechanics/plot frame frame-points)
-         (except-in rackunit fail) "../support/session.rkt")
+(require mechanics
+         mechanics/book
+         (only-in mechanics/plot frame frame-points)
+         (except-in rackunit fail)
+         "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'v_x 'v_y)))
 

@@ -1,7 +1,10 @@
 #lang racket/base
 ;; SICM 1.8, Conserved Quantities (pp. 78-91).
 
-(require mechanics mechanics/book rackunit "../support/session.rkt")
+(require mechanics
+         mechanics/book
+         rackunit
+         "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
 (define space (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))

@@ -1,7 +1,10 @@
 #lang racket/base
 ;; SICM 1.9, Abstraction of Path Functions (pp. 91-99).
 
-(require mechanics mechanics/book rackunit "../support/session.rkt")
+(require mechanics
+         mechanics/book
+         rackunit
+         "../support/session.rkt")
 
 (define q (literal-function 'q))
 (define F (literal-function 'F (-> (UP Real Real Real) Real)))

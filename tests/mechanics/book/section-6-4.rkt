@@ -1,7 +1,9 @@
 #lang racket/base
 ;; SICM 6.4 and 7.2: Lie series, with the Lie derivative written as in the book.
 
-(require mechanics rackunit "../support/session.rkt")
+(require mechanics
+         rackunit
+         "../support/session.rkt")
 
 (define (bracket F G)
   (- (* ((partial 1) F) ((partial 2) G)) (* ((partial 2) F) ((partial 1) G))))

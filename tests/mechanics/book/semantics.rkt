@@ -1,7 +1,9 @@
 #lang racket/base
 ;; What the book's listings rely on, point by point, through the public module.
 
-(require mechanics rackunit "../support/session.rkt")
+(require mechanics
+         rackunit
+         "../support/session.rkt")
 
 (define x (literal-function 'x))
 (define y (literal-function 'y))

@@ -15,7 +15,8 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/calculus/Taylor
-         "../support/laws/derivation.rkt" "../support/random.rkt" "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/laws/derivation.rkt")
 
 (define-syntax-rule (check-same a b) (check-true (same? a b)))
 (define (head s [n 6]) (series:head s n))

@@ -3,9 +3,11 @@
 
 (require rackunit
          (only-in mechanics + - * / expt sqrt square exp log sin cos tan literal-function D
-      
+     
+                  
                              partial
-                  expression proved? verify-equal)
+                  expression proved?
+                  verify-equal)
          mechanics/algebra/assumption/assumption-set
          mechanics/calculus/antiderivative
          mechanics/calculus/expression-function

@@ -12,7 +12,8 @@
          mechanics/calculus/dual
          mechanics/calculus/extract
          mechanics/calculus/literal-function
-         "../support/random/element.rkt" "../support/random.rkt" "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/random/element.rkt")
 
 (test-case "a dual number without tangent is its value"
   (check-equal? (make-dual 1 'x 0) 'x)

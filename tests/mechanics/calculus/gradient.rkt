@@ -21,9 +21,9 @@
          mechanics/compile/definite-integral
          mechanics/calculus/literal-function
          mechanics/error/failure
-         "../support/random/program.rkt"
-         "../support/laws/derivation.rkt" "../support/random/element.rkt" "../support/laws/law.rkt" "../support/random.rkt"
-         "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/laws/derivation.rkt" "../support/laws/law.rkt"
+         "../support/random/element.rkt" "../support/random/program.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

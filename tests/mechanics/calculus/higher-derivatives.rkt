@@ -17,7 +17,8 @@
          mechanics/value/linear/matrix
          mechanics/value/operator
          mechanics/value/signature
-         "../support/laws/derivation.rkt" "../support/laws/law.rkt" "../support/random.rkt" "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/laws/derivation.rkt" "../support/laws/law.rkt")
 
 ;; D repeated, which nests dual numbers: a plain function does not say that it is a
 ;; derivative.

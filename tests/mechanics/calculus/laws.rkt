@@ -2,10 +2,12 @@
 ;; D obeys the laws of derivations, at points of every kind of scalar.
 
 (require mechanics/generic/arithmetic
-         mechanics/calculus/derivative mechanics/calculus/literal-function
+         mechanics/calculus/derivative
+         mechanics/calculus/literal-function
          mechanics/value/signature
-         "../support/laws/derivation.rkt" "../support/random/element.rkt" "../support/laws/law.rkt"
-         "../support/random.rkt" "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/laws/derivation.rkt" "../support/laws/law.rkt"
+         "../support/random/element.rkt")
 
 (define generic-derivation
   (derivation D (lambda (i f) ((partial i) f))))

@@ -4,8 +4,8 @@
 ;; and of functions.  A long run:  racket ../programs/main.rkt --count 10000
 
 (require rackunit
-         "../support/programs/check.rkt" "../support/programs/main.rkt"
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+         "../support/bigfloats.rkt" "../support/skip.rkt"
+         "../support/programs/check.rkt" "../support/programs/main.rkt")
 
 (define seed 20)
 

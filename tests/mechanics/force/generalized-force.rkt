@@ -1,7 +1,9 @@
 #lang racket/base
 ;; Forces in coordinates: known ones, in all the shapes that positions have.
 
-(require rackunit mechanics "../support/forces.rkt")
+(require rackunit
+         mechanics
+         "../support/forces.rkt")
 
 (define (same a b) (verdict-status (verify-equal a b)))
 (define-syntax-rule (check-same a b) (check-eq? (same a b) 'proved))

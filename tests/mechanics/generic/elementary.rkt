@@ -3,7 +3,8 @@
 ;; matter of rules.rkt, and where they have none, of singular-derivatives.rkt.)
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
          "../support/random.rkt" "../support/same.rkt")
 
 (define-check (check-close actual expected tolerance)

@@ -5,8 +5,10 @@
 (require mechanics/generic/arithmetic
          mechanics/generic/up-down
          mechanics/value/structure
-         "../support/laws/derivation.rkt" "../support/random/element.rkt" "../support/laws/law.rkt" "../support/laws/module.rkt"
-         "../support/random.rkt" "../support/laws/ring.rkt" "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/laws/derivation.rkt" "../support/laws/law.rkt" "../support/laws/module.rkt"
+         "../support/laws/ring.rkt"
+         "../support/random/element.rkt")
 
 (define commutative-ring-laws (append ring-laws commutativity-laws power-laws))
 (define field-laws (append commutative-ring-laws division-laws))

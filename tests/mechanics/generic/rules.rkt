@@ -14,8 +14,8 @@
          mechanics/generic/rounding
          mechanics/value/structure
          mechanics/calculus/derivative
-         "../support/random.rkt" "../support/same.rkt"
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+         "../support/bigfloats.rkt" "../support/random.rkt" "../support/same.rkt"
+         "../support/skip.rkt")
 
 (define records (append arithmetic-operations elementary-operations rounding-operations))
 (define (arity r) (length (generic-op-partials r)))

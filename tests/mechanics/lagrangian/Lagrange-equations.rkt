@@ -13,8 +13,7 @@
          mechanics/value/signature
          mechanics/lagrangian/Lagrange-equations
          mechanics/lagrangian/local-tuple
-         "../support/systems.rkt"
-         "../support/same.rkt")
+         "../support/same.rkt" "../support/systems.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

@@ -13,8 +13,7 @@
          mechanics/lagrangian/coordinate-transformation
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/Lagrange-equations
-         "../support/systems.rkt"
-         "../support/same.rkt")
+         "../support/same.rkt" "../support/systems.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

@@ -1,7 +1,9 @@
 #lang racket/base
 ;; Rotations, and frames that turn or accelerate.
 
-(require rackunit mechanics "../support/random.rkt")
+(require rackunit
+         mechanics
+         "../support/random.rkt")
 
 (define (same a b) (verdict-status (verify-equal a b)))
 

@@ -2,8 +2,10 @@
 ;; Mass matrices: accelerations of larger systems, and directions without
 ;; inertia.
 
-(require rackunit mechanics
-         "../bench/systems.rkt" "../support/same.rkt")
+(require rackunit
+         mechanics
+         "../bench/systems.rkt"
+         "../support/same.rkt")
 
 (define-syntax-rule (failure-of expr)
   (with-handlers ([exn:fail? values]) expr (void)))

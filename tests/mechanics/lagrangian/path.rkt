@@ -2,11 +2,14 @@
 ;; Paths through given points, and their actions.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/value/structure mechanics/calculus/derivative
-         mechanics/lagrangian/action mechanics/lagrangian/local-tuple
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/value/structure
+         mechanics/calculus/derivative
+         mechanics/lagrangian/action
+         mechanics/lagrangian/local-tuple
          mechanics/lagrangian/path
-         "../support/systems.rkt" "../support/random.rkt" "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt" "../support/systems.rkt")
 
 (test-case "points evenly spaced between two others"
   (check-equal? (linear-interpolants 0 1 3) '(1/4 1/2 3/4))

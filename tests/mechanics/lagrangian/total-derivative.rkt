@@ -14,8 +14,7 @@
          mechanics/lagrangian/Lagrange-equations
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/total-derivative
-         "../support/systems.rkt"
-         "../support/same.rkt")
+         "../support/same.rkt" "../support/systems.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])

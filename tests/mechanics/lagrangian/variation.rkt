@@ -15,8 +15,7 @@
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/variation
          mechanics/lagrangian/Lagrange-equations
-         "../support/systems.rkt"
-         "../support/same.rkt")
+         "../support/same.rkt" "../support/systems.rkt")
 
 (define q (literal-function 'q))
 (define eta (literal-function 'eta))

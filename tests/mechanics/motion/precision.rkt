@@ -3,8 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../support/motions.rkt"
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+         "../support/bigfloats.rkt" "../support/motions.rkt" "../support/skip.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems

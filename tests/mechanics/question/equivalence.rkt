@@ -3,8 +3,7 @@
 
 (require rackunit
          mechanics
-         "../support/random.rkt"
-         "../support/messages.rkt")
+         "../support/messages.rkt" "../support/random.rkt")
 
 (define line (up 't 'x 'v))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))

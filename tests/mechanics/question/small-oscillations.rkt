@@ -3,8 +3,7 @@
 
 (require rackunit
          mechanics
-         "../support/random.rkt"
-         "../support/messages.rkt")
+         "../support/messages.rkt" "../support/random.rkt")
 
 (define ((L-pendulums m1 m2 l g) (up t (up a b) (up va vb)))
   (- (+ (* 1/2 (+ m1 m2) (square (* l va)))

@@ -8,7 +8,8 @@
 ;; file exits by itself.  The process ends with 0 unless the file asked for
 ;; something else; without a result it died.
 
-(require rackunit/log "../support/skip.rkt")
+(require rackunit/log
+         "../support/skip.rkt")
 
 (define (main result-file test-file)
   (define exit-process (exit-handler))

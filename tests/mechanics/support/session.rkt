@@ -3,6 +3,7 @@
 
 (require rackunit
          (only-in mechanics expression simplify verify-equal verdict-status
+                 
                   structure? structure->list))
 
 (provide check-prints check-unsimplified check-same check-close check-says)

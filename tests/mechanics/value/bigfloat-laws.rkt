@@ -4,11 +4,13 @@
 
 (require rackunit
          (only-in mechanics bigfloat D partial)
-         mechanics/calculus/dual mechanics/calculus/perturbed
-         mechanics/generic/compare mechanics/generic/kind
-         "../support/laws/derivation.rkt" "../support/random/element.rkt" "../support/laws/law.rkt" "../support/random.rkt"
-         "../support/laws/ring.rkt"
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+         mechanics/calculus/dual
+         mechanics/calculus/perturbed
+         mechanics/generic/compare
+         mechanics/generic/kind
+         "../support/bigfloats.rkt" "../support/random.rkt" "../support/skip.rkt"
+         "../support/laws/derivation.rkt" "../support/laws/law.rkt" "../support/laws/ring.rkt"
+         "../support/random/element.rkt")
 
 (define least-bits 150)
 (define tag (fresh-tag))

@@ -3,7 +3,8 @@
 
 (require rackunit
          (prefix-in m: mechanics)
-         mechanics/numeric/constants mechanics/value/principal-value
+         mechanics/numeric/constants
+         mechanics/value/principal-value
          "../support/random.rkt")
 
 (test-case "an angle within the turn stays exactly as it is; the cut itself belongs to the next"

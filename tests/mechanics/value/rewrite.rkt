@@ -4,7 +4,8 @@
 (require mechanics
          mechanics/lang/printer
          rackunit
-         "../support/random/element.rkt" "../support/random.rkt" "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/random/element.rkt")
 
 (define (shown x)
   (define port (open-output-string))

@@ -20,8 +20,9 @@
          mechanics/calculus/literal-function
          mechanics/verdict/prove-zero
          mechanics/verdict/verdict
-         "../support/random/element.rkt" "../support/laws/law.rkt" "../support/random.rkt" "../support/laws/ring.rkt"
-         "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/laws/law.rkt" "../support/laws/ring.rkt"
+         "../support/random/element.rkt")
 
 (define x (power-series 0 1))
 (define (head s [n 6]) (series:head s n))

@@ -10,7 +10,8 @@
          mechanics/value/simplify
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../support/random/element.rkt" "../support/random.rkt" "../support/same.rkt")
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/random/element.rkt")
 
 (define x (literal-function 'x))
 

@@ -2,10 +2,13 @@
 ;; Structures: access, construction, products.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
          mechanics/value/structure
-         mechanics/calculus/literal-function mechanics/value/signature
-         "../support/random.rkt" "../support/random/element.rkt" "../support/same.rkt")
+         mechanics/calculus/literal-function
+         mechanics/value/signature
+         "../support/random.rkt" "../support/same.rkt"
+         "../support/random/element.rkt")
 
 (define s (up 't (up 'x 'y) (down 1 (up 2 3))))
 

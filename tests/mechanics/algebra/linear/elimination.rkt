@@ -8,8 +8,7 @@
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/linear/bareiss
          mechanics/algebra/linear/elimination
-         "../../support/matrices.rkt"
-         "../../support/random.rkt" "../../support/same.rkt")
+         "../../support/matrices.rkt" "../../support/random.rkt" "../../support/same.rkt")
 
 (define (integer) (random-integer -5 5))
 (define no-limit 1000000)

@@ -2,8 +2,9 @@
 ;; Minors and characteristic polynomials: the algorithms that do not divide.
 
 (require rackunit
-         mechanics/algebra/linear/minors mechanics/algebra/linear/characteristic
-         "../../support/random.rkt" "../../support/matrices.rkt")
+         mechanics/algebra/linear/minors
+         mechanics/algebra/linear/characteristic
+         "../../support/matrices.rkt" "../../support/random.rkt")
 
 (define (determinant-by-minors A)
   (define n (vector-length A))

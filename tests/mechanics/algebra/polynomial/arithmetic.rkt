@@ -3,7 +3,8 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
-         "../../support/laws/polynomial.rkt" "../../support/random/polynomial.rkt")
+         "../../support/laws/polynomial.rkt"
+         "../../support/random/polynomial.rkt")
 
 (define (polynomial-operations R #:add [add (lambda (p q) (poly+ R p q))]
                                #:subtract [subtract (lambda (p q) (poly- R p q))]

@@ -2,10 +2,13 @@
 ;; Factors over the rationals: products of random factors come apart, what is
 ;; irreducible does not.
 
-(require rackunit "../../support/random/polynomial.rkt"
-         mechanics/algebra/polynomial/polynomial mechanics/algebra/polynomial/factor
-         mechanics/algebra/polynomial/integer-factor mechanics/algebra/polynomial/dense
-         mechanics/algebra/polynomial/modular-factor)
+(require rackunit
+         mechanics/algebra/polynomial/polynomial
+         mechanics/algebra/polynomial/factor
+         mechanics/algebra/polynomial/integer-factor
+         mechanics/algebra/polynomial/dense
+         mechanics/algebra/polynomial/modular-factor
+         "../../support/random/polynomial.rkt")
 
 (define R (make-ring 4 30))
 

@@ -4,7 +4,8 @@
 (require rackunit
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/fraction
-         "../../support/laws/polynomial.rkt" "../../support/random/polynomial.rkt")
+         "../../support/laws/polynomial.rkt"
+         "../../support/random/polynomial.rkt")
 
 (define (fraction-operations R #:add [add (lambda (f g) (fraction+ R f g))]
                              #:multiply [multiply (lambda (f g) (fraction* R f g))]

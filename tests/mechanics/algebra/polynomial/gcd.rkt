@@ -5,7 +5,8 @@
 (require rackunit
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/remainder-gcd remainder-gcd)
-         "../../support/laws/polynomial.rkt" "../../support/random/polynomial.rkt")
+         "../../support/laws/polynomial.rkt"
+         "../../support/random/polynomial.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Laws, of a procedure (gcd p q)

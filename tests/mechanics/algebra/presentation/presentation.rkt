@@ -7,7 +7,8 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
-         "../../support/random/expression.rkt" "../../support/reading.rkt")
+         "../../support/reading.rkt"
+         "../../support/random/expression.rkt")
 
 (define (simplified e) (expression->datum (simplify-expression e)))
 

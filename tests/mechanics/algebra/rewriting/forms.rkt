@@ -9,7 +9,8 @@
          mechanics/algebra/rewriting/together
          mechanics/algebra/rewriting/apart
          mechanics/algebra/rewriting/factor
-         "../../support/random/expression.rkt" "../../support/reading.rkt")
+         "../../support/reading.rkt"
+         "../../support/random/expression.rkt")
 
 (define (first-value f . arguments)
   (define-values (e assumptions) (apply f arguments))

@@ -4,7 +4,8 @@
 (require rackunit
          (only-in mechanics
                   + - * / expt square sin cos expression simplify
-    
+   
+                  
                                substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/rewriting/solve

@@ -7,7 +7,8 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/zero-test
-         "../../support/random/expression.rkt" "../../support/reading.rkt")
+         "../../support/reading.rkt"
+         "../../support/random/expression.rkt")
 
 (define (judge d) (fingerprint (datum->expression d)))
 

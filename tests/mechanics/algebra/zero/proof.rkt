@@ -11,7 +11,8 @@
          mechanics/algebra/zero/proof
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         "../../support/random/expression.rkt" "../../support/reading.rkt")
+         "../../support/reading.rkt"
+         "../../support/random/expression.rkt")
 
 (define (sum es) (for/fold ([s 0]) ([e (in-list es)]) (e:+ s e)))
 (define (numbered name n)

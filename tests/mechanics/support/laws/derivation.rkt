@@ -5,8 +5,10 @@
 ;; Elements are drawn as pairs of a number, where to look, and a function of one
 ;; variable; the two sides are values at the number.
 
-(require mechanics/generic/arithmetic mechanics/generic/elementary
-         "law.rkt" "../random.rkt")
+(require mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         "law.rkt"
+         "../random.rkt")
 
 (provide (struct-out derivation) derivation-laws partial-laws
          random-function random-function-of-two draw-functions)

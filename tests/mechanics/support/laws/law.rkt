@@ -5,7 +5,8 @@
 ;; is a list of laws over one record of operations.  To trust a law one must have
 ;; seen it fail: `check-broken` asks that it does, under operations made wrong.
 
-(require rackunit "../random.rkt")
+(require rackunit
+         "../random.rkt")
 
 (provide (struct-out law) define-laws
          check-laws check-broken counterexample law-named)

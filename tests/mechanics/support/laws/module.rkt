@@ -5,7 +5,8 @@
 (require mechanics/generic/arithmetic
          mechanics/generic/up-down
          (only-in mechanics/value/structure dot-product)
-         "law.rkt" "../random.rkt")
+         "law.rkt"
+         "../random.rkt")
 
 (provide (struct-out module-operations) generic-module module-laws pairing-laws draw-with-scalars)
 

@@ -10,7 +10,11 @@
 ;; A procedure so small that it was compiled into others' code would not be
 ;; replaced there: such a mutant survives, and the test that kills it fails.
 
-(require racket/file racket/path racket/runtime-path racket/string syntax/modread)
+(require racket/file
+         racket/path
+         racket/runtime-path
+         racket/string
+         syntax/modread)
 
 (provide (struct-out mutant) occurrences try-mutant try-original)
 

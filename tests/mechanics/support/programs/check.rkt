@@ -1,9 +1,11 @@
 #lang racket/base
 ;; One random program through the library and through the oracle.
 
-(require racket/list racket/promise
+(require racket/list
+         racket/promise
          (prefix-in m: mechanics)
-         "language.rkt" "generate.rkt" "differences.rkt" "../bigfloats.rkt")
+         "differences.rkt" "generate.rkt" "language.rkt"
+         "../bigfloats.rkt")
 
 (provide check-program random-check shrink (struct-out mode) modes)
 

@@ -10,7 +10,8 @@
 ;; confused.
 
 (require racket/list
-         "language.rkt" "../bigfloats.rkt")
+         "language.rkt"
+         "../bigfloats.rkt")
 
 (provide rational-differences bigfloat-differences (struct-out tuple))
 

@@ -3,7 +3,8 @@
 ;;
 ;; Each disagreement is printed as a program for `racket -I mechanics`, shrunk.
 
-(require racket/cmdline racket/pretty
+(require racket/cmdline
+         racket/pretty
          "check.rkt")
 
 (provide run-batch)

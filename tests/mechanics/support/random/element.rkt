@@ -10,7 +10,8 @@
          mechanics/calculus/dual
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../laws/derivation.rkt" "../random.rkt" "../laws/ring.rkt")
+         "../random.rkt"
+         "../laws/derivation.rkt" "../laws/ring.rkt")
 
 (provide generic-ring
          random-expression random-dual random-matrix random-operator random-real-function

@@ -2,7 +2,9 @@
 ;; Random programs: straight lines of operations on what was computed before,
 ;; with sharing, conditions on values, and closures.
 
-(require mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
+(require mechanics/generic/arithmetic
+         mechanics/generic/compare
+         mechanics/generic/elementary
          "../random.rkt")
 
 (provide random-program)

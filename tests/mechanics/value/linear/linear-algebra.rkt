@@ -12,7 +12,8 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/value/signature
-         "../../support/random/element.rkt" "../../support/random.rkt" "../../support/same.rkt")
+         "../../support/random.rkt" "../../support/same.rkt"
+         "../../support/random/element.rkt")
 
 (define scalars (list random-rational random-flonum random-expression random-dual))
 

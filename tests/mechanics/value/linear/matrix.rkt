@@ -10,7 +10,8 @@
          mechanics/value/linear/linear-algebra
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../../support/random/element.rkt" "../../support/random.rkt" "../../support/same.rkt")
+         "../../support/random.rkt" "../../support/same.rkt"
+         "../../support/random/element.rkt")
 
 (define M (matrix-by-rows '(1 2 3) '(a b c)))
 
