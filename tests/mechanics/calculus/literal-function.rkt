@@ -10,7 +10,7 @@
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../support/numeric-value.rkt" "../support/same.rkt")
+         "../support/messages.rkt" "../support/numeric-value.rkt" "../support/same.rkt")
 
 (define (text x) (format "~a" x))
 (define x (literal-function 'x))
@@ -152,10 +152,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Errors
-
-(define-syntax-rule (check-message text expression)
-  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
-             (lambda () expression)))
 
 (test-case "an argument that does not fit is named, with its slot"
   (check-message (string-append "x: was declared (-> Real Real); slot 0 got (up a b), an up tuple of 2\n"

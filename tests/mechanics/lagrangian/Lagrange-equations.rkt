@@ -13,7 +13,7 @@
          mechanics/value/signature
          mechanics/lagrangian/Lagrange-equations
          mechanics/lagrangian/local-tuple
-         "../support/same.rkt" "../support/systems.rkt")
+         "../support/messages.rkt" "../support/same.rkt" "../support/systems.rkt")
 
 (define-check (check-same actual expected)
   (with-check-info (['actual actual] ['expected expected])
@@ -185,10 +185,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Bad Lagrangians and paths
-
-(define-syntax-rule (check-message text expression)
-  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
-             (lambda () expression)))
 
 (test-case "a Lagrangian that is no function"
   (check-message "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the number 3"

@@ -10,7 +10,7 @@
          mechanics/search/minimize
          mechanics/lagrangian/action
          mechanics/lagrangian/local-tuple
-         "../support/systems.rkt")
+         "../support/messages.rkt" "../support/systems.rkt")
 
 (define (test-path t) (up (g:+ (g:* 4 t) 7) (g:+ (g:* 3 t) 5) (g:+ (g:* 2 t) 1)))
 
@@ -65,10 +65,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; What is no number
-
-(define-syntax-rule (check-message text expression)
-  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
-             (lambda () expression)))
 
 (test-case "symbols left in the action, or in the limits, are named"
   (check-exn #rx"^Lagrangian-action: expected a real number; given .*'?m.*\n  give its symbols values first: [(]substitute expression 'm 3 [.][.][.][)]$"

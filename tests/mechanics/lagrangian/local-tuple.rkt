@@ -10,14 +10,10 @@
          mechanics/calculus/literal-function
          mechanics/value/signature
          mechanics/lagrangian/local-tuple
-         "../support/same.rkt")
+         "../support/messages.rkt" "../support/same.rkt")
 
 (define q (literal-function 'q))
 (define path-xy (up (literal-function 'x) (literal-function 'y)))
-
-(define-syntax-rule (check-message text expression)
-  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
-             (lambda () expression)))
 
 ;; ---------------------------------------------------------------------------
 ;; Γ

@@ -5,12 +5,8 @@
 (require (only-in mechanics/generic/arithmetic g:+ g:*)
          mechanics/lang/application
          mechanics/lang/pattern/pattern
-         rackunit)
-
-(define-syntax-rule (message-of expression)
-  (with-handlers ([exn:fail:contract? exn-message])
-    expression
-    "no error"))
+         rackunit
+         "../support/messages.rkt")
 
 (define-namespace-anchor here)
 (define (expanded form)
@@ -119,6 +115,6 @@
 
 (test-case "improper applications are refused as by Racket"
   (define (syntax-message form)
-    (with-handlers ([exn:fail:syntax? exn-message]) (expanded form) "no error"))
+    (message-of (expanded form) exn:fail:syntax?))
   (check-regexp-match #rx"missing procedure expression" (syntax-message '()))
   (check-regexp-match #rx"#%app: bad syntax" (syntax-message '(f . 3))))

@@ -2,7 +2,9 @@
 ;; Of Lagrangians without inertia in some direction, the equations restrict states.  Those of
 ;; any two passed for equivalent, and quantities that their motions keep were refuted.
 
-(require rackunit mechanics)
+(require rackunit
+         mechanics
+         "../support/messages.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
 
@@ -14,9 +16,6 @@
 (define (H x y) (+ (square x) (square y)))
 (define (other-H x y) (+ (square x) (* 2 (square y))))
 
-(define (message thunk)
-  (with-handlers ([exn:fail:mechanics? exn-message]) (thunk) "no error"))
-
 (define restricted
   (string-append
    ": the equations of both Lagrangians restrict coordinates and velocities\n"
@@ -24,25 +23,25 @@
    "  residuals: "))
 
 (test-case "motions at different places are not taken for the same"
-  (check-equal?
-   (message (lambda ()
-              (compare-Lagrangians (L-light (lambda (y) (* 1/2 (square y))))
-                                   (L-light (lambda (y) (* 1/2 (square (- y 1)))))
-                                   plane)))
+  (check-message
    (string-append "compare-Lagrangians" restricted
-                  "(down xddot y)\n             (down xddot (- y 1))"))
-  (check-equal?
-   (message (lambda ()
-              (verify-equivalent-Lagrangians (L-first-order H) (L-first-order other-H) plane)))
+                  "(down xddot y)\n             (down xddot (- y 1))")
+   (compare-Lagrangians (L-light (lambda (y) (* 1/2 (square y))))
+                        (L-light (lambda (y) (* 1/2 (square (- y 1)))))
+                        plane)
+   exn:fail:mechanics?)
+  (check-message
    (string-append "verify-equivalent-Lagrangians" restricted
                   "(down (- (* 2 x) vy) (+ vx (* 2 y)))\n"
-                  "             (down (- (* 2 x) vy) (+ vx (* 4 y)))")))
+                  "             (down (- (* 2 x) vy) (+ vx (* 4 y)))")
+   (verify-equivalent-Lagrangians (L-first-order H) (L-first-order other-H) plane)
+   exn:fail:mechanics?))
 
 (test-case "without accelerations nothing is refuted"
   (check-regexp-match
    #rx"^Lagrangian->acceleration: the mass matrix has no inverse; .*direction: .up 0 1."
-   (message (lambda ()
-              (verify-conserved (L-light square) (compose (component 1) coordinate) plane)))))
+   (message-of (verify-conserved (L-light square) (compose (component 1) coordinate) plane)
+               exn:fail:mechanics?)))
 
 (test-case "multiples and total derivatives are found still"
   (define L (L-first-order H))

@@ -3,16 +3,14 @@
 ;; showed #<procedure:...>, the place of a lambda in the library, or a division by
 ;; zero.
 
-(require mechanics rackunit)
+(require mechanics
+         rackunit
+         "../support/messages.rkt")
 
 (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
 (define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))
 (define unit (harmonic 1 1))
 (define start (up 0.0 1.0 0.0))
-
-(define-syntax-rule (check-message text expression)
-  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
-             (lambda () expression)))
 
 (test-case "the maker of a state derivative takes the parameters that follow it"
   (for ([follow (list state-advancer evolve)] [who '("state-advancer" "evolve")])

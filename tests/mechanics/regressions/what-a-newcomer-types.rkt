@@ -4,11 +4,8 @@
 
 (require mechanics
          (only-in racket/base [expand racket:expand])
-         rackunit)
-
-(define-syntax-rule (check-message text expression)
-  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
-             (lambda () expression)))
+         rackunit
+         "../support/messages.rkt")
 
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
 (define L (L-free 'm))
@@ -24,12 +21,9 @@
     (define name (format "~a" (expression f)))
     (check-regexp-match #rx"^[(]" name)
     (for ([arguments '(() (1 2))] [given '("none" "2")])
-      (check-exn
-       (lambda (e)
-         (and (exn:fail:contract:arity? e)
-              (equal? (exn-message e)
-                      (string-append name ": takes 1 argument; it was given " given))))
-       (lambda () (apply f arguments))))))
+      (check-message (string-append name ": takes 1 argument; it was given " given)
+                     (apply f arguments)
+                     exn:fail:contract:arity?))))
 
 (test-case "a path through points prints as one, with its ends"
   (check-equal? (format "~a" (make-path 0 1 't_1 'q_1 '(2 3))) "(path from 0 to t_1)")
@@ -60,8 +54,7 @@
    (substitute (* 'm 'g) 'm (up 1 2))))
 
 (test-case "relations as they are written in a text are answered with how they are written here"
-  (define (complaint relation)
-    (with-handlers ([exn:fail:contract? exn-message]) (assume relation)))
+  (define (complaint relation) (message-of (assume relation)))
   (check-regexp-match #rx"given: [(]m > 0[)]\n  write: [(]> m 0[)]$" (complaint '(m > 0)))
   (check-regexp-match #rx"\n  write: [(]positive m[)]$" (complaint '(positive? m)))
   (check-regexp-match #rx"\n  several relations are arguments of their own, each quoted$"
@@ -72,10 +65,8 @@
 ;; What the expander says of a form.
 (define-namespace-anchor here)
 (define (syntax-complaint form)
-  (with-handlers ([exn:fail:syntax? exn-message])
-    (parameterize ([current-namespace (namespace-anchor->namespace here)])
-      (racket:expand form)
-      "")))
+  (parameterize ([current-namespace (namespace-anchor->namespace here)])
+    (message-of (racket:expand form) exn:fail:syntax?)))
 
 (test-case "assuming takes its relations in parentheses, and says so"
   (for ([form '((assuming '(> m 0) (sqrt (square 'm)))

@@ -2,11 +2,9 @@
 ;; Lagrangians, paths and forces of the wrong kind gave messages about arity, or
 ;; about arithmetic deep in the residual.
 
-(require mechanics rackunit)
-
-(define-syntax-rule (check-message text expression)
-  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
-             (lambda () expression)))
+(require mechanics
+         rackunit
+         "../support/messages.rkt")
 
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
 (define x (literal-function 'x))

@@ -3,7 +3,8 @@
 
 (require (only-in mechanics)
          racket/port
-         racket/string)
+         racket/string
+         "messages.rkt")
 
 (provide lines run-module run-submodule declare instantiate namespace syntax-message
          language prints refusal failure
@@ -51,9 +52,7 @@
         (dynamic-require `(submod ',enclosing ,name) #f)))))
 
 (define (syntax-message . text)
-  (with-handlers ([exn:fail:syntax? exn-message])
-    (declare (apply lines text))
-    "no error"))
+  (message-of (declare (apply lines text)) exn:fail:syntax?))
 
 ;; ---------------------------------------------------------------------------
 ;; Modules in our language, given without their first line

@@ -6,7 +6,7 @@
                  
                   structure? structure->list))
 
-(provide check-prints check-unsimplified check-same check-close check-says)
+(provide check-prints check-unsimplified check-same check-close)
 
 ;; The value, simplified, is this expression, up to the order of sums and products.
 (define-check (check-prints value expected)
@@ -43,10 +43,3 @@
 
 (define (numbers-in x)
   (if (structure? x) (apply append (map numbers-in (structure->list x))) (list x)))
-
-;; (check-says text expression): the expression raises exactly this message.
-(define-syntax-rule (check-says text expression)
-  (check-exn (lambda (e)
-               (or (and (exn:fail:contract? e) (equal? (exn-message e) text))
-                   (begin (eprintf "said: ~a\n" (exn-message e)) #f)))
-             (lambda () expression)))

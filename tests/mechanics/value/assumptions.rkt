@@ -2,7 +2,8 @@
 ;; Declaring, scoping, listing and withdrawing assumptions, as users do.
 
 (require rackunit
-         (except-in mechanics define lambda let let* case-lambda λ))
+         (except-in mechanics define lambda let let* case-lambda λ)
+         "../support/messages.rkt")
 
 ;; Each test has a session of its own.
 (define-syntax-rule (session name body ...)
@@ -13,9 +14,6 @@
   (define port (open-output-string))
   (parameterize ([current-output-port port]) (print-expression x))
   (get-output-string port))
-
-(define-syntax-rule (check-raises message expression)
-  (check-equal? (with-handlers ([exn:fail:contract? exn-message]) expression) message))
 
 ;; ---------------------------------------------------------------------------
 ;; A session
@@ -49,9 +47,9 @@
   (check-equal? (assumptions) '((> m 0) (> k 0) (> l 0) (> a b) (> b c) (>= r 0)))
   (assume '(>= r 0))
   (check-equal? (assumptions 'used) '())
-  (check-raises (string-append "assumptions: contract violation\n"
-                               "  expected: 'declared or 'used, or no argument\n  given: 'all")
-                (assumptions 'all)))
+  (check-message (string-append "assumptions: contract violation\n"
+                                "  expected: 'declared or 'used, or no argument\n  given: 'all")
+                 (assumptions 'all)))
 
 (session "assumptions are withdrawn, all or some"
   (assume '(> m 0) '(> k 0) '(> (* m r) 0))
@@ -59,12 +57,12 @@
   (forget-assumptions '(> m 0))
   (check-equal? (assumptions) '((> k 0) (> (* m r) 0)))
   (check-equal? (shown (sqrt (square 'r))) "r\n; assuming (>= r 0)\n")
-  (check-raises "forget-assumptions: (> q 0) was not declared\n  declared: (> k 0), (> (* m r) 0)"
-                (forget-assumptions '(> q 0)))
+  (check-message "forget-assumptions: (> q 0) was not declared\n  declared: (> k 0), (> (* m r) 0)"
+                 (forget-assumptions '(> q 0)))
   (forget-assumptions)
   (check-equal? (assumptions) '())
-  (check-raises "forget-assumptions: (> q 0) was not declared; nothing is"
-                (forget-assumptions '(> q 0))))
+  (check-message "forget-assumptions: (> q 0) was not declared; nothing is"
+                 (forget-assumptions '(> q 0))))
 
 (session "values may stand within a relation"
   (assume `(> ,(- 'a 'b) 0) (list '>= ((literal-function 'r) 't) 0))
@@ -127,45 +125,44 @@
 
 (session "an ill-formed relation is refused, and nothing is declared"
   (assume '(> m 0))
-  (check-raises "assume: expected a quoted relation such as '(>= r 0); given the symbol x"
-                (assume 'x))
-  (check-raises "assume: expected a quoted relation such as '(>= r 0); given #t, a boolean"
-                (assume '(> k 0) #t))
-  (check-raises (string-append "assume: unknown relation ~; known are > >= < <= between"
-                               " expressions, and positive, negative, nonpositive, nonnegative before some\n"
-                               "  given: (~ r 0)")
-                (assume '(> k 0) '(~ r 0)))
-  (check-raises (string-append "assume: an equation is no assumption about a sign;"
-                               " put the value in, with substitute\n"
-                               "  given: (= r 0)")
-                (assume '(= r 0)))
-  (check-raises "assume: the relation lacks an operand: (> r)" (assume '(> r)))
-  (check-raises (string-append "assume: expected an expression in the relation;"
-                               " given \"a\", a string\n  in: (> (+ r \"a\") 0)")
-                (assume '(> (+ r "a") 0)))
-  (check-raises (string-append "assume: only real numbers are greater or less than others;"
-                               " given 0+1i\n  in: (> r 0+1i)")
-                (assume '(> r +i)))
+  (check-message "assume: expected a quoted relation such as '(>= r 0); given the symbol x"
+                 (assume 'x))
+  (check-message "assume: expected a quoted relation such as '(>= r 0); given #t, a boolean"
+                 (assume '(> k 0) #t))
+  (check-message (string-append "assume: unknown relation ~; known are > >= < <= between"
+                                " expressions, and positive, negative, nonpositive, nonnegative before some\n"
+                                "  given: (~ r 0)")
+                 (assume '(> k 0) '(~ r 0)))
+  (check-message (string-append "assume: an equation is no assumption about a sign;"
+                                " put the value in, with substitute\n"
+                                "  given: (= r 0)")
+                 (assume '(= r 0)))
+  (check-message "assume: the relation lacks an operand: (> r)" (assume '(> r)))
+  (check-message (string-append "assume: expected an expression in the relation;"
+                                " given \"a\", a string\n  in: (> (+ r \"a\") 0)")
+                 (assume '(> (+ r "a") 0)))
+  (check-message (string-append "assume: only real numbers are greater or less than others;"
+                                " given 0+1i\n  in: (> r 0+1i)")
+                 (assume '(> r +i)))
   (check-equal? (assumptions) '((> m 0))))
 
 (session "a contradiction is refused, and nothing is declared"
   (assume '(> x 0) '(> a b))
-  (check-raises (string-append "assume: (< x 0) contradicts what was assumed: (> x 0)\n"
-                               "  forget-assumptions withdraws what was assumed")
-                (assume '(> k 0) '(< x 0)))
-  (check-raises "assume: the relation cannot hold: (< (exp x) 0)" (assume '(< (exp x) 0)))
-  (check-raises "assume: the relations contradict each other: (> y 0), (< y 0)"
-                (assume '(> y 0) '(< y 0)))
-  (check-raises (string-append "assuming: (> b a) contradicts what was assumed: (> a b)\n"
-                               "  forget-assumptions withdraws what was assumed")
-                (assuming ('(> b a)) 1))
+  (check-message (string-append "assume: (< x 0) contradicts what was assumed: (> x 0)\n"
+                                "  forget-assumptions withdraws what was assumed")
+                 (assume '(> k 0) '(< x 0)))
+  (check-message "assume: the relation cannot hold: (< (exp x) 0)" (assume '(< (exp x) 0)))
+  (check-message "assume: the relations contradict each other: (> y 0), (< y 0)"
+                 (assume '(> y 0) '(< y 0)))
+  (check-message (string-append "assuming: (> b a) contradicts what was assumed: (> a b)\n"
+                                "  forget-assumptions withdraws what was assumed")
+                 (assuming ('(> b a)) 1))
   (check-equal? (assumptions) '((> x 0) (> a b))))
 
 (define (syntax-message form)
-  (with-handlers ([exn:fail:syntax? exn-message])
-    (parameterize ([current-namespace (make-base-namespace)])
-      (namespace-require 'mechanics)
-      (eval form))))
+  (parameterize ([current-namespace (make-base-namespace)])
+    (namespace-require 'mechanics)
+    (message-of (eval form) exn:fail:syntax?)))
 
 (test-case "a relation without a quote is noticed where it is written"
   (check-regexp-match #rx"a relation is quoted here: write '[(]>= r 0[)]"
@@ -178,11 +175,11 @@
                       (syntax-message '(assuming ('(>= r 0))))))
 
 (test-case "comparing symbols says how to declare a relation"
-  (check-raises (string-append ">=: an expression that is not a number has no order;"
-                               " give its symbols values first\n"
-                               "  as an assumption, the relation is quoted: (assume '(>= r 0))\n"
-                               "  value: the symbol r")
-                (>= 'r 0)))
+  (check-message (string-append ">=: an expression that is not a number has no order;"
+                                " give its symbols values first\n"
+                                "  as an assumption, the relation is quoted: (assume '(>= r 0))\n"
+                                "  value: the symbol r")
+                 (>= 'r 0)))
 
 (session "assume is a function too"
   (apply assume '((> a 0) (> b 0)))

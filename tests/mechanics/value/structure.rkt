@@ -7,14 +7,10 @@
          mechanics/value/structure
          mechanics/calculus/literal-function
          mechanics/value/signature
-         "../support/random.rkt" "../support/same.rkt"
+         "../support/messages.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/random/element.rkt")
 
 (define s (up 't (up 'x 'y) (down 1 (up 2 3))))
-
-(define-syntax-rule (check-message text expression)
-  (check-exn (lambda (e) (and (exn:fail:contract? e) (equal? (exn-message e) text)))
-             (lambda () expression)))
 
 ;; ---------------------------------------------------------------------------
 ;; Access

@@ -2,20 +2,14 @@
 ;; Structure patterns in the argument positions of define, lambda and let.
 
 (require mechanics/lang/pattern/pattern
-         rackunit)
-
-(define-syntax-rule (message-of expression)
-  (with-handlers ([exn:fail:contract? exn-message])
-    expression
-    "no error"))
+         rackunit
+         "../../support/messages.rkt")
 
 ;; The message of the syntax error that expanding a quoted form gives.
 (define-namespace-anchor here)
 (define (syntax-message form)
   (parameterize ([current-namespace (namespace-anchor->namespace here)])
-    (with-handlers ([exn:fail:syntax? exn-message])
-      (expand form)
-      "no error")))
+    (message-of (expand form) exn:fail:syntax?)))
 
 (define (expanded form)
   (parameterize ([current-namespace (namespace-anchor->namespace here)])
