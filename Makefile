@@ -31,6 +31,7 @@ repl: compile
 	@$(RACKET) -I mechanics
 
 test: racket libraries
+	@echo 'Compiling the tests ...'
 	@$(RACO) make tests/mechanics/runner/main.rkt tests/mechanics/runner/child.rkt
 	@$(RACKET) tests/mechanics/runner/main.rkt --jobs $(JOBS) $(TESTS)
 
