@@ -5,7 +5,7 @@
          mechanics/book
          (only-in mechanics/plot frame frame-curves plot-function graphics-clear)
          rackunit
-         "../support/session.rkt")
+         "../support/close.rkt" "../support/session.rkt")
 
 (define q (up (literal-function 'x) (literal-function 'y) (literal-function 'z)))
 
@@ -23,8 +23,8 @@
   (define ((L-free-particle-typed mass) local)
     (let ((v (velocity local)))
       (* 1/2 mass (dot-product v v))))
-  (check-same ((compose (L-free-particle-typed 'm) (Gamma q)) 't)
-              ((compose (L-free-particle 'm) (Gamma q)) 't)))
+  (check-identity ((compose (L-free-particle-typed 'm) (Gamma q)) 't)
+                  ((compose (L-free-particle 'm) (Gamma q)) 't)))
 
 (test-case "p. 18: the action of a straight path"
   (check-= (Lagrangian-action (L-free-particle 3.0) test-path 0.0 10.0) 435.0 1e-12)

@@ -3,7 +3,7 @@
 
 (require mechanics
          rackunit
-         "../support/session.rkt")
+         "../support/close.rkt" "../support/session.rkt")
 
 (define x (literal-function 'x))
 (define y (literal-function 'y))

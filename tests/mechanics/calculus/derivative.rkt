@@ -18,10 +18,6 @@
          mechanics/calculus/literal-function
          "../support/same.rkt")
 
-(define-check (check-same actual expected)
-  (with-check-info (['actual actual] ['expected expected])
-    (unless (same? actual expected) (fail-check))))
-
 (define V (literal-function 'V))
 (define F (literal-function 'F (-> (X Real Real) Real)))
 

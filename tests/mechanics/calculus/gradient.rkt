@@ -21,13 +21,9 @@
          mechanics/compile/definite-integral
          mechanics/calculus/literal-function
          mechanics/error/failure
-         "../support/random.rkt" "../support/same.rkt"
+         "../support/close.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt"
          "../support/random/element.rkt" "../support/random/program.rkt")
-
-(define-check (check-same actual expected)
-  (with-check-info (['actual actual] ['expected expected])
-    (unless (same? actual expected) (fail-check))))
 
 (define-syntax-rule (check-agrees f x ...)
   (let ([point (list x ...)])

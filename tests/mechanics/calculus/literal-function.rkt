@@ -10,7 +10,8 @@
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../support/messages.rkt" "../support/numeric-value.rkt" "../support/same.rkt")
+         "../support/close.rkt" "../support/messages.rkt" "../support/numeric-value.rkt"
+         "../support/same.rkt")
 
 (define (text x) (format "~a" x))
 (define x (literal-function 'x))

@@ -11,7 +11,7 @@
          mechanics/value/vector
          mechanics/calculus/derivative
          mechanics/calculus/gradient
-         "../support/same.rkt")
+         "../support/close.rkt" "../support/same.rkt")
 
 (define n 40000)                ; so that adjoints take several chunks
 (define point (s:generate n 'up (lambda (i) (+ 0.5 (/ (modulo (* 7919 i) 1000) 1000.0)))))

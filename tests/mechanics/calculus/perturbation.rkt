@@ -19,10 +19,6 @@
          mechanics/calculus/literal-function
          "../support/same.rkt")
 
-(define-check (check-same actual expected)
-  (with-check-info (['actual actual] ['expected expected])
-    (unless (same? actual expected) (fail-check))))
-
 (define e (exp 1.0))
 
 ;; ---------------------------------------------------------------------------

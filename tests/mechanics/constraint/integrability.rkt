@@ -40,7 +40,7 @@
 ;; The integral's rate is a multiple of the constraint: both vanish for the same velocities.
 (define (check-integral constraint expected)
   (define G (constraint-integral constraint q))
-  (check-same (G 't q) expected))
+  (check-identity (G 't q) expected))
 
 (test-case "integrals of polynomials and waves"
   (check-integral (form (t (x y θ) (vx vy ω)) (+ (* y vx) (* x vy))) (* 'x 'y))
@@ -100,8 +100,8 @@
   (define (L (up t q v)) (- (* 1/2 'm (square (ref v 0))) (* -1/2 'J (square (ref v 2)))
                             (* 'F (ref q 0)) (* -1/2 (square (ref v 1)))))
   (define state (up 't q (up 'vx 'vy 'ω)))
-  (check-same (ref ((constrained-accelerations L rolling) state) 0)
-              (ref ((constrained-accelerations L (holonomic G)) state) 0)))
+  (check-identity (ref ((constrained-accelerations L rolling) state) 0)
+                  (ref ((constrained-accelerations L (holonomic G)) state) 0)))
 
 (test-case "an integral that is not found is not made up"
   (define odd (form (t (x y θ) (vx vy ω)) (+ vx (* (exp (square y)) vy))))

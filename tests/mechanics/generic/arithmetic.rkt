@@ -16,7 +16,7 @@
          mechanics/value/operator
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../support/numeric-value.rkt" "../support/same.rkt")
+         "../support/close.rkt" "../support/numeric-value.rkt" "../support/same.rkt")
 
 (define operations (hasheq '+ g:+ '- g:- '* g:* '/ g:/ 'expt g:expt))
 

@@ -14,8 +14,8 @@
          mechanics/generic/rounding
          mechanics/value/structure
          mechanics/calculus/derivative
-         "../support/bigfloats.rkt" "../support/random.rkt" "../support/same.rkt"
-         "../support/skip.rkt")
+         "../support/bigfloats.rkt" "../support/close.rkt" "../support/random.rkt"
+         "../support/same.rkt" "../support/skip.rkt")
 
 (define records (append arithmetic-operations elementary-operations rounding-operations))
 (define (arity r) (length (generic-op-partials r)))
@@ -41,10 +41,6 @@
   (define h 1e-3)
   (/ (- (* 8 (- (f (+ x h)) (f (- x h)))) (- (f (+ x h h)) (f (- x h h)))) (* 12 h)))
 
-(define-check (check-close actual expected tolerance)
-  (with-check-info (['actual actual] ['expected expected])
-    (unless (close? actual expected tolerance) (fail-check))))
-
 (define-syntax-rule (for-each-rule seed times (r args i) body ...)
   (with-seed seed
     (for* ([_ (in-range times)]
@@ -68,7 +64,7 @@
 
   (test-case (format "the derivatives of ~a agree with central differences" (title r))
     (for-each-rule 201 20 (r args i)
-      (check-close (rule-value r i args) (difference (along f args i) (list-ref args i)) 1e-9)))
+      (check-same (rule-value r i args) (difference (along f args i) (list-ref args i)) 1e-9)))
 
   (test-case (format "value and derivatives of ~a in one call are those of each" (title r))
     (for-each-rule 206 10 (r args i)
@@ -90,7 +86,7 @@
     (for-each-rule 203 10 (r args i)
       (define (slope x) (rule-value r i (for/list ([a (in-list args)] [k (in-naturals)])
                                           (if (= k i) x a))))
-      (check-close ((D slope) (list-ref args i)) (difference slope (list-ref args i)) 1e-7))))
+      (check-same ((D slope) (list-ref args i)) (difference slope (list-ref args i)) 1e-7))))
 
 ;; ---------------------------------------------------------------------------
 ;; Symbolic derivatives, evaluated
@@ -105,9 +101,9 @@
       (define derivative
         (if (= (arity r) 1) ((D f) 'x) (apply ((partial i) f) unknowns)))
       (check-pred expression? derivative)
-      (check-close (evaluate-expression derivative (point-lookup (map cons unknowns args)))
-                   (rule-value r i args)
-                   1e-12))))
+      (check-same (evaluate-expression derivative (point-lookup (map cons unknowns args)))
+                  (rule-value r i args)
+                  1e-12))))
 
 ;; ---------------------------------------------------------------------------
 ;; Off the real line, where all but the two that depend on it have the same
@@ -126,7 +122,7 @@
   (test-case (format "the derivative of ~a holds off the real line" (title r))
     (for-each-rule 205 10 (r args i)
       (define z (make-rectangular (car args) (+ 0.2 (random))))
-      (check-close (rule-value r 0 (list z)) (difference (generic-op-procedure r) z) 1e-8))))
+      (check-same (rule-value r 0 (list z)) (difference (generic-op-procedure r) z) 1e-8))))
 
 ;; ---------------------------------------------------------------------------
 ;; High precision
@@ -161,7 +157,7 @@
     (test-case (format "the derivatives of ~a are right to the last places" (title r))
       (define f (in-bigfloats r))
       (for-each-rule 206 20 (r args i)
-        (check-close (rule-value r i args) (big-difference f args i) 2e-14)))))
+        (check-same (rule-value r i args) (big-difference f args i) 2e-14)))))
 
 ;; ---------------------------------------------------------------------------
 

@@ -15,10 +15,6 @@
          mechanics/lagrangian/local-tuple
          "../support/messages.rkt" "../support/same.rkt" "../support/systems.rkt")
 
-(define-check (check-same actual expected)
-  (with-check-info (['actual actual] ['expected expected])
-    (unless (same? actual expected) (fail-check))))
-
 (define x (literal-function 'x))
 (define y (literal-function 'y))
 (define (second f) (((g:expt D 2) f) 't))

@@ -15,10 +15,6 @@
          mechanics/lagrangian/Lagrange-equations
          "../support/same.rkt" "../support/systems.rkt")
 
-(define-check (check-same actual expected)
-  (with-check-info (['actual actual] ['expected expected])
-    (unless (same? actual expected) (fail-check))))
-
 (define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))
 (define spherical (up 't (up 'r 'theta 'phi) (up 'rdot 'thetadot 'phidot)))
 

@@ -16,10 +16,6 @@
          mechanics/lagrangian/total-derivative
          "../support/same.rkt" "../support/systems.rkt")
 
-(define-check (check-same actual expected)
-  (with-check-info (['actual actual] ['expected expected])
-    (unless (same? actual expected) (fail-check))))
-
 (define F (literal-function 'F (-> (UP Real Real Real) Real)))
 (define G (literal-function 'G (-> (UP Real Real Real) Real)))
 (define q (literal-function 'q))

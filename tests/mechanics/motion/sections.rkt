@@ -3,7 +3,8 @@
 ;; in numbers.
 
 (require (except-in rackunit fail)
-         mechanics)
+         mechanics
+         "../support/close.rkt")
 
 (define (V x y)
   (+ (* 1/2 (+ (square x) (square y))) (* (square x) y) (* -1/3 (cube y))))
@@ -28,31 +29,29 @@
 
 (define (on-section s) (list (ref s 1 1) (ref s 2 1)))
 
-(define-check (check-points given expected)
-  (unless (and (= (length given) (length expected))
-               (for/and ([p given] [q expected])
-                 (and (< (abs (- (car p) (car q))) 1e-11) (< (abs (- (cadr p) (cadr q))) 1e-11))))
-    (with-check-info (['given given] ['expected expected]) (fail-check))))
-
 (test-case "first crossings"
   (define (first-three E y py) (map on-section (take-3 (crossings E y py 25))))
   (define (take-3 xs) (list (car xs) (cadr xs) (caddr xs)))
-  (check-points (first-three 1/12 .1 0)
-                '((.1723588468181 -.07374133880061)
-                  (.3078743994648 -.08703493045268)
-                  (.3881287410275 -.001652596947874)))
-  (check-points (first-three 1/12 0 .1)
-                '((-.05665634318842 .03173094606216)
-                  (-.05516057138897 -.03546401691902)
-                  (.005033309266668 -.1036517400932)))
-  (check-points (first-three 1/8 .1 0)
-                '((.3208297390186 -.07183026254416)
-                  (.4701527853973 .02838154029137)
-                  (.2205938962713 .06373223962777)))
-  (check-points (first-three 1/6 .1 0)
-                '((.5488146036799 -.003258636757405)
-                  (.1181464121045 .0005288435752169)
-                  (.5457781280972 .003036448911103))))
+  (check-close (first-three 1/12 .1 0)
+               '((.1723588468181 -.07374133880061)
+                 (.3078743994648 -.08703493045268)
+                 (.3881287410275 -.001652596947874))
+               1e-11)
+  (check-close (first-three 1/12 0 .1)
+               '((-.05665634318842 .03173094606216)
+                 (-.05516057138897 -.03546401691902)
+                 (.005033309266668 -.1036517400932))
+               1e-11)
+  (check-close (first-three 1/8 .1 0)
+               '((.3208297390186 -.07183026254416)
+                 (.4701527853973 .02838154029137)
+                 (.2205938962713 .06373223962777))
+               1e-11)
+  (check-close (first-three 1/6 .1 0)
+               '((.5488146036799 -.003258636757405)
+                 (.1181464121045 .0005288435752169)
+                 (.5457781280972 .003036448911103))
+               1e-11))
 
 (test-case "five hundred crossings lie on the section and keep the energy"
   (define points (crossings 1/8 .1 0 3200))

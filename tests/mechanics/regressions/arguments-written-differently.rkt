@@ -6,7 +6,7 @@
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
          mechanics/algebra/zero/zero-test
-         "../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (simplified datum) (expression->datum (simplify-expression (datum->expression datum))))
 

@@ -11,7 +11,7 @@
          mechanics/algebra/expression/evaluate
          mechanics/algebra/zero/proof
          mechanics/algebra/expression/flat-graph
-         "../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define negative-x (declare-relations no-assumptions '((< x 0))))
 

@@ -6,7 +6,7 @@
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/assumption-set
-         "../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (simplified datum [A no-assumptions])
   (define-values (simple notes) (simplify-expression/assumptions (datum->expression datum) A))

@@ -5,7 +5,7 @@
 (require rackunit
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
-         "../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (simplified datum)
   (define-values (simple notes) (simplify-expression/assumptions (datum->expression datum)))

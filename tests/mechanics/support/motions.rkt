@@ -1,26 +1,10 @@
 #lang racket/base
-;; Systems whose motions several files follow, and how states are compared.
+;; Systems whose motions several files follow.
 
 (require (except-in rackunit fail)
          mechanics)
 
-(provide check-state exact
-         driven-pendulum L-double-pendulum L-chain)
-
-;; given, expected : structures or lists, of numbers of any precision
-(define-check (check-state given expected tolerance)
-  (define xs (scalars-of given))
-  (define ys (scalars-of expected))
-  (unless (and (= (length xs) (length ys))
-               (for/and ([x xs] [y ys]) (< (abs (- (exact x) (exact y))) tolerance)))
-    (with-check-info (['given given] ['expected expected]) (fail-check))))
-
-(define (scalars-of s)
-  (cond [(structure? s) (scalars-of (structure->list s))]
-        [(list? s) (apply append (map scalars-of s))]
-        [else (list s)]))
-
-(define (exact x) (if (bigfloat? x) (bigfloat->exact x) (inexact->exact x)))
+(provide driven-pendulum L-double-pendulum L-chain)
 
 ;; ---------------------------------------------------------------------------
 

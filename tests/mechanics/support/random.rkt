@@ -3,15 +3,20 @@
 
 (require rackunit)
 
-(provide with-seed
+(provide with-seed with-seeds
          random-integer random-rational random-flonum random-complex random-choice)
 
 ;; (with-seed number body ...): the body's random numbers follow from the seed.
+;; (with-seeds n body ...): with each of the seeds 1 ... n.
 (define-syntax-rule (with-seed number body ...)
   (let ([s number])
     (parameterize ([current-pseudo-random-generator (make-pseudo-random-generator)])
       (random-seed s)
       (with-check-info (['seed s]) body ...))))
+
+(define-syntax-rule (with-seeds n body ...)
+  (for ([seed (in-range 1 (+ n 1))])
+    (with-seed seed body ...)))
 
 (define (random-integer low high) (+ low (random (- high low -1))))
 

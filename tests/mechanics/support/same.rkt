@@ -7,7 +7,9 @@
 ;; same as the constant function, the multiple of the identity matrix or operator,
 ;; or the series of one term that it stands for.
 
-(require mechanics/algebra/expression/expression
+(require (for-syntax racket/base)
+         rackunit
+         mechanics/algebra/expression/expression
          (only-in mechanics/generic/arithmetic g:*)
          mechanics/generic/up-down
          mechanics/generic/function
@@ -17,18 +19,15 @@
          mechanics/calculus/perturbed
          mechanics/calculus/dual
          mechanics/calculus/literal-function
-         "numeric-value.rkt")
+         "close.rkt" "numeric-value.rkt")
 
-(provide same? close? close-to)
+(provide
+ same?         ; (same? a b [tolerance])
+ close-to      ; (close-to tolerance) -> such a predicate
+ check-same)   ; (check-same actual expected [tolerance]) : a check
 
 (define points '(1 2 3))
 (define terms 5)
-
-;; |a - b| <= tolerance max(1, |a|, |b|)
-(define (close? a b [tolerance 1e-9])
-  (or (eqv? a b)
-      (and (eqv? a +nan.0) (eqv? b +nan.0))
-      (<= (magnitude (- a b)) (* tolerance (max 1 (magnitude a) (magnitude b))))))
 
 (define ((close-to tolerance) a b) (same? a b tolerance))
 
@@ -71,9 +70,18 @@
 (define (parts s) (vector->list (structure-elements (adopt s))))
 (define (scalar? x) (or (dual? x) (expression? x)))
 
+;; A syntax, so that a failure is told where it stands.
+(define-syntax (check-same stx)
+  (syntax-case stx ()
+    [(_ actual expected) (syntax/loc stx (check-same-to actual expected 1e-9))]
+    [(_ actual expected tolerance) (syntax/loc stx (check-same-to actual expected tolerance))]))
+
+(define-check (check-same-to actual expected tolerance)
+  (with-check-info (['actual actual] ['expected expected])
+    (unless (same? actual expected tolerance) (fail-check))))
+
 (module+ test
-  (require rackunit
-           mechanics/generic/arithmetic mechanics/generic/elementary
+  (require mechanics/generic/arithmetic mechanics/generic/elementary
            (only-in mechanics/value/compose constant-function)
            mechanics/calculus/derivative
            mechanics/value/series/access)

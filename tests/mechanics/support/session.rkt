@@ -2,11 +2,9 @@
 ;; Checks for files that read like a session with `mechanics`.
 
 (require rackunit
-         (only-in mechanics expression simplify verify-equal verdict-status
-                 
-                  structure? structure->list))
+         (only-in mechanics expression simplify verify-equal verdict-status))
 
-(provide check-prints check-unsimplified check-same check-close)
+(provide check-prints check-unsimplified check-identity)
 
 ;; The value, simplified, is this expression, up to the order of sums and products.
 (define-check (check-prints value expected)
@@ -27,19 +25,7 @@
     (unless (equal? got expected) (fail-check))))
 
 ;; The values are proved to be equal.
-(define-check (check-same value expected)
+(define-check (check-identity value expected)
   (define verdict (verify-equal value expected))
   (with-check-info (['verdict verdict])
     (unless (eq? (verdict-status verdict) 'proved) (fail-check))))
-
-;; The numbers in a value are these, to an absolute error.
-(define-check (check-close value expected tolerance)
-  (define got (numbers-in value))
-  (with-check-info (['got got] ['expected expected])
-    (unless (and (= (length got) (length expected))
-                 (for/and ([x (in-list got)] [y (in-list expected)])
-                   (< (abs (- x y)) tolerance)))
-      (fail-check))))
-
-(define (numbers-in x)
-  (if (structure? x) (apply append (map numbers-in (structure->list x))) (list x)))

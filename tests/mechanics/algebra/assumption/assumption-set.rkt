@@ -8,7 +8,7 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/relation
          mechanics/algebra/simplify/simplify-expression
-         "../../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (sort-data ds) (sort ds string<? #:key (lambda (d) (format "~s" d))))
 

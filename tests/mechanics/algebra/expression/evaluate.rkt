@@ -4,7 +4,7 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/evaluate
-         "../../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (value d point)
   (evaluate-expression (datum->expression d)

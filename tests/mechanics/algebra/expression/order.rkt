@@ -4,7 +4,7 @@
 (require rackunit
          racket/list
          mechanics/algebra/expression/order
-         "../../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define in-order
   (map datum->expression

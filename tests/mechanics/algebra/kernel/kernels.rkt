@@ -4,7 +4,7 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/simplify/simplify-expression
-         "../../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (simplified d) (expression->datum (simplify-expression (datum->expression d))))
 

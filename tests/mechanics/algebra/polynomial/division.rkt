@@ -3,6 +3,7 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
+         "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 (for ([n '(1 3 50)])

@@ -3,6 +3,7 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
+         "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 ;; Which of sums, products and 1 the evaluation fails to keep, at some of the

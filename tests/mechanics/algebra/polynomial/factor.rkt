@@ -8,6 +8,7 @@
          mechanics/algebra/polynomial/integer-factor
          mechanics/algebra/polynomial/dense
          mechanics/algebra/polynomial/modular-factor
+         "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 (define R (make-ring 4 30))

@@ -4,19 +4,23 @@
 (require rackunit
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/fraction
-         "../../support/laws/polynomial.rkt"
+         "../../support/random.rkt"
+         "../../support/laws/law.rkt" "../../support/laws/ring.rkt"
          "../../support/random/polynomial.rkt")
 
-(define (fraction-operations R #:add [add (lambda (f g) (fraction+ R f g))]
-                             #:multiply [multiply (lambda (f g) (fraction* R f g))]
-                             #:invert [invert (lambda (f) (fraction-invert R f))]
-                             #:equal [equal (lambda (f g) (fraction=? R f g))])
-  (operations (fraction-from-poly R (poly-constant R 0))
-              (fraction-from-poly R (poly-constant R 1))
-              add
-              (lambda (f g) (fraction- R f g))
-              (lambda (f) (fraction-negate R f))
-              multiply invert equal))
+;; The field of fractions, with some operations made wrong.
+(define (fraction-field R #:add [add (lambda (f g) (fraction+ R f g))]
+                        #:multiply [multiply (lambda (f g) (fraction* R f g))]
+                        #:invert [invert (lambda (f) (fraction-invert R f))])
+  (ring (fraction-from-poly R (poly-constant R 0))
+        (fraction-from-poly R (poly-constant R 1))
+        add
+        (lambda (f g) (fraction- R f g))
+        (lambda (f) (fraction-negate R f))
+        multiply
+        (lambda (f g) (multiply f (invert g)))
+        (lambda (f) (fraction-expt R f 2))
+        (lambda (f n) (fraction-expt R f n))))
 
 ;; Numerators and denominators from a few small polynomials, so that factors
 ;; recur; now and then a polynomial alone.
@@ -28,6 +32,10 @@
       (fraction-from-poly R p)
       (fraction/ R (fraction-from-poly R p) (fraction-from-poly R q))))
 
+(define (random-nonzero R)
+  (define f (random-fraction R))
+  (if (fraction-zero? f) (random-nonzero R) f))
+
 (define (triples R n)
   (for/list ([_ (in-range n)])
     (for/list ([_ (in-range 3)]) (random-fraction R))))
@@ -35,25 +43,33 @@
 ;; ---------------------------------------------------------------------------
 ;; Laws
 
-(for ([n '(1 2 4 50)])
-  (test-case (format "fractions in ~a variables are a field" n)
-    (define R (make-ring n 40))
-    (with-seeds 5 (check-lawful field-laws (fraction-operations R) (triples R 20)))))
+(define commutative-ring-laws (append ring-laws commutativity-laws power-laws))
 
-(test-case "every field law about inverses fails for some wrong operation"
+(for ([n '(1 2 4 50)])
+  (define R (make-ring n 40))
+  (define title (format "fractions in ~a variables" n))
+  (define (equal f g) (fraction=? R f g))
+  (check-laws title commutative-ring-laws (fraction-field R)
+              (lambda () (random-fraction R)) equal #:seed 1 #:rounds 100)
+  (check-laws title division-laws (fraction-field R)
+              (lambda () (random-nonzero R)) equal #:seed 2 #:rounds 100))
+
+(let ()
   (define R (make-ring 2 40))
   (define (double f) (fraction-scale R 2 f))
-  (define-syntax-rule (breaks name option wrong)
-    (with-seeds 1
-      (check-broken name field-laws (fraction-operations R option wrong) (triples R 20))))
-  (breaks "an inverse cancels" #:invert values)
-  (breaks "inversion twice is nothing" #:invert (lambda (f) (fraction* R f f)))
-  (breaks "inversion multiplies" #:invert (lambda (f) (double (fraction-invert R f))))
-  (breaks "multiplication distributes"
-          #:multiply (lambda (f g) (fraction* R f (fraction* R g g))))
-  (breaks "addition associates" #:add (lambda (f g) (fraction+ R f (double g))))
-  (breaks "addition commutes"
-          #:equal (lambda (f g) (eq? f g))))
+  (define (breaks name field [equal (lambda (f g) (fraction=? R f g))])
+    (check-broken name (append commutative-ring-laws division-laws) field
+                  (lambda () (random-nonzero R)) equal #:seed 1))
+  (breaks "an inverse cancels" (fraction-field R #:invert values))
+  (breaks "the inverse of the inverse is the thing"
+          (fraction-field R #:invert (lambda (f) (fraction* R f f))))
+  (breaks "inverses multiply, the last one first"
+          (fraction-field R #:invert (lambda (f) (double (fraction-invert R f)))))
+  (breaks "multiplication distributes on the left"
+          (fraction-field R #:multiply (lambda (f g) (fraction* R f (fraction* R g g)))))
+  (breaks "addition associates"
+          (fraction-field R #:add (lambda (f g) (fraction+ R f (double g)))))
+  (breaks "addition commutes" (fraction-field R) eq?))
 
 ;; ---------------------------------------------------------------------------
 ;; Canonical form

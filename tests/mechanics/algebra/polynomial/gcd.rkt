@@ -5,63 +5,60 @@
 (require rackunit
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/remainder-gcd remainder-gcd)
-         "../../support/laws/polynomial.rkt"
+         "../../support/random.rkt"
+         "../../support/laws/law.rkt"
          "../../support/random/polynomial.rkt")
 
 ;; ---------------------------------------------------------------------------
-;; Laws, of a procedure (gcd p q)
+;; Laws
 
 (define (primitive R p)
   (define-values (c primitive) (poly-primitive R p))
   primitive)
 
-(define (gcd-laws R)
-  (define-syntax-rule (gcd-law name (gcd p q r) holds)
-    (law name (lambda (gcd p q r) holds)))
-  (define (divides? p q)
-    (if (poly-zero? p) (poly-zero? q) (and (poly-divide R q p) #t)))
-  (list
-   (gcd-law "divides both" (gcd p q r)
-            (and (divides? (gcd p q) p) (divides? (gcd p q) q)))
-   (gcd-law "commutes" (gcd p q r) (poly=? (gcd p q) (gcd q p)))
-   (gcd-law "takes common factors out" (gcd p q r)
-            (poly=? (gcd (poly* R p r) (poly* R q r))
-                    (primitive R (poly* R (gcd p q) r))))
-   (gcd-law "is primitive with positive leading coefficient" (gcd p q r)
-            (poly=? (gcd p q) (primitive R (gcd p q))))
-   (gcd-law "with zero is the primitive part" (gcd p q r)
-            (poly=? (gcd p (poly-constant R 0)) (primitive R p)))))
+;; of : polynomial polynomial -> their greatest common divisor
+(struct gcd-in (ring of))
 
-(define (triples R n options)
-  (for/list ([_ (in-range n)])
-    (for/list ([_ (in-range 3)])
-      (random-polynomial R #:terms (car options) #:degree (cadr options)))))
+(define (divides? R p q)
+  (if (poly-zero? p) (poly-zero? q) (and (poly-divide R q p) #t)))
+
+(define-laws gcd-laws
+  ([R gcd-in-ring] [gcd gcd-in-of])
+  ["divides the one" (p q) (divides? R (gcd p q) p) #t]
+  ["divides the other" (p q) (divides? R (gcd p q) q) #t]
+  ["commutes" (p q) (gcd p q) (gcd q p)]
+  ["takes common factors out" (p q r)
+   (gcd (poly* R p r) (poly* R q r))
+   (primitive R (poly* R (gcd p q) r))]
+  ["is primitive with positive leading coefficient" (p q)
+   (gcd p q) (primitive R (gcd p q))]
+  ["with zero is the primitive part" (p)
+   (gcd p (poly-constant R 0)) (primitive R p)])
+
+(define ((draw R terms degree)) (random-polynomial R #:terms terms #:degree degree))
 
 (for ([shape '((1 6 8) (2 6 5) (3 6 4) (6 8 4) (6 30 6) (50 8 4))])
   (define-values (n terms degree) (apply values shape))
-  (test-case (format "the gcd laws hold for ~a terms of degree ~a in ~a variables" terms degree n)
-    (define R (make-ring n (* 2 degree)))
-    (with-seeds 4
-      (check-lawful (gcd-laws R)
-                    (lambda (p q) (poly-gcd R p q))
-                    (triples R 6 (list terms degree))))))
+  (define R (make-ring n (* 2 degree)))
+  (check-laws (format "gcd of ~a terms of degree ~a in ~a variables" terms degree n)
+              gcd-laws (gcd-in R (lambda (p q) (poly-gcd R p q)))
+              (draw R terms degree) equal? #:seed 1 #:rounds 24))
 
-(test-case "the gcd laws hold for remainder sequences alone"
-  (for ([n '(1 2 3)])
-    (define R (make-ring n 12))
-    (with-seeds 4
-      (check-lawful (gcd-laws R)
-                    (lambda (p q)
-                      (cond [(poly-zero? p) (primitive R q)]
-                            [(poly-zero? q) (primitive R p)]
-                            [else (remainder-gcd R p q)]))
-                    (triples R 4 '(3 2))))))
+(for ([n '(1 2 3)])
+  (define R (make-ring n 12))
+  (define (gcd-by-remainders p q)
+    (cond [(poly-zero? p) (primitive R q)]
+          [(poly-zero? q) (primitive R p)]
+          [else (remainder-gcd R p q)]))
+  (check-laws (format "remainder sequences in ~a variables" n)
+              gcd-laws (gcd-in R gcd-by-remainders) (draw R 3 2) equal? #:seed 1 #:rounds 16))
 
-(test-case "every gcd law fails for some wrong gcd"
+(let ()
   (define R (make-ring 3 24))
   (define (breaks name wrong)
-    (with-seeds 1 (check-broken name (gcd-laws R) wrong (triples R 10 '(4 3)))))
-  (breaks "divides both" (lambda (p q) (poly* R p q)))
+    (check-broken name gcd-laws (gcd-in R wrong) (draw R 4 3) equal? #:seed 1))
+  (breaks "divides the one" (lambda (p q) (poly* R p q)))
+  (breaks "divides the other" (lambda (p q) (poly* R p q)))
   (breaks "commutes" (lambda (p q) (primitive R p)))
   (breaks "takes common factors out" (lambda (p q) (poly-constant R 1)))
   (breaks "is primitive with positive leading coefficient"

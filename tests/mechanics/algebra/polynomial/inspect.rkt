@@ -3,6 +3,7 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
+         "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 (define R (make-ring 3 12))

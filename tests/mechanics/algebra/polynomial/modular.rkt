@@ -9,6 +9,7 @@
          mechanics/algebra/polynomial/interpolation
          mechanics/algebra/polynomial/heuristic-gcd
          mechanics/algebra/polynomial/sparse-gcd
+         "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 (define P first-prime)

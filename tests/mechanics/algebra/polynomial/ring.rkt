@@ -4,6 +4,7 @@
 (require rackunit
          mechanics/algebra/polynomial/monomial
          mechanics/algebra/polynomial/ring
+         "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 ;; Sizes and degrees on both sides of the word boundaries.

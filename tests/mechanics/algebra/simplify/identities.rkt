@@ -8,7 +8,7 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         "../../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (difference u v)
   (make-node op:- (list (datum->expression u) (datum->expression v))))

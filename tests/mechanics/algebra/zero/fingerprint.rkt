@@ -7,7 +7,8 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/zero-test
-         "../../support/reading.rkt"
+         mechanics/algebra/expression/read
+         "../../support/random.rkt"
          "../../support/random/expression.rkt")
 
 (define (judge d) (fingerprint (datum->expression d)))
@@ -105,14 +106,11 @@
 ;; ---------------------------------------------------------------------------
 ;; At random
 
-(define (report seed thunk)
-  (with-check-info (['seed seed]) (thunk)))
-
 (define kinds '(rational trigonometric exponential))
 
 ;; The difference of an expression and a rewritten one, for every rule.
 (define (for-each-difference rules kinds try)
-  (with-seeds 30 report
+  (with-seeds 30
     (for ([rule (in-list rules)])
       (define e (random-expression 4 kinds))
       (define other (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) e)])
@@ -137,7 +135,7 @@
   (check-true (> shown 20)))
 
 (test-case "a perturbed identity is not zero"
-  (with-seeds 30 report
+  (with-seeds 30
     (define e (random-expression 4 kinds))
     (define perturbation (e:* 1/1000 (random-expression 1 kinds)))
     (unless (eq? 'proved (zero-test-status (zero-test perturbation)))

@@ -11,7 +11,8 @@
          mechanics/algebra/zero/proof
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         "../../support/reading.rkt"
+         mechanics/algebra/expression/read
+         "../../support/random.rkt"
          "../../support/random/expression.rkt")
 
 (define (sum es) (for/fold ([s 0]) ([e (in-list es)]) (e:+ s e)))
@@ -137,10 +138,8 @@
 ;; ---------------------------------------------------------------------------
 ;; At random
 
-(define (report seed thunk) (with-check-info (['seed seed]) (thunk)))
-
 (define (for-each-difference rules try)
-  (with-seeds 40 report
+  (with-seeds 40
     (for ([rule (in-list rules)])
       (define e (random-expression 4 '(rational trigonometric exponential)))
       (define other (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) e)])
@@ -171,7 +170,7 @@
   (check-equal? (tape-length (expression->tape (built '(- (expt a 2) (expt 2 a))))) 5))
 
 (test-case "an expression comes back from its tape, equal nodes being the same"
-  (with-seeds 40 report
+  (with-seeds 40
     (define e (random-expression 5 '(rational trigonometric exponential)))
     (define t (expression->tape e))
     (define back (tape->expression t))

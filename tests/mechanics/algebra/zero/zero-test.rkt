@@ -9,7 +9,7 @@
          mechanics/algebra/expression/operation
          mechanics/algebra/assumption/relation
          mechanics/algebra/zero/zero-test
-         "../../support/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (verdict d) (zero-test (datum->expression d)))
 (define (status d) (zero-test-status (verdict d)))

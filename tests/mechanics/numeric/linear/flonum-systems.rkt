@@ -4,7 +4,8 @@
 (require rackunit
          mechanics/numeric/linear/flonum-systems
          mechanics/algebra/linear/elimination
-         "../../support/matrices.rkt" "../../support/random.rkt" "../../support/same.rkt")
+         "../../support/close.rkt" "../../support/matrices.rkt" "../../support/random.rkt"
+         "../../support/same.rkt")
 
 (define (exact A) (for/vector ([row A]) (for/vector ([x row]) (inexact->exact x))))
 

@@ -8,7 +8,8 @@
          mechanics/numeric/ode/dormand-prince-853
          mechanics/numeric/ode/integrate
          mechanics/numeric/ode/radau
-         mechanics/numeric/ode/stepper)
+         mechanics/numeric/ode/stepper
+         "../../support/close.rkt")
 
 ;; -> the state at the end and the number of steps
 (define (follow m f! y0 end tolerance #:limit [limit +inf.0])
@@ -113,10 +114,6 @@
     (integrate radau-iia-5 counted y0 0.0 end #:tolerance tolerance
                #:visit (lambda (from to interpolant) (set! steps (+ steps 1)) #t)))
   (values y steps evaluations derivatives))
-
-(define-check (check-close y expected tolerance)
-  (unless (for/and ([a (in-flvector y)] [b (in-list expected)]) (< (abs (- a b)) tolerance))
-    (with-check-info (['found y] ['expected expected]) (fail-check))))
 
 ;; Chemical reactions of rates 0.04, 10^4 and 3·10^7.
 (define (robertson! y dy)

@@ -4,7 +4,7 @@
 
 (require "law.rkt")
 
-(provide (struct-out ring) ring-laws commutativity-laws division-laws power-laws)
+(provide (except-out (struct-out ring) ring?) ring-laws commutativity-laws division-laws power-laws)
 
 (struct ring (zero one add subtract negate multiply divide square expt))
 
@@ -45,6 +45,8 @@
   ["an inverse cancels" (x y) (* (* (/ one x) x) y) y]
   ["a quotient is a product with the inverse" (x y) (/ x y) (* x (/ one y))]
   ["quotients over one denominator add" (x y z) (/ (+ x y) z) (+ (/ x z) (/ y z))]
+  ["the inverse of the inverse is the thing" (x) (/ one (/ one x)) x]
+  ["inverses multiply, the last one first" (x y) (/ one (* x y)) (* (/ one y) (/ one x))]
   ["a negative power is the inverse" (x) (expt x -1) (/ one x)])
 
 ;; ---------------------------------------------------------------------------
@@ -93,4 +95,6 @@
   (broken "an inverse cancels" (with divide (lambda (x y) (/ x (* 2 y)))))
   (broken "a quotient is a product with the inverse" (with divide (lambda (x y) (/ y x))))
   (broken "quotients over one denominator add" (with divide (lambda (x y) (/ x (* x y)))))
+  (broken "the inverse of the inverse is the thing" (with divide (lambda (x y) (/ x (* y y)))))
+  (broken "inverses multiply, the last one first" (with divide (lambda (x y) (/ x (* 2 y)))))
   (broken "a negative power is the inverse" (with expt (lambda (x n) (expt x (abs n))))))

@@ -5,7 +5,7 @@
 (require mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
          mechanics/algebra/zero/fingerprint
-         "../reading.rkt"
+         mechanics/algebra/expression/read
          "../property/property.rkt" "../property/run.rkt")
 
 (provide probe)

@@ -5,7 +5,7 @@
          racket/promise
          (prefix-in m: mechanics)
          "differences.rkt" "generate.rkt" "language.rkt"
-         "../bigfloats.rkt")
+         "../bigfloats.rkt" "../close.rkt")
 
 (provide check-program random-check shrink (struct-out mode) modes)
 
@@ -94,8 +94,6 @@
            [(close? got expected (mode-tolerance m)) 'agrees]
            [else (format "ours ~a, by differences ~a" (inexact got) (inexact expected))])]))
 
-(define (close? a b tolerance)
-  (<= (magnitude (- a b)) (* tolerance (max 1 (abs b)))))
 (define (inexact x) (if (exact? x) (exact->inexact x) x))
 
 ;; -> 'agrees, 'discarded, or (list mode program x disagreement)

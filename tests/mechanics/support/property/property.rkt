@@ -11,8 +11,8 @@
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/evaluate
-         "value.rkt"
-         "../reading.rkt")
+         mechanics/algebra/expression/read
+         "value.rkt")
 
 (provide value-kept idempotent
          same-by-form same-by-print same-by-fingerprint same-by-verdict

@@ -8,16 +8,8 @@
          mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/substitute)
 
-(provide with-seeds
-         random-expression random-lookup close? value-at
+(provide random-expression random-lookup value-at
          sound-rewrites unsound-rewrites rewrite)
-
-;; Runs body with seeds 1 ... n, naming the seed if it raises or a check fails.
-(define-syntax-rule (with-seeds n report body ...)
-  (for ([seed (in-range 1 (+ n 1))])
-    (parameterize ([current-pseudo-random-generator (make-pseudo-random-generator)])
-      (random-seed seed)
-      (report seed (lambda () body ...)))))
 
 (define (choose xs) (list-ref xs (random (length xs))))
 
@@ -77,9 +69,6 @@
     (with-handlers ([exn:fail? (lambda (x) #f)])
       (evaluate-expression e lookup)))
   (and v (real? v) (rational? v) (< (abs v) 1e12) v))
-
-(define (close? u v)
-  (< (magnitude (- u v)) (* 1e-7 (+ 1 (magnitude u) (magnitude v)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Rewrites of a node: rule : node -> expression or #f

@@ -1,19 +1,9 @@
 #lang racket/base
-;; Seeded random polynomials, and the printing of the seed on failure.
+;; Random polynomials.
 
-(require rackunit
-         mechanics/algebra/polynomial/polynomial)
+(require mechanics/algebra/polynomial/polynomial)
 
-(provide with-seeds
-         random-polynomial random-polynomials random-coefficient random-point)
-
-;; Run the body for the seeds 1 ... n; a failure names the seed.
-(define-syntax-rule (with-seeds n body ...)
-  (for ([seed (in-range 1 (+ n 1))])
-    (with-check-info (['seed seed])
-      (parameterize ([current-pseudo-random-generator (make-pseudo-random-generator)])
-        (random-seed seed)
-        body ...))))
+(provide random-polynomial random-polynomials random-coefficient random-point)
 
 ;; Up to `terms` terms of total degree up to `degree`, in a random choice of
 ;; variables, with coefficients from `coefficient`.

@@ -1,0 +1,39 @@
+#lang racket/base
+;; Numbers that are the same up to a tolerance, alone and in whatever holds them.
+
+(require racket/flonum
+         rackunit
+         mechanics/generic/up-down
+         mechanics/value/bigfloat)
+
+(provide
+ close?          ; (close? a b [tolerance]) : relative, to the greater of them and 1
+ check-close     ; (check-close given expected tolerance) : absolute, of all numbers in them
+ exact)          ; real number of any precision -> exact
+
+;; |a - b| <= tolerance max(1, |a|, |b|)
+(define (close? a b [tolerance 1e-9])
+  (or (eqv? a b)
+      (and (eqv? a +nan.0) (eqv? b +nan.0))
+      (<= (magnitude (- a b)) (* tolerance (max 1 (magnitude a) (magnitude b))))))
+
+(define-check (check-close given expected tolerance)
+  (define xs (numbers-in given))
+  (define ys (numbers-in expected))
+  (unless (and (= (length xs) (length ys))
+               (for/and ([x (in-list xs)] [y (in-list ys)])
+                 (< (abs (- (exact x) (exact y))) tolerance)))
+    (with-check-info (['given given] ['expected expected]) (fail-check))))
+
+;; Those of structures, lists and flvectors, of any precision.
+(define (numbers-in x)
+  (cond [(structure? x) (numbers-in (vector->list (structure-elements x)))]
+        [(list? x) (apply append (map numbers-in x))]
+        [(flvector? x) (for/list ([y (in-flvector x)]) y)]
+        [else (list x)]))
+
+;; Infinities and what is no number stay.
+(define (exact x)
+  (cond [(bigfloat? x) (bigfloat->exact x)]
+        [(rational? x) (inexact->exact x)]
+        [else x]))
