@@ -32,6 +32,13 @@ right
 (define wrong (verify-equal in-r-and-phi (* in-x-and-y turned)))
 wrong
 
+;; A slip in the Lagrangian itself: polar velocities in the place of rectangular ones.
+(define (L-slip (up t (up r phi) (up rdot phidot)))
+  (- (* 1/2 'm (+ (square rdot) (square phidot))) (U r)))
+(define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))
+(define other-motions (compare-Lagrangians (L-central-polar 'm U) L-slip polar))
+other-motions
+
 ;; The determinant says where the equations are equivalent: wherever r is not 0.
 (determinant derivatives)
 
@@ -43,4 +50,6 @@ wrong
   (test-case "the slip shows in the angle's equation, but for the distance 1"
     (check-pred refuted? wrong)
     (check-pred proved? (prove-zero (ref (verdict-residual wrong) 0)))
-    (check-pred proved? (prove-zero (substitute (ref (verdict-residual wrong) 1) (r 't) 1)))))
+    (check-pred proved? (prove-zero (substitute (ref (verdict-residual wrong) 1) (r 't) 1))))
+  (test-case "a Lagrangian with the velocities of other coordinates has other motions"
+    (check-false (equivalence-kind other-motions))))

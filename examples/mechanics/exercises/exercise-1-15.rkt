@@ -27,9 +27,22 @@ right
   (verify-equal (verdict-residual wrong) (* old-residual (- factor 1))))
 product
 
+;; So it is for any two coordinates in place of two others; the factor is a matrix then.
+(define L-plane (literal-function 'L (Lagrangian 2)))
+(define (old name) (literal-function name (-> (X Real Real Real) Real)))
+(define (F-plane (up t (up a b) v)) (up ((old 'x) t a b) ((old 'y) t a b)))
+(define plane-path (up (literal-function 'a) (literal-function 'b)))
+(define in-a-plane
+  (verify-equal (((Lagrange-equations (compose L-plane (F->C F-plane))) plane-path) 't)
+                (* (((Lagrange-equations L-plane) (compose F-plane (Gamma plane-path))) 't)
+                   (((partial 1) F-plane) ((Gamma plane-path) 't)))))
+(verdict-status in-a-plane)
+
 (module+ test
   (require rackunit)
   (test-case "the residual is multiplied by the derivative of the old coordinate"
     (check-pred proved? right)
     (check-pred refuted? wrong)
-    (check-pred proved? product)))
+    (check-pred proved? product))
+  (test-case "so are those of two coordinates"
+    (check-pred proved? in-a-plane)))

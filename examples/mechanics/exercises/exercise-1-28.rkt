@@ -35,6 +35,11 @@
 b-at-all
 e-at-all
 
+;; With a symbol in it, a function may be one under a condition.
+(define (almost (up t x v)) (+ (* v (sin (* 'omega t))) (* x (cos (* 'omega t)))))
+(define under-a-condition (verify-total-time-derivative almost line))
+(verdict-conditions under-a-condition)
+
 ;; Of what, in the library's opinion.
 ((gauge-function c line) line)
 ((gauge-function d plane) plane)
@@ -47,6 +52,9 @@ e-at-all
     (check-pred refuted? b-at-all)
     (check-pred refuted? e-at-all)
     (check-equal? (expression (verdict-residual b-at-all)) '(exp t)))
+  (test-case "one with the angular velocity 1"
+    (check-pred refuted? under-a-condition)
+    (check-equal? (map expression (verdict-conditions under-a-condition)) '((= omega 1))))
   (test-case "the library finds the same functions"
     (for ([F (list a c d)] [f (list of-a of-c of-d)] [local (list line line plane)])
       (check-pred proved? (verify-equal ((gauge-function F local) local)

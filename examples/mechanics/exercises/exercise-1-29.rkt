@@ -30,6 +30,19 @@ wrong
 (define fall (compare-Lagrangians L (compose L (F->C accelerated)) line))
 fall
 
+;; In a plane, axes that are turned and shifted leave the Lagrangian what it is; axes that
+;; turn give other equations, with the fictitious forces in them.
+(define plane (up 't (up 'x 'y) (up 'vx 'vy)))
+(define (seen-from F) (compare-Lagrangians L (compose L (F->C F)) plane))
+(define (elsewhere local) (+ ((turned-by 'alpha) (coordinate local)) (up 'a 'b)))
+(define (turning local) ((turned-by (* 'Omega (time local))) (coordinate local)))
+(define ((turned-by angle) (up x y))
+  (up (- (* (cos angle) x) (* (sin angle) y)) (+ (* (sin angle) x) (* (cos angle) y))))
+(define turned (seen-from elsewhere))
+(define rotation (seen-from turning))
+turned
+rotation
+
 (module+ test
   (require rackunit)
   (test-case "a total time derivative apart, of what I found"
@@ -40,4 +53,7 @@ fall
     (check-pred refuted? wrong)
     (check-equal? (expression (verdict-residual wrong)) '(* 1/2 m (expt u 2))))
   (test-case "acceleration is felt"
-    (check-pred refuted? (equivalence-verdict fall))))
+    (check-pred refuted? (equivalence-verdict fall)))
+  (test-case "turned axes are as good, turning ones are not"
+    (check-eq? (equivalence-kind turned) 'total-derivative)
+    (check-false (equivalence-kind rotation))))

@@ -32,6 +32,12 @@ conserved
 (define wrong (verify-conserved round (Noether-integral round tilt) state))
 (verdict-status wrong)
 
+;; The angular momentum about an axis across is conserved on a sphere only.
+(define (across local) (ref (cross-product (coordinate local) (* 'm (velocity local))) 0))
+(define about-x (compose across (F->C (on-the-surface 'a 'a 'c))))
+(define not-across (verify-conserved round about-x state))
+(verdict-status not-across)
+
 ;; With three different axes the momentum of φ is not, either, and has the factor a² − b².
 (define triaxial (verify-conserved (L 'a 'b 'c) (Noether-integral (L 'a 'b 'c) turn) state))
 (verdict-conditions triaxial)
@@ -40,6 +46,13 @@ conserved
   (require rackunit)
   (test-case "the angular momentum about the axis is conserved"
     (for ([v (list symmetry right conserved)]) (check-pred proved? v)))
+  (test-case "about other axes it is on a sphere"
+    (check-pred refuted? not-across)
+    (check-pred proved? (prove-zero (substitute (verdict-residual not-across) 'a 'c))))
+  (test-case "it is the momentum of a coordinate that does not occur"
+    (check-equal? (ignorable-coordinates round state) '(phi))
+    (check-pred proved? (verify-equal (ref (car (conserved-momenta round state)) 1)
+                                      (integral state))))
   (test-case "that of θ is not, nor any on three different axes"
     (check-pred refuted? wrong)
     (check-pred refuted? triaxial)

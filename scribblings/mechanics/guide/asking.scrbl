@@ -41,7 +41,7 @@ how fast it changes.
 On an ellipsoid of revolution only turning about the axis is a symmetry
 (@sicm{exercise 1.36}):
 
-@(program "questions/exercise-1-36.rkt" #'here)
+@(program "exercises/exercise-1-36.rkt" #'here)
 
 @section{Do two Lagrangians mean the same?}
 
@@ -58,14 +58,16 @@ time derivative, or a factor, and the comparison says of what, and which.
 Whether a function is a total time derivative can be asked of it alone
 (@sicm{exercise 1.28}).
 
-@(program "questions/exercise-1-28.rkt" #'here)
+@(program "exercises/exercise-1-28.rkt" #'here)
 
 A change of coordinates gives the same motions in other words (@sicm{exercises 1.14 and
 1.15}), and some give the same equations (@sicm{exercise 1.29}).
 
-@(program "questions/exercise-1-14.rkt" #'here)
+@(program "exercises/exercise-1-14.rkt" #'here)
 
-@(program "questions/exercise-1-29.rkt" #'here)
+@(program "exercises/exercise-1-15.rkt" #'here)
+
+@(program "exercises/exercise-1-29.rkt" #'here)
 
 @section{Where can it rest, and does it stay?}
 
@@ -77,7 +79,7 @@ fast:
 Motions that go round steadily are equilibria of what is left when an ignorable coordinate
 has been taken out.
 
-@(program "questions/conical-pendulum.rkt" #'here)
+@(program "questions/steady-cone.rkt" #'here)
 
 In a turning frame, velocities can hold what forces do not.
 

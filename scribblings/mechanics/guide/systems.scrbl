@@ -43,7 +43,9 @@ only, which is Kepler's third law.
 
 These are @sicm{1.5, exercises 1.9 and 1.12}.
 
-@(program "variational/exercise-1-9.rkt" #'here)
+@(program "exercises/exercise-1-9.rkt" #'here)
+
+@(program "exercises/exercise-1-12.rkt" #'here)
 
 @section{The variation operator}
 
@@ -127,8 +129,8 @@ Where the ring turns fast enough, the bottom is no longer a place to rest.
 
 @(program "forces/rotating-ring.rkt" #'here)
 
-@filepath{examples/mechanics/figures/rotating-ring.rkt} draws the places of rest against the
-angular velocity, and motions on both sides of the critical one.
+@filepath{examples/mechanics/figures/rotating-ring-bifurcation.rkt} draws the places of rest
+against the angular velocity, and motions on both sides of the critical one.
 
 @section{Equilibrium by virtual work}
 

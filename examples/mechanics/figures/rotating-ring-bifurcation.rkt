@@ -43,7 +43,7 @@ fast
 
 (module+ main
   (require "save.rkt")
-  (save-figure bifurcation "rotating-ring.png"))
+  (save-figure bifurcation "rotating-ring-bifurcation.png"))
 
 (module+ test
   (require rackunit)
