@@ -3,6 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
+         (only-in mechanics/book L-free-particle)
          "../support/session.rkt")
 
 (define-syntax-rule (check-proved verdict) (check-eq? (verdict-status verdict) 'proved))
@@ -138,26 +139,24 @@
   (check-identity (ref listed 1 0) 0))
 
 (test-case "a constraint that moves: a bead on a rod turned steadily"
-  (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
   (define (turning t q) (- (* (ref q 1) (cos (* 'Ω t))) (* (ref q 0) (sin (* 'Ω t)))))
   (define (along local)
     (define-values (t r) (values (time local) (coordinate local)))
     (up (* r (cos (* 'Ω t))) (* r (sin (* 'Ω t)))))
-  (define a ((constrained-accelerations (L-free 'm) (holonomic turning))
+  (define a ((constrained-accelerations (L-free-particle 'm) (holonomic turning))
              ((F->C along) (up 't 'r 'v))))
   ;; Coriolis's force, 2 m Ω v, is that of the rod
   (check-identity (ref a 1) (* 2 'm 'Ω 'v))
-  (check-identity (((eliminate-multipliers (L-free 'm) (holonomic turning) along)
+  (check-identity (((eliminate-multipliers (L-free-particle 'm) (holonomic turning) along)
                     (literal-function 'r)) 't)
                   (up (* 'm (- (((expt D 2) (literal-function 'r)) 't)
                                (* (square 'Ω) ((literal-function 'r) 't))))
                       0)))
 
 (test-case "one coordinate, a number: its constraint and multiplier are numbers too"
-  (define ((L-free m) (up t x v)) (* 1/2 m (square v)))
   (define lift (holonomic (lambda (t x) (- x (* 1/2 'a (square t))))))
-  (check-identity ((constrained-accelerations (L-free 'm) lift) (up 't 'x 'v)) (up 'a (* 'm 'a)))
-  (check-identity ((constraint-forces (L-free 'm) lift) (up 't 'x 'v)) (* 'm 'a)))
+  (check-identity ((constrained-accelerations (L-free-particle 'm) lift) (up 't 'x 'v)) (up 'a (* 'm 'a)))
+  (check-identity ((constraint-forces (L-free-particle 'm) lift) (up 't 'x 'v)) (* 'm 'a)))
 
 (test-case "a coordinate without inertia is led by its constraint"
   (define (L (up t (up x y) (up vx vy))) (- (* 1/2 'm (square vx)) (* 'k y)))

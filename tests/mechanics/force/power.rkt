@@ -4,10 +4,9 @@
 
 (require rackunit
          mechanics
+         (only-in mechanics/book L-harmonic)
          "../support/session.rkt")
 
-(define ((L-harmonic m k) local)
-  (- (* 1/2 m (square (velocity local))) (* 1/2 k (square (coordinate local)))))
 (define ((drag b) local) (* -2 b (velocity local)))
 (define ((driving f) local) (f (time local)))
 (define x (literal-function 'x))

@@ -13,6 +13,7 @@
          mechanics/value/signature
          mechanics/lagrangian/Lagrange-equations
          mechanics/lagrangian/local-tuple
+         (only-in mechanics/book L-free-particle L-harmonic L-central-polar)
          "../support/messages.rkt" "../support/same.rkt" "../support/systems.rkt")
 
 (define x (literal-function 'x))
@@ -24,9 +25,9 @@
 ;; Known systems (V2-V4)
 
 (test-case "V2: a free particle: m ẍ, and 0 on a straight line"
-  (check-same (residual (L-free 'm) x) (g:* 'm (second x)))
-  (check-same (residual (L-free 'm) literal-plane-path) (down (g:* 'm (second x)) (g:* 'm (second y))))
-  (check-equal? (residual (L-free 'm) straight-line) (down 0 0 0)))
+  (check-same (residual (L-free-particle 'm) x) (g:* 'm (second x)))
+  (check-same (residual (L-free-particle 'm) literal-plane-path) (down (g:* 'm (second x)) (g:* 'm (second y))))
+  (check-equal? (residual (L-free-particle 'm) straight-line) (down 0 0 0)))
 
 (test-case "V3: the harmonic oscillator, on a literal path and on a proposed solution"
   (check-same (residual (L-harmonic 'm 'k) x) (g:+ (g:* 'm (second x)) (g:* 'k (x 't))))
@@ -126,23 +127,23 @@
   (check-same (((Lagrange-equations (L-harmonic 'm 'k) #:force friction) x) 't)
               (g:+ (g:* 'm (second x)) (g:* 'k (x 't)) (g:* 'b ((D x) 't))))
   (define (drag local) (flip (g:* -1 'b (velocity local))))
-  (check-same (((Lagrange-equations (L-free 'm) #:force drag) literal-plane-path) 't)
+  (check-same (((Lagrange-equations (L-free-particle 'm) #:force drag) literal-plane-path) 't)
               (down (g:+ (g:* 'm (second x)) (g:* 'b ((D x) 't)))
                     (g:+ (g:* 'm (second y)) (g:* 'b ((D y) 't))))))
 
 (test-case "a force from a potential term or from #:force is the same residual"
   (define F (literal-function 'F))
-  (define (pushed local) (g:+ ((L-free 'm) local) (g:* (F (time local)) (coordinate local))))
+  (define (pushed local) (g:+ ((L-free-particle 'm) local) (g:* (F (time local)) (coordinate local))))
   (check-same (residual pushed x)
-              (((Lagrange-equations (L-free 'm) #:force (compose F time)) x) 't)))
+              (((Lagrange-equations (L-free-particle 'm) #:force (compose F time)) x) 't)))
 
 (test-case "a force that is no function is refused"
   (check-exn #rx"^Lagrange-equations: contract violation\n  expected: a force: a function of the local tuple\n  given: 3"
-             (lambda () (Lagrange-equations (L-free 'm) #:force 3))))
+             (lambda () (Lagrange-equations (L-free-particle 'm) #:force 3))))
 
 (test-case "a force of the wrong orientation does not subtract"
   (check-exn #rx"^Lagrange-equations: the force must be a down tuple of 2, like the momenta; given [(]up .*an up tuple of 2$"
-             (lambda () (((Lagrange-equations (L-free 'm) #:force velocity) literal-plane-path) 't))))
+             (lambda () (((Lagrange-equations (L-free-particle 'm) #:force velocity) literal-plane-path) 't))))
 
 ;; ---------------------------------------------------------------------------
 ;; Higher order (V7)
@@ -177,7 +178,7 @@
 (test-case "an order is a positive integer"
   (for ([n (list 0 -1 1.5 'n)])
     (check-exn #rx"^Lagrange-equations: contract violation\n  expected: an order, a positive integer"
-               (lambda () (Lagrange-equations (L-free 'm) #:order n)))))
+               (lambda () (Lagrange-equations (L-free-particle 'm) #:order n)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Bad Lagrangians and paths
@@ -193,7 +194,7 @@
   (check-message (string-append "Lagrange-equations: a Lagrangian takes one argument, the local tuple, but L does not.\n"
                                 "  If it takes parameters first, supply them: (Lagrange-equations (L ...))")
                  (Lagrange-equations L))
-  (define (L-parametric m) (L-free m))
+  (define (L-parametric m) (L-free-particle m))
   (check-exn #rx"^Lagrange-equations: the value of a Lagrangian is a number, but that of L-parametric is .*\n  was a parameter left out, as the mass in [(]L-free-particle 'm[)][?]$"
              (lambda () (residual L-parametric x))))
 
@@ -203,7 +204,7 @@
                  (residual L literal-plane-path)))
 
 (test-case "a path that is a symbol, a number, or a list of functions"
-  (define equations (Lagrange-equations (L-free 'm)))
+  (define equations (Lagrange-equations (L-free-particle 'm)))
   (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the symbol x\n  (literal-function 'x) makes a path of that name"
                  (equations 'x))
   (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the number 3\n  a path is written (lambda (t) ...), with t where the time stands"
@@ -213,7 +214,7 @@
 
 (test-case "a path whose value is a list"
   (check-message "D: the function returned a value that has no derivative: (t (* 2 t)), a list\n  a list is not a tuple; use (up x y ...)"
-                 (residual (L-free 'm) (lambda (t) (list t (g:* 2 t))))))
+                 (residual (L-free-particle 'm) (lambda (t) (list t (g:* 2 t))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Printing
@@ -230,7 +231,7 @@
     (check-equal? (format "~v" e) text)))
 
 (test-case "equations keep what they were made of"
-  (define L (L-free 'm))
+  (define L (L-free-particle 'm))
   (define e (Lagrange-equations L #:order 2))
   (check-true (equations? e))
   (check-eq? (equations-Lagrangian e) L)

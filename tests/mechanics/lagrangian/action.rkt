@@ -10,7 +10,8 @@
          mechanics/search/minimize
          mechanics/lagrangian/action
          mechanics/lagrangian/local-tuple
-         "../support/messages.rkt" "../support/systems.rkt")
+         (only-in mechanics/book L-free-particle L-harmonic)
+         "../support/messages.rkt")
 
 (define (test-path t) (up (g:+ (g:* 4 t) 7) (g:+ (g:* 3 t) 5) (g:+ (g:* 2 t) 1)))
 
@@ -18,13 +19,13 @@
 (define ((make-eta nu t1 t2) t) (g:* (g:- t t1) (g:- t t2) (nu t)))
 (define (nu t) (up (g:sin t) (g:cos t) (g:square t)))
 (define (varied epsilon)
-  (Lagrangian-action (L-free 3) (g:+ test-path (g:* epsilon (make-eta nu 0 10))) 0 10))
+  (Lagrangian-action (L-free-particle 3) (g:+ test-path (g:* epsilon (make-eta nu 0 10))) 0 10))
 
 ;; ---------------------------------------------------------------------------
 ;; V1
 
 (test-case "V1: the action of a free particle on a straight path is 435"
-  (check-= (Lagrangian-action (L-free 3) test-path 0 10) 435 1e-12))
+  (check-= (Lagrangian-action (L-free-particle 3) test-path 0 10) 435 1e-12))
 
 (test-case "V1: varied by 0.001 η it is 435 + 18077/14000"
   (check-= (varied 0.001) (+ 435 18077/14000) 1e-9))
@@ -38,7 +39,7 @@
 (test-case "exercise 1.4: the action of a free particle is m (Δx)²/(2 Δt)"
   (for ([m '(1 5/2)] [xa '(0 3)] [xb '(4 -1)] [t1 '(0 1)] [t2 '(2 5)])
     (define (path t) (g:+ xa (g:* (/ (- xb xa) (- t2 t1)) (g:- t t1))))
-    (check-= (Lagrangian-action (L-free m) path t1 t2)
+    (check-= (Lagrangian-action (L-free-particle m) path t1 t2)
              (/ (* m (expt (- xb xa) 2)) (* 2 (- t2 t1))) 1e-12)))
 
 (test-case "the action of the oscillator over a quarter period"
@@ -47,7 +48,7 @@
   (check-= (Lagrangian-action (L-harmonic 1 1) g:cos 0 (/ (acos 0.0) 2)) -1/4 1e-12))
 
 (test-case "a tolerance may be given"
-  (check-= (Lagrangian-action (L-free 3) test-path 0 10 1e-4) 435 1e-3))
+  (check-= (Lagrangian-action (L-free-particle 3) test-path 0 10 1e-4) 435 1e-3))
 
 (test-case "V1: the derivative of the varied action is 0 at no variation, and its second is not"
   (check-= ((D varied) 0) 0 1e-9)
@@ -68,10 +69,10 @@
 
 (test-case "symbols left in the action, or in the limits, are named"
   (check-exn #rx"^Lagrangian-action: expected a real number; given .*'?m.*\n  give its symbols values first: [(]substitute expression 'm 3 [.][.][.][)]$"
-             (lambda () (Lagrangian-action (L-free 'm) test-path 0 10)))
+             (lambda () (Lagrangian-action (L-free-particle 'm) test-path 0 10)))
   (check-message "Lagrangian-action: expected a real number; given the symbol t2\n  give its symbols values first: (substitute expression 'm 3 ...)"
-                 (Lagrangian-action (L-free 3) test-path 0 't2)))
+                 (Lagrangian-action (L-free-particle 3) test-path 0 't2)))
 
 (test-case "what is no function is refused"
   (check-exn #rx"^Lagrangian-action: a Lagrangian is a function of the local tuple" (lambda () (Lagrangian-action 3 test-path 0 1)))
-  (check-exn #rx"a path is a function of time" (lambda () (Lagrangian-action (L-free 3) 'q 0 1))))
+  (check-exn #rx"a path is a function of time" (lambda () (Lagrangian-action (L-free-particle 3) 'q 0 1))))

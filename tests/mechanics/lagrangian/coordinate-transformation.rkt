@@ -13,6 +13,7 @@
          mechanics/lagrangian/coordinate-transformation
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/Lagrange-equations
+         (only-in mechanics/book L-free-particle)
          "../support/same.rkt" "../support/systems.rkt")
 
 (define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))
@@ -39,9 +40,9 @@
                       (g:- (g:* 'rdot ct) (g:* 'r 'thetadot st))))))
 
 (test-case "kinetic energy of a free particle in polar and spherical coordinates"
-  (check-same ((compose (L-free 'm) (F->C p->r)) polar)
+  (check-same ((compose (L-free-particle 'm) (F->C p->r)) polar)
               (g:* 1/2 'm (g:+ (g:square 'rdot) (g:square (g:* 'r 'phidot)))))
-  (check-same ((compose (L-free 'm) (F->C s->r)) spherical)
+  (check-same ((compose (L-free-particle 'm) (F->C s->r)) spherical)
               (g:* 1/2 'm (g:+ (g:square 'rdot) (g:square (g:* 'r 'thetadot))
                                (g:square (g:* 'r 'phidot (g:sin 'theta)))))))
 
@@ -52,7 +53,7 @@
     (define angle (g:* Omega t))
     (up (g:- (g:* (ref q 0) (g:cos angle)) (g:* (ref q 1) (g:sin angle)))
         (g:+ (g:* (ref q 0) (g:sin angle)) (g:* (ref q 1) (g:cos angle)))))
-  (define L (compose (L-free 'm) (F->C (rotation 'Omega))))
+  (define L (compose (L-free-particle 'm) (F->C (rotation 'Omega))))
   (define local (up 't (up 'x 'y) (up 'xdot 'ydot)))
   (check-same (L local)
               (g:+ (g:* 1/2 'm (g:+ (g:square 'xdot) (g:square 'ydot)))
@@ -120,7 +121,7 @@
               (g:+ (g:* 'r 'phiddot) (g:* 2 'rdot 'phidot))))
 
 (test-case "a transformation with derivatives of its own differentiates like any function"
-  (define energy (compose (L-free 'm) (F->C p->r)))
+  (define energy (compose (L-free-particle 'm) (F->C p->r)))
   (check-same (((partial 2) energy) polar) (down (g:* 'm 'rdot) (g:* 'm (g:square 'r) 'phidot)))
   (check-same (((partial 1) energy) polar) (down (g:* 'm 'r (g:square 'phidot)) 0)))
 
@@ -159,4 +160,4 @@
 
 (test-case "a transformation prints as what was typed"
   (check-equal? (format "~a" (F->C p->r)) "(F->C p->r)")
-  (check-equal? (format "~a" (compose (L-free 'm) (F->C p->r))) "(compose <function> (F->C p->r))"))
+  (check-equal? (format "~a" (compose (L-free-particle 'm) (F->C p->r))) "(compose <function> (F->C p->r))"))

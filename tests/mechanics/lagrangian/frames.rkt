@@ -3,6 +3,7 @@
 
 (require rackunit
          mechanics
+         (only-in mechanics/book L-free-particle)
          "../support/random.rkt" "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
@@ -48,8 +49,6 @@
 ;; ---------------------------------------------------------------------------
 ;; Frames
 
-(define ((L-free m) local) (* 1/2 m (square (velocity local))))
-
 (test-case "there and back is the identity, for symbols"
   (for ([there (list (rotating->inertial 'Omega) (accelerated->inertial (up 'a 'b)))]
         [back (list (inertial->rotating 'Omega) (inertial->accelerated (up 'a 'b)))])
@@ -84,16 +83,16 @@
   (check-eq? (back-again (compose (F->C s->r) (F->C r->s)) space) 'proved))
 
 (test-case "free motion in a rotating frame feels Coriolis and centrifugal forces (p. 48)"
-  (define L (compose (L-free 'm) (F->C (rotating->inertial 'Omega))))
+  (define L (compose (L-free-particle 'm) (F->C (rotating->inertial 'Omega))))
   (check-identity ((Lagrangian->acceleration L) plane)
                   (up (+ (* 2 'Omega 'vy) (* (square 'Omega) 'x))
                       (+ (* -2 'Omega 'vx) (* (square 'Omega) 'y))))
   (check-identity (ref ((Lagrangian->acceleration L) space) 2) 0))
 
 (test-case "free motion in an accelerated frame falls (the equivalence principle)"
-  (define L (compose (L-free 'm) (F->C (accelerated->inertial (up 0 'g)))))
+  (define L (compose (L-free-particle 'm) (F->C (accelerated->inertial (up 0 'g)))))
   (check-identity ((Lagrangian->acceleration L) plane) (up 0 (- 'g)))
-  (define one (compose (L-free 'm) (F->C (accelerated->inertial 'g))))
+  (define one (compose (L-free-particle 'm) (F->C (accelerated->inertial 'g))))
   (check-identity ((Lagrangian->acceleration one) (up 't 'x 'v)) (- 'g)))
 
 (test-case "frames print as what was typed and name what they cannot turn"

@@ -9,7 +9,8 @@
          mechanics/lagrangian/action
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/path
-         "../support/random.rkt" "../support/same.rkt" "../support/systems.rkt")
+         (only-in mechanics/book L-free-particle L-harmonic)
+         "../support/random.rkt" "../support/same.rkt")
 
 (test-case "points evenly spaced between two others"
   (check-equal? (linear-interpolants 0 1 3) '(1/4 1/2 3/4))
@@ -59,7 +60,7 @@
 
 (test-case "the action of a path as a function of its points (SICM p. 21)"
   ;; the points of the straight line make the action of a free particle least
-  (define action (parametric-path-action (L-free 2) 0 0 1 1))
+  (define action (parametric-path-action (L-free-particle 2) 0 0 1 1))
   (check-= (action '(1/3 2/3)) 1 1e-12)
   (check-true (> (action '(0.3 2/3)) (action '(1/3 2/3))))
   (define oscillator (parametric-path-action (L-harmonic 1 1) 0 1 (acos 0.0) 0))
@@ -73,7 +74,7 @@
 (test-case "each path and its action can be observed (exercise 1.5)"
   (define seen '())
   (define (observe path action) (set! seen (cons (cons (path 1/2) action) seen)))
-  (define action (parametric-path-action (L-free 2) 0 0 1 1 #:observe observe))
+  (define action (parametric-path-action (L-free-particle 2) 0 0 1 1 #:observe observe))
   (define values (map action '((1/2) (1/4))))
   (check-equal? (reverse seen) (map cons '(1/2 1/4) values)))
 

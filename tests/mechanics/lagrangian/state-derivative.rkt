@@ -3,10 +3,8 @@
 
 (require rackunit
          mechanics
+         (only-in mechanics/book L-harmonic L-pendulum)
          "../support/session.rkt")
-
-(define ((L-harmonic m k) (up t q v))
-  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
 
 (define ((L-rigid A B C) (up t (up theta phi psi) (up thetadot phidot psidot)))
   (let ([a (+ (* phidot (sin theta) (sin psi)) (* thetadot (cos psi)))]
@@ -60,8 +58,6 @@
 ;; ---------------------------------------------------------------------------
 ;; Forces outside L
 
-(define ((L-pendulum g m l) (up t theta thetadot))
-  (+ (* 1/2 m (square (* l thetadot))) (* g m l (cos theta))))
 (define pendulum (L-pendulum 'g 'm 'l))
 (define swinging (up 't 'theta 'thetadot))
 (define (drag local) (* -2 'k (velocity local)))

@@ -14,6 +14,7 @@
          mechanics/lagrangian/Lagrange-equations
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/total-derivative
+         (only-in mechanics/book L-harmonic)
          "../support/same.rkt" "../support/systems.rkt")
 
 (define F (literal-function 'F (-> (UP Real Real Real) Real)))

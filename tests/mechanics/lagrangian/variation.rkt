@@ -15,6 +15,7 @@
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/variation
          mechanics/lagrangian/Lagrange-equations
+         (only-in mechanics/book L-free-particle)
          "../support/same.rkt" "../support/systems.rkt")
 
 (define q (literal-function 'q))
@@ -83,7 +84,7 @@
 
 (test-case "paths of several coordinates"
   (define eta2 (up eta (literal-function 'zeta)))
-  (define (kinetic q) (compose (L-free 'm) (Gamma q)))
+  (define (kinetic q) (compose (L-free-particle 'm) (Gamma q)))
   (define path literal-plane-path)
   (check-at-t (((delta eta2) kinetic) path)
               (g:* 'm (g:+ (g:* (D (ref path 0)) (D (ref eta2 0)))

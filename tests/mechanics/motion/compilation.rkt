@@ -4,11 +4,10 @@
 (require (except-in rackunit fail)
          (only-in racket/base [< racket:<] [= racket:=] [case racket:case])
          mechanics
-         mechanics/compile/cache)
+         mechanics/compile/cache
+         (only-in mechanics/book L-pendulum))
 
-(define ((L-pendulum m l g) (up t θ v))
-  (+ (* 1/2 m (square (* l v))) (* m g l (cos θ))))
-(define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum m l g)))
+(define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (define start (up 0 1 0))
 
 (define-syntax-rule (compilations body ...)

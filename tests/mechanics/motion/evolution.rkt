@@ -3,15 +3,11 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../support/close.rkt" "../support/motions.rkt")
+         (only-in mechanics/book harmonic-state-derivative pend-state-derivative)
+         "../support/close.rkt" "../support/systems.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
-
-(define ((L-harmonic m k) (up t q v))
-  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
-(define (harmonic-state-derivative m k)
-  (Lagrangian->state-derivative (L-harmonic m k)))
 
 (define driven
   (list 1 1 9.8 0.1 (* 2 (sqrt 9.8))))
@@ -25,7 +21,7 @@
                1e-12))
 
 (test-case "the driven pendulum (p. 76)"
-  (define advance (apply state-advancer driven-pendulum driven))
+  (define advance (apply state-advancer pend-state-derivative driven))
   (check-close (advance (up 0 1 0) 1 1e-13)
                '(1 -1.03011568739188687 -1.40985359335821735) 1e-12)
   (check-close (advance (up 0 1 0) 10 1e-13)
@@ -51,7 +47,7 @@
 (test-case "the monitor sees the states at the start, after each time step and at the end"
   (define times '())
   (define last
-    ((apply evolve driven-pendulum driven)
+    ((apply evolve pend-state-derivative driven)
      (up 0 1 0) (lambda (s) (set! times (cons (time s) times))) 0.01 1 1e-13))
   (define seen (reverse times))
   (check-equal? (length seen) 101)

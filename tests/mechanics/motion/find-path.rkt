@@ -2,10 +2,8 @@
 ;; Paths of stationary action: SICM 1.4 and its numbers.
 
 (require (except-in rackunit fail)
-         mechanics)
-
-(define ((L-harmonic m k) (up t q v))
-  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+         mechanics
+         (only-in mechanics/book L-harmonic))
 
 (define (greatest-error q)
   (for/fold ([m 0]) ([k (in-range 1001)])

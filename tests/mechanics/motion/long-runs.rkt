@@ -4,8 +4,9 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../support/bigfloats.rkt" "../support/close.rkt" "../support/motions.rkt"
-         "../support/skip.rkt")
+         (only-in mechanics/book pend-state-derivative)
+         "../support/bigfloats.rkt" "../support/close.rkt" "../support/skip.rkt"
+         "../support/systems.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
@@ -22,7 +23,7 @@
 (skip-unless bigfloats? no-bigfloats
   (test-case "the driven pendulum, to all printed digits (p. 76)"
     (define ω (* 2 (sqrt (bigfloat 98/10 200))))
-    (define advance (state-advancer driven-pendulum 1 1 98/10 1/10 ω))
+    (define advance (state-advancer pend-state-derivative 1 1 98/10 1/10 ω))
     (check-close (advance (up 0 1 0) 1 1e-25 #:precision 100)
                  '(1 #e-1.03011568739188687 #e-1.40985359335821735) 5e-18)
     (check-close (advance (up 0 1 0) 10 1e-25 #:precision 100)
@@ -31,11 +32,11 @@
   (test-case "when a run of the driven pendulum in flonums is no longer to be believed"
     (define ω (* 2 (sqrt (bigfloat 98/10 200))))
     (define flonums
-      (evolve-trajectory (driven-pendulum 1 1 9.8 0.1 (* 2 (sqrt 9.8))) (up 0 1 0) 100
+      (evolve-trajectory (pend-state-derivative 1 1 9.8 0.1 (* 2 (sqrt 9.8))) (up 0 1 0) 100
                          #:tolerance 1e-13))
     (define wrong
       (let/ec return
-        ((evolve driven-pendulum 1 1 98/10 1/10 ω) (up 0 1 0)
+        ((evolve pend-state-derivative 1 1 98/10 1/10 ω) (up 0 1 0)
          (lambda (s)
            (when (> (abs (- (coordinate s) (coordinate (flonums (time s))))) 0.1)
              (return (exact->inexact (time s)))))

@@ -3,7 +3,8 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../support/close.rkt" "../support/motions.rkt")
+         (only-in mechanics/book L-pendulum pend-state-derivative)
+         "../support/close.rkt" "../support/systems.rkt")
 
 (define (crossing-times derivative start end f direction)
   (map occurrence-time
@@ -14,8 +15,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The plane pendulum: m = l = 1, g = 9.8
 
-(define ((L-pendulum g) (up t theta v)) (+ (* 1/2 (square v)) (* g (cos theta))))
-(define pendulum (Lagrangian->state-derivative (L-pendulum 9.8)))
+(define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
 
 (define (period-from amplitude)
   (* 4 (/ (first-elliptic-integral (sin (/ amplitude 2))) (sqrt 9.8))))
@@ -65,7 +65,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The driven pendulum (1.6.2): m = l = 1, g = 9.8, the pivot at a cos(omega t)
 
-(define (driven a omega) (driven-pendulum 1 1 9.8 a omega))
+(define (driven a omega) (pend-state-derivative 1 1 9.8 a omega))
 
 (test-case "the driven pendulum of Fig. 1.7"
   (define advance (state-advancer driven 0.1 (* 2 (sqrt 9.8))))

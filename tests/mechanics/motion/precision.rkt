@@ -3,8 +3,8 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../support/bigfloats.rkt" "../support/close.rkt" "../support/motions.rkt"
-         "../support/skip.rkt")
+         "../support/bigfloats.rkt" "../support/close.rkt" "../support/skip.rkt"
+         "../support/systems.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems

@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../support/close.rkt" "../support/motions.rkt")
+         "../support/close.rkt")
 
 ;; Angular velocity along the principal axes (2.7).
 (define (body-omega s)

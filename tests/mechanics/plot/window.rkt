@@ -7,6 +7,7 @@
          mechanics/plot
          racket/port
          racket/runtime-path
+         racket/string
          rackunit
          "../support/skip.rkt")
 
@@ -32,9 +33,9 @@
 (skip-unless (eq? (system-type) 'unix) "this system has no displays that could be missing"
   (test-case "without a display there is a message, and no window"
     (define output (run-program (environment-with #"nowhere:99")))
-    (check-regexp-match #rx"^graphics-show: no window can be opened here\n  reason: " output)
+    (check-regexp-match #rx"(?m:^graphics-show: no window can be opened here\n  reason: )" output)
     (check-regexp-match
-     #rx"\n  to a file it goes with \\(graphics-save frame \"picture.png\"\\)\n$" output)))
+     #rx"\n  to a file it goes with \\(graphics-save frame \"picture.png\"\\)\n" output)))
 
 ;; Xvfb chooses a number that is free and writes it, with a newline, to port 1.
 (define (call-with-display use)
@@ -52,8 +53,13 @@
      (for-each close-input-port (list out err))
      (close-output-port in))))
 
+;; What the program says, one line each, all of them and in this order; libraries may
+;; complain in between, as they do where there is no home to keep their settings in.
 (define expected
-  "shown, drawn in and closed\n(0 300 200)\nfollows\nrests\nlooks no more\n")
+  '("shown, drawn in and closed" "(0 300 200)" "follows" "rests" "looks no more"))
+
+(define (said output)
+  (filter (lambda (line) (member line expected)) (string-split output "\n")))
 
 (skip-unless (find-executable-path "Xvfb") "Xvfb is not installed: windows are not opened"
   (define output
@@ -61,4 +67,4 @@
   (skip-unless (not (regexp-match? #rx"ffi-lib: " output))
                "the shared libraries of racket/gui are not installed: windows are not opened"
     (test-case "a window follows what is drawn, and is closed with its frame"
-      (check-equal? output expected))))
+      (check-equal? (said output) expected output))))

@@ -3,12 +3,8 @@
 
 (require rackunit
          mechanics
+         (only-in mechanics/book L-harmonic L-central-polar)
          "../support/messages.rkt")
-
-(define ((L-oscillator m k) (up t x v)) (- (* 1/2 m (square v)) (* 1/2 k (square x))))
-
-(define ((L-polar m V) (up t (up r phi) (up rdot phidot)))
-  (- (* 1/2 m (+ (square rdot) (square (* r phidot)))) (V r)))
 
 (define ((L-attraction m mu) (up t q v)) (+ (* 1/2 m (square v)) (/ mu (sqrt (square q)))))
 
@@ -38,14 +34,14 @@
   (define (E omega) (lambda (local)
                       (* 1/2 'm (+ (square (velocity local))
                                    (square (* omega (coordinate local)))))))
-  (define v (verify-conserved (L-oscillator 'm 'k) (E 'omega) line))
+  (define v (verify-conserved (L-harmonic 'm 'k) (E 'omega) line))
   (check-pred refuted? v)
   (check-equal? (conditions v) '((= k (* m (expt omega 2)))))
-  (check-pred proved? (verify-conserved (L-oscillator 'm (* 'm (square 'omega))) (E 'omega) line)))
+  (check-pred proved? (verify-conserved (L-harmonic 'm (* 'm (square 'omega))) (E 'omega) line)))
 
 (test-case "a quantity in which time occurs: the place from which an oscillator started"
   (define (start (up t x v)) (- (* x (cos (* 'omega t))) (* (/ v 'omega) (sin (* 'omega t)))))
-  (define L (L-oscillator 'm (* 'm (square 'omega))))
+  (define L (L-harmonic 'm (* 'm (square 'omega))))
   (check-pred proved? (verify-conserved L start line))
   (check-pred refuted? (verify-conserved L (lambda (local) (start (up 0 (coordinate local) (velocity local)))) line)))
 
@@ -80,7 +76,7 @@
 
 (test-case "with a force, what it does"
   (define (drag local) (* -1 'b (velocity local)))
-  (define L (L-oscillator 'm 'k))
+  (define L (L-harmonic 'm 'k))
   (define energy (Lagrangian->energy L))
   (check-equal? (expression (simplify ((rate-of-change L energy #:force drag) line))) '(* -1 b (expt v 2)))
   (check-pred refuted? (verify-conserved L energy line #:force drag))
@@ -90,12 +86,12 @@
 
 (test-case "a rate is that of the accelerations, and a number where the state is one"
   (define (Q (up t (up r phi) (up rdot phidot))) (* r (cube rdot) phidot))
-  (define L (L-polar 'm U))
+  (define L (L-central-polar 'm U))
   (check-pred proved? (verify-equal
                        ((rate-of-change L Q) polar)
                        ((Dt Q) (up 't (up 'r 'phi) (up 'rdot 'phidot)
                                    ((Lagrangian->acceleration L) polar)))))
-  (check-equal? ((rate-of-change (L-oscillator 2 6) (compose square velocity)) (up 0 1 5)) -30)
+  (check-equal? ((rate-of-change (L-harmonic 2 6) (compose square velocity)) (up 0 1 5)) -30)
   (check-equal? (format "~a" (rate-of-change still still #:force still))
                 "(rate-of-change still still #:force still)"))
 
@@ -115,7 +111,7 @@
   (check-pred proved? (verify-conserved turning (Lagrangian->energy turning) plane)))
 
 (test-case "ignorable coordinates, by symbol, index and chain"
-  (define L (L-polar 'm U))
+  (define L (L-central-polar 'm U))
   (check-equal? (ignorable-coordinates L polar) '(phi))
   (check-equal? (map expression (conserved-momenta L polar)) '((up phi (* m phidot (expt r 2)))))
   (check-pred proved? (verify-ignorable L 'phi polar))
@@ -127,7 +123,7 @@
   (check-equal? (ignorable-coordinates two pair) '(y1 y2))
   (check-pred proved? (verify-ignorable two '(1 1) pair))
   (check-pred refuted? (verify-ignorable two '(1 0) pair))
-  (check-equal? (ignorable-coordinates (L-oscillator 'm 'k) line) '()))
+  (check-equal? (ignorable-coordinates (L-harmonic 'm 'k) line) '()))
 
 (test-case "each conserved momentum is conserved"
   (define (L-spherical (up t (up r theta phi) (up rdot thetadot phidot)))
@@ -138,7 +134,7 @@
   (check-equal? (ignorable-coordinates L-spherical local) '(phi))
   (check-pred proved? (verify-conserved L-spherical (compose (component 2) ((partial 2) L-spherical)) local)))
 
-(define L (L-oscillator 'm 'k))
+(define L (L-harmonic 'm 'k))
 (define any-state "the local tuple must be made of symbols, each there once, to stand for any state\n")
 
 (says
@@ -149,11 +145,11 @@
   "verify-conserved: " any-state "  given: (up t x 0)\n  no symbol: 0"]
  [(ignorable-coordinates L (up 't 'x 'x))
   "ignorable-coordinates: " any-state "  given: (up t x x)\n  more than once: x"]
- [(verify-ignorable (L-polar 'm U) 'theta polar)
+ [(verify-ignorable (L-central-polar 'm U) 'theta polar)
   "verify-ignorable: expected a coordinate: its symbol, its index, or a list of indices\n"
   "  given: theta\n  coordinates: (up r phi)"]
  [(verify-conserved L velocity (up 't 'k 'v))
-  "verify-conserved: the symbol k is a parameter of L-oscillator, and stands in the local tuple, too\n"
+  "verify-conserved: the symbol k is a parameter of L-harmonic, and stands in the local tuple, too\n"
   "  local tuple: (up t k v)\n  give one of them another name"]
  [(prove-zero 'x #:variables 'x)
   "prove-zero: contract violation\n  expected: the variables, a list of symbols\n  given: 'x"])

@@ -3,18 +3,17 @@
 
 (require rackunit
          mechanics
+         (only-in mechanics/book L-harmonic)
          "../support/messages.rkt" "../support/random.rkt")
 
 (define line (up 't 'x 'v))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
 
-(define ((L-oscillator m k) (up t x v)) (- (* 1/2 m (square v)) (* 1/2 k (square x))))
-
 (define (text x) (format "~a" x))
 
 (test-case "a total time derivative added"
   (define f (* time (compose square coordinate)))
-  (define L (L-oscillator 'm 'k))
+  (define L (L-harmonic 'm 'k))
   (define e (compare-Lagrangians L (+ L (Dt f)) line))
   (check-eq? (equivalence-kind e) 'total-derivative)
   (check-eqv? (equivalence-factor e) 1)
@@ -24,14 +23,14 @@
   (check-equal? (text (compare-Lagrangians L L line)) "equivalent: the second is the first"))
 
 (test-case "one without a formula for its integral"
-  (define L (L-oscillator 'm 'k))
+  (define L (L-harmonic 'm 'k))
   (define (F (up t x v)) (* (exp (square x)) v))
   (define e (compare-Lagrangians L (+ L F) line))
   (check-false (equivalence-gauge e))
   (check-equal? (text e) "equivalent: the second is the first, plus a total time derivative"))
 
 (test-case "a constant factor, and a total time derivative as well"
-  (define L (L-oscillator 'm 'k))
+  (define L (L-harmonic 'm 'k))
   (define e (compare-Lagrangians L (+ (* 'c L) (Dt (compose sin coordinate))) line))
   (check-eq? (equivalence-kind e) 'proportional)
   (check-eqv? (equivalence-factor e) 'c)
@@ -47,11 +46,11 @@
   (define e (compare-Lagrangians L L-crossed plane))
   (check-eq? (equivalence-kind e) 'combination)
   (check-equal? (expression (equivalence-factor e)) '(matrix-by-rows (list 0 1) (list 1 0)))
-  (define (L-growing local) (* (exp (* 'b (time local))) ((L-oscillator 'm 'k) local)))
-  (check-pred refuted? (verify-equivalent-Lagrangians (L-oscillator 'm 'k) L-growing line))
+  (define (L-growing local) (* (exp (* 'b (time local))) ((L-harmonic 'm 'k) local)))
+  (check-pred refuted? (verify-equivalent-Lagrangians (L-harmonic 'm 'k) L-growing line))
   (define (L-square (up t x v))
     (+ (* 1/12 (square 'm) (expt v 4)) (* 1/2 'm 'k (square v) (square x)) (* -1/4 (square 'k) (expt x 4))))
-  (define by-energy (compare-Lagrangians (L-oscillator 'm 'k) L-square line))
+  (define by-energy (compare-Lagrangians (L-harmonic 'm 'k) L-square line))
   (check-equal? (expression (equivalence-factor by-energy)) '(+ (* k (expt x 2)) (* m (expt v 2)))))
 
 (test-case "the damped oscillator, in a coordinate that grows against the damping"
@@ -66,7 +65,7 @@
   (check-equal? (expression (equivalence-gauge e)) '(* -1/4 b (expt x 2))))
 
 (test-case "not equivalent, with a witness, and the condition under which it would be"
-  (define e (compare-Lagrangians (L-oscillator 'm 'k) (L-oscillator 1 (square 'omega)) line))
+  (define e (compare-Lagrangians (L-harmonic 'm 'k) (L-harmonic 1 (square 'omega)) line))
   (check-false (equivalence-kind e))
   (check-equal? (map expression (verdict-conditions (equivalence-verdict e))) '((= k (* m (expt omega 2)))))
   (check-true (pair? (verdict-witness (equivalence-verdict e))))
@@ -104,11 +103,11 @@
         (compose wave argument))
       (define f (* (random-rational) (factor) (factor)))
       (define c (random-rational))
-      (define L (L-oscillator 'm 'k))
+      (define L (L-harmonic 'm 'k))
       (check-pred proved? (verify-equivalent-Lagrangians L (+ (* c L) (Dt f)) line))
       (check-pred refuted? (verify-equivalent-Lagrangians L (+ L (Dt f) (compose square velocity)) line)))))
 
-(define L (L-oscillator 'm 'k))
+(define L (L-harmonic 'm 'k))
 
 (says
  [(compare-Lagrangians L 3 line)

@@ -10,6 +10,7 @@
          mechanics/verdict/verdict
          mechanics/question/verify-solution
          mechanics/lagrangian/local-tuple
+         (only-in mechanics/book L-free-particle L-harmonic)
          "../support/systems.rkt")
 
 (define (oscillation omega) (lambda (t) (g:* 'a (g:cos (g:+ (g:* omega t) 'phi)))))
@@ -58,5 +59,5 @@
   (check-true (proved? (verify-solution L #:order 2 (oscillation (g:sqrt (g:/ 'k 'm)))))))
 
 (test-case "what is no path or no Lagrangian is refused as by Lagrange-equations"
-  (check-exn #rx"[(]literal-function 'x[)] makes a path of that name" (lambda () (verify-solution (L-free 'm) 'x)))
+  (check-exn #rx"[(]literal-function 'x[)] makes a path of that name" (lambda () (verify-solution (L-free-particle 'm) 'x)))
   (check-exn #rx"^Lagrange-equations: a Lagrangian is a function" (lambda () (verify-solution 3 (literal-function 'x)))))

@@ -2,14 +2,15 @@
 ;; Of two conditions the second was broken as if it stood where the first ended, and
 ;; then put elsewhere: its lines did not begin below each other.
 
-(require rackunit racket/string mechanics
-         mechanics/display/text)
+(require rackunit
+         racket/string
+         mechanics
+         mechanics/display/text
+         (only-in mechanics/book L-harmonic))
 
-(define ((L-oscillator m k) local)
-  (- (* 1/2 m (square (velocity local))) (* 1/2 k (square (coordinate local)))))
 (define (proposed t) (* (exp (* -1 'gamma t)) (cos (* 'omega t))))
 (define verdict
-  (verify-solution (L-oscillator 'm 'k) proposed
+  (verify-solution (L-harmonic 'm 'k) proposed
                    #:force (lambda (local) (* -1 'b (velocity local)))))
 
 (define (has-lines? text . lines)

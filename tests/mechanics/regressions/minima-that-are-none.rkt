@@ -4,10 +4,8 @@
 ;; off by a fifth through twenty points, and fell silent where its integrals did not settle.
 
 (require (except-in rackunit fail)
-         mechanics)
-
-(define ((L-harmonic m k) (up t q v))
-  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+         mechanics
+         (only-in mechanics/book L-harmonic))
 
 (test-case "a function that falls without end has no minimum"
   (for ([f (list (lambda (x) (- (square x))) (lambda (x) (- (exp x))) (lambda (x) (* 3 x)))])

@@ -5,9 +5,9 @@
 
 (require mechanics
          rackunit
+         (only-in mechanics/book L-harmonic)
          "../support/messages.rkt")
 
-(define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
 (define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))
 (define unit (harmonic 1 1))
 (define start (up 0.0 1.0 0.0))

@@ -5,11 +5,10 @@
 
 (require rackunit
          mechanics
+         (only-in mechanics/book L-pendulum)
          "../support/messages.rkt")
 
-(define ((L-pendulum m l g) (up t theta v))
-  (+ (* 1/2 m (square (* l v))) (* m g l (cos theta))))
-(define (pendulum m) (Lagrangian->state-derivative (L-pendulum m 1 9.8)))
+(define (pendulum m) (Lagrangian->state-derivative (L-pendulum 9.8 m 1)))
 (define swing (pendulum 1))
 (define start (up 0 1 0))
 (define (until-1 #:events [events '()] #:precision [bits #f])

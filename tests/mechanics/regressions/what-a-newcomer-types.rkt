@@ -5,10 +5,10 @@
 (require mechanics
          (only-in racket/base [expand racket:expand])
          rackunit
+         (only-in mechanics/book L-free-particle)
          "../support/messages.rkt")
 
-(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
-(define L (L-free 'm))
+(define L (L-free-particle 'm))
 (define x (literal-function 'x))
 
 (test-case "functions of one argument that the library makes are named as they print"
@@ -27,7 +27,7 @@
 
 (test-case "a path through points prints as one, with its ends"
   (check-equal? (format "~a" (make-path 0 1 't_1 'q_1 '(2 3))) "(path from 0 to t_1)")
-  (check-equal? (format "~a" (find-path (L-free 1) 0 1 2 3 1)) "(path from 0 to 2)")
+  (check-equal? (format "~a" (find-path (L-free-particle 1) 0 1 2 3 1)) "(path from 0 to 2)")
   (check-equal? (format "~a" (Lagrange-interpolation-function '(1 2 3) '(4 6 5)))
                 "(Lagrange-interpolation-function from 4 to 5)")
   (check-equal? (format "~a" (make-eta x 0 'tau)) "(make-eta x 0 tau)")

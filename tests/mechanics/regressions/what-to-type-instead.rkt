@@ -4,9 +4,9 @@
 
 (require mechanics
          rackunit
+         (only-in mechanics/book L-free-particle)
          "../support/messages.rkt")
 
-(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
 (define x (literal-function 'x))
 (define y (literal-function 'y))
 
@@ -19,9 +19,9 @@
              (lambda () (Lagrange-equations L-two))))
 
 (test-case "a path and a time at once"
-  (check-message "Lagrange-equations: the equations take one argument, a path, but got 2; the time comes next: (((Lagrange-equations L-free) x) 't)"
-                 ((Lagrange-equations (L-free 'm)) x 't))
-  (check-exn exn:fail:contract:arity? (lambda () ((Lagrange-equations (L-free 'm))))))
+  (check-message "Lagrange-equations: the equations take one argument, a path, but got 2; the time comes next: (((Lagrange-equations L-free-particle) x) 't)"
+                 ((Lagrange-equations (L-free-particle 'm)) x 't))
+  (check-exn exn:fail:contract:arity? (lambda () ((Lagrange-equations (L-free-particle 'm))))))
 
 (test-case "parameters left out are noticed wherever a Lagrangian is used"
   (define hint "was a parameter left out, as the mass in [(]L-free-particle 'm[)][?]$")
@@ -29,7 +29,7 @@
     (check-exn (lambda (e) (and (regexp-match? (string-append "^" who ": the value of a Lagrangian is a number") (exn-message e))
                                 (regexp-match? hint (exn-message e))))
                thunk))
-  (define (L m) (L-free m))
+  (define (L m) (L-free-particle m))
   (check-hint "Lagrangian-action" (lambda () (Lagrangian-action L sin 0 1)))
   (check-hint "Lagrangian->energy" (lambda () ((Lagrangian->energy L) (up 't 'x 'v))))
   (check-hint "Lagrangian->acceleration" (lambda () ((Lagrangian->acceleration L) (up 't 'x 'v))))
@@ -38,11 +38,11 @@
 (test-case "a path and a Lagrangian in the wrong order"
   (for ([path (list x sin (lambda (t) (up t t)))])
     (check-message "verify-solution: the Lagrangian comes first, then the path; these look swapped"
-                   (verify-solution path (L-free 'm))))
-  (check-exn #rx"^Lagrange-equations: a path is" (lambda () (verify-solution (L-free 'm) 'x))))
+                   (verify-solution path (L-free-particle 'm))))
+  (check-exn #rx"^Lagrange-equations: a path is" (lambda () (verify-solution (L-free-particle 'm) 'x))))
 
 (test-case "a force is of the shape of the momenta, or 0"
-  (define ((residual force) path) (((Lagrange-equations (L-free 'm) #:force (lambda (local) force)) path) 't))
+  (define ((residual force) path) (((Lagrange-equations (L-free-particle 'm) #:force (lambda (local) force)) path) 't))
   (check-message "Lagrange-equations: the force must be a down tuple of 2, like the momenta; given the number 3"
                  ((residual 3) (up x y)))
   (check-message "Lagrange-equations: the force must be a down tuple of 2, like the momenta; given (up 3 4), an up tuple of 2"
@@ -59,4 +59,4 @@
   (check-exn #rx"\n  its component 1 is .*\n  a path takes one argument" (lambda () (Gamma (up x (up y f)))))
   (check-exn #rx"\n  its component 1 is the number 2; a constant path is [(]lambda [(]t[)] 2[)]$" (lambda () (Gamma (up x 2))))
   (check-exn #rx"\n  its component 0 is the symbol a; a constant path is [(]lambda [(]t[)] 'a[)]$" (lambda () (Gamma (up 'a x))))
-  (check-exn #rx"^Lagrangian-action: a path is" (lambda () (Lagrangian-action (L-free 1) 'x 0 1))))
+  (check-exn #rx"^Lagrangian-action: a path is" (lambda () (Lagrangian-action (L-free-particle 1) 'x 0 1))))

@@ -103,7 +103,7 @@
 
 (module+ main
   (define jobs (processor-count))
-  (define limit 300)
+  (define limit 600)
   (define (positive text what)
     (define n (string->number text))
     (unless (and (real? n) (> n 0))
@@ -114,7 +114,7 @@
      #:program "runner"
      #:once-each
      [("-j" "--jobs") n "run <n> files at a time" (set! jobs (positive n "the number of jobs"))]
-     [("-l" "--limit") s "stop a file after <s> seconds (300)" (set! limit (positive s "the limit"))]
+     [("-l" "--limit") s "stop a file after <s> seconds (600)" (set! limit (positive s "the limit"))]
      #:args paths
      (if (null? paths) (test-files) (append-map files-under (map path->complete-path paths)))))
   ;; A break, however it comes, ends the children before the runner.

@@ -1,35 +1,43 @@
 #lang racket/base
-;; Lagrangians and paths that several tests use, over generic arithmetic.
+;; Lagrangians and paths that several tests use and the book does not define.
 
-(require mechanics/generic/arithmetic
-         mechanics/generic/elementary
-         mechanics/generic/up-down
-         mechanics/value/structure
-         mechanics/calculus/literal-function
-         mechanics/lagrangian/local-tuple)
+(require mechanics)
 
-(provide L-free L-harmonic L-central-polar L-orbital L-planar straight-line literal-plane-path)
-
-(define ((L-free m) local) (g:* 1/2 m (g:square (velocity local))))
-
-(define ((L-harmonic m k) local)
-  (g:- (g:* 1/2 m (g:square (velocity local))) (g:* 1/2 k (g:square (coordinate local)))))
+(provide L-orbital L-planar L-double-pendulum L-chain
+         straight-line literal-plane-path)
 
 ;; 1/2 m v² - U(x, y)
-(define ((L-planar m U) local)
-  (define q (coordinate local))
-  (g:- (g:* 1/2 m (g:square (velocity local))) (U (ref q 0) (ref q 1))))
+(define ((L-planar m U) (up t (up x y) v)) (- (* 1/2 m (square v)) (U x y)))
 
 (define (L-orbital m mu)
-  (L-planar m (lambda (x y) (g:/ (g:negate mu) (g:sqrt (g:+ (g:square x) (g:square y)))))))
+  (L-planar m (lambda (x y) (/ (- mu) (sqrt (+ (square x) (square y)))))))
 
-;; 1/2 m (ṙ² + r² φ̇²) - U(r)
-(define ((L-central-polar m U) local)
-  (define r (ref (coordinate local) 0))
-  (define v (velocity local))
-  (g:- (g:* 1/2 m (g:+ (g:square (ref v 0)) (g:square (g:* r (ref v 1))))) (U r)))
+(define ((L-double-pendulum m1 m2 l1 l2 g) (up t (up a b) (up va vb)))
+  (+ (* 1/2 (+ m1 m2) (square (* l1 va)))
+     (* 1/2 m2 (square (* l2 vb)))
+     (* m2 l1 l2 va vb (cos (- a b)))
+     (* (+ m1 m2) g l1 (cos a))
+     (* m2 g l2 (cos b))))
+
+;; n links of length 1 with masses 1 at their ends, hanging from one another.
+(define (L-chain n g)
+  (compose (lambda (s)
+             (for/sum ([r (coordinate s)] [v (velocity s)])
+               (- (* 1/2 (square v)) (* g (ref r 1)))))
+           (F->C (chain n))))
+
+(define ((chain n) s)
+  (define θ (coordinate s))
+  (define-values (points x y)
+    (for/fold ([points '()] [x 0] [y 0]) ([i n])
+      (let ([x (+ x (sin (ref θ i)))] [y (- y (cos (ref θ i)))])
+        (values (cons (up x y) points) x y))))
+  (apply up (reverse points)))
+
+;; ---------------------------------------------------------------------------
+;; Paths
 
 (define (straight-line t)
-  (up (g:+ (g:* 'a t) 'a0) (g:+ (g:* 'b t) 'b0) (g:+ (g:* 'c t) 'c0)))
+  (up (+ (* 'a t) 'a0) (+ (* 'b t) 'b0) (+ (* 'c t) 'c0)))
 
 (define literal-plane-path (up (literal-function 'x) (literal-function 'y)))
