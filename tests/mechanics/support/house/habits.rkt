@@ -1,0 +1,166 @@
+#lang racket/base
+;; Habits of the source that can be checked by reading it.  Each rule takes the name of a
+;; file and its module as syntax, and gives sentences: what is wrong, and where.
+
+(require racket/list
+         racket/string
+         "library.rkt")
+
+(provide wholesale-provides bare-errors dynamic-requires assigned-exports facade-code
+         handmade-raises source-rules
+         twin-definitions twin-names)
+
+;; ---------------------------------------------------------------------------
+;; Looking
+
+;; All parts of a form for which (find part) is not #f, with line numbers.
+(define (findings name form find)
+  (let walk ([s form])
+    (define here (and (syntax? s) (find s)))
+    (define parts (if (syntax? s) (syntax-e s) s))
+    (append (if here (list (format "~a:~a: ~a" name (syntax-line s) here)) '())
+            (if (pair? parts)
+                (append (walk (car parts)) (walk (cdr parts)))
+                '()))))
+
+(define (head? s name)
+  (define parts (syntax-e s))
+  (and (pair? parts) (syntax? (car parts)) (eq? (syntax-e (car parts)) name)))
+
+;; The datum of the part with this index.
+(define (part s index)
+  (define parts (syntax->datum s))
+  (and (list? parts) (> (length parts) index) (list-ref parts index)))
+
+;; (module name language form ...), where the forms may be in a #%module-begin.
+(define (module-body form)
+  (define forms (cdddr (syntax->list form)))
+  (if (and (= (length forms) 1)
+           (regexp-match? #rx"module-begin"
+                          (format "~a" (part (car forms) 0))))
+      (cdr (syntax->list (car forms)))
+      forms))
+
+;; ---------------------------------------------------------------------------
+;; Rules on one file
+
+(define (wholesale-provides name form)
+  (findings name form
+            (lambda (s) (and (eq? (syntax-e s) 'all-defined-out)
+                             "all-defined-out hides what the module is for"))))
+
+(define (bare-errors name form)
+  (findings name form
+            (lambda (s) (and (head? s 'error) (string? (part s 1))
+                             "(error \"...\") does not say who complains"))))
+
+(define (dynamic-requires name form)
+  (if (string-prefix? name "lang/")
+      '()
+      (findings name form
+                (lambda (s) (and (head? s 'dynamic-require)
+                                 "dynamic-require hides a dependency; use lazy-require")))))
+
+;; Racket itself refuses set! on what is imported.
+(define (assigned-exports name form)
+  (define exported (exported-names (syntax->datum form)))
+  (findings name form
+            (lambda (s) (and (head? s 'set!) (memq (part s 1) exported)
+                             (format "set! on ~a, which is exported" (part s 1))))))
+
+(define (exported-names form)
+  (define (names spec)
+    (cond [(symbol? spec) (list spec)]
+          [(and (pair? spec) (eq? (car spec) 'rename-out)) (map car (cdr spec))]
+          [else '()]))
+  (cond [(not (pair? form)) '()]
+        [(and (eq? (car form) 'provide) (list? form)) (append-map names (cdr form))]
+        [else (append (exported-names (car form)) (exported-names (cdr form)))]))
+
+(define facade-forms '(require provide module module* module+))
+
+;; A facade only requires and provides; submodules serve the reader and the
+;; printer.
+(define (facade-code name form)
+  (if (facade? name)
+      (for/list ([s (in-list (module-body form))]
+                 #:unless (and (pair? (syntax-e s))
+                               (memq (syntax-e (car (syntax-e s))) facade-forms)))
+        (format "~a:~a: a facade holds only require and provide" name (syntax-line s)))
+      '()))
+
+;; Exceptions are made in error/, in one way each; and where one of their own is defined, as
+;; a signal between two files.
+(define (handmade-raises name form)
+  (define own (defined-structs (syntax->datum form)))
+  (define (by-hand? raised)
+    (and (pair? raised) (symbol? (car raised)) (not (memq (car raised) own))
+         (regexp-match? #rx"^(make-)?exn(:|$)" (symbol->string (car raised)))))
+  (if (string-prefix? name "error/")
+      '()
+      (findings name form
+                (lambda (s)
+                  (and (head? s 'raise) (by-hand? (part s 1))
+                       "an exception made by hand; use complain, or a failure of error/")))))
+
+(define (defined-structs form)
+  (cond [(not (pair? form)) '()]
+        [(and (eq? (car form) 'struct) (pair? (cdr form))) (list (cadr form))]
+        [else (append (defined-structs (car form)) (defined-structs (cdr form)))]))
+
+(define source-rules
+  (list wholesale-provides bare-errors dynamic-requires assigned-exports facade-code
+        handmade-raises))
+
+;; ---------------------------------------------------------------------------
+;; Rules on all files together
+
+;; Smaller functions than this, counted in symbols and numbers, may be written twice.
+(define smallest 8)
+
+;; Functions that are the same but for their names and those of their arguments: a helper
+;; has one home.  forms : ((name . module as syntax) ...)
+(define (twin-definitions forms)
+  (define homes
+    (for*/fold ([homes (hash)]) ([entry (in-list forms)]
+                                 [s (in-list (module-body (cdr entry)))]
+                                 [meaning (in-value (nameless (syntax->datum s)))]
+                                 #:when meaning)
+      (hash-update homes meaning
+                   (lambda (others) (cons (format "~a:~a" (car entry) (syntax-line s)) others))
+                   '())))
+  (for/list ([places (in-list (sort (filter pair? (map sort-places (hash-values homes)))
+                                    string<? #:key car))]
+             #:when (pair? (cdr places)))
+    (format "the same function: ~a" (string-join places ", "))))
+
+(define (sort-places places) (sort places string<?))
+
+;; (define (f x ...) body ...) with f and the x's replaced by their places, or #f if it is
+;; no such definition or a small one.
+(define (nameless form)
+  (and (list? form) (> (length form) 2) (eq? (car form) 'define)
+       (pair? (cadr form)) (list? (cadr form)) (andmap symbol? (cadr form))
+       (>= (atoms (cddr form)) smallest)
+       (let ([places (for/hasheq ([name (in-list (cadr form))] [i (in-naturals)])
+                       (values name (list 'place i)))])
+         (cons (length (cadr form)) (replace (cddr form) places)))))
+
+(define (replace x places)
+  (cond [(pair? x) (cons (replace (car x) places) (replace (cdr x) places))]
+        [(symbol? x) (hash-ref places x x)]
+        [else x]))
+
+(define (atoms x)
+  (cond [(pair? x) (+ (atoms (car x)) (atoms (cdr x)))]
+        [(null? x) 0]
+        [else 1]))
+
+;; One concept, one file name, unless the room makes the difference plain; `allowed` lists
+;; those names.
+(define (twin-names names allowed)
+  (define (base name) (last (string-split name "/")))
+  (for/list ([group (in-list (group-by base (sort names string<?)))]
+             #:when (pair? (cdr group))
+             #:unless (member (base (car group)) allowed))
+    (format "one name for ~a" (string-join group ", "))))
