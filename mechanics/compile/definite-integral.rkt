@@ -4,7 +4,7 @@
 (require racket/lazy-require)
 
 (lazy-require ["../calculus/integral.rkt" ([integrate generic:integrate])]
-              ["scalar.rkt" (compile-scalar)])
+              ["one-variable.rkt" (compile-scalar)])
 
 (provide definite-integral definite-integral-with-tolerance integrate)
 

@@ -9,6 +9,7 @@
 
 (require "program.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/describe.rkt" "../generic/tracing.rkt"
          "../value/shape.rkt")
@@ -48,9 +49,6 @@
           (when (unknown? e) (check-unknown e))
           (return (format "~a is not a real number" (value->text e)) #f))
         (values (expressions->program placeholders es fail #:constants as-constant) value))))
-
-(define (unknown? e)
-  (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
 
 (define (raise-no-value who e)
   (complain who "~a is left in the function's value, but has no numeric value\n  ~a"

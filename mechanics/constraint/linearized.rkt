@@ -20,7 +20,7 @@
          "../value/shape.rkt")
 
 (provide constraint-values jacobian-rows drifts force-of-multipliers check-count
-         positions-and-velocities rows-of-function shaped dot)
+         positions-and-velocities rows-of-function shaped)
 
 ;; The structure like q with these scalars, a vector.
 (define (shaped q v) (scalars->structure q (lambda (k) (vector-ref v k))))
@@ -79,10 +79,6 @@
         (structure (flip-orientation (structure-orientation s))
                    (structure-elements (structure-map flipped s))))
       q))
-
-(define (dot u v)
-  (for/fold ([sum 0]) ([x (in-vector u)] [y (in-vector v)] #:unless (or (eqv? x 0) (eqv? y 0)))
-    (g:+ sum (g:* x y))))
 
 ;; No more constraints than coordinates.
 (define (check-count who count q)

@@ -7,6 +7,7 @@
 
 (require "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/symbols.rkt"
          "../algebra/rewriting/apart.rkt" "../algebra/rewriting/collect.rkt"
          "../algebra/rewriting/expand.rkt" "../algebra/rewriting/factor.rkt"
          "../algebra/rewriting/together.rkt"
@@ -98,9 +99,6 @@
   (complain who "expected an expression, or a tuple or matrix of them; given ~a~a"
             (describe-with-value x)
             (if (procedure? x) "\n  apply the function first, and use it on its value" "")))
-
-(define (unknown? e)
-  (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
 
 (define (check-unknown who e)
   (unless (unknown? e)

@@ -15,7 +15,7 @@
 ;; elements and flatten short sums and products.  Everything dearer is
 ;; simplification.
 
-(require "constant-range.rkt" "operation.rkt" "write.rkt"
+(require "constant-range.rkt" "operation.rkt" "short-list.rkt" "write.rkt"
          "../../error/complain.rkt")
 
 (provide
@@ -27,6 +27,7 @@
  requested? requested-assumptions request-form
  ;; constructors
  e:+ e:- e:* e:/ e:expt e:negate e:apply e:application
+ integer-power?
  ;; walks
  expression->datum make-memo node-fold)
 
@@ -147,11 +148,6 @@
       (node-args e)
       (list e)))
 
-(define (short? xs limit)
-  (cond [(null? xs) #t]
-        [(eqv? limit 0) #f]
-        [else (short? (cdr xs) (- limit 1))]))
-
 (define (e:+ a b)
   (cond [(and (number? a) (number? b)) (+ a b)]
         [(exact-zero? a) b]
@@ -239,6 +235,10 @@
               (exact-integer? (cadr (node-args b))))
          (e:expt (car (node-args b)) (* n (cadr (node-args b))))]
         [else (make-node op:expt (list b n))]))
+
+;; b^n with a whole number n?
+(define (integer-power? n)
+  (and (eq? (node-head n) op:expt) (exact-integer? (cadr (node-args n)))))
 
 ;; An operation on expressions; numbers are computed.
 (define (e:apply op . args)

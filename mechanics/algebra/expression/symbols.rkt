@@ -2,9 +2,13 @@
 ;; The symbols that stand for values in an expression, in alphabetical order.  The names
 ;; of functions that are applied in it are not among them.
 
-(require "expression.rkt")
+(require "expression.rkt" "operation.rkt")
 
-(provide symbols-in occurs?)
+(provide symbols-in occurs? unknown?)
+
+;; Does e stand for a value by itself, as a symbol does or a literal function applied?
+(define (unknown? e)
+  (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
 
 (define (symbols-in e)
   (define found (make-hasheq))

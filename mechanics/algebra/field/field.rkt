@@ -14,7 +14,7 @@
 (require "bounds.rkt" "walk.rkt"
          "../assumption/ledger.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
-         "../expression/simplifier.rkt"
+         "../expression/short-list.rkt" "../expression/simplifier.rkt"
          "../kernel/circle.rkt" "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../kernel/roots.rkt"
          "../polynomial/fraction.rkt" "../polynomial/monomial.rkt" "../polynomial/polynomial.rkt"
@@ -206,11 +206,6 @@
   (if (and (fraction-polynomial? f) (short? (fraction-numerator f) 300))
       f
       (reduce-fraction F f)))
-
-(define (short? p limit)
-  (cond [(null? p) #t]
-        [(eqv? limit 0) #f]
-        [else (short? (cdr p) (- limit 1))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Reduction

@@ -90,8 +90,7 @@
   (values veiled assumptions))
 
 (define (arithmetic? e)
-  (or (memq (node-head e) arithmetic)
-      (and (eq? (node-head e) op:expt) (exact-integer? (cadr (node-args e))))))
+  (or (memq (node-head e) arithmetic) (integer-power? e)))
 
 (define (unveil e)
   (define (operation head)

@@ -101,7 +101,7 @@
     (for/first ([h (in-list (factors-polynomials product))] #:when (poly=? (car h) q)) h))
   (define above (find (poly+ R c one)))
   (define below (find (poly- R c one)))
-  (define shared (if (and above below) (common-exponent (cdr above) (cdr below)) 0))
+  (define shared (if (and above below) (nearer-to-zero (cdr above) (cdr below)) 0))
   (define (lowered h) (if (memq h (list above below)) (cons (car h) (- (cdr h) shared)) h))
   (if (eqv? shared 0)
       product
@@ -111,11 +111,6 @@
                            [low (in-value (lowered h))]
                            #:unless (eqv? 0 (cdr low)))
                  low))))
-
-(define (common-exponent m n)
-  (cond [(and (positive? m) (positive? n)) (min m n)]
-        [(and (negative? m) (negative? n)) (max m n)]
-        [else 0]))
 
 ;; ---------------------------------------------------------------------------
 ;; Signs

@@ -47,8 +47,7 @@
 
 ;; A node whose operands are no arguments.
 (define (arithmetic? n)
-  (or (memq (node-head n) arithmetic)
-      (and (eq? (node-head n) op:expt) (exact-integer? (cadr (node-args n))))))
+  (or (memq (node-head n) arithmetic) (integer-power? n)))
 
 ;; The arguments, each once, in which functions occur: others have one form.
 (define (involved-arguments e involved?)

@@ -57,6 +57,6 @@
                     (or (literal-head? head)
                         (and (memq head single-valued) #t)
                         (hash-has-key? rewritings head)
-                        (and (eq? head op:expt) (exact-integer? (cadr (node-args n)))))))))
+                        (integer-power? n))))))
 
 (define single-valued (list op:+ op:- op:* op:/ op:exp op:up op:down))

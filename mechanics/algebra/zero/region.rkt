@@ -9,7 +9,7 @@
          "approximate.rkt"
          "../assumption/assumption-set.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt")
+         "../expression/operation.rkt" "../expression/symbols.rkt")
 
 (provide make-region region-free? region-place region-admits?)
 
@@ -22,7 +22,7 @@
   (define concerned
     (if (null? relations)
         '()
-        (let ([items (for/hash ([e (in-vector (tape-items t))] #:when (leaf? e)) (values e #t))])
+        (let ([items (for/hash ([e (in-vector (tape-items t))] #:when (unknown? e)) (values e #t))])
           (for/list ([r (in-list relations)]
                      #:when (for/or ([l (in-list (leaves (relation-expression r)))])
                               (hash-ref items l #f)))
@@ -33,14 +33,12 @@
 
 (define (region-free? g) (null? (region-conditions g)))
 
-(define (leaf? e) (or (symbol? e) (and (node? e) (literal-head? (node-head e)))))
-
 ;; The leaves of e that are not within others.
 (define (leaves e)
   (define found (make-hash))
   (define memo (make-memo))
   (let walk ([e e])
-    (cond [(leaf? e) (hash-set! found e #t)]
+    (cond [(unknown? e) (hash-set! found e #t)]
           [(node? e) (memo e (lambda () (for-each walk (node-args e))))]))
   (hash-keys found))
 
@@ -83,7 +81,7 @@
     (and terms (for/list ([t (in-list terms)]) (cons (car t) (* c (cdr t))))))
   (define (join parts) (and (andmap values parts) (append* parts)))
   (cond [(number? e) (and (rational? e) (list (cons #f e)))]
-        [(leaf? e) (list (cons e 1))]
+        [(unknown? e) (list (cons e 1))]
         [(eq? head op:+) (join (map affine-terms (node-args e)))]
         [(eq? head op:-)
          (join (list (affine-terms (car (node-args e)))

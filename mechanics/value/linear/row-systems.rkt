@@ -22,7 +22,7 @@
 
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
          rows-rank rows-null-space rows-characteristic rows-diagonal-blocks
-         rows-transpose)
+         rows-transpose dot)
 
 (lazy-require ["../bigfloat.rkt" (bigfloat-solutions)])
 
@@ -124,6 +124,7 @@
     (for/vector #:length (vector-length columns) ([column (in-vector columns)])
       (dot row column))))
 
+;; Σ vᵢ wᵢ, without the terms that are 0 whatever they are multiplied by.
 (define (dot v w)
   (for/fold ([sum 0]) ([x (in-vector v)] [y (in-vector w)] #:unless (or (eqv? x 0) (eqv? y 0)))
     (g:+ sum (g:* x y))))

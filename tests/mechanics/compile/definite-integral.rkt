@@ -8,7 +8,7 @@
          mechanics/error/failure
          mechanics/calculus/derivative
          mechanics/compile/definite-integral
-         mechanics/compile/scalar
+         mechanics/compile/one-variable
          mechanics/lagrangian/local-tuple
          (only-in mechanics [< g:<])
          mechanics/value/compose)
