@@ -41,13 +41,16 @@
 
 (test-case "a symbol suggests a literal function"
   (check-equal? (message-of (x 't))
-                "x: the symbol x is a number here, not a function; (literal-function 'x) makes a function of it")
+                (string-append "x: the symbol x is a number here, not a function; "
+                               "(literal-function 'x) makes a function of it"))
   (check-equal? (message-of ('y 't))
-                "application: the symbol y is a number here, not a function; (literal-function 'y) makes a function of it"))
+                (string-append "application: the symbol y is a number here, not a function; "
+                               "(literal-function 'y) makes a function of it")))
 
 (test-case "an expression says that it is number-like"
   (check-equal? (message-of ((g:+ 'a 'b) 't))
-                "application: the value (+ a b) is a number-like expression; it cannot be applied to the argument t"))
+                (string-append "application: the value (+ a b) is a number-like expression; it "
+                               "cannot be applied to the argument t")))
 
 (test-case "a list is told from a tuple"
   (check-equal? (message-of (pair 't))
@@ -59,7 +62,8 @@
   (check-equal? (message-of ("s" 't))
                 "application: the value \"s\" is a string; it cannot be applied to the argument t")
   (check-equal? (message-of ((void)))
-                "application: the value #<void> is no value (void); it cannot be applied to no arguments"))
+                (string-append "application: the value #<void> is no value (void); it cannot "
+                               "be applied to no arguments")))
 
 (test-case "keyword arguments do not hide the message"
   (check-equal? (message-of (three 1 #:key 2))

@@ -30,7 +30,8 @@
 
 (test-case "what is no mathematics prints as Racket prints it"
   (check-equal? (run-module "#lang mechanics"
-                            "\"text\" #t 3.5 1/2 #\\a '(a \"b\") (void) (list 1 2) '#:k (vector 1 2)")
+                            (string-append "\"text\" #t 3.5 1/2 #\\a '(a \"b\") (void) (list 1 "
+                                           "2) '#:k (vector 1 2)"))
                 (lines "\"text\"" "#t" "3.5" "1/2" "#\\a" "'(a \"b\")"
                        "'(1 2)" "'#:k" "'#(1 2)")))
 
@@ -47,7 +48,9 @@
                        "(list (list (* 2 a) square) (vector L \"b\") '(1))")))
 
 (test-case "what a simplification takes for granted stands beneath its result"
-  (check-equal? (run-module "#lang mechanics" "(up (sqrt (square 'r)) 1)" "(verify-equal (sqrt (square 'r)) 'r)")
+  (check-equal? (run-module "#lang mechanics"
+                            "(up (sqrt (square 'r)) 1)"
+                            "(verify-equal (sqrt (square 'r)) 'r)")
                 (lines "(up r 1)" "; assuming (>= r 0)"
                        "proved: the residual is zero" "  assuming: (>= r 0)")))
 
@@ -270,9 +273,11 @@
   (check-equal? output '("1"))
   (check-regexp-match #rx"given keyword: #:amplitud\n.*did you mean #:amplitude[?]\n" errors)
   (check-regexp-match #rx"given: 0\n  it takes 1 or 2 arguments\n" errors)
-  (check-regexp-match #rx"procedure: fall\n  arguments...:\n   #:drag 1\n  it takes 1 or 2 arguments\n"
-                      errors)
-  (check-regexp-match #rx"given keyword: #:mass\n.*its keywords: [(]#:amplitude #:phase[)]\n" errors))
+  (check-regexp-match
+   #rx"procedure: fall\n  arguments...:\n   #:drag 1\n  it takes 1 or 2 arguments\n"
+   errors)
+  (check-regexp-match #rx"given keyword: #:mass\n.*its keywords: [(]#:amplitude #:phase[)]\n"
+                      errors))
 
 (test-case "a function that is undefined is noticed before its arguments are evaluated"
   (define-values (output errors)
@@ -288,7 +293,8 @@
 
 (test-case "a name of a module that is used too early is told from no symbol"
   (define e (exn:fail:contract:variable
-             "x: undefined;\n cannot reference an identifier before its definition\n  in module: \"a.rkt\""
+             (string-append "x: undefined;\n cannot reference an identifier before its "
+                            "definition\n  in module: \"a.rkt\"")
              (current-continuation-marks) 'x))
   (define shown '())
   (parameterize ([error-display-handler (lambda (message e) (set! shown (list message e)))])

@@ -159,15 +159,16 @@
   (define ((L-harmonic m k) (up t q v)) t)
   (check-equal?
    (message-of ((L-harmonic 'm 'k) (up 't 'x)))
-   "L-harmonic: the argument does not match the pattern (up t q v): expected an up tuple of 3, given (up t x) (an up tuple of 2)"))
+   (string-append "L-harmonic: the argument does not match the pattern (up t q v): expected an "
+                  "up tuple of 3, given (up t x) (an up tuple of 2)")))
 
 (test-case "a component that does not match is placed"
   (define ((L-central m U) (up t (up x y) (up vx vy))) t)
   (check-equal?
    (message-of ((L-central 'm 'U) (up 't (up 'x 'y) (up 'u 'v 'w))))
    (string-append
-    "L-central: the argument does not match the pattern (up t (up x y) (up vx vy)): at component 2, "
-    "expected an up tuple of 2, given (up u v w) (an up tuple of 3)\n"
+    "L-central: the argument does not match the pattern (up t (up x y) (up vx vy)): "
+    "at component 2, expected an up tuple of 2, given (up u v w) (an up tuple of 3)\n"
     "  in: (up t (up x y) (up u v w))")))
 
 (test-case "a component of a component is placed too, and orientation told"
@@ -175,7 +176,8 @@
   (check-equal?
    (message-of (f (up 1 (down 2 (down 3 4)))))
    (string-append
-    "f: the argument does not match the pattern (up _ (down a (up b c))): at component 1 of component 1, "
+    "f: the argument does not match the pattern (up _ (down a (up b c))): "
+    "at component 1 of component 1, "
     "expected an up tuple of 2, given (down 3 4) (a down tuple of 2)\n"
     "  in: (up 1 (down 2 (down 3 4)))")))
 
@@ -183,33 +185,42 @@
   (define (f x (up a b) #:at [(down p) (down 1)]) a)
   (check-equal?
    (message-of (f 1 (down 1 2)))
-   "f: argument 2 does not match the pattern (up a b): expected an up tuple of 2, given (down 1 2) (a down tuple of 2)")
+   (string-append "f: argument 2 does not match the pattern (up a b): expected an up tuple of "
+                  "2, given (down 1 2) (a down tuple of 2)"))
   (check-equal?
    (message-of (f 1 (up 1 2) #:at 3))
-   "f: argument #:at does not match the pattern (down p): expected a down tuple of 1, given 3 (a number)"))
+   (string-append "f: argument #:at does not match the pattern (down p): expected a down tuple "
+                  "of 1, given 3 (a number)")))
 
 (test-case "a list and a function get advice"
   (define (f (up a b)) a)
   (check-equal?
    (message-of (f '(1 2)))
-   "f: the argument does not match the pattern (up a b): expected an up tuple of 2, given (1 2) (a list); a list is not a tuple; use (up 1 2)")
+   (string-append "f: the argument does not match the pattern (up a b): expected an up tuple of "
+                  "2, given (1 2) (a list); a list is not a tuple; use (up 1 2)"))
   (check-equal?
    (message-of (f f))
-   "f: the argument does not match the pattern (up a b): expected an up tuple of 2, given f (a function); apply the function to its argument first, or use compose"))
+   (string-append "f: the argument does not match the pattern (up a b): expected an up tuple "
+                  "of 2, given f (a function); apply the function to its argument first, or "
+                  "use compose")))
 
 (test-case "forms without a name say which form they are"
   (check-equal?
    (message-of ((lambda ((up a)) a) 1))
-   "lambda: the argument does not match the pattern (up a): expected an up tuple of 1, given 1 (a number)")
+   (string-append "lambda: the argument does not match the pattern (up a): expected an up tuple "
+                  "of 1, given 1 (a number)"))
   (check-equal?
    (message-of (let ([(up a) 1]) a))
-   "let: the value does not match the pattern (up a): expected an up tuple of 1, given 1 (a number)")
+   (string-append "let: the value does not match the pattern (up a): expected an up tuple of 1, "
+                  "given 1 (a number)"))
   (check-equal?
    (message-of (let* ([(up a) 1]) a))
-   "let*: the value does not match the pattern (up a): expected an up tuple of 1, given 1 (a number)")
+   (string-append "let*: the value does not match the pattern (up a): expected an up tuple of "
+                  "1, given 1 (a number)"))
   (check-equal?
    (message-of (let loop ([(up a) (up 1)] [i 0]) (loop 1 2)))
-   "loop: argument 1 does not match the pattern (up a): expected an up tuple of 1, given 1 (a number)"))
+   (string-append "loop: argument 1 does not match the pattern (up a): expected an up tuple of "
+                  "1, given 1 (a number)")))
 
 (test-case "a long value is cut in the message"
   (define (f (up a b)) a)
@@ -234,8 +245,9 @@
   (check-equal? (syntax-message '(let* ([(up a b) 1] [a 2]) a)) "no error"))
 
 (test-case "what is no identifier in a pattern is refused"
-  (check-regexp-match #rx"expected an identifier or a pattern \\(up ...\\) or \\(down ...\\)\n  at: 3"
-                      (syntax-message '(lambda ((up a 3)) a)))
+  (check-regexp-match
+   #rx"expected an identifier or a pattern \\(up ...\\) or \\(down ...\\)\n  at: 3"
+   (syntax-message '(lambda ((up a 3)) a)))
   (check-regexp-match #rx"expected an identifier or a pattern"
                       (syntax-message '(lambda ((up a (left b))) a)))
   (check-regexp-match #rx"an ellipsis is allowed in the patterns of `match` only"
