@@ -11,7 +11,7 @@
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/value-struct.rkt"
-         "../numeric/constants.rkt"
+         "../numeric/constants.rkt" "../numeric/flvector.rkt"
          "../value/shape.rkt")
 
 (provide
@@ -112,7 +112,7 @@
     (unless (= (flvector-length v) outputs)
       (raise-arguments-error who "the function's value has changed its shape"
                              "at the example" shape "now" value))
-    (for ([x (in-flvector v)] [k (in-naturals)]) (flvector-set! output k x)))
+    (flvector-copy! output v))
   (compiled-function (lambda () run)
                      (flvector-length point) outputs shape #f reason (value->datum f)))
 

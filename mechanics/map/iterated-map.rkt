@@ -14,6 +14,7 @@
          "../compile/compile-function.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+         "../numeric/flvector.rkt"
          (only-in "../value/structure.rkt" ref))
 
 (provide iterated-map)
@@ -54,13 +55,10 @@
   (let loop ([n n]
              [from (flvector (real->double-flonum x) (real->double-flonum y))]
              [to (make-flvector 2)])
-    (cond [(eqv? n 0) (and (finite? from) from)]
+    (cond [(eqv? n 0) (and (flvector-finite? from) from)]
           [else
            (run! from to)
            (loop (- n 1) to from)])))
-
-(define (finite? v)
-  (for/and ([x (in-flvector v)]) (< (abs x) +inf.0)))
 
 ;; -> the map as a compiled function from (up x y) to (up x y), or #f
 (define (compile-step map x y)

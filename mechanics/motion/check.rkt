@@ -6,6 +6,7 @@
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
+         "../numeric/flvector.rkt"
          "../value/shape.rkt")
 
 (provide
@@ -26,7 +27,7 @@
 
 (define (check-real who what x)
   (define r (real-number x))
-  (unless (and (real? r) (< (abs r) +inf.0))
+  (unless (finite? r)
     (define kind (if (real? r) "finite" "a real number"))
     (complain-of who (format "expected a ~a that is ~a" what kind) x)))
 
@@ -123,7 +124,7 @@
   (when (eqv? (flvector-length y) 0)
     (raise-arguments-error who "a state without components has no motion" "state" state))
   (for ([x (in-flvector y)])
-    (unless (< (abs x) +inf.0) (fail x)))
+    (unless (finite? x) (fail x)))
   y)
 
 (define (raise-no-state who state x)

@@ -15,7 +15,7 @@
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
-         "../numeric/progress.rkt"
+         (only-in "../numeric/flvector.rkt" flvector->list) "../numeric/progress.rkt"
          "../numeric/linear/definite.rkt"
          "../numeric/search/newton.rkt" "../numeric/search/quasi-newton.rkt"
          "../value/shape.rkt")

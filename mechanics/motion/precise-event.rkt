@@ -7,7 +7,8 @@
 ;; (event.rkt).
 
 (require "event.rkt" "precise.rkt"
-         "../generic/compare.rkt")
+         "../generic/compare.rkt"
+         (only-in "../numeric/flvector.rkt" finite?))
 
 (provide crossings)
 
@@ -18,7 +19,7 @@
 (define (crossings m s e tolerance complain)
   (define (value t state)
     (define x (comparand ((event-f e) state)))
-    (if (and (real? x) (< (abs x) +inf.0)) (inexact->exact x) (complain t state)))
+    (if (finite? x) (inexact->exact x) (complain t state)))
   (define (time theta)
     (exact-time m (+ (stretch-from s) (* theta (- (stretch-to s) (stretch-from s))))))
   (define (at t) (value t (stretch-state m s t)))

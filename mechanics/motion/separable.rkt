@@ -12,6 +12,7 @@
          "system.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
+         "../numeric/flvector.rkt"
          "../numeric/ode/stepper.rkt")
 
 (provide check-separable)
@@ -52,8 +53,7 @@
 
 ;; By more than rounding?  What is not a number tells nothing.
 (define (changed? v w from to)
-  (define (size v) (for/fold ([m 0.0]) ([x (in-flvector v)]) (flmax m (flabs x))))
-  (define rounding (fl* 1e-14 (flmax (size v) (size w))))
+  (define rounding (fl* 1e-14 (flmax (greatest v) (greatest w))))
   (for/or ([x (in-flvector v from to)] [y (in-flvector w from to)])
     (define change (flabs (fl- x y)))
     (and (fl> change rounding)

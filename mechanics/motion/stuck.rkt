@@ -6,6 +6,7 @@
          "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/describe.rkt"
          "../lagrangian/state-derivative.rkt"
+         "../numeric/flvector.rkt"
          "../numeric/ode/stepper.rkt"
          "../value/shape.rkt")
 
@@ -54,23 +55,18 @@
                                     (directions->text (null-vectors e))))]
                   [no-value? (lambda (e) (failure-text where e))])
     (define slope ((system-derivative s) (system-state s y)))
-    (and (not (andmap finite? (scalars slope)))
+    (and (not (andmap finite? (map real-number (scalars slope))))
          (format "\n  state derivative ~a: ~a" where (value->text slope)))))
 
 (define (failure-text where e) (format "\n  ~a: ~a" where (exn-message e)))
-
-(define (finite? given)
-  (define x (real-number given))
-  (and (real? x) (< (abs x) +inf.0)))
 
 ;; The same a little further, on either side, where the motion has not come to and an
 ;; error is an answer.
 (define (beyond-text s y)
   (define slope (scalars ((system-derivative s) (system-state s y))))
   (define (state-after h)
-    (for/flvector #:length (flvector-length y)
-                  ([x (in-flvector y)] [v (in-list slope)])
-      (+ x (* h (real->double-flonum (real-number v))))))
+    (along y h (for/flvector #:length (flvector-length y) ([v (in-list slope)])
+                 (real->double-flonum (real-number v)))))
   (define (text h)
     (with-handlers ([exn:fail? (lambda (e) (failure-text "beyond" e))])
       (slope-text s (state-after h) "beyond")))

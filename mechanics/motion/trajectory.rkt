@@ -12,8 +12,7 @@
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
-         "../numeric/progress.rkt"
-         "../numeric/ode/vectors.rkt")
+         "../numeric/flvector.rkt" "../numeric/progress.rkt")
 
 (lazy-require
  ["precise-trajectory.rkt" (follow-precise-trajectory)])

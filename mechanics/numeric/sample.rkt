@@ -3,9 +3,10 @@
 ;; interval, a tolerance.  Each is checked here, with a message that says what is
 ;; wrong with it.
 
-(require "../error/failure.rkt")
+(require "flvector.rkt"
+         "../error/failure.rkt")
 
-(provide sample check-finite check-tolerance)
+(provide sample check-finite check-interval check-tolerance)
 
 ;; One value of the function as a finite flonum, or a message that says where it
 ;; gave something else.
@@ -22,12 +23,14 @@
     (raise-singular who "the function is not finite" x "at" x "given" y))
   z)
 
-(define (finite? z) (< -inf.0 z +inf.0))
-
 ;; role : what x is, as in "limit of integration".
 (define (check-finite who x role)
-  (unless (and (real? x) (finite? x))
+  (unless (finite? x)
     (raise-argument-error who (string-append "a finite real number as " role) x)))
+
+(define (check-interval who low high)
+  (check-finite who low "end of the interval")
+  (check-finite who high "end of the interval"))
 
 (define (check-tolerance who tolerance)
   (unless (and (real? tolerance) (> tolerance 0))

@@ -7,7 +7,8 @@
 (require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/words.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt")
+         "../generic/kind.rkt" "../generic/up-down.rkt"
+         (only-in "../numeric/flvector.rkt" finite?))
 
 (provide coordinate-of plane-point check-number check-function parameters)
 
@@ -47,7 +48,7 @@
 ;; An argument that must be a finite number.
 (define (check-number who what x)
   (define number (coordinate-of who (lambda () what) x))
-  (unless (< (abs number) +inf.0)
+  (unless (finite? number)
     (raise-argument-error who (format "a finite number as ~a" what) x))
   number)
 

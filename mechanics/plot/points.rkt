@@ -6,7 +6,8 @@
 ;; snapshot holds never changes and need not be copied, and one taken while another
 ;; thread adds is whole if the count is read first.
 
-(require racket/flonum)
+(require racket/flonum
+         "../numeric/flvector.rkt")
 
 (provide make-points points? add-point!
          (struct-out snapshot) take-snapshot
@@ -36,7 +37,7 @@
 
 (define (longer v)
   (define copy (make-flvector (* 2 (flvector-length v))))
-  (for ([x (in-flvector v)] [i (in-naturals)]) (flvector-set! copy i x))
+  (flvector-copy! copy v)
   copy)
 
 (define (take-snapshot p)
@@ -61,5 +62,3 @@
           (values pieces (cons v piece))
           (values (cons piece pieces) '()))))
   (for/list ([p (in-list (reverse (cons piece pieces)))] #:unless (null? p)) (reverse p)))
-
-(define (finite? x) (fl< (flabs x) +inf.0))

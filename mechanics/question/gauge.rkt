@@ -25,6 +25,7 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
+         "../numeric/flvector.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
@@ -149,8 +150,6 @@
                                     "\n  begin: ~a"
                                     "\n  another place to begin is given as #:from")
                      (value->text F) (value->text start))))
-
-(define (finite? x) (and (real? x) (< -inf.0 x +inf.0)))
 
 (define (raise-no-closed-form F)
   (raise-no-answer 'gauge-function

@@ -6,7 +6,7 @@
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
-         "../numeric/progress.rkt" "../numeric/sample.rkt"
+         "../numeric/flvector.rkt" "../numeric/progress.rkt" "../numeric/sample.rkt"
          (prefix-in numeric: "../numeric/search/brent-minimum.rkt")
          "../numeric/search/golden-section.rkt"
          (prefix-in numeric: "../numeric/search/nelder-mead.rkt")
@@ -88,7 +88,7 @@
     (define-values (found y slope count)
       (quasi-newton (value-and-gradient who f argument) x #:tolerance tolerance #:name who
                     #:observe watch #:argument argument #:stuck stuck))
-    (values (argument found) y (size slope) count))
+    (values (argument found) y (norm slope) count))
   (define (from-values x)
     (define-values (found y count)
       (numeric:nelder-mead (value-at who f argument) x #:tolerance tolerance #:name who
@@ -160,8 +160,6 @@
 ;; Outside of its domain a function may be complex.
 (define (value-or-nan who y)
   (if (and (number? y) (not (real? y))) +nan.0 (real->double-flonum (number who y))))
-
-(define (size v) (flsqrt (for/fold ([sum 0.0]) ([x (in-flvector v)]) (fl+ sum (fl* x x)))))
 
 ;; A list, as the book gives coordinates at several times, is a tuple meanwhile.
 (define (list->tuple who x)

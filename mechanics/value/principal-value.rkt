@@ -5,14 +5,14 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/rounding.rkt" "../generic/tracing.rkt" "../generic/up-down.rkt"
-         "../numeric/constants.rkt")
+         "../numeric/constants.rkt" (only-in "../numeric/flvector.rkt" finite?))
 
 (provide principal-value)
 
 ;; x ↦ the angle in [cut - 2π, cut) that differs from x by whole turns, for an angle
 ;; or a tuple of them.  Whole turns are constant in between: the derivative is 1.
 (define (principal-value cut)
-  (unless (and (real? cut) (< (abs cut) +inf.0))
+  (unless (finite? cut)
     (raise-not-an-angle "expected a cut that is a real number" cut))
   (define low (- cut :2pi))
   (define (principal x)

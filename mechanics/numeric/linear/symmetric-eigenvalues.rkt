@@ -8,7 +8,8 @@
 ;; eigenvalues best (Demmel and Veselić 1992): for positive definite matrices each has a
 ;; relative error of some roundings, which is what slow modes beside fast ones need.
 
-(require racket/flonum)
+(require racket/flonum
+         racket/list)
 
 (provide symmetric-eigenvalues)
 
@@ -72,7 +73,7 @@
 
 (define (in-order m vectors n)
   (define (value i) (flvector-ref m (* i (+ n 1))))
-  (define order (sort (for/list ([i (in-range n)]) i) < #:key value))
+  (define order (sort (range n) < #:key value))
   (values (for/flvector #:length n ([i (in-list order)]) (value i))
           (for*/flvector #:length (* n n) ([i (in-list order)] [k (in-range n)])
             (flvector-ref vectors (+ (* i n) k)))))

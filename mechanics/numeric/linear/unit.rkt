@@ -2,16 +2,17 @@
 ;; Matrices in units of about their greatest entry: products of entries then neither
 ;; overflow nor vanish.  The unit is a power of two, so that nothing is rounded.
 
-(require racket/flonum)
+(require racket/flonum
+         "../flvector.rkt")
 
 (provide unit-of in-units)
 
 ;; v : flvector of finite numbers
 (define (unit-of v)
-  (define greatest (for/fold ([m 0.0]) ([x (in-flvector v)]) (flmax m (flabs x))))
-  (if (fl= greatest 0.0)
+  (define size (greatest v))
+  (if (fl= size 0.0)
       1.0
-      (flexpt 2.0 (flmin 1023.0 (flfloor (fl/ (fllog greatest) (fllog 2.0)))))))
+      (flexpt 2.0 (flmin 1023.0 (flfloor (fl/ (fllog size) (fllog 2.0)))))))
 
 (define (in-units v unit)
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)]) (fl/ x unit)))

@@ -10,7 +10,8 @@
 ;; of order 4 (II.6).
 
 (require racket/flonum
-         "stepper.rkt" "vectors.rkt")
+         "stepper.rkt" "vectors.rkt"
+         "../flvector.rkt")
 
 (provide dormand-prince-54)
 

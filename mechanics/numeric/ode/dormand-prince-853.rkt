@@ -19,7 +19,8 @@
 ;; taken only when an interpolated state is asked for.
 
 (require racket/flonum
-         "stepper.rkt" "vectors.rkt")
+         "stepper.rkt" "vectors.rkt"
+         "../flvector.rkt")
 
 (provide dormand-prince-853)
 

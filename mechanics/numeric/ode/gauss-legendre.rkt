@@ -12,7 +12,8 @@
 ;; midpoint rule.
 
 (require racket/flonum
-         "shorter-step.rkt" "stepper.rkt" "vectors.rkt")
+         "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
+         "../flvector.rkt")
 
 (provide gauss-legendre-2 gauss-legendre-4 gauss-legendre-6)
 

@@ -11,6 +11,7 @@
 
 (require racket/flonum
          "step-size.rkt" "stepper.rkt" "vectors.rkt"
+         "../flvector.rkt"
          "../../error/failure.rkt")
 
 (provide integrate integrate-step)

@@ -7,7 +7,8 @@
 ;; which is the estimate and is added to z.
 
 (require racket/flonum
-         "shorter-step.rkt" "stepper.rkt" "vectors.rkt")
+         "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
+         "../flvector.rkt")
 
 (provide quality-controlled-runge-kutta-4)
 

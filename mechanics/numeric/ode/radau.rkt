@@ -32,6 +32,7 @@
          racket/flonum
          "differentiated.rkt" "implicit-matrices.rkt" "predictive.rkt" "stepper.rkt"
          "vectors.rkt"
+         "../flvector.rkt"
          "../linear/factored-system.rkt")
 
 (provide radau-iia-5)

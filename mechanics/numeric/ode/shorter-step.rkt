@@ -3,7 +3,8 @@
 ;; step from the same state leads.  As good as the step itself, and as dear.
 
 (require racket/flonum
-         "stepper.rkt" "vectors.rkt")
+         "stepper.rkt" "vectors.rkt"
+         "../flvector.rkt")
 
 (provide by-shorter-steps)
 

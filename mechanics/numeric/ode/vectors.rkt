@@ -5,11 +5,11 @@
 ;; keeps everything in a loop's body unboxed.  Indices are not checked: all
 ;; vectors of one integration are made together, of one length n.
 
-(require racket/flonum racket/unsafe/ops)
+(require racket/flonum
+         racket/unsafe/ops)
 
-(provide define-vectors combine! weighted-sum! weighted at advance! scale!
-         flvector-copy! exchange! nested-polynomial
-         root-mean-square root-mean-squares flvector-finite?)
+(provide define-vectors combine! weighted-sum! weighted at advance! scale! exchange!
+         nested-polynomial root-mean-square root-mean-squares)
 
 (define-syntax-rule (define-vectors n id ...)
   (begin (define id (make-flvector n)) ...))
@@ -54,10 +54,6 @@
   (for-each-index i (flvector-length v)
     (unsafe-flvector-set! v i (unsafe-fl* h (unsafe-flvector-ref v i)))))
 
-(define (flvector-copy! to from)
-  (for-each-index i (flvector-length to)
-    (unsafe-flvector-set! to i (unsafe-flvector-ref from i))))
-
 ;; The root of the mean of (xᵢ / (1 + max(|yᵢ|, |zᵢ|)))²: how large x is beside
 ;; y and z, numbers below 1 counting as 1.
 (define (root-mean-square x y z n)
@@ -81,9 +77,6 @@
         result)))
 
 (define-syntax-rule (root-of-mean total n) (flsqrt (fl/ total (->fl n))))
-
-(define (flvector-finite? v)
-  (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))
 
 (define (exchange! v w)
   (for-each-index i (flvector-length v)

@@ -8,6 +8,7 @@
 ;; So the function must be seen to decay, here and very far away.
 
 (require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
+         "../flvector.rkt"
          "../search/brent-root.rkt"
          "../../error/failure.rkt")
 
@@ -31,7 +32,7 @@
 (define (sum-of-parts f z gap start tolerance)
   (let loop ([z z] [gap gap] [sum start] [parts '()] [diagonal (list start)] [agreed 0])
     (define limit (estimated-limit diagonal))
-    (define size (+ (abs limit) (if (null? parts) 0.0 (greatest parts))))
+    (define size (+ (abs limit) (apply max 0.0 (map abs parts))))
     (define (found?) (and (>= agreed 3) (decaying? f z gap parts)))
     (cond
       [(and (>= (length parts) least-parts) (found?)) (values limit (* tolerance size))]
@@ -46,8 +47,6 @@
           (loop next (- next z) (+ sum p) (cons p parts) longer (if close? (+ agreed 1) 0))]
          [else (values #f #f)])])))
 
-(define (greatest xs) (for/fold ([m 0.0]) ([x (in-list xs)]) (max m (abs x))))
-
 (define (part f from to tolerance)
   (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
     (quadrature f from to #:tolerance (max 1e-13 (* 1e-2 tolerance)) #:limit most-panels)))
@@ -57,7 +56,7 @@
   (let loop ([a (+ s (* 0.5 step))] [y (f (+ s (* 0.5 step)))] [left most-steps])
     (define b (+ a step))
     (define y* (f b))
-    (cond [(not (and (< (abs y) +inf.0) (< (abs y*) +inf.0))) #f]
+    (cond [(not (and (finite? y) (finite? y*))) #f]
           [(< (* y y*) 0.0) (zero-between f a b)]
           [(= left 0) #f]
           [else (loop b y* (- left 1))])))

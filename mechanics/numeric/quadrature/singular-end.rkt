@@ -9,7 +9,8 @@
 ;; Therefore the terms must fall, and what is left must agree roughly with what the rule
 ;; of gauss-kronrod.rkt makes of it.
 
-(require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
+(require racket/list
+         "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
          "../../error/failure.rkt")
 
 (provide integral-towards)
@@ -67,20 +68,16 @@
 ;; Parts that go up and down, as those of sin(log x)/x do, fall in places.
 (define (falling? parts negligible)
   (define-values (later earlier) (halves parts))
-  (and (<= (car parts) (max negligible (* greatest-ratio (cadr parts))))
-       (<= (greatest later) (max negligible (* greatest-half (greatest earlier))))))
+  (and (<= (first parts) (max negligible (* greatest-ratio (second parts))))
+       (<= (apply max later) (max negligible (* greatest-half (apply max earlier))))))
 
-(define (halves xs)
-  (define half (quotient (length xs) 2))
-  (values (for/list ([x (in-list xs)] [_ (in-range half)]) x) (list-tail xs half)))
-
-(define (greatest xs) (for/fold ([m 0.0]) ([x (in-list xs)]) (max m x)))
+(define (halves parts) (split-at parts (quotient (length parts) 2)))
 
 ;; Where there is room for it, at an end that is 0, as infinity becomes: do parts much
 ;; closer to it stay below those there are?
 (define (still-falling? f end distance p tolerance)
   (define-values (later earlier) (halves (progress-parts p)))
-  (define most (max (* tolerance (progress-size p)) (* greatest-half (greatest later))))
+  (define most (max (* tolerance (progress-size p)) (* greatest-half (apply max later))))
   (or (not (= end 0.0))
       (for/and ([k (in-range 40 80)])
         (define x (* distance (expt 0.5 k)))

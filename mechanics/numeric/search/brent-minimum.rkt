@@ -18,12 +18,11 @@
 ;; relative tolerance below the square root of 2⁻⁵² asks for what they cannot
 ;; tell; on equal values the best point stays where it is.
 
-(require "../constants.rkt" "../sample.rkt"
+(require "point.rkt"
+         "../constants.rkt" "../sample.rkt"
          "../../error/failure.rkt")
 
 (provide minimize)     ; (minimize f low high) -> (list argument value steps)
-
-(struct point (x y) #:authentic)
 
 ;; best, second, third : points by value; last, before : the last two steps;
 ;; count : steps taken.
@@ -38,13 +37,9 @@
                   #:limit [limit 200]
                   #:observe [observe void]
                   #:name [who 'minimize])
-  (check-finite who low "end of the interval")
-  (check-finite who high "end of the interval")
+  (check-interval who low high)
   (check-tolerance who tolerance)
-  (define (at x)
-    (define p (point x (sample who f x)))
-    (observe x (point-y p))
-    p)
+  (define at (observed who f observe))
   (define a (real->double-flonum (min low high)))
   (define b (real->double-flonum (max low high)))
   (define start (at (+ a (* golden-part (- b a)))))
@@ -80,11 +75,6 @@
   (define step (or vertex (* golden-part reach)))
   (define trial (at (+ x (at-least near step))))
   (update s trial step (if vertex (search-last s) reach)))
-
-(define (at-least near step)
-  (cond [(>= (abs step) near) step]
-        [(< step 0.0) (- near)]
-        [else near]))
 
 ;; From the best point to the farther end of the bracket.
 (define (golden-reach s)

@@ -16,13 +16,12 @@
 ;; the bracket is otherwise.  So convergence is of order 1.8 for smooth functions and
 ;; never much slower than bisection.
 
-(require "../sample.rkt"
+(require "point.rkt"
+         "../sample.rkt"
          "../../error/failure.rkt")
 
 ;; (method f low high) -> root, how far off it may be, evaluations
 (provide bracketed-root bisected-root)
-
-(struct point (x y) #:authentic)
 
 ;; The root is right to `tolerance` times its own size or, near zero, times a
 ;; hundredth of the width of the interval; (observe x y) for each point tried.  After
@@ -33,8 +32,7 @@
                         #:observe [observe void]
                         #:name [who 'find-root]
                         #:give-up [give-up (giving-up who)])
-  (check-finite who low "end of the interval")
-  (check-finite who high "end of the interval")
+  (check-interval who low high)
   (check-tolerance who tolerance)
   (define at (observed who f observe))
   (define-values (a b) (ends low high at who))
@@ -42,12 +40,6 @@
     (narrow a b a (resolution tolerance (- (point-x b) (point-x a))) at limit give-up))
   (check-not-pole who root a b)
   (values (point-x root) (if (= (point-y root) 0.0) 0.0 (abs half)) count))
-
-;; x -> point
-(define ((observed who f observe) x)
-  (define p (point x (sample who f x)))
-  (observe x (point-y p))
-  p)
 
 (define (ends low high at who)
   (define a (at (real->double-flonum low)))
@@ -86,11 +78,6 @@
            (loop b next b (- (point-x next) (point-x b)) (- (point-x next) (point-x b)) (+ count 1))
            (loop b next c d e (+ count 1)))])))
 
-(define (at-least near step)
-  (cond [(>= (abs step) near) step]
-        [(< step 0.0) (- near)]
-        [else near]))
-
 ;; From b, or #f if it is not to be trusted.
 (define (interpolated-step a b c before near)
   (define width (- (point-x c) (point-x b)))
@@ -123,8 +110,7 @@
                        #:tolerance [tolerance 1e-15]
                        #:observe [observe void]
                        #:name [who 'bisect])
-  (check-finite who low "end of the interval")
-  (check-finite who high "end of the interval")
+  (check-interval who low high)
   (check-tolerance who tolerance)
   (define at (observed who f observe))
   (define-values (a b) (ends low high at who))

@@ -19,7 +19,7 @@
 ;; difference, (f(x + h) − 2 f(x) + f(x − h))/h, does not fall with h.
 
 (require racket/flonum
-         "../sample.rkt"
+         "../flvector.rkt" "../sample.rkt"
          "../../error/failure.rkt")
 
 (provide difference-derivative)
@@ -49,7 +49,7 @@
   (let loop ([h (real->double-flonum step)] [s (search '() #f #f #f 0 0)])
     (define after (f (+ x h)))
     (define before (f (- x h)))
-    (define there? (and (finite? after) (finite? before) (finite? middle)))
+    (define there? (andmap flvector-finite? (list after before middle)))
     (define next (if there? (refined s after middle before h) (interrupted s)))
     (define last? (>= (search-count next) most-rows))
     (define good? (and there? (good-enough? s next tolerance)))
@@ -156,4 +156,3 @@
 (define (map-flvector g v) (for/flvector #:length (flvector-length v) ([x (in-flvector v)]) (g x)))
 (define (map-flvectors g v w)
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [y (in-flvector w)]) (g x y)))
-(define (finite? v) (for/and ([x (in-flvector v)]) (< (abs x) +inf.0)))

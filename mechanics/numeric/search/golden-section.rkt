@@ -7,13 +7,12 @@
 ;; takes one evaluation and leaves 1 − a = 0.618 of the interval.  No function with
 ;; one minimum is harder than any other.
 
-(require "../constants.rkt" "../sample.rkt"
+(require "point.rkt"
+         "../constants.rkt" "../sample.rkt"
          "../../error/failure.rkt")
 
 ;; (golden-section f low high) -> (list argument value steps)
 (provide golden-section width-at-most)
-
-(struct point (x y) #:authentic)
 
 ;; done? : low, best and high point, the values there and the count of steps -> boolean
 (define (golden-section f low high
@@ -21,16 +20,13 @@
                         #:limit [limit 200]
                         #:observe [observe void]
                         #:name [who 'golden-section-min])
-  (check-finite who low "end of the interval")
-  (check-finite who high "end of the interval")
-  (define (at x)
-    (define p (point x (sample who f x)))
-    (observe x (point-y p))
-    p)
+  (check-interval who low high)
+  (define at (observed who f observe))
   (define (between p q part) (at (+ (point-x p) (* part (- (point-x q) (point-x p))))))
   (define a (at (real->double-flonum (min low high))))
   (define b (at (real->double-flonum (max low high))))
-  (let loop ([a a] [left (between a b golden-part)] [right (between b a golden-part)] [b b] [count 0])
+  (let loop ([a a] [left (between a b golden-part)] [right (between b a golden-part)] [b b]
+             [count 0])
     (define best (if (<= (point-y left) (point-y right)) left right))
     (cond
       [(done? (point-x a) (point-x best) (point-x b) (point-y a) (point-y best) (point-y b) count)

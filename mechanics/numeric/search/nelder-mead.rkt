@@ -10,6 +10,8 @@
 ;; collapse before it arrives.
 
 (require racket/flonum
+         racket/list
+         "../flvector.rkt"
          "../../error/failure.rkt")
 
 (provide nelder-mead)
@@ -38,7 +40,7 @@
                           "evaluations" count))
   (define (search start)
     (let loop ([simplex (sorted (initial-simplex vertex-at start step))])
-      (define best (car simplex))
+      (define best (first simplex))
       (observe (vertex-x best) (vertex-y best))
       (cond [(= (vertex-y best) -inf.0) (not-found "the function falls without end" best)]
             [(<= (size simplex) (* tolerance (+ 1.0 (greatest (vertex-x best))))) best]
@@ -62,9 +64,9 @@
 
 ;; simplex : vertices by value, the best first
 (define (move simplex vertex-at)
-  (define best (car simplex))
-  (define-values (others worst) (split-last simplex))
-  (define next-worst (let-values ([(rest last) (split-last others)]) last))
+  (define best (first simplex))
+  (define worst (last simplex))
+  (define others (drop-right simplex 1))
   (define centre (mean (map vertex-x others)))
   ;; t = -1 is the worst point, t = 1 its reflection
   (define (try t) (vertex-at (between centre (vertex-x worst) t)))
@@ -75,7 +77,7 @@
     [(< y (vertex-y best))
      (define farther (try 2.0))
      (replace-worst (if (< (vertex-y farther) y) farther reflected))]
-    [(< y (vertex-y next-worst)) (replace-worst reflected)]
+    [(< y (vertex-y (last others))) (replace-worst reflected)]
     [else
      (define nearer (try (if (< y (vertex-y worst)) 0.5 -0.5)))
      (if (< (vertex-y nearer) (min y (vertex-y worst)))
@@ -83,33 +85,23 @@
          (shrink simplex vertex-at))]))
 
 (define (shrink simplex vertex-at)
-  (define best (car simplex))
+  (define best (first simplex))
   (sorted (cons best
-                (for/list ([v (in-list (cdr simplex))])
+                (for/list ([v (in-list (rest simplex))])
                   (vertex-at (mean (list (vertex-x best) (vertex-x v))))))))
-
-(define (split-last xs)
-  (if (null? (cdr xs))
-      (values '() (car xs))
-      (let-values ([(rest last) (split-last (cdr xs))])
-        (values (cons (car xs) rest) last))))
 
 ;; ---------------------------------------------------------------------------
 ;; Points
 
 (define (mean xs)
   (define n (->fl (length xs)))
-  (for/flvector #:length (flvector-length (car xs)) ([i (in-range (flvector-length (car xs)))])
+  (define size (flvector-length (first xs)))
+  (for/flvector #:length size ([i (in-range size)])
     (/ (for/fold ([sum 0.0]) ([x (in-list xs)]) (+ sum (flvector-ref x i))) n)))
 
-(define (between centre worst t)
-  (for/flvector #:length (flvector-length centre) ([c (in-flvector centre)] [w (in-flvector worst)])
-    (+ c (* t (- c w)))))
+(define (between centre worst t) (along centre t (difference centre worst)))
 
+;; How far the points are from the best one.
 (define (size simplex)
-  (define best (vertex-x (car simplex)))
-  (for*/fold ([m 0.0]) ([v (in-list (cdr simplex))] [i (in-range (flvector-length best))])
-    (max m (abs (- (flvector-ref (vertex-x v) i) (flvector-ref best i))))))
-
-(define (flvector->list v) (for/list ([x (in-flvector v)]) x))
-(define (greatest v) (for/fold ([m 0.0]) ([x (in-flvector v)]) (max m (abs x))))
+  (define best (vertex-x (first simplex)))
+  (for/fold ([m 0.0]) ([v (in-list (rest simplex))]) (max m (distance (vertex-x v) best))))

@@ -14,8 +14,8 @@
 ;; where J has an inverse each step squares the error.
 
 (require racket/flonum
-         "../sample.rkt"
-         "../linear/flonum-systems.rkt"
+         "../flvector.rkt" "../sample.rkt"
+         "../linear/flonum-systems.rkt" "../linear/rows.rkt"
          "../../error/failure.rkt")
 
 (provide newton)
@@ -40,7 +40,7 @@
                           "steps" count))
   (let loop ([x start] [f (value start)] [count 0])
     (observe (argument x) (flvector->list f))
-    (unless (finite? f) (raise-no-step who "the functions are not finite" (argument x) f))
+    (unless (flvector-finite? f) (raise-no-step who "the functions are not finite" (argument x) f))
     (define J (and (> (greatest f) 0.0) (jacobian x)))
     (define p (and J (or (solution J f) (raise-no-step who no-inverse (argument x) f))))
     (cond
@@ -57,7 +57,7 @@
 ;; −J⁻¹ f, or #f
 (define (solution J f)
   (define rows
-    (and (for*/and ([row (in-vector J)] [x (in-vector row)]) (< (abs x) +inf.0))
+    (and (all-entries? finite? J)
          (floating-solutions J (for/vector ([y (in-flvector f)]) (vector (- y))))))
   (and (vector? rows)
        (for/flvector #:length (flvector-length f) ([row (in-vector rows)]) (vector-ref row 0))))
@@ -68,7 +68,7 @@
   (let loop ([part 1.0])
     (define next (along x part p))
     (define f (value next))
-    (define q (and (finite? f) (solution J f)))
+    (define q (and (flvector-finite? f) (solution J f)))
     (cond [(and q (<= (size q x) (* (- 1.0 (* 0.5 part)) length))) (values next f)]
           [(< part least-part) (values #f #f)]
           [else (loop (* 0.5 part))])))
@@ -83,15 +83,6 @@
   (flsqrt (for/fold ([sum 0.0]) ([u (in-flvector p)] [v (in-flvector x)])
             (define q (fl/ u (fl+ 1.0 (flabs v))))
             (fl+ sum (fl* q q)))))
-
-(define (greatest v) (for/fold ([m 0.0]) ([x (in-flvector v)]) (if (fl<= (flabs x) m) m (flabs x))))
-(define (finite? v) (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))
-
-(define (along x a p)
-  (for/flvector #:length (flvector-length x) ([u (in-flvector x)] [v (in-flvector p)])
-    (fl+ u (fl* a v))))
-
-(define (flvector->list v) (for/list ([x (in-flvector v)]) x))
 
 (define (raise-no-step who what x f)
   (raise-singular who what x

@@ -21,9 +21,10 @@
 ;; function; unless what is left to gain, p·g/2, is itself no more than rounding.
 
 (require racket/flonum
+         "../flvector.rkt"
          "../../error/failure.rkt")
 
-(provide quasi-newton flvector->list)
+(provide quasi-newton)
 
 ;; value-and-gradient : x -> value, gradient; flvectors and a flonum
 ;; observe            : called with each point reached and the value there
@@ -70,7 +71,7 @@
 (define (raise-no-minimum who what argument error f g evaluations)
   (raise-not-convergent who (string-append "no minimum found: " what) argument error
                         "value there" f
-                        "size of the gradient there" (size g)
+                        "size of the gradient there" (norm g)
                         "evaluations" evaluations))
 
 ;; ---------------------------------------------------------------------------
@@ -136,17 +137,3 @@
   (for/flvector #:length (flvector-length v) ([row (in-vector H)]) (dot row v)))
 (define (negative-product H v)
   (for/flvector #:length (flvector-length v) ([x (in-flvector (product H v))]) (- x)))
-
-;; ---------------------------------------------------------------------------
-;; Vectors
-
-(define (finite? x) (fl< (flabs x) +inf.0))
-(define (dot v w)
-  (for/fold ([sum 0.0]) ([x (in-flvector v)] [y (in-flvector w)]) (fl+ sum (fl* x y))))
-(define (along x a p)
-  (for/flvector #:length (flvector-length x) ([u (in-flvector x)] [v (in-flvector p)])
-    (fl+ u (fl* a v))))
-(define (difference v w) (along v -1.0 w))
-(define (size v) (flsqrt (dot v v)))
-(define (flvector->list v) (for/list ([x (in-flvector v)]) x))
-(define (greatest v) (for/fold ([m 0.0]) ([x (in-flvector v)]) (max m (abs x))))

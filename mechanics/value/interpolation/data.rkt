@@ -6,7 +6,8 @@
 
 (require "../../error/complain.rkt"
          "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/tracing.rkt"
-         "../../generic/up-down.rkt")
+         "../../generic/up-down.rkt"
+         (only-in "../../numeric/flvector.rkt" finite?))
 
 (provide points values-at check-increasing check-distinct
          location)
@@ -24,7 +25,7 @@
     (complain who "expected two points or more\n  given: ~a" (vector-length v)))
   (for ([x (in-vector v)])
     (define c (comparand x))
-    (unless (and (real? c) (< (abs c) +inf.0))
+    (unless (finite? c)
       (complain who "expected points that are real numbers\n  given: ~a"
                 (describe-with-value x))))
   v)

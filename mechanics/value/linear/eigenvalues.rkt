@@ -15,6 +15,7 @@
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/scalar.rkt"
+         "../../numeric/flvector.rkt"
          "../../numeric/linear/rows.rkt" "../../numeric/linear/unit.rkt")
 
 (provide characteristic-polynomial eigenvalues)
@@ -74,17 +75,17 @@
   (cond [(= n 2) (two-numeric-eigenvalues v)]
         [(symmetric? v n)
          (define-values (found vectors) (symmetric-eigenvalues v n))
-         (for/list ([x (in-flvector found)]) x)]
+         (flvector->list found)]
         [else (sort (or (real-matrix-eigenvalues v n) (raise-not-separate m)) before?)]))
 
 (define (two-numeric-eigenvalues v)
   (define unit (unit-of v))
-  (define-values (a b c d) (apply values (for/list ([x (in-flvector (in-units v unit))]) x)))
+  (define-values (a b c d) (apply values (flvector->list (in-units v unit))))
   (for/list ([x (in-list (two-eigenvalues (vector (vector a b) (vector c d))))]) (* unit x)))
 
 (define (check-finite m v)
   (for ([x (in-flvector v)])
-    (unless (fl< (flabs x) +inf.0)
+    (unless (finite? x)
       (raise-arguments-error 'eigenvalues "expected a matrix of finite numbers"
                              "entry" x
                              "matrix" m))))

@@ -1,0 +1,49 @@
+#lang racket/base
+;; Flvectors as points and directions, and whether numbers are finite: what racket/flonum
+;; leaves out.
+;;
+;; The inner loops of integration are written with the macros of ode/vectors.rkt, which
+;; make no new vectors.
+
+(require racket/flonum
+         racket/unsafe/ops)
+
+(provide finite? flvector-finite?
+         flvector->list flvector-copy!
+         along difference dot norm greatest distance)
+
+;; Is x, which may be anything, a real number and finite?  Racket's flonums are rational
+;; where they are.
+(define (finite? x) (rational? x))
+
+(define (flvector-finite? v)
+  (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))
+
+(define (flvector->list v) (for/list ([x (in-flvector v)]) x))
+
+;; `to` is at least as long.
+(define (flvector-copy! to from)
+  (define n (flvector-length from))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      (flvector-set! to i (unsafe-flvector-ref from i))
+      (loop (unsafe-fx+ i 1)))))
+
+;; x + a p
+(define (along x a p)
+  (for/flvector #:length (flvector-length x) ([u (in-flvector x)] [v (in-flvector p)])
+    (fl+ u (fl* a v))))
+
+(define (difference v w) (along v -1.0 w))
+
+(define (dot v w)
+  (for/fold ([sum 0.0]) ([x (in-flvector v)] [y (in-flvector w)]) (fl+ sum (fl* x y))))
+
+;; Euclid's length.
+(define (norm v) (flsqrt (dot v v)))
+
+;; The greatest absolute value of a component, and of a difference of components.
+(define (greatest v)
+  (for/fold ([m 0.0]) ([x (in-flvector v)]) (flmax m (flabs x))))
+(define (distance v w)
+  (for/fold ([m 0.0]) ([x (in-flvector v)] [y (in-flvector w)]) (flmax m (flabs (fl- x y)))))
