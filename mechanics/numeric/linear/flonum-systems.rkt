@@ -11,32 +11,18 @@
 ;; That does not depend on the units of unknowns and equations, as a condition
 ;; number does.  It costs an inverse, and is asked only if a pivot became small.
 
-(require "rows.rkt")
+(require "row-operations.rkt" "rows.rkt")
 
-(provide floating-determinant floating-solutions
-         floating-kernel)
+(provide floating-determinant floating-solutions floating-kernel
+         clear-below!)
 
 (define epsilon (expt 2.0 -52))
 
-;; ---------------------------------------------------------------------------
-;; Matrices: vectors of rows, of which the copies made here are changed
+;; Matrices are vectors of rows, of which the copies made here are changed.
+(define-row-operations (greatest-below clear-below! substitute-back!)
+  0.0 zero? - * / magnitude >)
 
-(define (inexact-rows rows)
-  (for/vector #:length (vector-length rows) ([row (in-vector rows)])
-    (for/vector #:length (vector-length row) ([x (in-vector row)]) (exact->inexact x))))
-
-;; Subtracts multiples of row k, which is 0 before column `start`, from those below,
-;; to clear column j there.
-(define (clear-below! rows k j start)
-  (define top (vector-ref rows k))
-  (define pivot (vector-ref top j))
-  (for ([i (in-range (add1 k) (vector-length rows))])
-    (define row (vector-ref rows i))
-    (define factor (/ (vector-ref row j) pivot))
-    (unless (zero? factor)
-      (for ([l (in-range start (vector-length row))])
-        (vector-set! row l (- (vector-ref row l) (* factor (vector-ref top l))))))
-    (vector-set! row j 0.0)))
+(define (inexact-rows rows) (rows-map exact->inexact rows))
 
 ;; ---------------------------------------------------------------------------
 ;; Square systems
@@ -54,10 +40,6 @@
            (clear-below! rows k k (add1 k))
            (loop (add1 k) (if (= p k) sign (- sign)))])))
 
-(define (greatest-below rows k)
-  (for/fold ([best k]) ([i (in-range (add1 k) (vector-length rows))])
-    (if (> (magnitude (entry rows i k)) (magnitude (entry rows best k))) i best)))
-
 (define (floating-determinant matrix)
   (define rows (inexact-rows matrix))
   (define sign (triangulate! rows))
@@ -72,19 +54,6 @@
              (and (suspicious? matrix rows) (singular-within-rounding? matrix)))
          'singular]
         [else (substitute-back! rows)]))
-
-;; Rows of the unknowns, from the last to the first.
-(define (substitute-back! rows)
-  (define n (vector-length rows))
-  (for ([i (in-range (sub1 n) -1 -1)])
-    (define row (vector-ref rows i))
-    (for ([l (in-range n (vector-length row))])
-      (vector-set! row l
-                   (/ (for/fold ([s (vector-ref row l)]) ([j (in-range (add1 i) n)])
-                        (- s (* (vector-ref row j) (entry rows j l))))
-                      (vector-ref row i)))))
-  (for/vector #:length n ([row (in-vector rows)])
-    (for/vector #:length (- (vector-length row) n) ([x (in-vector row n)]) x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Singular within rounding
@@ -104,9 +73,7 @@
                                                    (magnitudes matrix))))
           1.0)))
 
-(define (magnitudes rows)
-  (for/vector ([row (in-vector rows)])
-    (for/vector ([x (in-vector row)]) (exact->inexact (magnitude x)))))
+(define (magnitudes rows) (rows-map (lambda (x) (exact->inexact (magnitude x))) rows))
 
 (define (product a b)
   (define n (vector-length b))

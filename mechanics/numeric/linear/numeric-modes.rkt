@@ -8,7 +8,8 @@
 
 (require racket/flonum
          racket/list
-         "flonum-systems.rkt" "general-eigenvalues.rkt" "rows.rkt" "symmetric-eigenvalues.rkt")
+         "flonum-systems.rkt" "general-eigenvalues.rkt" "rows.rkt" "symmetric-eigenvalues.rkt"
+         "../flvector.rkt")
 
 (provide symmetric-modes gyroscopic-modes)
 
@@ -28,8 +29,7 @@
 
 ;; Zero frequencies are found but for rounding.
 (define (clean square C)
-  (define size (for/fold ([m 0.0]) ([x (in-flvector C)]) (max m (abs x))))
-  (if (<= (abs square) (* 1e-14 (flvector-length C) size)) 0.0 square))
+  (if (<= (abs square) (* 1e-14 (flvector-length C) (greatest C))) 0.0 square))
 
 ;; A vector of rows of the lower triangle, or #f.
 (define (Cholesky M n)
@@ -122,14 +122,11 @@
 (define (null-vector A n)
   (define order (build-vector n values))
   (for ([k (in-range (- n 1))])
-    (define-values (p q) (greatest A k n))
+    (define-values (p q) (greatest-left A k n))
     (exchange! A k p)
     (exchange! order k q)
     (for ([row (in-vector A)]) (exchange! row k q))
-    (for ([i (in-range (+ k 1) n)])
-      (define factor (/ (entry A i k) (entry A k k)))
-      (for ([j (in-range k n)])
-        (vector-set! (vector-ref A i) j (- (entry A i j) (* factor (entry A k j)))))))
+    (clear-below! A k k (+ k 1)))
   (define x (make-vector n 0.0))
   (define unknowns (make-vector n 1.0))
   (for ([k (in-range (- n 2) -1 -1)])
@@ -140,6 +137,6 @@
   (for ([place (in-vector order)] [v (in-vector unknowns)]) (vector-set! x place v))
   (vector->list x))
 
-(define (greatest A k n)
+(define (greatest-left A k n)
   (for*/fold ([p k] [q k]) ([i (in-range k n)] [j (in-range k n)])
     (if (> (magnitude (entry A i j)) (magnitude (entry A p q))) (values i j) (values p q))))

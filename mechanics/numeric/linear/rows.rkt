@@ -2,7 +2,7 @@
 ;; Matrices as vectors of rows, which are vectors of entries of any kind.
 
 (provide entry all-entries? row-length
-         rows-transpose beside submatrix unit-rows
+         rows-map rows-transpose beside submatrix unit-rows
          exchange!)
 
 (define (entry rows i j) (vector-ref (vector-ref rows i) j))
@@ -12,6 +12,11 @@
 
 (define (row-length rows)
   (if (eqv? 0 (vector-length rows)) 0 (vector-length (vector-ref rows 0))))
+
+;; New rows, of what f makes of each entry.
+(define (rows-map f rows)
+  (for/vector #:length (vector-length rows) ([row (in-vector rows)])
+    (for/vector #:length (vector-length row) ([x (in-vector row)]) (f x))))
 
 (define (rows-transpose rows)
   (define n (row-length rows))
