@@ -5,7 +5,8 @@
 ;; They compute in libmpfr, a library that Racket does not bring with it on every
 ;; system.  Results are rounded to the precision in force, `bf-precision`.
 
-(require math/bigfloat)
+(require math/bigfloat
+         "../../error/complain.rkt")
 
 (provide check-bigfloats
          call-with-bits
@@ -13,22 +14,23 @@
          real->bigfloat         ; rounded to the precision in force
          exact-value)
 
-;; add : where the library is missing, it fails
+;; add : fails where the library is missing
 (define (check-bigfloats who [add bf+])
-  (with-handlers ([exn:fail? (lambda (e) (raise-no-library who))])
+  (with-handlers ([no-function? (lambda (e) (raise-no-library who))])
     (add (bf 1) (bf 2))
     (void)))
 
+;; A foreign function that was not found says so by `error`, as a failure of no kind of its own.
+(define (no-function? e) (and (exn:fail? e) (not (exn:fail:contract? e))))
+
 (define (raise-no-library who)
-  (raise
-   (exn:fail:unsupported
-    (string-append
-     (symbol->string who)
-     ": numbers of higher precision need the library MPFR, which is not installed"
-     "\n  Debian, Ubuntu: apt install libmpfr6"
-     "\n  Fedora: dnf install mpfr; Arch: pacman -S mpfr"
-     "\n  macOS, Windows: Racket's package math-lib brings it: raco pkg install math-lib")
-    (current-continuation-marks))))
+  (raise-unsupported
+   who
+   (string-append
+    "numbers of higher precision need the library MPFR, which is not installed"
+    "\n  Debian, Ubuntu: apt install libmpfr6"
+    "\n  Fedora: dnf install mpfr; Arch: pacman -S mpfr"
+    "\n  macOS, Windows: Racket's package math-lib brings it: raco pkg install math-lib")))
 
 ;; The value of (f), computed with so many bits.
 (define (call-with-bits bits f)

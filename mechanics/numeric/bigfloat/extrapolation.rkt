@@ -17,7 +17,8 @@
 ;; a unit of time costs by it; the cheapest one is aimed at next.
 
 (require math/bigfloat
-         racket/flonum)
+         racket/flonum
+         "../fields.rkt")
 
 (provide make-integrator guard-bits
          ;; for tests of order
@@ -45,51 +46,64 @@
                          #:longest [longest +inf.0] #:limit [limit +inf.0]
                          #:shortest [shortest 0.0])
   (define most (most-rows digits))
-  (define factors (make-factors most))
-  (define y y0)
-  (define t start)
-  (define slope (f y))
-  (define aim (best-rows digits))
-  (define length (first-length y slope))        ; of the next step, a flonum
-  (define count 0)
+  (define slope (f y0))
+  (define i
+    (integrator f start tolerance clock stuck longest limit shortest most (make-factors most)
+                start y0 slope (best-rows digits) (first-length y0 slope) 0))
+  (lambda (end visit) (advance! i end visit)))
 
-  ;; Towards a pole steps get shorter without end, for rounding is far away.
-  (define (too-short? h)
-    (define scale (flmax (flabs (bigfloat->flonum t)) (flabs (bigfloat->flonum (bf- t start)))))
-    (fl<= h (fl* shortest scale)))
+;; most, factors : rows of the scheme, and what they are made with
+;; t, y, slope   : where the motion is
+;; aim, length   : of the next step, the rows aimed at and a flonum; count : of steps
+(struct integrator (f start tolerance clock stuck longest limit shortest most factors
+                    [t #:mutable] [y #:mutable] [slope #:mutable]
+                    [aim #:mutable] [length #:mutable] [count #:mutable])
+  #:authentic)
 
-  ;; Up to `end` or by one step towards it.
-  (define (step! end visit)
-    (define remaining (bf- end t))
-    (define far (abs (bigfloat->flonum remaining)))
-    (define sign (if (bfnegative? remaining) -1 1))
-    (when (>= count limit) (stuck t y 'too-many-steps))
-    (set! count (+ count 1))
-    (let try ([h (flmin longest length)])
-      (define last? (fl>= (fl* 1.0000001 h) far))
-      (define H (if last? remaining (bf (* sign h))))
-      (when (and (not last?) (too-short? h)) (stuck t y 'too-short))
-      (define-values (z errors accepted?) (extrapolate f y slope H tolerance aim most factors))
-      (define-values (rows next) (best-choice errors (if last? far h) accepted? most))
-      (cond
-        [accepted?
-         (define from t)
-         (define before y)
-         (set! t (if last? end (bf+ t H)))
-         (set! y (if clock (with-component z clock t) z))
-         (set! slope (f y))
-         (unless (and last? (fl< next length))  ; it was short for no fault of its own
-           (set! aim rows)
-           (set! length next))
-         (visit from before t y)]
-        [else (set! aim rows)
-              (try next)])))
+(define (advance! i end visit)
+  (let loop ([go-on? #t])
+    (define t (integrator-t i))
+    (if (and go-on? (not (bf= t end)))
+        (loop (step! i end visit))
+        (values t (integrator-y i)))))
 
-  (lambda (end visit)
-    (let loop ()
-      (cond [(bf= t end) (values t y)]
-            [(step! end visit) (loop)]
-            [else (values t y)]))))
+;; Up to `end` or by one step towards it.
+(define (step! i end visit)
+  (define-fields integrator i t y length longest count limit stuck)
+  (when (>= count limit) (stuck t y 'too-many-steps))
+  (set-integrator-count! i (+ count 1))
+  (try! i end (flmin longest length) visit))
+
+(define (try! i end h visit)
+  (define-fields integrator i f t y slope tolerance aim most factors stuck)
+  (define remaining (bf- end t))
+  (define far (abs (bigfloat->flonum remaining)))
+  (define last? (fl>= (fl* 1.0000001 h) far))
+  (define H (if last? remaining (bf (if (bfnegative? remaining) (- h) h))))
+  (when (and (not last?) (too-short? i h)) (stuck t y 'too-short))
+  (define-values (z errors accepted?) (extrapolate f y slope H tolerance aim most factors))
+  (define-values (rows next) (best-choice errors (if last? far h) accepted? most))
+  (cond [accepted?
+         (unless (and last? (fl< next (integrator-length i)))   ; short for no fault of its own
+           (set-integrator-aim! i rows)
+           (set-integrator-length! i next))
+         (accept! i (if last? end (bf+ t H)) z)
+         (visit t y (integrator-t i) (integrator-y i))]
+        [else (set-integrator-aim! i rows)
+              (try! i end next visit)]))
+
+(define (accept! i t z)
+  (define-fields integrator i f clock)
+  (define y (if clock (with-component z clock t) z))
+  (set-integrator-t! i t)
+  (set-integrator-y! i y)
+  (set-integrator-slope! i (f y)))
+
+;; Towards a pole steps get shorter without end, for rounding is far away.
+(define (too-short? i h)
+  (define-fields integrator i t start shortest)
+  (define scale (flmax (flabs (bigfloat->flonum t)) (flabs (bigfloat->flonum (bf- t start)))))
+  (fl<= h (fl* shortest scale)))
 
 (define (with-component v k x)
   (define new (make-vector (vector-length v)))
