@@ -21,12 +21,12 @@
 
 (define (flvector->list v) (for/list ([x (in-flvector v)]) x))
 
-;; `to` is at least as long.
+;; As many components as both have.
 (define (flvector-copy! to from)
-  (define n (flvector-length from))
+  (define n (unsafe-fxmin (flvector-length to) (flvector-length from)))
   (let loop ([i 0])
     (when (unsafe-fx< i n)
-      (flvector-set! to i (unsafe-flvector-ref from i))
+      (unsafe-flvector-set! to i (unsafe-flvector-ref from i))
       (loop (unsafe-fx+ i 1)))))
 
 ;; x + a p

@@ -24,13 +24,11 @@
 
 (define (start f! y0)
   (define n (flvector-length y0))
-  (define-vectors n e old k w u first)
+  (define-vectors n e w k u first)
   (define y (flvector-copy y0))
-  (define step 0.0)
-  ;; row j of the scheme, from T(j, 0)
-  (define (flvectors count) (build-vector count (lambda (k) (make-flvector n))))
-  (define scheme (build-vector rows (lambda (j) (flvectors (+ j 1)))))
-  (define (T j k) (vector-ref (vector-ref scheme j) k))
+  (define scheme (make-scheme n))
+  (define best (T scheme (- rows 1) (- rows 1)))
+  (define before (T scheme (- rows 1) (- rows 2)))
 
   ;; The smoothed midpoint rule: w and u are the last two points.
   (define (midpoint-rule! h count out)
@@ -45,29 +43,30 @@
     (combine! n out w 0.5 [1.0 u] [-1.0 w])
     (combine! n out out (fl* 0.5 sub) [1.0 k]))
 
-  (define (extrapolate! j k)
-    (define ratio (fl/ (->fl (substeps j)) (->fl (substeps (- j k)))))
-    (define factor (fl/ 1.0 (fl- (fl* ratio ratio) 1.0)))
-    (combine! n (T j k) (T j (- k 1)) factor [1.0 (T j (- k 1))] [-1.0 (T (- j 1) (- k 1))]))
-
   (define (try! h)
-    (set! step h)
     (for ([j (in-range rows)])
-      (midpoint-rule! h (substeps j) (T j 0))
-      (for ([k (in-range 1 (+ j 1))]) (extrapolate! j k)))
-    (define last (- rows 1))
-    (weighted-sum! n e [1.0 (T last last)] [-1.0 (T last (- last 1))])
-    (root-mean-square e y (T last last) n))
-
-  (define (accept!)
-    (flvector-copy! old y)
-    (flvector-copy! y (T (- rows 1) (- rows 1)))
-    (f! y first))
-
-  (define between (by-shorter-steps start f!))
-  (define (interpolant) (between old y step))
+      (midpoint-rule! h (substeps j) (T scheme j 0))
+      (extrapolate-row! n scheme j))
+    (weighted-sum! n e [1.0 best] [-1.0 before])
+    (root-mean-square e y best n))
 
   (f! y first)
-  (stepper y (lambda () first) try! accept! interpolant))
+  (make-stepper y best (lambda () first) try! (by-shorter-steps start f! y)
+                #:accepted (lambda () (f! y first))))
+
+;; Rows of flvectors, from T(j, 0) to T(j, j)
+(define (make-scheme n)
+  (for/vector #:length rows ([j (in-range rows)])
+    (build-vector (+ j 1) (lambda (k) (make-flvector n)))))
+
+(define (T scheme j k) (vector-ref (vector-ref scheme j) k))
+
+;; Row j, of which the first entry is known.
+(define (extrapolate-row! n scheme j)
+  (for ([k (in-range 1 (+ j 1))])
+    (define ratio (fl/ (->fl (substeps j)) (->fl (substeps (- j k)))))
+    (define factor (fl/ 1.0 (fl- (fl* ratio ratio) 1.0)))
+    (define-values (here above) (values (T scheme j (- k 1)) (T scheme (- j 1) (- k 1))))
+    (combine! n (T scheme j k) here factor [1.0 here] [-1.0 above])))
 
 (define bulirsch-stoer (adaptive-method 'bulirsch-stoer (* 2 (- rows 1)) start))

@@ -13,60 +13,57 @@
 
 (require racket/flonum
          "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
-         "../flvector.rkt")
+         "../fields.rkt" "../flvector.rkt")
 
 (provide gauss-legendre-2 gauss-legendre-4 gauss-legendre-6)
 
 (define repetitions 100)
 (define rounding 4e-16)
 
-;; A : rows of coefficients; b : weights
+;; y : the present state; A : rows of coefficients; ks : the slopes, as they are found
+(struct equations (f! n y A ks w new change) #:authentic)
+
+;; b : weights
 (define ((start A b) f! y0)
   (define n (flvector-length y0))
   (define y (flvector-copy y0))
-  (define-vectors n z old w change new first)
+  (define-vectors n z w new change first)
   (define ks (for/list ([_ (in-list b)]) (make-flvector n)))
-  (define step 0.0)
-
-  (define (add-slopes! out h coefficients)
-    (flvector-copy! out y)
-    (for ([a (in-list coefficients)] [k (in-list ks)])
-      (combine! n out out (fl* h a) [1.0 k])))
-
-  ;; One repetition -> the greatest change of a slope, relative to y.
-  (define (repeat! h)
-    (for/fold ([greatest 0.0]) ([row (in-list A)] [k (in-list ks)])
-      (add-slopes! w h row)
-      (f! w new)
-      (weighted-sum! n change [h new] [(fl- 0.0 h) k])
-      (flvector-copy! k new)
-      (flmax greatest (root-mean-square change y y n))))
-
+  (define q (equations f! n y A ks w new change))
   (define (try! h)
-    (set! step h)
-    (define converged?
-      (let loop ([count 0] [last +inf.0])
-        (define c (repeat! h))
-        (cond [(fl<= c rounding) #t]
-              [(or (= count repetitions) (not (fl< c +inf.0))) #f]
-              [(and (fl< c 1e-12) (fl>= c last)) #t]      ; rounding goes on for ever
-              [else (loop (+ count 1) c)])))
-    (add-slopes! z h b)
-    (if (and converged? (flvector-finite? z)) 0.0 +nan.0))
-
-  (define (accept!)
-    (flvector-copy! old y)
-    (flvector-copy! y z))
-
+    (define solved? (solve! q h))
+    (add-slopes! q z h b)
+    (if (and solved? (flvector-finite? z)) 0.0 +nan.0))
   (define (slope)
     (f! y first)
     first)
-
-  (define between (by-shorter-steps (start A b) f!))
-  (define (interpolant) (between old y step))
-
   (for ([k (in-list ks)]) (f! y k))
-  (stepper y slope try! accept! interpolant))
+  (make-stepper y z slope try! (by-shorter-steps (start A b) f! y)))
+
+;; -> did the repetitions converge?
+(define (solve! q h)
+  (define-fields equations q f! n y A ks w new change)
+  ;; -> the greatest change of a slope, relative to y
+  (define (repeat!)
+    (for/fold ([most 0.0]) ([row (in-list A)] [k (in-list ks)])
+      (add-slopes! q w h row)
+      (f! w new)
+      (weighted-sum! n change [h new] [(fl- 0.0 h) k])
+      (flvector-copy! k new)
+      (flmax most (root-mean-square change y y n))))
+  (let loop ([count 0] [last +inf.0])
+    (define size (repeat!))
+    (cond [(fl<= size rounding) #t]
+          [(or (= count repetitions) (not (fl< size +inf.0))) #f]
+          [(and (fl< size 1e-12) (fl>= size last)) #t]      ; rounding goes on for ever
+          [else (loop (+ count 1) size)])))
+
+;; out = y + h (a₁ k₁ + a₂ k₂ + ...)
+(define (add-slopes! q out h coefficients)
+  (define-fields equations q n y ks)
+  (flvector-copy! out y)
+  (for ([a (in-list coefficients)] [k (in-list ks)])
+    (combine! n out out (fl* h a) [1.0 k])))
 
 (define ((implicit name order A b) h) (fixed-step-method name order h (start A b)))
 

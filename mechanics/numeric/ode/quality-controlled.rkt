@@ -7,16 +7,14 @@
 ;; which is the estimate and is added to z.
 
 (require racket/flonum
-         "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
-         "../flvector.rkt")
+         "shorter-step.rkt" "stepper.rkt" "vectors.rkt")
 
 (provide quality-controlled-runge-kutta-4)
 
 (define (start f! y0)
   (define n (flvector-length y0))
-  (define-vectors n z w middle e old k0 k1 k2 k3 first)
+  (define-vectors n z w middle e k0 k1 k2 k3 first)
   (define y (flvector-copy y0))
-  (define step 0.0)
 
   ;; From `from`, where the slope is k0, to `to`.
   (define (classical-step! from to h k0)
@@ -29,7 +27,6 @@
     (combine! n to from (fl/ h 6.0) [1.0 k0] [2.0 k1] [2.0 k2] [1.0 k3]))
 
   (define (try! h)
-    (set! step h)
     (define half (fl* 0.5 h))
     (classical-step! y w h first)
     (classical-step! y middle half first)
@@ -39,15 +36,8 @@
     (combine! n z z 1.0 [1.0 e])
     (root-mean-square e y z n))
 
-  (define (accept!)
-    (flvector-copy! old y)
-    (flvector-copy! y z)
-    (f! y first))
-
-  (define between (by-shorter-steps start f!))
-  (define (interpolant) (between old y step))
-
   (f! y first)
-  (stepper y (lambda () first) try! accept! interpolant))
+  (make-stepper y z (lambda () first) try! (by-shorter-steps start f! y)
+                #:accepted (lambda () (f! y first))))
 
 (define quality-controlled-runge-kutta-4 (adaptive-method 'qcrk4 5 start))

@@ -6,8 +6,12 @@
 ;; that may be; the driver (integrate.rkt) accepts it or tries a shorter one.
 ;; Time, where f depends on it, is a component of y with derivative 1.
 
+(require racket/flonum
+         "../flvector.rkt")
+
 (provide (struct-out method) adaptive-method fixed-step-method
-         start-stepper (struct-out stepper) (struct-out controlled-stepper))
+         start-stepper (struct-out stepper) (struct-out controlled-stepper)
+         make-stepper)
 
 ;; order : the error of a step of length h, as far as it is estimated, is of the
 ;;         order h^order
@@ -50,3 +54,22 @@
   (if (method-jacobian? m)
       ((method-start m) f! y0 tolerance)
       ((method-start m) f! y0)))
+
+;; ---------------------------------------------------------------------------
+;; Making one
+
+;; y           : the present state; z : where a step that is tried leaves the new one
+;; try!        : h -> error, as above
+;; accepted!   : -> void; called when z has become the present state
+;; interpolant : old h -> interpolant of the step of length h from the state `old` to y
+(define (make-stepper y z slope try! interpolant #:accepted [accepted! void])
+  (define old (make-flvector (flvector-length y)))
+  (define step 0.0)
+  (define (try-step! h)
+    (set! step h)
+    (try! h))
+  (define (accept!)
+    (flvector-copy! old y)
+    (flvector-copy! y z)
+    (accepted!))
+  (stepper y slope try-step! accept! (lambda () (interpolant old step))))

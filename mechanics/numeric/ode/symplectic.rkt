@@ -25,8 +25,7 @@
   (define q-start (remainder n 2))      ; a clock comes first
   (define p-start (+ q-start (quotient n 2)))
   (define y (flvector-copy y0))
-  (define-vectors n z old dz)
-  (define step 0.0)
+  (define-vectors n z dz)
 
   (define-syntax-rule (kick! h)
     (begin
@@ -38,7 +37,6 @@
       (advance! z dz h 0 p-start)))
 
   (define (try! h)
-    (set! step h)
     (flvector-copy! z y)
     (let loop ([k 0])
       (kick! (fl* h (flvector-ref kicks k)))
@@ -47,18 +45,11 @@
         (loop (+ k 1))))
     (if (flvector-finite? z) 0.0 +nan.0))
 
-  (define (accept!)
-    (flvector-copy! old y)
-    (flvector-copy! y z))
-
   (define (slope)
     (f! y dz)
     dz)
 
-  (define between (by-shorter-steps (start weights) f!))
-  (define (interpolant) (between old y step))
-
-  (stepper y slope try! accept! interpolant))
+  (make-stepper y z slope try! (by-shorter-steps (start weights) f! y)))
 
 ;; Half a weight before each drift and after it; two half kicks that meet are one.
 (define (kicks-between weights)

@@ -8,11 +8,25 @@
 (require racket/flonum
          racket/unsafe/ops)
 
-(provide define-vectors combine! weighted-sum! weighted at advance! scale! exchange!
-         nested-polynomial root-mean-square root-mean-squares)
+(provide define-vectors make-vectors define-elements
+         combine! weighted-sum! weighted at advance! scale! exchange! nested-polynomial
+         root-mean-square root-mean-squares)
 
 (define-syntax-rule (define-vectors n id ...)
   (begin (define id (make-flvector n)) ...))
+
+;; So many vectors in a vector, and names for those of such a vector, from the first one on.
+(define (make-vectors count n) (build-vector count (lambda (_) (make-flvector n))))
+
+(define-syntax-rule (define-elements vectors id ...)
+  (define-elements-from 0 vectors id ...))
+
+(define-syntax define-elements-from
+  (syntax-rules ()
+    [(_ i vectors) (begin)]
+    [(_ i vectors id . more)
+     (begin (define id (unsafe-vector-ref vectors i))
+            (define-elements-from (+ i 1) vectors . more))]))
 
 (define-syntax-rule (for-each-index i n body)
   (let loop ([i 0])
