@@ -3,7 +3,8 @@
 
 (provide pi
          :pi :-pi :pi/2 :2pi          ; as the book's programs spell them
-         golden-ratio golden-part)
+         golden-ratio golden-part
+         epsilon)
 
 (define pi 3.141592653589793)
 
@@ -19,3 +20,6 @@
 ;; (3 − √5)/2 = 1 − golden-ratio: where the lesser part ends of an interval divided so that
 ;; it is to the greater as the greater to the whole.
 (define golden-part 0.3819660112501051)
+
+;; From 1 to the next flonum; rounding is at most half of it.
+(define epsilon (expt 2.0 -52))

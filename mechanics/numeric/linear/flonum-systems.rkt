@@ -11,12 +11,11 @@
 ;; That does not depend on the units of unknowns and equations, as a condition
 ;; number does.  It costs an inverse, and is asked only if a pivot became small.
 
-(require "row-operations.rkt" "rows.rkt")
+(require "row-operations.rkt" "rows.rkt"
+         "../constants.rkt")
 
 (provide floating-determinant floating-solutions floating-kernel
          clear-below!)
-
-(define epsilon (expt 2.0 -52))
 
 ;; Matrices are vectors of rows, of which the copies made here are changed.
 (define-row-operations (greatest-below clear-below! substitute-back!)

@@ -11,7 +11,8 @@
 ;; each, and what remains is a smaller matrix (Francis 1961; Golub and Van Loan, 7.5).
 
 (require racket/flonum
-         "unit.rkt")
+         "unit.rkt"
+         "../constants.rkt")
 
 (provide real-matrix-eigenvalues)
 
@@ -113,7 +114,7 @@
 
 (define (negligible? x a b)
   (define size (fl+ (flabs a) (flabs b)))
-  (fl<= (flabs x) (fl* 1.1102230246251565e-16 (if (fl= size 0.0) 1.0 size))))
+  (fl<= (flabs x) (fl* (fl* 0.5 epsilon) (if (fl= size 0.0) 1.0 size))))
 
 ;; The eigenvalues of rows last - 1 and last.
 (define (last-two h n last)

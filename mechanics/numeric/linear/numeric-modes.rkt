@@ -104,12 +104,11 @@
   (define (clean x) (if (<= (abs x) (* 1e-9 size)) 0.0 x))
   (define omegas
     (for/list ([z (in-list exponents)])
-      (cons (clean (imag-part z)) (clean (- (real-part z))))))
-  (define moving (filter (lambda (w) (> (car w) 0.0)) omegas))
-  (define still (sort (filter (lambda (w) (= (car w) 0.0)) omegas) > #:key cdr))
+      (make-rectangular (clean (imag-part z)) (clean (- (real-part z))))))
+  (define moving (filter (lambda (w) (> (real-part w) 0.0)) omegas))
+  (define still (sort (filter (lambda (w) (= (real-part w) 0.0)) omegas) > #:key imag-part))
   (define chosen (append (take still (- n (length moving))) moving))
-  (sort (for/list ([w (in-list chosen)])
-          (if (= (cdr w) 0.0) (car w) (make-rectangular (car w) (cdr w))))
+  (sort (for/list ([w (in-list chosen)]) (if (= (imag-part w) 0.0) (real-part w) w))
         < #:key real-part))
 
 (define (at-frequency M K G omega n)

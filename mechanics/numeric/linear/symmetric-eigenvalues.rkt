@@ -9,7 +9,8 @@
 ;; relative error of some roundings, which is what slow modes beside fast ones need.
 
 (require racket/flonum
-         racket/list)
+         racket/list
+         "../constants.rkt")
 
 (provide symmetric-eigenvalues)
 
@@ -38,7 +39,7 @@
   (define app (flvector-ref m (* p (+ n 1))))
   (define aqq (flvector-ref m (* q (+ n 1))))
   (and (not (fl= off 0.0))
-       (fl> (flabs off) (fl* epsilon.0 (fl* (flsqrt (flabs app)) (flsqrt (flabs aqq)))))
+       (fl> (flabs off) (fl* (fl* 0.5 epsilon) (fl* (flsqrt (flabs app)) (flsqrt (flabs aqq)))))
        (let*-values ([(tangent) (small-tangent (fl/ (fl- aqq app) (fl* 2.0 off)))]
                      [(c) (fl/ 1.0 (flsqrt (fl+ 1.0 (fl* tangent tangent))))]
                      [(s) (fl* tangent c)])
@@ -50,8 +51,6 @@
          (flvector-set! m (+ (* p n) q) 0.0)
          (flvector-set! m (+ (* q n) p) 0.0)
          #t)))
-
-(define epsilon.0 1.1102230246251565e-16)
 
 ;; The smaller root of t² + 2 t x - 1, the tangent of the angle to turn by: twice the
 ;; angle has the cotangent x.

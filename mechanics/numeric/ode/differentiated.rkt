@@ -5,7 +5,8 @@
 ;; which only about half the digits are right.  An implicit method needs no more: they
 ;; decide how fast its equations are solved, not what the solution is.
 
-(require racket/flonum)
+(require racket/flonum
+         "../flvector.rkt")
 
 (provide differentiated jacobian-of)
 
@@ -28,7 +29,7 @@
   (define after (make-flvector n))
   (lambda (y J)
     (f! y before)
-    (for ([i (in-range n)]) (flvector-set! moved i (flvector-ref y i)))
+    (flvector-copy! moved y)
     (for ([j (in-range n)])
       (define x (flvector-ref y j))
       (define there (fl+ x (fl* root-of-rounding (flmax 1e-3 (flabs x)))))

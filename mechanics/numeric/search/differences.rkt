@@ -19,13 +19,12 @@
 ;; difference, (f(x + h) − 2 f(x) + f(x − h))/h, does not fall with h.
 
 (require racket/flonum
-         "../flvector.rkt" "../sample.rkt"
+         "../constants.rkt" "../flvector.rkt" "../sample.rkt"
          "../../error/failure.rkt")
 
 (provide difference-derivative)
 
 (define most-rows 40)
-(define epsilon (expt 2.0 -52))
 
 ;; value, error : flvectors; badness : the error beside the size of the values, or +inf.0
 (struct entry (value error badness) #:authentic)

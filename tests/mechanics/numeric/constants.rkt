@@ -9,4 +9,6 @@
   (check-equal? (list :-pi :pi/2 :2pi) (list (- pi) (/ pi 2) (* 2 pi)))
   (check-equal? (* 4 (atan 1.0)) pi)
   (check-equal? golden-ratio (/ (- (sqrt 5.0) 1.0) 2.0))
+  (check-true (< 1.0 (+ 1.0 epsilon)))
+  (check-equal? (+ 1.0 (/ epsilon 2)) 1.0)
   (check-= golden-part (- 1.0 golden-ratio) 1e-16))
