@@ -115,8 +115,8 @@
 (define (solve-by-inertia who columns J c)
   (define free (vector-ref columns 0))
   (define pulled (cdr (vector->list columns)))
-  (define S (for/vector ([g (in-list J)]) (for/vector ([x (in-list pulled)]) (dot g x))))
-  (define right (for/vector ([g (in-list J)] [x (in-list c)]) (g:- x (dot g free))))
+  (define S (for/vector ([g (in-list J)]) (for/vector ([x (in-list pulled)]) (sum-of-products g x))))
+  (define right (for/vector ([g (in-list J)] [x (in-list c)]) (g:- x (sum-of-products g free))))
   (define multipliers (solve-or-explain who J S right))
   (define a
     (for/fold ([a free]) ([m (in-vector multipliers)] [x (in-list pulled)])

@@ -58,7 +58,7 @@
   (rows-null-space who J (list->vector J)))
 
 (define (in-directions directions residual)
-  (for/list ([d (in-list directions)]) (dot d residual)))
+  (for/list ([d (in-list directions)]) (sum-of-products d residual)))
 
 ;; One residual is a number, several are a down tuple.
 (define (shape-like s xs)

@@ -81,4 +81,4 @@
   (define left (list->vector (scalars residual)))
   (structure
    'down
-   (for/vector ([d (in-list (rows-null-space who J (list->vector J)))]) (dot d left))))
+   (for/vector ([d (in-list (rows-null-space who J (list->vector J)))]) (sum-of-products d left))))

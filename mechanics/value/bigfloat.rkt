@@ -13,7 +13,8 @@
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
          "../generic/value-struct.rkt"
-         "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt")
+         "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
+         "../numeric/linear/rows.rkt")
 
 (provide bigfloat bigfloat? bigfloat-precision bigfloat->exact
          ;; linear systems
@@ -137,9 +138,5 @@
       (if (big? x) (max most (bits x)) most)))
   (call-with-bits most
     (lambda ()
-      (define x (solutions (each raw-bigfloat A) (each raw-bigfloat right)))
-      (if (eq? x 'singular) x (each wrap x)))))
-
-(define (each f rows)
-  (for/vector #:length (vector-length rows) ([row (in-vector rows)])
-    (for/vector #:length (vector-length row) ([x (in-vector row)]) (f x))))
+      (define x (solutions (rows-map raw-bigfloat A) (rows-map raw-bigfloat right)))
+      (if (eq? x 'singular) x (rows-map wrap x)))))

@@ -22,7 +22,7 @@
 
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
          rows-rank rows-null-space rows-characteristic rows-diagonal-blocks
-         rows-transpose dot)
+         rows-transpose sum-of-products)
 
 (lazy-require ["../bigfloat.rkt" (bigfloat-solutions)])
 
@@ -122,10 +122,10 @@
   (define columns (rows-transpose b))
   (for/vector #:length (vector-length a) ([row (in-vector a)])
     (for/vector #:length (vector-length columns) ([column (in-vector columns)])
-      (dot row column))))
+      (sum-of-products row column))))
 
 ;; Σ vᵢ wᵢ, without the terms that are 0 whatever they are multiplied by.
-(define (dot v w)
+(define (sum-of-products v w)
   (for/fold ([sum 0]) ([x (in-vector v)] [y (in-vector w)] #:unless (or (eqv? x 0) (eqv? y 0)))
     (g:+ sum (g:* x y))))
 
