@@ -160,4 +160,5 @@
 
 (test-case "a transformation prints as what was typed"
   (check-equal? (format "~a" (F->C p->r)) "(F->C p->r)")
-  (check-equal? (format "~a" (compose (L-free-particle 'm) (F->C p->r))) "(compose <function> (F->C p->r))"))
+  (check-equal? (format "~a" (compose (L-free-particle 'm) (F->C p->r)))
+                "(compose L-free-particle (F->C p->r))"))
