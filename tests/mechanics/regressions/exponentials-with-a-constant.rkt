@@ -6,7 +6,7 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/simplify/simplify-expression
-         "../algebra/reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (simplified datum)
   (expression->datum (simplify-expression (datum->expression datum))))

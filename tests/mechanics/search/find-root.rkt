@@ -36,8 +36,12 @@
   (check-= (ref root 1 1) 3 1e-10))
 
 (test-case "a function that cannot be differentiated, by differences"
-  (define (f x) (- (exp (if (flonum? x) x (error "a number, please"))) 2.0))
+  (define (f x) (- (exp (if (flonum? x) x (raise-argument-error 'f "flonum?" x))) 2.0))
   (check-= (find-root f 1) (log 2.0) 1e-12))
+
+(test-case "what a function says by error is said"
+  (define (f x) (- (exp (if (flonum? x) x (error 'f "a number, please"))) 2.0))
+  (check-exn #rx"^f: a number, please$" (lambda () (find-root f 1))))
 
 (test-case "arguments are observed in their shape, and failures carry it"
   (define seen '())

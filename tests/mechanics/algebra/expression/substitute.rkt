@@ -4,7 +4,7 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/substitute
-         "../reading.rkt")
+         mechanics/algebra/expression/read)
 
 (define (substituted d . pairs)
   (expression->datum
