@@ -5,7 +5,7 @@
 ;; that nothing stale can be served.  The last few are kept.
 
 (require racket/list
-         "code.rkt" "program.rkt")
+         "code.rkt")
 
 (provide compiled-program clear-compiled-programs compiled-program-count)
 

@@ -8,8 +8,7 @@
 ;; placeholder not being a number.
 
 (require "program.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/symbols.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/describe.rkt" "../generic/tracing.rkt"
          "../value/shape.rkt")

@@ -21,7 +21,6 @@
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
-         "../numeric/linear/rows.rkt"
          "../value/shape.rkt"
          "../value/linear/row-systems.rkt")
 
@@ -115,7 +114,9 @@
 (define (solve-by-inertia who columns J c)
   (define free (vector-ref columns 0))
   (define pulled (cdr (vector->list columns)))
-  (define S (for/vector ([g (in-list J)]) (for/vector ([x (in-list pulled)]) (sum-of-products g x))))
+  (define S
+    (for/vector ([g (in-list J)])
+      (for/vector ([x (in-list pulled)]) (sum-of-products g x))))
   (define right (for/vector ([g (in-list J)] [x (in-list c)]) (g:- x (sum-of-products g free))))
   (define multipliers (solve-or-explain who J S right))
   (define a

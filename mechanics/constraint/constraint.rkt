@@ -10,8 +10,8 @@
 
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/shape.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 

@@ -4,7 +4,6 @@
 
 (require "../error/failure.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../numeric/linear/rows.rkt"
          "../value/simplify.rkt"
          "../value/linear/row-systems.rkt")
 

@@ -8,12 +8,10 @@
 ;; the residual that is left is that of the Lagrangian in these coordinates.
 
 (require "constraint.rkt" "linearized.rkt"
-         "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../numeric/linear/rows.rkt"
          "../value/compose.rkt" "../value/shape.rkt"
          "../value/linear/row-systems.rkt")
 

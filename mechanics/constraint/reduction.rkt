@@ -8,8 +8,8 @@
 
 (require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt"

@@ -5,7 +5,7 @@
 (require "d-Alembert.rkt" "displacement.rkt" "force.rkt" "generalized-force.rkt"
          "kinetic-energy.rkt" "particles.rkt"
          "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
+         "../generic/arithmetic.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt"
          "../verdict/prove-zero.rkt")

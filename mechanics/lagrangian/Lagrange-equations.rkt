@@ -16,7 +16,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/value-struct.rkt"
          (only-in "../value/compose.rkt" compose))
 
 (provide Lagrange-equations generalized-LE

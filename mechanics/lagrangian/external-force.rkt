@@ -8,8 +8,8 @@
 (require "local-tuple.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt")
 
 (provide Rayleigh-dissipation external-force force-like force->datum)
 

@@ -18,7 +18,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
-         "../value/compose.rkt" "../value/operator.rkt" "../value/structure.rkt")
+         "../value/operator.rkt" "../value/structure.rkt")
 
 (provide Dt Euler-Lagrange-operator LE Lagrange-equations-operator
          clip-state trim-last-argument check-local-tuple)

@@ -10,7 +10,6 @@
 ;; itself is called.
 
 (require racket/flonum
-         racket/unsafe/ops
          "../compile/compile-function.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"

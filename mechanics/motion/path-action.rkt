@@ -18,8 +18,7 @@
          "../compile/compile-function.rkt"
          "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt"
-         "../numeric/quadrature/end-polynomials.rkt" "../numeric/quadrature/gauss-rule.rkt"
-         "../value/shape.rkt")
+         "../numeric/quadrature/end-polynomials.rkt" "../numeric/quadrature/gauss-rule.rkt")
 
 (provide compile-Lagrangian path-action points-between)
 

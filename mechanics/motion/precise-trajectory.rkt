@@ -2,7 +2,6 @@
 ;; Trajectories in numbers of higher precision, as trajectory.rkt makes them of flonums.
 
 (require "event.rkt" "plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt"
-         "../error/failure.rkt"
          "../numeric/progress.rkt")
 
 (provide follow-precise-trajectory)

@@ -15,7 +15,7 @@
 ;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
 
 (require "gauge.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/symbols.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
          "../error/failure.rkt"

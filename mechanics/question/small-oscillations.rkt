@@ -16,7 +16,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")

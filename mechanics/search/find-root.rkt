@@ -11,7 +11,7 @@
          "implicit.rkt"
          "../calculus/derivative.rkt" "../calculus/number.rkt" "../calculus/perturbed.rkt"
          "../error/refusal.rkt"
-         "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../generic/define-plain.rkt"
          "../numeric/search/brent-root.rkt" "../numeric/search/newton.rkt"
          "../value/shape.rkt")
 

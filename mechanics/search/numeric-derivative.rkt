@@ -3,7 +3,7 @@
 ;; a motion.  For all others there is D, which is exact.
 
 (require "../calculus/number.rkt"
-         "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../generic/define-plain.rkt"
          "../numeric/search/differences.rkt"
          "../value/shape.rkt")
 

@@ -6,8 +6,7 @@
 ;; as with any value, and `simplify` simplifies them.
 
 (require "assumptions.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/symbols.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/rewriting/apart.rkt" "../algebra/rewriting/collect.rkt"
          "../algebra/rewriting/expand.rkt" "../algebra/rewriting/factor.rkt"
          "../algebra/rewriting/together.rkt"

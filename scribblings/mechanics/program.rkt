@@ -1,8 +1,7 @@
 #lang racket/base
 ;; The example programs as they are in the source, with what they print and draw.
 
-(require (only-in file/convertible)
-         racket/file
+(require racket/file
          racket/list
          racket/runtime-path
          racket/string

@@ -31,7 +31,8 @@
   (check-equal? (sort found string<?) expected))
 
 (define made-up-rooms
-  (parse-rooms (string-append "- `numeric/`: numbers\n- `numeric/ode/`: steps\n- `algebra/`: forms\n"
+  (parse-rooms
+   (string-append "- `numeric/`: numbers\n- `numeric/ode/`: steps\n- `algebra/`: forms\n"
                               "- `value/`: kinds\n  - `value/series/`: endless\n"
                               "- `lagrangian/`: systems\n- `display/`: showing\n"
                               "- `main.rkt`, `base.rkt`: facades\n- `book/`, `book.rkt`: objects\n")))
@@ -113,8 +114,10 @@
   (define (file name text) (cons name (module-of name text)))
   (check-equal?
    (twin-definitions
-    (list (file "value/a.rkt" "(define (dot v w) (for/sum ([x v] [y w]) (* x y)))\n(define (id x) x)")
-          (file "value/b.rkt" "(define (id x) x)\n\n(define (times a b) (for/sum ([x a] [y b]) (* x y)))")
+    (list (file "value/a.rkt"
+                "(define (dot v w) (for/sum ([x v] [y w]) (* x y)))\n(define (id x) x)")
+          (file "value/b.rkt"
+                "(define (id x) x)\n\n(define (times a b) (for/sum ([x a] [y b]) (* x y)))")
           (file "value/c.rkt" "(define (times a b) (for/sum ([x b] [y a]) (* x y)))")))
    '("the same function: value/a.rkt:2, value/b.rkt:4")))
 

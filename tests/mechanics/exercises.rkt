@@ -2,8 +2,7 @@
 ;; The programs for the exercises: which there are, what each says of itself, and how what it
 ;; prints looks.  What it should be is tested in them.
 
-(require (only-in mechanics)
-         (only-in mechanics/book)
+(require (only-in mechanics/book)
          racket/file
          racket/list
          racket/runtime-path

@@ -6,7 +6,6 @@
 ;; for-label: compiled with this file.  What an expansion loads would be counted.
 (require (for-label mechanics mechanics/base mechanics/book)
          racket/list
-         racket/path
          racket/runtime-path
          racket/string
          rackunit

@@ -15,7 +15,8 @@
 ;; Reading
 
 (test-case "folders and files are read off a map"
-  (define page "- `a/`: x\n  - `a/b/`: y, as in `a/b/c.rkt`\n- `main.rkt`, `base.rkt`: z\n1. `d/e.rkt`, `D`")
+  (define page
+    "- `a/`: x\n  - `a/b/`: y, as in `a/b/c.rkt`\n- `main.rkt`, `base.rkt`: z\n1. `d/e.rkt`, `D`")
   (check-equal? (mapped-folders page) '("a" "a/b"))
   (check-equal? (mapped-files page) '("a/b/c.rkt" "main.rkt" "base.rkt" "d/e.rkt")))
 
@@ -46,7 +47,8 @@
 
 (test-case "the three walks name the files they pass through"
   (for ([walk '("A residual" "`evolve-trajectory`" "`verify-solution`")])
-    (define found (regexp-match (string-append "\n[*][*]" (regexp-quote walk) ".*?\n\n(.*?)\n\n") text))
+    (define found
+      (regexp-match (string-append "\n[*][*]" (regexp-quote walk) ".*?\n\n(.*?)\n\n") text))
     (check-true (and found (>= (length (mapped-files (cadr found))) 6)) walk)))
 
 ;; ---------------------------------------------------------------------------
@@ -67,7 +69,8 @@
     (file-exists? (build-path place name))))
 
 (test-case "files in comments are found"
-  (check-equal? (files-in-comments "; see zero/proof.rkt, and (size.rkt)\n(f \"x.rkt\")\n  ;; d.rkt")
+  (check-equal? (files-in-comments
+                 "; see zero/proof.rkt, and (size.rkt)\n(f \"x.rkt\")\n  ;; d.rkt")
                 '("zero/proof.rkt" "size.rkt" "d.rkt"))
   (check-true (resolves? "fingerprint.rkt" "algebra/zero/proof.rkt"))
   (check-true (resolves? "polynomial/meter.rkt" "algebra/zero/proof.rkt"))

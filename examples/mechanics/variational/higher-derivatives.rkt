@@ -40,7 +40,9 @@
     (check-eq? (verdict-status
                 (verify-equal
                  (((Lagrange-equations (lambda (local) ((L-harmonic 'm 'k)
-                                                        (up (ref local 0) (ref local 1) (ref local 2))))
+                                                        (up (ref local 0)
+                                                            (ref local 1)
+                                                            (ref local 2))))
                                        #:order 2)
                    x) 't)
                  (((Lagrange-equations (L-harmonic 'm 'k)) x) 't)))

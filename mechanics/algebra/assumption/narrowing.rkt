@@ -8,7 +8,7 @@
 ;; An expression that is left without a possible sign is a contradiction.
 
 (require "assumption-set.rkt" "signs.rkt"
-         "../expression/expression.rkt" "../expression/simplifier.rkt")
+         "../expression/simplifier.rkt")
 
 (provide add-relations (struct-out exn:algebra:contradiction))
 

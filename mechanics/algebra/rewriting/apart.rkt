@@ -11,7 +11,6 @@
 
 (require "collect.rkt" "together.rkt"
          (only-in "../assumption/assumption-set.rkt" no-assumptions)
-         "../expression/expression.rkt"
          "../field/field.rkt" "../field/univariate.rkt"
          "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/form.rkt"

@@ -11,8 +11,7 @@
          (only-in "../assumption/assumption-set.rkt" no-assumptions)
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
-         "../kernel/kernel.rkt"
-         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../polynomial/fraction.rkt"
          "../presentation/form.rkt" "../presentation/pieces.rkt" "../presentation/term.rkt"
          "../simplify/simplify-expression.rkt")
 

@@ -9,9 +9,8 @@
 (require racket/list
          (only-in "../assumption/assumption-set.rkt" no-assumptions)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/size.rkt"
+         "../expression/operation.rkt"
          "../field/field.rkt"
-         "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/form.rkt" "../presentation/pieces.rkt" "../presentation/present.rkt"
          "../presentation/term.rkt"

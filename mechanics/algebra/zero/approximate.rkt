@@ -8,8 +8,7 @@
 ;; first order and adds its own rounding.  So "not zero" can be told from
 ;; "zero within rounding".
 
-(require "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt")
+(require "../expression/flat-graph.rkt" "../expression/operation.rkt")
 
 (provide approximate-tape)
 

@@ -30,9 +30,7 @@
 
 (require racket/fixnum
          "residues.rkt"
-         "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt"
-         "../polynomial/modular.rkt")
+         "../expression/flat-graph.rkt" "../expression/operation.rkt")
 
 (provide fingerprint tape-fingerprint fingerprint-points
          tape-classes vanishes-with-cuts?)

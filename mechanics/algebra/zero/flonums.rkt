@@ -9,7 +9,6 @@
 ;; before an expression is made; so expressions without a symbol prove nothing.
 
 (require "proof.rkt"
-         "../assumption/assumption-set.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/substitute.rkt")
 

@@ -10,7 +10,6 @@
 
 (require "fingerprint.rkt"
          "../assumption/assumption-set.rkt"
-         "../expression/expression.rkt"
          "../polynomial/fraction.rkt"
          "../simplify/simplify-expression.rkt")
 

@@ -8,7 +8,6 @@
 ;; That takes n³/3 multiplications, and each solution n².
 
 (require racket/fixnum
-         racket/flonum
          racket/unsafe/ops)
 
 (provide factor! solve-factored! solve-dense!)

@@ -10,7 +10,7 @@
 ;; that was good.
 
 (require racket/flonum
-         "step-size.rkt" "stepper.rkt" "vectors.rkt"
+         "step-size.rkt" "stepper.rkt"
          "../flvector.rkt"
          "../../error/failure.rkt")
 

@@ -75,12 +75,14 @@ and keep all coefficients up to εⁿ. Taylor's theorem, exact again, says that 
 of f(x + ε) are the derivatives of f at x divided by factorials. A product takes
 n²/2 products of coefficients,
 
-@centered{c@subscript{k} = a@subscript{0}b@subscript{k} + a@subscript{1}b@subscript{k−1} + ⋯ + a@subscript{k}b@subscript{0},}
+@centered{c@subscript{k} = a@subscript{0}b@subscript{k} + a@subscript{1}b@subscript{k−1} +
+⋯ + a@subscript{k}b@subscript{0},}
 
 and the other operations no more. Take e = exp(a), of which one knows that e′ = e a′.
 To compare coefficients in that equation gives
 
-@centered{k e@subscript{k} = a@subscript{1}e@subscript{k−1} + 2a@subscript{2}e@subscript{k−2} + ⋯ + k a@subscript{k}e@subscript{0},}
+@centered{k e@subscript{k} = a@subscript{1}e@subscript{k−1} + 2a@subscript{2}e@subscript{k−2} +
+⋯ + k a@subscript{k}e@subscript{0},}
 
 each coefficient of e from those before it. An equation of this kind holds for
 every operation that has a rule for its derivative, so that no operation needs to
@@ -212,7 +214,8 @@ runs it renames that ε, where it occurs in the arguments, to one that is nowher
 afterwards it renames it back. The inner use then finds its own ε and no other:
 
 @centered{3 + ε@subscript{1}  ⟶  3 + ε@subscript{2};  (3 + ε@subscript{2} + ε@subscript{1})³ has the
-coefficient 27 + 18 ε@subscript{2} of ε@subscript{1};  27 + 18 ε@subscript{2}  ⟶  27 + 18 ε@subscript{1},}
+coefficient 27 + 18 ε@subscript{2} of ε@subscript{1};
+27 + 18 ε@subscript{2}  ⟶  27 + 18 ε@subscript{1},}
 
 and the outer use finds 18. An argument may itself be a function, and carry an ε
 that will show only in its values; to rename in a function is to rename in its

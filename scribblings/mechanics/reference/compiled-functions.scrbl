@@ -32,7 +32,8 @@ share their code.
 
 A placeholder is not yet a number. When @racket[f] asks which one it is, by
 @racket[<], @racket[=], @racket[zero?], @racket[number?], @racket[equal?],
-@racket[case] and the like, or by an operation that takes only numbers, a branch would be lost; then the
+@racket[case] and the like, or by an operation that takes only numbers, a branch would be lost;
+then the
 generic arithmetic evaluates @racket[f] at each call, with the same values and less
 speed. A test that does not come from @racketmodname[mechanics] goes unseen, so
 values are compared with those of @racket[f] at @racket[example], beside it, and with

@@ -57,7 +57,8 @@ Between tuples and matrices of one column or one row.
 
 @examples[#:eval session (matrix? (identity-matrix 2)) (matrix? (up (up 1 0) (up 0 1)))]}
 
-@deftogether[(@defproc[(matrix-ref [m matrix?] [i exact-nonnegative-integer?] [j exact-nonnegative-integer?]) scalar]
+@deftogether[(@defproc[(matrix-ref [m matrix?] [i exact-nonnegative-integer?]
+                                      [j exact-nonnegative-integer?]) scalar]
               @defproc[(m:nth-row [m matrix?] [i exact-nonnegative-integer?]) structure?]
               @defproc[(m:nth-col [m matrix?] [j exact-nonnegative-integer?]) structure?])]{
 
@@ -81,7 +82,8 @@ others.
 
 @defproc[(m:submatrix [m matrix?]
                       [low-row exact-nonnegative-integer?] [high-row exact-nonnegative-integer?]
-                      [low-column exact-nonnegative-integer?] [high-column exact-nonnegative-integer?])
+                      [low-column exact-nonnegative-integer?]
+                      [high-column exact-nonnegative-integer?])
          matrix?]{
 
 Rows and columns from the low index up to, but without, the high one.

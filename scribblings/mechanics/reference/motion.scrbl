@@ -175,7 +175,9 @@ of the steps of integration, and the events found, in the order of time.
               @defproc[(occurrence-state [o occurrence?]) value])]{
 
 An event happens when @racket[f], a function of the state, passes through zero: while
-it grows along the integration, backwards as well, or falls, or either. Its time is found to the accuracy of the trajectory. A
+it grows along the integration, backwards as well, or falls, or either. Its time is found to the
+accuracy
+of the trajectory. A
 terminal event ends the trajectory. A zero at the start is no event, and neither is a
 pole; two zeros much closer than an eighth of a step of integration can be missed. Where
 @racket[f] has no real value, @racket[exn:fail:mechanics:singular] carries the trajectory
@@ -297,7 +299,8 @@ modules never see it.}
 How long is a run to be believed? One in more digits tells. With the keyword
 @racket[#:precision], @racket[state-advancer], @racket[evolve] and
 @racket[evolve-trajectory] follow the same state derivative in floating-point numbers of so
-many bits instead of flonums, which have 53, and their states hold such numbers. Each bit is worth 0.3 decimal digits.
+many bits instead of flonums, which have 53, and their states hold such numbers. Each bit is
+worth 0.3 decimal digits.
 
 @bigfloat-examples[session
 ((state-advancer harmonic-state-derivative 1 1)

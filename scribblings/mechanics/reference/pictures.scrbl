@@ -8,7 +8,8 @@
 
 @defmodule[mechanics/plot]
 
-Frames as in the book, drawn by Racket's @racketmodname[plot #:indirect] library, which is loaded when
+Frames as in the book, drawn by Racket's @racketmodname[plot #:indirect] library,
+which is loaded when
 the first picture is made. @secref["guide-pictures"] tells how they are used.
 @missing-pictures[]
 
@@ -21,7 +22,8 @@ These keywords are common to what draws:
 
 @itemlist[
 @item{@racket[#:color]: a name, such as @racket['red] or @racket["steel blue"]; a small
-integer, for one of @racketmodname[plot #:indirect]'s colors, in which 0 is black; or a list of three
+integer, for one of @racketmodname[plot #:indirect]'s colors, in which 0 is black;
+or a list of three
 bytes, red, green and blue.}
 @item{@racket[#:size], of points: their diameter in pixels.}
 @item{@racket[#:width] and @racket[#:style], of lines: the width in pixels, and
@@ -234,7 +236,8 @@ with it. Where no window can be opened, @racket[exn:fail] is raised.}
 
 @defproc[(frame->pict [f frame?]) any/c]{
 
-The picture as it is now, as a value of the @racketmodname[pict #:indirect] library, for slides and for
+The picture as it is now, as a value of the @racketmodname[pict #:indirect] library,
+for slides and for
 pictures with several frames.}
 
 @(close-session session)

@@ -133,7 +133,8 @@ The sum of the terms up to order n, which are n + 1.
 
 @sicm{7.2, p. 463}}
 
-@defproc[(series:for-each [f procedure?] [s series?] [n (or/c exact-nonnegative-integer? #f) #f]) void?]{
+@defproc[(series:for-each [f procedure?] [s series?]
+                          [n (or/c exact-nonnegative-integer? #f) #f]) void?]{
 
 Calls f on the first n terms one after the other. Without n it does so for all
 terms, if the series ends; otherwise it raises an error.

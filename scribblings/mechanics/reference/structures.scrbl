@@ -80,7 +80,8 @@ The orientation, and its opposite.
 
 Component i, and within it component j, and so on. Indices start at 0; negative
 ones count from the end. Of a series, @racket[ref] is the term of order i; of a
-function, the function that gives that component of its value. An index outside raises an error that names the
+function, the function that gives that component of its value. An index outside raises
+an error that names the
 range.
 
 @examples[#:eval session

@@ -88,7 +88,8 @@
          (lambda (n) (lambda (x) (for/fold ([y x]) ([_ (in-range n)]) (m:/ x (m:+ 1 y)))))
          "y = x/(1 + y)")))
 
-(define growth-heading '("derivative as an expression" "n" "nodes of f" "of f′" "of f″" "f′ : f" "CPU µs"))
+(define growth-heading
+  '("derivative as an expression" "n" "nodes of f" "of f′" "of f″" "f′ : f" "CPU µs"))
 
 (define (growth-rows)
   (for*/list ([entry (in-list growing-functions)] [n (in-list '(10 40 160 640))])
@@ -129,7 +130,8 @@
 ;; ---------------------------------------------------------------------------
 ;; First derivatives in other systems, where they are installed
 
-(define peers-heading '("first derivative elsewhere" "n" "ours µs" "SymPy µs" "JAX µs, traced and compiled"))
+(define peers-heading
+  '("first derivative elsewhere" "n" "ours µs" "SymPy µs" "JAX µs, traced and compiled"))
 
 (define (peers-rows)
   (for*/list ([entry (in-list growing-functions)] [n (in-list '(10 40))])
@@ -157,6 +159,8 @@ def f(x):
     y = x
     for k in range(~a): ~a
     return y
-start = time.process_time(); jax.jit(jax.grad(f))(0.3).block_until_ready(); print(round(1e6*(time.process_time() - start)))
+start = time.process_time()
+jax.jit(jax.grad(f))(0.3).block_until_ready()
+print(round(1e6*(time.process_time() - start)))
 PYTHON
           n step))

@@ -4,8 +4,8 @@
 
 (require (prefix-in m: mechanics)
          ;; loaded before the clock starts
-         (only-in mechanics/calculus/integral integrate)
-         (only-in mechanics/compile/one-variable compile-scalar)
+
+
          "systems.rkt" "task.rkt")
 
 (provide integral-tasks)

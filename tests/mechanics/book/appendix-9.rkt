@@ -29,7 +29,8 @@
   (check-true (structure? s)))
 
 (test-case "p. 515: contraction and tensor products"
-  (check-prints (* (down 'p_0 'p_1 'p_2) (up 'v^0 'v^1 'v^2)) '(+ (* p_0 v^0) (* p_1 v^1) (* p_2 v^2)))
+  (check-prints (* (down 'p_0 'p_1 'p_2) (up 'v^0 'v^1 'v^2))
+                '(+ (* p_0 v^0) (* p_1 v^1) (* p_2 v^2)))
   (check-prints (* (up 'a 'b) (up 'x 'y)) '(up (up (* a x) (* b x)) (up (* a y) (* b y))))
   (check-prints (square (up 'x 'y)) '(+ (expt x 2) (expt y 2))))
 
@@ -42,7 +43,8 @@
   (define g (literal-function 'g (-> (X Real Real) Real)))
   (define h (literal-function 'h (-> (UP Real Real) Real)))
   (check-unsimplified ((D g) 'x 'y) '(down (((partial 0) g) x y) (((partial 1) g) x y)))
-  (check-unsimplified ((D h) (up 'x 'y)) '(down (((partial 0) h) (up x y)) (((partial 1) h) (up x y))))
+  (check-unsimplified ((D h) (up 'x 'y))
+                      '(down (((partial 0) h) (up x y)) (((partial 1) h) (up x y))))
   (check-prints (* ((D g) 'x 'y) (up 'dx 'dy))
                 '(+ (* dx (((partial 0) g) x y)) (* dy (((partial 1) g) x y)))))
 

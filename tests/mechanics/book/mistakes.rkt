@@ -34,11 +34,13 @@
   (check-message "abs: expected 1 argument, given 2: the procedure `-`, 10.3" (abs - 10.3)))
 
 (test-case "a literal function of the wrong shape"
-  (check-message (string-append "V: was declared (-> Real Real); slot 0 got (up x y), an up tuple of 2\n"
-                                "  a signature such as (-> (UP Real Real) Real) declares a function of tuples")
-                 (V (up 'x 'y)))
-  (check-message "F: was declared (-> (X Real Real) Real); slot 1 got (up x y), an up tuple of 2\n  a signature such as (-> (UP Real Real) Real) declares a function of tuples"
-                 (F 't (up 'x 'y))))
+  (check-message
+   (string-append "V: was declared (-> Real Real); slot 0 got (up x y), an up tuple of 2\n"
+                  "  a signature such as (-> (UP Real Real) Real) declares a function of tuples")
+   (V (up 'x 'y)))
+  (check-message
+   "F: was declared (-> (X Real Real) Real); slot 1 got (up x y), an up tuple of 2\n  a signature such as (-> (UP Real Real) Real) declares a function of tuples"
+   (F 't (up 'x 'y))))
 
 (test-case "a scalar added to a tuple"
   (check-message (string-append "+: cannot add a number-like expression and an up tuple of 2\n"
@@ -55,12 +57,15 @@
              (lambda () (parameterize ([unequal-contraction 'error]) (* (down 1 2) (up 1 2 3))))))
 
 (test-case "D of a number or a symbol"
-  (check-message "D: needs a function; 3 is a number\n  the constant function is (lambda (x) 3)" (D 3))
-  (check-message "D: needs a function; 3 is a number\n  the constant function is (lambda (x) 3)" ((D 3) 'x))
+  (check-message "D: needs a function; 3 is a number\n  the constant function is (lambda (x) 3)"
+                 (D 3))
+  (check-message "D: needs a function; 3 is a number\n  the constant function is (lambda (x) 3)"
+                 ((D 3) 'x))
   (check-exn #rx"^D: needs a function; x is a number-like expression" (lambda () (D 'x))))
 
 (test-case "an index beyond the tuple"
-  (check-message "ref: index 5 is outside an up tuple of 2 (indices 0 to 1)\n  in: (up 1 2)" (ref (up 1 2) 5)))
+  (check-message "ref: index 5 is outside an up tuple of 2 (indices 0 to 1)\n  in: (up 1 2)"
+                 (ref (up 1 2) 5)))
 
 (test-case "a wrong number of arguments names the procedure"
   (check-exn #rx"^expt: " (lambda () (expt 'x)))
@@ -70,16 +75,19 @@
 (test-case "a list for coordinates"
   (define (L local) (square (velocity local)))
   (check-exn #rx"a list is not a tuple; use [(]up " (lambda () (+ '(1 2) (up 1 2))))
-  (check-exn #rx"a list is not a tuple; use [(]up " (lambda () (((Lagrange-equations L) (lambda (t) (list t t))) 't)))
+  (check-exn #rx"a list is not a tuple; use [(]up "
+             (lambda () (((Lagrange-equations L) (lambda (t) (list t t))) 't)))
   (check-exn #rx"a list is not a tuple; use [(]up " (lambda () ((Lagrange-equations L) (list V V))))
   (check-exn #rx"a list is not a tuple; use [(]up " (lambda () ((D L) '(1 2))))
   (check-exn #rx"a list is not a tuple; use [(]up " (lambda () (ref '(1 2) 0))))
 
 (test-case "an order between symbols"
-  (check-message (string-append "<: an expression that is not a number has no order; give its symbols values first\n"
-                                "  as an assumption, the relation is quoted: (assume '(< a b))\n"
-                                "  value: the symbol a")
-                 (< 'a 'b))
+  (check-message
+   (string-append
+    "<: an expression that is not a number has no order; give its symbols values first\n"
+    "  as an assumption, the relation is quoted: (assume '(< a b))\n"
+    "  value: the symbol a")
+   (< 'a 'b))
   (check-exn #rx"^max: an expression that is not a number has no order" (lambda () (max 1 'x))))
 
 (test-case "time as Racket's form"
@@ -87,12 +95,15 @@
 
 (test-case "the parameters of a Lagrangian forgotten"
   (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
-  (check-exn #rx"^Lagrange-equations: a Lagrangian takes one argument, the local tuple, but L-harmonic does not"
-             (lambda () (Lagrange-equations L-harmonic)))
-  (check-exn #rx"^Lagrange-equations: a path is a function of time.*\n  [(]literal-function 'x[)] makes a path of that name"
-             (lambda () ((Lagrange-equations (L-harmonic 'm 'k)) 'x))))
+  (check-exn
+   #rx"^Lagrange-equations: a Lagrangian takes one argument, the local tuple, but L-harmonic does not"
+   (lambda () (Lagrange-equations L-harmonic)))
+  (check-exn
+   #rx"^Lagrange-equations: a path is a function of time.*\n  [(]literal-function 'x[)] makes a path of that name"
+   (lambda () ((Lagrange-equations (L-harmonic 'm 'k)) 'x))))
 
 (test-case "a path of more coordinates than the Lagrangian's pattern takes"
   (define ((L-plane m) (up t (up x y) (up vx vy))) (* 1/2 m (+ (square vx) (square vy))))
-  (check-exn #rx"L-plane: .* does not match the pattern .*component 1, expected an up tuple of 2, given [(]up [(]V t[)] [(]V t[)] [(]V t[)][)]"
-             (lambda () (((Lagrange-equations (L-plane 'm)) (up V V V)) 't))))
+  (check-exn
+   #rx"L-plane: .* does not match the pattern .*component 1, expected an up tuple of 2, given [(]up [(]V t[)] [(]V t[)] [(]V t[)][)]"
+   (lambda () (((Lagrange-equations (L-plane 'm)) (up V V V)) 't))))

@@ -63,7 +63,8 @@
   (check-prints (series:ref transformed 1) 0)
   (check-prints (series:sum transformed 2)
                 '(+ (/ (* 1/2 (expt p 2)) alpha)
-                    (/ (* 1/2 alpha (expt beta 2) (expt epsilon 2) (expt (sin theta) 2)) (expt p 2)))))
+                    (/ (* 1/2 alpha (expt beta 2) (expt epsilon 2) (expt (sin theta) 2))
+                       (expt p 2)))))
 
 (test-case "p. 463: a transform and its inverse undo each other, order by order"
   (define there (exp (* 'epsilon L)))

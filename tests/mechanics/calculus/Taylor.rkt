@@ -11,7 +11,6 @@
          mechanics/value/simplify
          mechanics/value/series/access
          mechanics/value/series/calculus
-         mechanics/value/series/named
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/calculus/Taylor
@@ -56,12 +55,14 @@
   (check-same (series:ref terms 1) (g:* ((D F) about) by))
   (check-same (series:ref terms 2) (g:* 1/2 (g:* ((D (D F)) about) by) by))
   (check-same (series:ref s 2) (g:/ ((D (D F)) about) 2))
-  (check-same (series:ref (((Taylor-series (lambda (x y) (g:* x (g:square y)))) 'x 'y) (up 'dx 'dy)) 3)
+  (check-same (series:ref (((Taylor-series (lambda (x y) (g:* x (g:square y)))) 'x 'y) (up 'dx 'dy))
+                          3)
               (g:* 'dx (g:square 'dy))))
 
 (test-case "the values may have any shape"
   (define s (((Taylor-series (lambda (t) (up (g:cos t) (g:square t)))) 0) 'h))
-  (check-equal? (head s 4) (list (up 1 0) (up 0 0) (up (g:* -1/2 (g:expt 'h 2)) (g:expt 'h 2)) (up 0 0)))
+  (check-equal? (head s 4)
+                (list (up 1 0) (up 0 0) (up (g:* -1/2 (g:expt 'h 2)) (g:expt 'h 2)) (up 0 0)))
   (define k ((Taylor-series (lambda (x) (lambda (y) (g:exp (g:* x y))))) 0))
   (check-same ((series:ref k 3) 'y) (g:/ (g:expt 'y 3) 6)))
 
@@ -91,8 +92,9 @@
 
 (test-case "misuse is explained"
   (check-exn #rx"^Taylor-series: needs a function; 3 is a number" (lambda () (Taylor-series 3)))
-  (check-exn #rx"^Taylor-series: the increment must have the shape of the argument\n  argument: .up 1 2.\n  increment: 3$"
-             (lambda () (series:ref (((Taylor-series F) (up 1 2)) 3) 1))))
+  (check-exn
+   #rx"^Taylor-series: the increment must have the shape of the argument\n  argument: .up 1 2.\n  increment: 3$"
+   (lambda () (series:ref (((Taylor-series F) (up 1 2)) 3) 1))))
 
 ;; ---------------------------------------------------------------------------
 ;; Exponentials of operators

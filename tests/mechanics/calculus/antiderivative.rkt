@@ -3,8 +3,8 @@
 
 (require rackunit
          (only-in mechanics + - * / expt sqrt square exp log sin cos tan literal-function D
-     
-                  
+
+
                              partial
                   expression proved?
                   verify-equal)

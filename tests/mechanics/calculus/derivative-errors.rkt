@@ -31,7 +31,8 @@
   "  Did you mean (((partial 0) sin) 'x)?"]
  [(D g:sin g:cos) "D: takes one function; it was given 2 arguments"]
  [((partial 0)) "(partial 0): takes one function; it was given no argument"]
- [((D 'x 't)) "D: takes one function; it was given 2 arguments, and the arguments of its derivative come after that.\n"
+ [((D 'x 't))
+  "D: takes one function; it was given 2 arguments, and the arguments of its derivative come after that.\n"
   "  Did you mean ((D x) 't)?"])
 
 ;; ---------------------------------------------------------------------------
@@ -78,7 +79,8 @@
   "  Did you mean (((partial 1) G) (up 'x 'y))?"])
 
 (test-case "an anonymous function is not given a place in a file"
-  (check-exn #rx"^[(]D <function>[)]: <function> takes 2 arguments" (lambda () ((D (lambda (x y) x)) 1))))
+  (check-exn #rx"^[(]D <function>[)]: <function> takes 2 arguments"
+             (lambda () ((D (lambda (x y) x)) 1))))
 
 ;; ---------------------------------------------------------------------------
 ;; What is no function
@@ -153,5 +155,6 @@
   "D: the function returned a value that has no derivative: #t, a boolean"])
 
 (test-case "an error within the function shows values, never dual numbers"
-  (check-exn #rx"argument 1: x, a number-like expression being differentiated\n  argument 2: [(]up 1 2[)]"
-             (lambda () ((D (lambda (x) (g:+ x (up 1 2)))) 'x))))
+  (check-exn
+   #rx"argument 1: x, a number-like expression being differentiated\n  argument 2: [(]up 1 2[)]"
+   (lambda () ((D (lambda (x) (g:+ x (up 1 2)))) 'x))))

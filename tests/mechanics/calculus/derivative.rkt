@@ -7,11 +7,9 @@
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/loops
-         mechanics/generic/up-down
          mechanics/value/compose
          mechanics/value/linear/linear-algebra
          mechanics/value/linear/matrix
-         mechanics/value/operator
          mechanics/value/structure
          mechanics/value/signature
          mechanics/calculus/derivative
@@ -276,7 +274,8 @@
 
 (test-case "continuations: generators, escapes, and coming back to a derivative that has ended"
   (define (powers x)                            ; yields 1, x, x², … to `receive`
-    (lambda (receive) (let loop ([p 1] [n 0]) (unless (= n 4) (receive p) (loop (g:* p x) (add1 n))))))
+    (lambda (receive)
+      (let loop ([p 1] [n 0]) (unless (= n 4) (receive p) (loop (g:* p x) (add1 n))))))
   (define (sum x) (let ([total 0]) ((powers x) (lambda (p) (set! total (g:+ total p)))) total))
   (check-equal? ((D sum) 2) 17)
   (define again #f)
@@ -293,20 +292,24 @@
     (for/list ([n 8])
       (define box (make-channel))
       (thread (lambda ()
-                (channel-put box ((D (lambda (x) (g:* x ((D (lambda (y) (g:* x (g:expt y n)))) x)))) 2))))
+                (channel-put box
+                             ((D (lambda (x) (g:* x ((D (lambda (y) (g:* x (g:expt y n)))) x))))
+                              2))))
       box))
   ;; d/dx (n xⁿ⁺¹) = n (n + 1) xⁿ
   (for ([r results] [n 8])
     (check-equal? (channel-get r) (* n (+ n 1) (expt 2 n)))))
 
 (test-case "literal functions of several structures, and of structured range, along curves"
-  (define G (literal-function 'G (-> (X (UP Real Real) (DOWN Real Real)) (UP Real (DOWN Real Real)))))
+  (define G
+    (literal-function 'G (-> (X (UP Real Real) (DOWN Real Real)) (UP Real (DOWN Real Real)))))
   (define (along t) (G (up t (g:square t)) (down (g:sin t) 1)))
   (define d ((D along) 't))
   (check-same (ref d 0)
               (g:+ (((partial 0 0) (ref G 0)) (up 't (g:square 't)) (down (g:sin 't) 1))
                    (g:* 2 't (((partial 0 1) (ref G 0)) (up 't (g:square 't)) (down (g:sin 't) 1)))
-                   (g:* (g:cos 't) (((partial 1 0) (ref G 0)) (up 't (g:square 't)) (down (g:sin 't) 1)))))
+                   (g:* (g:cos 't)
+                        (((partial 1 0) (ref G 0)) (up 't (g:square 't)) (down (g:sin 't) 1)))))
   (check-equal? (((partial 0 1) ((partial 1 0) G)) (up 'a 'b) (down 'c 'd))
                 (((g:* (partial 1 0) (partial 0 1)) G) (up 'a 'b) (down 'c 'd))))
 

@@ -11,9 +11,7 @@
          mechanics/calculus/perturbed
          mechanics/calculus/dual
          mechanics/calculus/extract
-         mechanics/calculus/literal-function
-         "../support/random.rkt" "../support/same.rkt"
-         "../support/random/element.rkt")
+         "../support/random.rkt" "../support/same.rkt")
 
 (test-case "a dual number without tangent is its value"
   (check-equal? (make-dual 1 'x 0) 'x)
@@ -22,7 +20,8 @@
 
 (test-case "what is constant is a number, what only has no slope bears its ε"
   (define x (make-dual 1 0 1))
-  (for ([c (list (g:* 0 x) (g:* x 0) (g:/ 0 (g:+ 1 x)) (g:expt x 0) (g:expt 1 x) (g:expt 0 (g:+ 1 x))
+  (for ([c (list (g:* 0 x) (g:* x 0) (g:/ 0 (g:+ 1 x)) (g:expt x 0)
+                 (g:expt 1 x) (g:expt 0 (g:+ 1 x))
                  (g:floor (g:+ x 1/2)))])
     (check-pred number? c))
   (for ([v (list (g:* x x) (g:square x) (g:expt x 2) (g:cos x) (g:- x x))])
@@ -47,7 +46,8 @@
 
 (test-case "the greatest tag is outermost, in whatever order it comes"
   (for ([op (list g:+ g:- g:* g:/ g:expt g:atan)])
-    (for ([r (list (op (make-dual 1 2 3) (make-dual 4 5 6)) (op (make-dual 4 5 6) (make-dual 1 2 3)))])
+    (for ([r (list (op (make-dual 1 2 3) (make-dual 4 5 6))
+                   (op (make-dual 4 5 6) (make-dual 1 2 3)))])
       (check-equal? (dual-tag r) 4)
       (check-equal? (dual-tag (primal-part r 4)) 1))))
 
@@ -70,14 +70,16 @@
   (check-true (same? (extract-tangent 2 d) (make-dual 1 'c 'd)))
   (check-true (same? (extract-tangent 1 d) (make-dual 2 'b 'd)))
   (check-equal? (extract-tangent 1 (extract-tangent 2 d)) 'd)
-  (check-equal? (extract-tangent 1 (matrix-by-rows (list 1 (make-dual 1 2 3)))) (matrix-by-rows '(0 3)))
+  (check-equal? (extract-tangent 1 (matrix-by-rows (list 1 (make-dual 1 2 3))))
+                (matrix-by-rows '(0 3)))
   (check-equal? ((extract-tangent 1 (lambda (x) (g:* x (make-dual 1 2 3)))) 'x) (g:* 3 'x)))
 
 (test-case "what has no derivative is refused"
   (check-exn #rx"^D: the function returned a value that has no derivative: \"s\", a string$"
              (lambda () (extract-tangent 1 "s")))
-  (check-exn #rx"^D: the function returned a value that has no derivative: [(]1 x[)], a list\n  a list is not a tuple; use [(]up x y [.][.][.][)]$"
-             (lambda () (extract-tangent 1 (list 1 (make-dual 1 'x 2))))))
+  (check-exn
+   #rx"^D: the function returned a value that has no derivative: [(]1 x[)], a list\n  a list is not a tuple; use [(]up x y [.][.][.][)]$"
+   (lambda () (extract-tangent 1 (list 1 (make-dual 1 'x 2))))))
 
 (test-case "a dual number shows itself as its value, in all three modes"
   (for ([d (list (make-dual 3 'x 1) (make-dual 4 (make-dual 3 'x 1) 'y))])
@@ -87,7 +89,8 @@
     (check-equal? (describe-with-value d) "x, a number-like expression being differentiated")))
 
 (test-case "a message about a dual number shows its value"
-  (check-exn #rx"argument 1: x, a number-like expression being differentiated\n" (lambda () (g:+ (make-dual 3 'x 1) (up 1 2)))))
+  (check-exn #rx"argument 1: x, a number-like expression being differentiated\n"
+             (lambda () (g:+ (make-dual 3 'x 1) (up 1 2)))))
 
 (test-case "arithmetic agrees with the product of truncated polynomials"
   ;; (a + bε)(c + dε) by hand, at two levels

@@ -2,7 +2,6 @@
 ;; Elliptic integrals and Jacobi's functions: known values, identities, derivatives.
 
 (require rackunit
-         mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/calculus/derivative
          mechanics/calculus/elliptic

@@ -9,8 +9,6 @@
          mechanics/generic/kind
          mechanics/generic/loops
          mechanics/generic/rounding
-         mechanics/generic/up-down
-         mechanics/value/compose
          mechanics/value/linear/matrix
          mechanics/value/operator
          mechanics/value/signature
@@ -63,8 +61,10 @@
 (test-case "the gradient has the shape of the derivative"
   (check-equal? ((gradient (lambda (s) (g:* (ref s 0) (g:square (ref s 1))))) (up 2 3)) (down 9 12))
   (check-equal? ((gradient (lambda (s) (g:* (ref s 0) (g:square (ref s 1))))) (down 2 3)) (up 9 12))
-  (check-equal? ((gradient (lambda (s) (g:* (ref s 0) (g:square (ref s 1))))) (vector 2 3)) (down 9 12))
-  (check-equal? ((gradient (lambda (s) (g:* (ref s 0) (ref s 1 0) (ref s 2 1)))) (up 2 (up 3 0) (down 0 5)))
+  (check-equal? ((gradient (lambda (s) (g:* (ref s 0) (g:square (ref s 1))))) (vector 2 3))
+                (down 9 12))
+  (check-equal? ((gradient (lambda (s) (g:* (ref s 0) (ref s 1 0) (ref s 2 1))))
+                 (up 2 (up 3 0) (down 0 5)))
                 (down 15 (down 10 0) (up 0 6)))
   (check-equal? ((gradient g:cube) 2) 12)
   (check-equal? ((gradient (lambda (s) 3)) (up)) (down)))
@@ -78,10 +78,14 @@
   (define m (matrix-by-rows (list 1 'a 'b) (list 3 4 5)))
   (define (bilinear m) (g:* (down 5 'y) (g:* m (up 'u 7 'v))))
   (check-equal? ((gradient bilinear) m)
-                (up (down (g:* 5 'u) (g:* 'y 'u)) (down 35 (g:* 7 'y)) (down (g:* 5 'v) (g:* 'y 'v))))
+                (up (down (g:* 5 'u) (g:* 'y 'u))
+                    (down 35 (g:* 7 'y))
+                    (down (g:* 5 'v) (g:* 'y 'v))))
   (check-agrees bilinear m)
-  (check-agrees (lambda (s) (g:* (ref s 0) (g:square (matrix-ref (ref s 1) 0 1)) (ref s 2))) (up 2 m 'z))
-  (check-same ((jacobian (lambda (m) (g:* m (up 1 2 3)))) m) ((D (lambda (m) (g:* m (up 1 2 3)))) m)))
+  (check-agrees (lambda (s) (g:* (ref s 0) (g:square (matrix-ref (ref s 1) 0 1)) (ref s 2)))
+                (up 2 m 'z))
+  (check-same ((jacobian (lambda (m) (g:* m (up 1 2 3)))) m)
+              ((D (lambda (m) (g:* m (up 1 2 3)))) m)))
 
 (test-case "exact points have exact gradients, flonum points flonum ones"
   (check-equal? ((gradient (lambda (x y) (g:/ x y))) 1 3) (down 1/3 -1/9))
@@ -106,7 +110,8 @@
 
 (test-case "literal functions of any signature"
   (check-equal? ((gradient (literal-function 'f)) 't) ((D (literal-function 'f)) 't))
-  (check-equal? ((gradient F) (up 't (up 'x 'y) (down 'p 'q))) ((D F) (up 't (up 'x 'y) (down 'p 'q))))
+  (check-equal? ((gradient F) (up 't (up 'x 'y) (down 'p 'q)))
+                ((D F) (up 't (up 'x 'y) (down 'p 'q))))
   (define (along s)
     (define x (ref s 0))
     (define y (ref s 1))
@@ -132,12 +137,14 @@
 
 (test-case "of equal values neither is the greater, unless their derivatives are equal too"
   (check-exn exn:fail:mechanics:singular? (lambda () ((gradient g:max) 1.0 1.0)))
-  (check-exn exn:fail:mechanics:singular? (lambda () ((gradient (lambda (x y) (g:abs (g:- x y)))) 1.0 1.0)))
+  (check-exn exn:fail:mechanics:singular?
+             (lambda () ((gradient (lambda (x y) (g:abs (g:- x y)))) 1.0 1.0)))
   (check-equal? ((gradient (lambda (x y) (g:max (g:* x y) (g:* y x)))) 2.0 3.0) (down 3.0 2.0)))
 
 (test-case "a root of what varies has no derivative at 0, even where the first one vanishes"
   (for ([d (list D gradient)])
-    (check-exn exn:fail:mechanics:singular? (lambda () ((d (lambda (x y) (g:sqrt (g:square x)))) 0 1)))
+    (check-exn exn:fail:mechanics:singular?
+               (lambda () ((d (lambda (x y) (g:sqrt (g:square x)))) 0 1)))
     (check-equal? ((d (lambda (x y) (g:* x (g:sqrt (g:* 0 y))))) 3 1) (down 0 0))))
 
 (test-case "integrals, with the variables in the integrand and in the limits"
@@ -216,7 +223,8 @@
 
 (test-case "Rosenbrock's function: the derivative, at its minimum zero"
   (with-seed 471 (check-agrees Rosenbrock (random-tuple 8)))
-  (check-same ((gradient Rosenbrock) (random-tuple 6 (lambda () 1.0))) (flip (random-tuple 6 (lambda () 0)))))
+  (check-same ((gradient Rosenbrock) (random-tuple 6 (lambda () 1.0)))
+              (flip (random-tuple 6 (lambda () 0)))))
 
 (test-case "the gradient of log Σ exp sums to 1"
   (with-seed 472
@@ -283,7 +291,8 @@
   (check-equal? ((jacobian (lambda (x y) (matrix-by-rows (list x) (list (g:* x y))))) 2 3)
                 (down (matrix-by-rows '(1) '(3)) (matrix-by-rows '(0) '(2))))
   (check-equal? ((jacobian (lambda (x y) (g:* x y))) 2 3) (down 3 2))
-  (check-same (((jacobian (lambda (x y) (lambda (t) (g:* x y t)))) 2 3) 't) (down (g:* 3 't) (g:* 2 't))))
+  (check-same (((jacobian (lambda (x y) (lambda (t) (g:* x y t)))) 2 3) 't)
+              (down (g:* 3 't) (g:* 2 't))))
 
 (test-case "products with the derivative are those products"
   (define s (up 'r 'theta 'phi))
@@ -305,7 +314,8 @@
   (for* ([outer (in-list modes)] [inner (in-list modes)])
     (check-equal? ((outer (lambda (x) (g:* x ((inner (lambda (y) (g:+ x y))) 1)))) 1) 1)
     (check-equal? ((outer (lambda (x) ((inner (lambda (y) (g:+ x y))) 3))) 'x) 0)
-    (check-same ((outer (lambda (x) ((inner (lambda (y) (g:* y (g:* y x)))) (g:* x 3)))) 'x) (g:* 12 'x))
+    (check-same ((outer (lambda (x) ((inner (lambda (y) (g:* y (g:* y x)))) (g:* x 3)))) 'x)
+                (g:* 12 'x))
     (check-same ((outer (lambda (x) (g:* x ((inner g:square) x)))) 'x) (g:* 4 'x))
     (check-same ((outer (lambda (x) ((inner g:sin) (g:square x)))) 'x)
                 (g:* -2 'x (g:sin (g:square 'x))))))
@@ -324,7 +334,8 @@
   (check-agrees curvature 0.7 1.3)
   (define (slope t) (ref ((gradient (lambda (x y) (g:* (g:sin (g:* x t)) y))) t 'b) 0))
   (check-same ((second slope) 'a)
-              ((second (lambda (t) (ref ((D (lambda (x y) (g:* (g:sin (g:* x t)) y))) t 'b) 0))) 'a)))
+              ((second (lambda (t) (ref ((D (lambda (x y) (g:* (g:sin (g:* x t)) y))) t 'b) 0)))
+               'a)))
 
 (test-case "gradients of functions of tuples made of gradients"
   (define (f s) (g:* (g:square (ref s 0)) (g:cube (ref s 1))))
@@ -333,7 +344,8 @@
   (check-agrees length-of-slope (up 1.5 2.5))
   (check-same ((jacobian (gradient f)) (up 'x 'y)) (((g:expt D 2) f) (up 'x 'y)))
   (check-same ((D (gradient f)) (up 'x 'y)) (((g:expt D 2) f) (up 'x 'y)))
-  (check-same ((gradient (lambda (s) (ref ((D f) s) 0))) (up 'x 'y)) (ref (((g:expt D 2) f) (up 'x 'y)) 0)))
+  (check-same ((gradient (lambda (s) (ref ((D f) s) 0))) (up 'x 'y))
+              (ref (((g:expt D 2) f) (up 'x 'y)) 0)))
 
 (test-case "a function that D returned, applied where a gradient is taken"
   (define slope ((D (lambda (x) (lambda (y) (g:* (g:sin x) (g:cube y))))) 'a))

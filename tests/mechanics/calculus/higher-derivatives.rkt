@@ -15,7 +15,6 @@
          mechanics/calculus/literal-function
          mechanics/value/compose
          mechanics/value/linear/matrix
-         mechanics/value/operator
          mechanics/value/signature
          "../support/random.rkt" "../support/same.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt")
@@ -91,7 +90,8 @@
 (test-case "the values may have any shape"
   (define (curve t) (up (g:cos t) (down (g:* t t) 1)))
   (check-same (((g:expt D 3) curve) 't) (up (g:sin 't) (down 0 0)))
-  (check-same (((g:expt D 2) (lambda (t) (matrix-by-rows (list t (g:cube t)) (list 1 (g:exp t))))) 't)
+  (check-same (((g:expt D 2) (lambda (t) (matrix-by-rows (list t (g:cube t)) (list 1 (g:exp t)))))
+               't)
               (matrix-by-rows (list 0 (g:* 6 't)) (list 0 (g:exp 't))))
   (check-same ((((g:expt D 2) (lambda (x) (lambda (y) (g:* (g:cube x) y)))) 'x) 'y) (g:* 6 'x 'y))
   (check-same ((((g:expt D 3) (lambda (x) (up (lambda (y) (g:expt x y)) g:sin))) 'x) 3) (up 6 0)))
@@ -147,7 +147,9 @@
     (check-true (andmap same? (derivatives-at f x 3) (orders f x))))
   (check-true (andmap (lambda (f g) (same? (f 'y) (g 'y)))
                       (derivatives-at (lambda (x) (lambda (y) (g:* x x y))) 'x 2)
-                      (list (lambda (y) (g:* 'x 'x y)) (lambda (y) (g:* 2 'x y)) (lambda (y) (g:* 2 y)))))
+                      (list (lambda (y) (g:* 'x 'x y))
+                            (lambda (y) (g:* 2 'x y))
+                            (lambda (y) (g:* 2 y)))))
   (check-equal? ((car (derivatives-at (lambda (x) (lambda (y) (g:* x y))) 2 1)) 3) 6)
   (define s (up 'x 'y))
   (check-same (caddr (derivatives-at g:square s 2)) (((g:expt D 2) g:square) s)))
@@ -210,4 +212,5 @@
 
 (check-laws "derivatives read off second derivatives" derivation-laws
             (derivation D-by-Taylor (lambda (i f) ((partial i) f)))
-            (draw-functions random-flonum (lambda () (random-function 2))) (close-to 1e-6) #:seed 502)
+            (draw-functions random-flonum (lambda () (random-function 2))) (close-to 1e-6)
+              #:seed 502)

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; D obeys the laws of derivations, at points of every kind of scalar.
 
-(require mechanics/generic/arithmetic
-         mechanics/calculus/derivative
+(require mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/value/signature
          "../support/random.rkt" "../support/same.rkt"
@@ -31,5 +30,6 @@
             (draw-functions (lambda () (random-choice 'a 'b)) random-literal) same? #:seed 423)
 (check-laws "partial of unknown functions at symbols" partial-laws generic-derivation
             (draw-functions (lambda () (random-choice 'a 'b))
-                            (lambda () (literal-function (random-choice 'F 'G) (-> (X Real Real) Real))))
+                            (lambda ()
+                              (literal-function (random-choice 'F 'G) (-> (X Real Real) Real))))
             same? #:seed 424)

@@ -4,7 +4,6 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/up-down
          mechanics/value/compose
          mechanics/value/signature
          mechanics/value/structure
@@ -29,7 +28,8 @@
   (check-equal? (text ((D (D (D x))) 't)) "(((expt D 3) x) t)")
   (check-equal? (text (F 'x 'y)) "(F x y)")
   (check-equal? (text (((partial 1) F) 'x 'y)) "(((partial 1) F) x y)")
-  (check-equal? (text (((partial 0) ((partial 1) F)) 'x 'y)) "(((* (partial 0) (partial 1)) F) x y)")
+  (check-equal? (text (((partial 0) ((partial 1) F)) 'x 'y))
+                "(((* (partial 0) (partial 1)) F) x y)")
   (check-equal? (text (((g:* (partial 1) (g:square (partial 0))) F) 'x 'y))
                 "(((* (expt (partial 0) 2) (partial 1)) F) x y)")
   (check-equal? (text (G (up 'x 'y))) "(G (up x y))")
@@ -44,7 +44,8 @@
       (check-equal? (format mode f) t))))
 
 (test-case "the derivative by a tuple argument, and by several arguments"
-  (check-equal? (text ((D G) (up 'a 'b))) "(down (((partial 0) G) (up a b)) (((partial 1) G) (up a b)))")
+  (check-equal? (text ((D G) (up 'a 'b)))
+                "(down (((partial 0) G) (up a b)) (((partial 1) G) (up a b)))")
   (check-equal? (text ((D F) 'a 'b)) "(down (((partial 0) F) a b) (((partial 1) F) a b))")
   (check-equal? (text (((partial 2) H) (up 't (up 'x 'y) (down 'p 'q))))
                 (string-append "(up (((partial 2 0) H) (up t (up x y) (down p q)))"
@@ -155,32 +156,39 @@
 ;; Errors
 
 (test-case "an argument that does not fit is named, with its slot"
-  (check-message (string-append "x: was declared (-> Real Real); slot 0 got (up a b), an up tuple of 2\n"
-                                "  a signature such as (-> (UP Real Real) Real) declares a function of tuples")
-                 (x (up 'a 'b)))
+  (check-message
+   (string-append "x: was declared (-> Real Real); slot 0 got (up a b), an up tuple of 2\n"
+                  "  a signature such as (-> (UP Real Real) Real) declares a function of tuples")
+   (x (up 'a 'b)))
   (check-message (string-append "x: was declared (-> Real Real); slot 0 got (a b), a list\n"
                                 "  a list is not a tuple; use (up x y ...)")
                  (x '(a b)))
-  (check-message "F: was declared (-> (X Real Real) Real); slot 1 got x, a literal function (-> Real Real)"
-                 (F 't x))
-  (check-message "G: was declared (-> (UP Real Real) Real); slot 0 got (down a b), a down tuple of 2"
-                 (G (down 'a 'b)))
+  (check-message
+   "F: was declared (-> (X Real Real) Real); slot 1 got x, a literal function (-> Real Real)"
+   (F 't x))
+  (check-message
+   "G: was declared (-> (UP Real Real) Real); slot 0 got (down a b), a down tuple of 2"
+   (G (down 'a 'b)))
   (check-message "G: was declared (-> (UP Real Real) Real); slot 0 got (up a b c), an up tuple of 3"
                  (G (up 'a 'b 'c)))
   (check-message "G: was declared (-> (UP Real Real) Real); slot 0 got the symbol a"
                  (G 'a)))
 
 (test-case "a wrong number of arguments is counted"
-  (check-message "F: was declared (-> (X Real Real) Real), which takes 2 arguments; given 1: (a)" (F 'a))
+  (check-message "F: was declared (-> (X Real Real) Real), which takes 2 arguments; given 1: (a)"
+                 (F 'a))
   (check-message "x: was declared (-> Real Real), which takes 1 argument; given 2: (a b)" (x 'a 'b))
   (check-message "x: was declared (-> Real Real), which takes 1 argument; given 0: ()" (x)))
 
 (test-case "the derivative complains like the function"
-  (check-message "F: was declared (-> (X Real Real) Real); slot 1 got (up 1 2), an up tuple of 2\n  a signature such as (-> (UP Real Real) Real) declares a function of tuples"
-                 (((partial 0) F) 't (up 1 2))))
+  (check-message
+   "F: was declared (-> (X Real Real) Real); slot 1 got (up 1 2), an up tuple of 2\n  a signature such as (-> (UP Real Real) Real) declares a function of tuples"
+   (((partial 0) F) 't (up 1 2))))
 
 (test-case "a literal needs a name"
-  (check-exn #rx"^literal-function: contract violation\n  expected: a quoted name, such as 'f\n  given: 3" (lambda () (literal-function 3)))
+  (check-exn
+   #rx"^literal-function: contract violation\n  expected: a quoted name, such as 'f\n  given: 3"
+   (lambda () (literal-function 3)))
   (check-exn #rx"^literal-function: .*given: #<procedure:sin>" (lambda () (literal-function sin)))
   (check-exn #rx"^literal-up: .*a quoted name" (lambda () (literal-up "x" 2)))
   (check-exn #rx"^literal-down: .*a number of components" (lambda () (literal-down 'x -1)))

@@ -6,12 +6,11 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/loops
-         mechanics/generic/up-down
          mechanics/value/structure
          mechanics/value/vector
          mechanics/calculus/derivative
          mechanics/calculus/gradient
-         "../support/close.rkt" "../support/same.rkt")
+         "../support/close.rkt")
 
 (define n 40000)                ; so that adjoints take several chunks
 (define point (s:generate n 'up (lambda (i) (+ 0.5 (/ (modulo (* 7919 i) 1000) 1000.0)))))
@@ -78,7 +77,8 @@
   (define (nested s)
     (define slope ((gradient sum-of-squares) point))
     (g:* (ref slope 5) (products s) (ref ((gradient products) point) 5)))
-  (check-components ((gradient nested) point) (lambda (i) (* 2 (x 5) (neighbours 5) (neighbours i))))
+  (check-components ((gradient nested) point)
+                    (lambda (i) (* 2 (x 5) (neighbours 5) (neighbours i))))
   (let/ec leave ((gradient (lambda (s) (leave (products s)))) point))
   (check-exn #rx"stop" (lambda () ((gradient (lambda (s) (products s) (error "stop"))) point)))
   (define channels

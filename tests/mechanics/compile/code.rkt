@@ -95,7 +95,8 @@
 (test-case "several threads may run one program"
   (define e (for/fold ([e 'x]) ([k (in-range 700)]) (g:sin (g:+ e 'y))))
   (define make-run (program->maker (expressions->program '(x y) (list e) refuse)))
-  (define ((at f) x) (let ([output (make-flvector 1)]) (f (flvector x 0.5) output) (flvector-ref output 0)))
+  (define ((at f) x)
+    (let ([output (make-flvector 1)]) (f (flvector x 0.5) output) (flvector-ref output 0)))
   (define expected (for/list ([k (in-range 4)]) ((at (make-run)) (* 0.1 (+ k 1)))))
   (define found (make-vector 4 #f))
   (define threads

@@ -70,7 +70,7 @@
   (check-true (string? (compiled-function-reason c)))
   (check-equal? (numbers (c (flvector 4.0))) '(8.0)))
 
-(test-case "a changed global is seen when the function is compiled again, and the same program not compiled twice"
+(test-case "a changed global is seen by what is compiled again; the same program is compiled once"
   (define k 2)
   (define (f x) (* k x))
   (define before (compile-function f 1.0))
@@ -82,7 +82,8 @@
   (check-equal? (numbers ((compile-function f 1.0) (flvector 5.0))) '(15.0)))
 
 (test-case "mistakes"
-  (check-exn #rx"compile-function: .*a function of one structure" (lambda () (compile-function 3 1.0)))
+  (check-exn #rx"compile-function: .*a function of one structure"
+             (lambda () (compile-function 3 1.0)))
   (check-exn #rx"compile-function: the example holds the symbol x"
              (lambda () (compile-function sin (up 1 'x))))
   (check-exn #rx"the symbol m is left in the function's value.*give every symbol a number"

@@ -117,7 +117,8 @@
   (check-exn #rx"^definite-integral: the function is not finite\n  at: 0.5"
              (lambda () (definite-integral (lambda (x) +nan.0) 0 1)))
   (for ([tolerance (list 0 -1 'a +nan.0)])
-    (check-exn #rx"^definite-integral-with-tolerance: contract violation\n  expected: a positive tolerance"
-               (lambda () (definite-integral-with-tolerance g:sin 0 1 tolerance))))
+    (check-exn
+     #rx"^definite-integral-with-tolerance: contract violation\n  expected: a positive tolerance"
+     (lambda () (definite-integral-with-tolerance g:sin 0 1 tolerance))))
   (check-exn exn:fail:mechanics:not-convergent:integral?
              (lambda () (definite-integral (lambda (x) (g:/ 1 x)) 0 1))))

@@ -57,14 +57,17 @@
                                     1e-8)
                                  (format "~a" s))
     (check-true (< (abs (length-error s)) 1e-14)))
-  (agrees ((evolve pendulum 1 1 9.8) start (lambda (s) (check-true (< (abs (length-error s)) 1e-14)))
+  (agrees ((evolve pendulum 1 1 9.8) start
+           (lambda (s) (check-true (< (abs (length-error s)) 1e-14)))
                                      0.1 3 1e-11))
   (agrees ((state-advancer pendulum 1 1 9.8) start 3 1e-11))
   (for ([method (list 'Dormand-Prince-54 'qcrk4 'Radau-IIA-5 (Gauss-Legendre-6 0.01))])
     (agrees ((state-advancer pendulum 1 1 9.8) start 3 1e-9 #:method method)))
   (agrees ((advance-beyond pendulum 1 1 9.8) start 0.01 1e-11 3
                                              (lambda (s taken next)
-                                               ((state-advancer pendulum 1 1 9.8) s (- 3 (time s)))))))
+                                               ((state-advancer pendulum 1 1 9.8)
+                                                s
+                                                (- 3 (time s)))))))
 
 (test-case "a state that does not keep the constraints is refused, and one beside it found"
   (define (refused state)
@@ -75,8 +78,9 @@
    #rx"^evolve-trajectory: the state does not keep the constraints\n  values of the constraints: 4[.]0\n  their rates of change: 1[.]6\n"
    (refused (up 0 (up 3 4) (up 0 2))))
   (check-regexp-match #rx"their rates of change: 1[.]0\n" (refused (up 0 (up 1 0) (up 1 0))))
-  (check-regexp-match #rx"[(][(]consistent-state L constraints[)] state[)] is one beside it that does"
-                      (refused (up 0 (up 1 0) (up 1 0))))
+  (check-regexp-match
+   #rx"[(][(]consistent-state L constraints[)] state[)] is one beside it that does"
+   (refused (up 0 (up 1 0) (up 1 0))))
   (define found
     ((consistent-state (L-mass 1 9.8) (holonomic (rod-of-length 1))) (up 0 (up 3 4) (up 0 2))))
   (check-true (< (abs (length-error found)) 1e-15))
@@ -133,10 +137,12 @@
 
 (test-case "a state where constraints lose their hold is no beginning"
   (define cross (holonomic (lambda (t q) (* (ref q 0) (ref q 1)))))
-  (check-exn #rx"constraints depend on each other that are independent elsewhere.*constraint 0 demands nothing here"
-             (lambda ()
-               (evolve-trajectory (constrained-state-derivative (L-mass 1 9.8) cross)
-                                  (up 0 (up 0 0) (up 0 0)) 1))))
+  (check-exn
+   #rx"constraints depend on each other that are independent elsewhere.*constraint 0 demands nothing here"
+   (lambda ()
+     (evolve-trajectory (constrained-state-derivative (L-mass 1 9.8) cross)
+                        (up 0 (up 0 0) (up 0 0))
+                        1))))
 
 (test-case "four constraints on six coordinates: a double pendulum of two rods in a plane"
   (define (L (up t q v)) (- (* 1/2 (square v)) (* 9.8 (+ (ref q 1) (ref q 4)))))
@@ -178,7 +184,8 @@
   (define L (L-top 1 9.8 1))
   (define ball (holonomic (lambda (t q) (- (ref q 0) 1))))
   (define force (constraint-forces L ball))
-  (define off (event (lambda (s) (ref (force s) 0)) #:name 'off #:direction 'falling #:terminal? #t))
+  (define off
+    (event (lambda (s) (ref (force s) 0)) #:name 'off #:direction 'falling #:terminal? #t))
   (define tr
     (evolve-trajectory (constrained-state-derivative L ball) (up 0 (up 1 1e-6) (up 0 0)) 100
                        #:tolerance 1e-12 #:events off))

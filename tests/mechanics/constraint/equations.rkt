@@ -155,7 +155,8 @@
 
 (test-case "one coordinate, a number: its constraint and multiplier are numbers too"
   (define lift (holonomic (lambda (t x) (- x (* 1/2 'a (square t))))))
-  (check-identity ((constrained-accelerations (L-free-particle 'm) lift) (up 't 'x 'v)) (up 'a (* 'm 'a)))
+  (check-identity ((constrained-accelerations (L-free-particle 'm) lift) (up 't 'x 'v))
+                  (up 'a (* 'm 'a)))
   (check-identity ((constraint-forces (L-free-particle 'm) lift) (up 't 'x 'v)) (* 'm 'a)))
 
 (test-case "a coordinate without inertia is led by its constraint"

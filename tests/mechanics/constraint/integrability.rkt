@@ -27,7 +27,8 @@
     (up (- (ref v 0) (* 'R (sin (ref q 3)) (ref v 2)))
         (- (ref v 1) (* 'R (cos (ref q 3)) (ref v 2)))))
   (define straight (nonholonomic (lambda (t q v) (- (ref v 3) 0))))
-  (define (wheel-status constraints) (verdict-status (Frobenius-test constraints wheel-coordinates)))
+  (define (wheel-status constraints)
+    (verdict-status (Frobenius-test constraints wheel-coordinates)))
   (check-eq? (wheel-status (nonholonomic rolling)) 'refuted)
   (check-eq? (wheel-status (list (nonholonomic rolling) straight)) 'proved))
 

@@ -3,7 +3,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/messages.rkt")
 
 (define (L (up t q v)) (- (* 1/2 'm (square v)) (* 'm 'g (ref q 1))))
 (define (on-circle t q) (- (square q) (square 'l)))
@@ -13,21 +13,27 @@
 (define mu (literal-function 'mu))
 
 (test-case "what is no constraint"
-  (check-message "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the symbol x"
-                 (holonomic 'x))
-  (check-message "nonholonomic: expected a function of the time, the coordinates and the velocities, (A t q v)\n  given: (up a b), an up tuple of 2"
-                 (nonholonomic (up 'a 'b)))
+  (check-message
+   "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the symbol x"
+   (holonomic 'x))
+  (check-message
+   "nonholonomic: expected a function of the time, the coordinates and the velocities, (A t q v)\n  given: (up a b), an up tuple of 2"
+   (nonholonomic (up 'a 'b)))
   (check-true (constraint? (holonomic (up on-circle on-circle))))
   (define (of-velocities t q v) (ref v 0))
-  (check-message "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the procedure `of-velocities`, which takes 3 arguments\n  a constraint on the velocities is nonholonomic: (nonholonomic A)"
-                 (holonomic of-velocities))
-  (check-message "nonholonomic: expected a function of the time, the coordinates and the velocities, (A t q v)\n  given: the procedure `on-circle`, which takes 2 arguments\n  a constraint on the coordinates alone is holonomic: (holonomic G)"
-                 (nonholonomic on-circle))
+  (check-message
+   "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the procedure `of-velocities`, which takes 3 arguments\n  a constraint on the velocities is nonholonomic: (nonholonomic A)"
+   (holonomic of-velocities))
+  (check-message
+   "nonholonomic: expected a function of the time, the coordinates and the velocities, (A t q v)\n  given: the procedure `on-circle`, which takes 2 arguments\n  a constraint on the coordinates alone is holonomic: (holonomic G)"
+   (nonholonomic on-circle))
   (define (of-local local) (coordinate local))
-  (check-message "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the procedure `of-local`, which takes 1 argument\n  the parts of the local tuple are arguments of their own; parameters come first"
-                 (holonomic of-local))
-  (check-message "constrained-accelerations: expected a constraint, (holonomic G) or (nonholonomic A), or a list of them\n  given: the procedure `on-circle`"
-                 (constrained-accelerations L on-circle))
+  (check-message
+   "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the procedure `of-local`, which takes 1 argument\n  the parts of the local tuple are arguments of their own; parameters come first"
+   (holonomic of-local))
+  (check-message
+   "constrained-accelerations: expected a constraint, (holonomic G) or (nonholonomic A), or a list of them\n  given: the procedure `on-circle`"
+   (constrained-accelerations L on-circle))
   (check-equal? (format "~a" circle) "(holonomic on-circle)"))
 
 (test-case "velocities must enter linearly"
@@ -42,10 +48,12 @@
 
 (test-case "multipliers of another shape, or none"
   (define equations (constrained-Lagrange-equations L circle))
-  (check-exn #rx"^constrained-Lagrange-equations: multipliers are functions of time, as paths are; given the symbol lambda\n  [(]literal-function 'lambda[)] makes a function of that name"
-             (lambda () (equations xy 'lambda)))
-  (check-exn #rx"^constrained-Lagrange-equations: the multipliers must be a number, like the constraints\n  multipliers: [(]up [(]mu t[)] [(]mu t[)][)]"
-             (lambda () ((equations xy (up mu mu)) 't)))
+  (check-exn
+   #rx"^constrained-Lagrange-equations: multipliers are functions of time, as paths are; given the symbol lambda\n  [(]literal-function 'lambda[)] makes a function of that name"
+   (lambda () (equations xy 'lambda)))
+  (check-exn
+   #rx"^constrained-Lagrange-equations: the multipliers must be a number, like the constraints\n  multipliers: [(]up [(]mu t[)] [(]mu t[)][)]"
+   (lambda () ((equations xy (up mu mu)) 't)))
   (check-exn #rx"the multipliers must be an up tuple of 1, like the constraints"
              (lambda () (((constrained-Lagrange-equations L (list circle)) xy mu) 't)))
   (check-exn #rx"multipliers belong to constraints"
@@ -53,12 +61,14 @@
 
 (test-case "the value of a constraint"
   (check-exn #rx"the value of a constraint is a number, or an up tuple of numbers"
-             (lambda () ((constrained-accelerations L (holonomic (lambda (t q) on-circle))) state))))
+             (lambda ()
+               ((constrained-accelerations L (holonomic (lambda (t q) on-circle))) state))))
 
 (test-case "more constraints than coordinates"
   (define (too-many t q) (up (ref q 0) (ref q 1) t))
-  (check-message "constrained-accelerations: there are more constraints than coordinates\n  constraints: 3\n  coordinates: 2, (up x y)"
-                 ((constrained-accelerations L (holonomic too-many)) state)))
+  (check-message
+   "constrained-accelerations: there are more constraints than coordinates\n  constraints: 3\n  coordinates: 2, (up x y)"
+   ((constrained-accelerations L (holonomic too-many)) state)))
 
 (test-case "redundant constraints are named, with what they repeat"
   (define (twice t q) (* 2 (on-circle t q)))
@@ -90,9 +100,11 @@
 (test-case "an augmented Lagrangian: holonomic constraints, coordinates with multipliers"
   (check-exn #rx"^augmented-Lagrangian: with a nonholonomic constraint"
              (lambda () (augmented-Lagrangian L (nonholonomic (lambda (t q v) (ref v 0))))))
-  (check-message "augmented-Lagrangian: expected coordinates with multipliers, (up q lambda); given the symbol x"
-                 ((augmented-Lagrangian L circle) (up 't 'x 'v))))
+  (check-message
+   "augmented-Lagrangian: expected coordinates with multipliers, (up q lambda); given the symbol x"
+   ((augmented-Lagrangian L circle) (up 't 'x 'v))))
 
 (test-case "a multiplier that is a number"
-  (check-message "constrained-Lagrange-equations: multipliers are functions of time, as paths are; given the number 0\n  a constant one is (lambda (t) 0)"
-                 ((constrained-Lagrange-equations L circle) xy 0)))
+  (check-message
+   "constrained-Lagrange-equations: multipliers are functions of time, as paths are; given the number 0\n  a constant one is (lambda (t) 0)"
+   ((constrained-Lagrange-equations L circle) xy 0)))

@@ -83,7 +83,8 @@
                             #:keep (nonholonomic (rolling-y 'R))))
   (check-refuted (reduction-integrability r))
   (check-proved (reduction-agreement r))
-  (check-regexp-match #rx"the motion satisfies them, as it happens for this system" (format "~a" r)))
+  (check-regexp-match #rx"the motion satisfies them, as it happens for this system"
+                      (format "~a" r)))
 
 (test-case "the wheel: with both multipliers kept, nothing is lost"
   (define (as-given t q v) (rolling-velocity t q v))

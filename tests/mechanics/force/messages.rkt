@@ -2,7 +2,7 @@
 ;; What is said where masses, positions, forces and coordinates do not go together.
 
 (require mechanics
-         "../support/forces.rkt" "../support/messages.rkt")
+         "../support/messages.rkt")
 
 (define state (up 't (up 'x 'y) (up 'v_x 'v_y)))
 (define (plane t q) q)

@@ -91,7 +91,8 @@
 (define (value-at-point x point)
   (cond [(tuple? x)
          (cons (structure-orientation (adopt x))
-               (for/list ([e (in-vector (structure-elements (adopt x)))]) (value-at-point e point)))]
+               (for/list ([e (in-vector (structure-elements (adopt x)))])
+                 (value-at-point e point)))]
         [(matrix? x)
          (cons 'rows (for/list ([row (in-vector (matrix-rows x))])
                        (for/list ([e (in-vector row)]) (value-at-point e point))))]
@@ -227,7 +228,8 @@
   (check-equal? (g:negate (down 1 2)) (down -1 -2))
   (check-equal? (g:/ 4) 1/4)
   (check-equal? (g:invert 'a) (g:/ 1 'a))
-  (check-true (same? (g:invert (matrix-by-rows '(1 2) '(3 4))) (matrix-by-rows '(-2 1) '(3/2 -1/2)))))
+  (check-true (same? (g:invert (matrix-by-rows '(1 2) '(3 4)))
+                     (matrix-by-rows '(-2 1) '(3/2 -1/2)))))
 
 (test-case "exactness is kept"
   (check-equal? (g:/ 4 2) 2)

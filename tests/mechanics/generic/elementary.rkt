@@ -22,7 +22,8 @@
   (check-equal? (g:expt 4 1/2) 2))
 
 (test-case "exact arguments with exact values stay exact"
-  (check-equal? (map (lambda (f) (f 0)) (list g:sin g:cos g:tan g:exp g:asin g:atan g:sinh g:cosh g:tanh))
+  (check-equal? (map (lambda (f) (f 0))
+                     (list g:sin g:cos g:tan g:exp g:asin g:atan g:sinh g:cosh g:tanh))
                 '(0 1 0 1 0 0 0 1 0))
   (check-equal? (g:log 1) 0)
   (check-equal? (g:acos 1) 0)

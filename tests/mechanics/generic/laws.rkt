@@ -3,7 +3,6 @@
 ;; and on mixtures of kinds.
 
 (require mechanics/generic/arithmetic
-         mechanics/generic/up-down
          mechanics/value/structure
          "../support/random.rkt" "../support/same.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt" "../support/laws/module.rkt"
@@ -87,8 +86,19 @@
 
 (for ([element (list (random-up random-rational) (random-up random-scalar)
                      (random-nested random-rational) (random-nested random-scalar))]
-      [title '("tuples of numbers" "tuples of anything" "nested tuples" "nested tuples of anything")]
+      [title
+       '("tuples of numbers" "tuples of anything" "nested tuples" "nested tuples of anything")]
       [seed (in-naturals 131)])
   (define draw (draw-with-scalars random-scalar element))
-  (check-laws (string-append title ", dot product") pairing-laws generic-module draw same? #:seed seed)
-  (check-laws (string-append title ", contraction") pairing-laws contraction draw same? #:seed seed))
+  (check-laws (string-append title ", dot product")
+              pairing-laws
+              generic-module
+              draw
+              same?
+              #:seed seed)
+  (check-laws (string-append title ", contraction")
+              pairing-laws
+              contraction
+              draw
+              same?
+              #:seed seed))

@@ -15,7 +15,8 @@
   (check-exn (lambda (e)
                (and (exn:fail:mechanics:singular? e)
                     (equal? (exn-message e) message)
-                    (equal? (format "~s" (exn:fail:mechanics:singular-where e)) (format "~s" where))))
+                    (equal? (format "~s" (exn:fail:mechanics:singular-where e))
+                            (format "~s" where))))
              (lambda () expression)))
 
 (define (power n) (lambda (x) (g:expt x n)))
@@ -71,7 +72,9 @@
   (check-equal? (map (lambda (n) ((D (power n)) 0.0)) '(0.0 1.0 2.0)) '(0 1.0 0.0))
   (check-equal? ((D (lambda (n) (g:expt 0 n))) 2) 0)
   (check-singular "expt: has no derivative at 0, 0" (list 0 0) ((D (lambda (n) (g:expt 0 n))) 0))
-  (check-singular "expt: has no derivative at 0.0, 0" (list 0.0 0) ((D (lambda (n) (g:expt 0.0 n))) 0)))
+  (check-singular "expt: has no derivative at 0.0, 0"
+                  (list 0.0 0)
+                  ((D (lambda (n) (g:expt 0.0 n))) 0)))
 
 (test-case "where the value itself is infinite so is the slope, and there is none"
   (check-singular "log: has no derivative at 0.0" 0.0 ((D g:log) 0.0))

@@ -57,9 +57,12 @@
   (check-equal? ((up g:+ g:*) 2 3) (up 5 6)))
 
 (test-case "a component that is no function is named when the tuple is applied"
-  (check-exn #rx"^application: a tuple applies its components to the arguments, but the component 3 of [(]up 3 sin[)] is not a function; [(]constant-function 3[)] makes a function of it$"
-             (lambda () ((up 3 g:sin) 0)))
-  (check-exn #rx"but the component x of [(]down x[)] is not a function; [(]literal-function 'x[)] makes a function of it$" (lambda () ((down 'x)))))
+  (check-exn
+   #rx"^application: a tuple applies its components to the arguments, but the component 3 of [(]up 3 sin[)] is not a function; [(]constant-function 3[)] makes a function of it$"
+   (lambda () ((up 3 g:sin) 0)))
+  (check-exn
+   #rx"but the component x of [(]down x[)] is not a function; [(]literal-function 'x[)] makes a function of it$"
+   (lambda () ((down 'x)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Products (SICM p. 515)
@@ -85,7 +88,9 @@
   (define (product) (g:* (down 1 2) (up 1 2 3)))
   (check-equal? (product) (up (down 1 2) (down 2 4) (down 3 6)))
   (parameterize ([unequal-contraction 'error])
-    (check-exn #rx"^[*]: cannot multiply a down tuple of 2 by an up tuple of 3\n.*\n.*\n  their lengths differ$" product)
+    (check-exn
+     #rx"^[*]: cannot multiply a down tuple of 2 by an up tuple of 3\n.*\n.*\n  their lengths differ$"
+     product)
     (check-equal? (g:* (up 1 2) (up 1 2 3)) (up (up 1 2) (up 2 4) (up 3 6)))
     (check-equal? (g:* (down 1 2) (up (up 1 2) (up 1 2) (up 1 2)))
                   (up (g:* (down 1 2) (up 1 2)) 5 5)))
@@ -109,7 +114,8 @@
   (for ([k 3])
     (define mixed (for/list ([i 3]) (if (= i k) 'x 2.0)))
     (check-equal? (format "~a" (g:* (apply up mixed) (down 0 0 0))) "0")
-    (check-equal? (g:* (apply down mixed) (apply up (for/list ([i 3]) (if (= i k) 3.0 0)))) (g:* 'x 3.0)))
+    (check-equal? (g:* (apply down mixed) (apply up (for/list ([i 3]) (if (= i k) 3.0 0))))
+                  (g:* 'x 3.0)))
   (check-equal? (g:* (up 1.0 2.0) (down (up 1.0 2.0) (up 3.0 4.0))) (up 7.0 10.0)))
 
 (test-case "no zero is made negative or positive"

@@ -5,7 +5,6 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/up-down
          mechanics/value/compose
          mechanics/value/structure
          mechanics/calculus/derivative
@@ -26,7 +25,8 @@
 
 (test-case "V2: a free particle: m ẍ, and 0 on a straight line"
   (check-same (residual (L-free-particle 'm) x) (g:* 'm (second x)))
-  (check-same (residual (L-free-particle 'm) literal-plane-path) (down (g:* 'm (second x)) (g:* 'm (second y))))
+  (check-same (residual (L-free-particle 'm) literal-plane-path)
+              (down (g:* 'm (second x)) (g:* 'm (second y))))
   (check-equal? (residual (L-free-particle 'm) straight-line) (down 0 0 0)))
 
 (test-case "V3: the harmonic oscillator, on a literal path and on a proposed solution"
@@ -82,8 +82,10 @@
 
 (test-case "the path may be a structure of functions, a function to structures, or a vector"
   (define together (lambda (t) (up (x t) (y t))))
-  (check-same (residual (L-orbital 'm 'mu) together) (residual (L-orbital 'm 'mu) literal-plane-path))
-  (check-same (residual (L-orbital 'm 'mu) (vector x y)) (residual (L-orbital 'm 'mu) literal-plane-path)))
+  (check-same (residual (L-orbital 'm 'mu) together)
+              (residual (L-orbital 'm 'mu) literal-plane-path))
+  (check-same (residual (L-orbital 'm 'mu) (vector x y))
+              (residual (L-orbital 'm 'mu) literal-plane-path)))
 
 (test-case "numbers in, numbers out"
   (check-= (((Lagrange-equations (L-harmonic 2 8)) g:cos) 0.3) (* 6 (cos 0.3)) 1e-14))
@@ -133,17 +135,21 @@
 
 (test-case "a force from a potential term or from #:force is the same residual"
   (define F (literal-function 'F))
-  (define (pushed local) (g:+ ((L-free-particle 'm) local) (g:* (F (time local)) (coordinate local))))
+  (define (pushed local)
+    (g:+ ((L-free-particle 'm) local) (g:* (F (time local)) (coordinate local))))
   (check-same (residual pushed x)
               (((Lagrange-equations (L-free-particle 'm) #:force (compose F time)) x) 't)))
 
 (test-case "a force that is no function is refused"
-  (check-exn #rx"^Lagrange-equations: contract violation\n  expected: a force: a function of the local tuple\n  given: 3"
-             (lambda () (Lagrange-equations (L-free-particle 'm) #:force 3))))
+  (check-exn
+   #rx"^Lagrange-equations: contract violation\n  expected: a force: a function of the local tuple\n  given: 3"
+   (lambda () (Lagrange-equations (L-free-particle 'm) #:force 3))))
 
 (test-case "a force of the wrong orientation does not subtract"
-  (check-exn #rx"^Lagrange-equations: the force must be a down tuple of 2, like the momenta; given [(]up .*an up tuple of 2$"
-             (lambda () (((Lagrange-equations (L-free-particle 'm) #:force velocity) literal-plane-path) 't))))
+  (check-exn
+   #rx"^Lagrange-equations: the force must be a down tuple of 2, like the momenta; given [(]up .*an up tuple of 2$"
+   (lambda () (((Lagrange-equations (L-free-particle 'm) #:force velocity)
+                literal-plane-path) 't))))
 
 ;; ---------------------------------------------------------------------------
 ;; Higher order (V7)
@@ -180,44 +186,55 @@
 
 (test-case "an order is a positive integer"
   (for ([n (list 0 -1 1.5 'n)])
-    (check-exn #rx"^Lagrange-equations: contract violation\n  expected: an order, a positive integer"
-               (lambda () (Lagrange-equations (L-free-particle 'm) #:order n)))))
+    (check-exn
+     #rx"^Lagrange-equations: contract violation\n  expected: an order, a positive integer"
+     (lambda () (Lagrange-equations (L-free-particle 'm) #:order n)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Bad Lagrangians and paths
 
 (test-case "a Lagrangian that is no function"
-  (check-message "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the number 3"
-                 (Lagrange-equations 3))
-  (check-message "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the symbol L"
-                 (Lagrange-equations 'L)))
+  (check-message
+   "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the number 3"
+   (Lagrange-equations 3))
+  (check-message
+   "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the symbol L"
+   (Lagrange-equations 'L)))
 
 (test-case "a Lagrangian whose parameters were forgotten"
   (define (L m local) 0)
-  (check-message (string-append "Lagrange-equations: a Lagrangian takes one argument, the local tuple, but L does not.\n"
-                                "  If it takes parameters first, supply them: (Lagrange-equations (L ...))")
-                 (Lagrange-equations L))
+  (check-message
+   (string-append
+    "Lagrange-equations: a Lagrangian takes one argument, the local tuple, but L does not.\n"
+    "  If it takes parameters first, supply them: (Lagrange-equations (L ...))")
+   (Lagrange-equations L))
   (define (L-parametric m) (L-free-particle m))
-  (check-exn #rx"^Lagrange-equations: the value of a Lagrangian is a number, but that of L-parametric is .*\n  was a parameter left out, as the mass in [(]L-free-particle 'm[)][?]$"
-             (lambda () (residual L-parametric x))))
+  (check-exn
+   #rx"^Lagrange-equations: the value of a Lagrangian is a number, but that of L-parametric is .*\n  was a parameter left out, as the mass in [(]L-free-particle 'm[)][?]$"
+   (lambda () (residual L-parametric x))))
 
 (test-case "a Lagrangian whose value is a tuple"
   (define (L local) (g:* 1/2 (velocity local)))
-  (check-message "Lagrange-equations: the value of a Lagrangian is a number, but that of L is (up (* 1/2 ((D x) t)) (* 1/2 ((D y) t))), an up tuple of 2"
-                 (residual L literal-plane-path)))
+  (check-message
+   "Lagrange-equations: the value of a Lagrangian is a number, but that of L is (up (* 1/2 ((D x) t)) (* 1/2 ((D y) t))), an up tuple of 2"
+   (residual L literal-plane-path)))
 
 (test-case "a path that is a symbol, a number, or a list of functions"
   (define equations (Lagrange-equations (L-free-particle 'm)))
-  (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the symbol x\n  (literal-function 'x) makes a path of that name"
-                 (equations 'x))
-  (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the number 3\n  a path is written (lambda (t) ...), with t where the time stands"
-                 (equations 3))
-  (check-message "Lagrange-equations: a path is a function of time, or a tuple of such functions; given (x y), a list\n  a list is not a tuple; use (up x y ...)"
-                 (equations (list x y))))
+  (check-message
+   "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the symbol x\n  (literal-function 'x) makes a path of that name"
+   (equations 'x))
+  (check-message
+   "Lagrange-equations: a path is a function of time, or a tuple of such functions; given the number 3\n  a path is written (lambda (t) ...), with t where the time stands"
+   (equations 3))
+  (check-message
+   "Lagrange-equations: a path is a function of time, or a tuple of such functions; given (x y), a list\n  a list is not a tuple; use (up x y ...)"
+   (equations (list x y))))
 
 (test-case "a path whose value is a list"
-  (check-message "D: the function returned a value that has no derivative: (t (* 2 t)), a list\n  a list is not a tuple; use (up x y ...)"
-                 (residual (L-free-particle 'm) (lambda (t) (list t (g:* 2 t))))))
+  (check-message
+   "D: the function returned a value that has no derivative: (t (* 2 t)), a list\n  a list is not a tuple; use (up x y ...)"
+   (residual (L-free-particle 'm) (lambda (t) (list t (g:* 2 t))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Printing

@@ -53,10 +53,13 @@
   (check-eq? (verdict-status (prove-zero (rate (Noether-integral L shift) L state))) 'refuted))
 
 (test-case "it prints as what was typed and names what is no family"
-  (check-equal? (format "~a" (Noether-integral L rotations)) "(Noether-integral L-central rotations)")
-  (check-exn #rx"^Noether-integral: .*a family of coordinate transformations: a function of its parameters"
-             (lambda () (Noether-integral L (lambda () coordinate))))
+  (check-equal? (format "~a" (Noether-integral L rotations))
+                "(Noether-integral L-central rotations)")
+  (check-exn
+   #rx"^Noether-integral: .*a family of coordinate transformations: a function of its parameters"
+   (lambda () (Noether-integral L (lambda () coordinate))))
   (check-exn #rx"^Noether-integral: the family coordinate gives no coordinate transformation"
              (lambda () ((Noether-integral L (procedure-rename (lambda (s) s) 'coordinate)) state)))
-  (check-exn #rx"^Noether-integral: the family wrong gives the number 0 where the coordinates are [(]up x y z[)]"
-             (lambda () ((Noether-integral L (procedure-rename (lambda (s) (lambda (l) 0)) 'wrong)) state))))
+  (check-exn
+   #rx"^Noether-integral: the family wrong gives the number 0 where the coordinates are [(]up x y z[)]"
+   (lambda () ((Noether-integral L (procedure-rename (lambda (s) (lambda (l) 0)) 'wrong)) state))))

@@ -4,7 +4,6 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/up-down
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/search/minimize
@@ -68,11 +67,15 @@
 ;; What is no number
 
 (test-case "symbols left in the action, or in the limits, are named"
-  (check-exn #rx"^Lagrangian-action: expected a real number; given .*'?m.*\n  give its symbols values first: [(]substitute expression 'm 3 [.][.][.][)]$"
-             (lambda () (Lagrangian-action (L-free-particle 'm) test-path 0 10)))
-  (check-message "Lagrangian-action: expected a real number; given the symbol t2\n  give its symbols values first: (substitute expression 'm 3 ...)"
-                 (Lagrangian-action (L-free-particle 3) test-path 0 't2)))
+  (check-exn
+   #rx"^Lagrangian-action: expected a real number; given .*'?m.*\n  give its symbols values first: [(]substitute expression 'm 3 [.][.][.][)]$"
+   (lambda () (Lagrangian-action (L-free-particle 'm) test-path 0 10)))
+  (check-message
+   "Lagrangian-action: expected a real number; given the symbol t2\n  give its symbols values first: (substitute expression 'm 3 ...)"
+   (Lagrangian-action (L-free-particle 3) test-path 0 't2)))
 
 (test-case "what is no function is refused"
-  (check-exn #rx"^Lagrangian-action: a Lagrangian is a function of the local tuple" (lambda () (Lagrangian-action 3 test-path 0 1)))
-  (check-exn #rx"a path is a function of time" (lambda () (Lagrangian-action (L-free-particle 3) 'q 0 1))))
+  (check-exn #rx"^Lagrangian-action: a Lagrangian is a function of the local tuple"
+             (lambda () (Lagrangian-action 3 test-path 0 1)))
+  (check-exn #rx"a path is a function of time"
+             (lambda () (Lagrangian-action (L-free-particle 3) 'q 0 1))))

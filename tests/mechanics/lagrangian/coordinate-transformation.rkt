@@ -4,7 +4,6 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/up-down
          mechanics/value/compose
          mechanics/value/structure
          mechanics/calculus/derivative
@@ -63,8 +62,10 @@
   (define y (literal-function 'y))
   (define (second f) (((g:expt D 2) f) 't))
   (check-same (((Lagrange-equations L) literal-plane-path) 't)
-              (down (g:- (g:* 'm (second x)) (g:* 2 'm 'Omega ((D y) 't)) (g:* 'm (g:square 'Omega) (x 't)))
-                    (g:- (g:+ (g:* 'm (second y)) (g:* 2 'm 'Omega ((D x) 't))) (g:* 'm (g:square 'Omega) (y 't))))))
+              (down (g:- (g:* 'm (second x)) (g:* 2 'm 'Omega ((D y) 't))
+                         (g:* 'm (g:square 'Omega) (x 't)))
+                    (g:- (g:+ (g:* 'm (second y)) (g:* 2 'm 'Omega ((D x) 't)))
+                         (g:* 'm (g:square 'Omega) (y 't))))))
 
 (test-case "there and back: inverse transformations compose to the identity"
   (define near (up 0.3 (up 1.2 0.7) (up -0.4 2.1)))
@@ -75,13 +76,15 @@
   (check-same ((compose (F->C s->r) (F->C r->s)) near3) near3))
 
 (test-case "the long names are the same transformations"
-  (for ([long (list polar->rectangular rectangular->polar spherical->rectangular rectangular->spherical)]
+  (for ([long (list polar->rectangular rectangular->polar
+                    spherical->rectangular rectangular->spherical)]
         [short (list p->r r->p s->r r->s)])
     (check-eq? long short)))
 
 (test-case "angles come out in the right quadrant"
   (check-same (r->p (up 0 (up -1.0 -1.0) 0)) (up (sqrt 2.0) (* -3/4 3.141592653589793)))
-  (check-same (r->s (up 0 (up 0.0 -2.0 0.0) 0)) (up 2.0 (/ 3.141592653589793 2) (/ 3.141592653589793 -2))))
+  (check-same (r->s (up 0 (up 0.0 -2.0 0.0) 0))
+              (up 2.0 (/ 3.141592653589793 2) (/ 3.141592653589793 -2))))
 
 ;; ---------------------------------------------------------------------------
 ;; What it means
@@ -150,12 +153,20 @@
 
 (test-case "what F->C cannot transform is named"
   (define ((pendulum l pivot) local) (up l pivot))
-  (check-exn #rx"^F->C: a coordinate transformation takes one argument, the local tuple, but pendulum takes 2 arguments.\n  If it takes parameters first, supply them: [(]F->C [(]pendulum [.][.][.][)][)]$"
-             (lambda () (F->C pendulum)))
-  (check-exn #rx"^F->C: contract violation\n  expected: a coordinate transformation: a function of the local tuple\n  given: 3" (lambda () (F->C 3)))
-  (check-exn #rx"^F->C: expected a local tuple [(]up t q v [.][.][.][)]; given [(]up t q[)], an up tuple of 2$" (lambda () ((F->C p->r) (up 't 'q))))
-  (check-exn #rx"^F->C: expected a local tuple [(]up t q v [.][.][.][)]; given the symbol t$" (lambda () ((F->C p->r) 't)))
-  (check-exn #rx"^p->r: expected a local tuple with 2 coordinates; given [(]up t r v[)], an up tuple of 3$" (lambda () ((F->C p->r) (up 't 'r 'v))))
+  (check-exn
+   #rx"^F->C: a coordinate transformation takes one argument, the local tuple, but pendulum takes 2 arguments.\n  If it takes parameters first, supply them: [(]F->C [(]pendulum [.][.][.][)][)]$"
+   (lambda () (F->C pendulum)))
+  (check-exn
+   #rx"^F->C: contract violation\n  expected: a coordinate transformation: a function of the local tuple\n  given: 3"
+   (lambda () (F->C 3)))
+  (check-exn
+   #rx"^F->C: expected a local tuple [(]up t q v [.][.][.][)]; given [(]up t q[)], an up tuple of 2$"
+   (lambda () ((F->C p->r) (up 't 'q))))
+  (check-exn #rx"^F->C: expected a local tuple [(]up t q v [.][.][.][)]; given the symbol t$"
+             (lambda () ((F->C p->r) 't)))
+  (check-exn
+   #rx"^p->r: expected a local tuple with 2 coordinates; given [(]up t r v[)], an up tuple of 3$"
+   (lambda () ((F->C p->r) (up 't 'r 'v))))
   (check-exn #rx"^s->r: expected a local tuple with 3 coordinates" (lambda () (s->r polar))))
 
 (test-case "a transformation prints as what was typed"

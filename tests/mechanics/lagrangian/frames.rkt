@@ -41,8 +41,9 @@
   (check-equal? (format "~a" (Rx 'a)) "(Rx a)")
   (check-exn #rx"^Ry: expected a tuple of 3 coordinates; given [(]up 1 2[)], an up tuple of 2$"
              (lambda () ((Ry 'a) (up 1 2))))
-  (check-exn #rx"^Rx: expected a tuple of 3 coordinates; given [(]up t [(]up x y z[)].*\n  of a local tuple: [(]compose [(]Rx a[)] coordinate[)]$"
-             (lambda () ((Rx 'a) space)))
+  (check-exn
+   #rx"^Rx: expected a tuple of 3 coordinates; given [(]up t [(]up x y z[)].*\n  of a local tuple: [(]compose [(]Rx a[)] coordinate[)]$"
+   (lambda () ((Rx 'a) space)))
   (define path (up (literal-function 'x) (literal-function 'y) (literal-function 'z)))
   (check-identity (((Rx 'a) path) 't) ((Rx 'a) (path 't))))
 
@@ -98,5 +99,6 @@
 (test-case "frames print as what was typed and name what they cannot turn"
   (check-equal? (format "~a ~a" (rotating->inertial 'Omega) (inertial->accelerated 'g))
                 "(rotating->inertial Omega) (inertial->accelerated g)")
-  (check-exn #rx"^rotating->inertial: expected a local tuple with 2 or 3 coordinates; given [(]up t x v[)]"
-             (lambda () ((rotating->inertial 'Omega) (up 't 'x 'v)))))
+  (check-exn
+   #rx"^rotating->inertial: expected a local tuple with 2 or 3 coordinates; given [(]up t x v[)]"
+   (lambda () ((rotating->inertial 'Omega) (up 't 'x 'v)))))

@@ -46,13 +46,17 @@
   (check-equal? ((path->state-path q) 't) ((Gamma q) 't)))
 
 (test-case "what is no path is refused with the way to make one"
-  (check-message "Gamma: a path is a function of time, or a tuple of such functions; given the symbol q\n  (literal-function 'q) makes a path of that name"
-                 (Gamma 'q))
-  (check-message "Gamma: a path is a function of time, or a tuple of such functions; given the number 3\n  a path is written (lambda (t) ...), with t where the time stands"
-                 (Gamma 3))
-  (check-message "Gamma: a path is a function of time, or a tuple of such functions; given (q q), a list\n  a list is not a tuple; use (up x y ...)"
-                 (Gamma (list q q)))
-  (check-exn #rx"the length of the local tuples, an integer of at least 2\n  given: 1" (lambda () (Gamma q 1)))
+  (check-message
+   "Gamma: a path is a function of time, or a tuple of such functions; given the symbol q\n  (literal-function 'q) makes a path of that name"
+   (Gamma 'q))
+  (check-message
+   "Gamma: a path is a function of time, or a tuple of such functions; given the number 3\n  a path is written (lambda (t) ...), with t where the time stands"
+   (Gamma 3))
+  (check-message
+   "Gamma: a path is a function of time, or a tuple of such functions; given (q q), a list\n  a list is not a tuple; use (up x y ...)"
+   (Gamma (list q q)))
+  (check-exn #rx"the length of the local tuples, an integer of at least 2\n  given: 1"
+             (lambda () (Gamma q 1)))
   (check-exn #rx"the length of the local tuples" (lambda () (Gamma q 2.5))))
 
 ;; ---------------------------------------------------------------------------
@@ -95,16 +99,22 @@
   (check-equal? (velocity (vector 't 'q 'v)) 'v))
 
 (test-case "a selector says what it wanted and what it got"
-  (check-message (string-append "time: expected a local tuple (up t q v ...) with the time; given the number 3\n"
-                                "  Racket's form for timing an expression is in racket/base under the same name: (require (only-in racket/base [time racket:time]))")
-                 (time 3))
-  (check-message "coordinate: expected a local tuple (up t q v ...) with coordinates; given (up t), an up tuple of 1"
-                 (coordinate (up 't)))
-  (check-message "velocity: expected a local tuple (up t q v ...) with velocities; given the symbol v" (velocity 'v))
-  (check-message "velocity: expected a local tuple (up t q v ...) with velocities; given (down t q v), a down tuple of 3"
-                 (velocity (down 't 'q 'v)))
-  (check-message "acceleration: expected a local tuple (up t q v ...) with accelerations; given (up t q v), an up tuple of 3"
-                 (acceleration (up 't 'q 'v)))
+  (check-message
+   (string-append "time: expected a local tuple (up t q v ...) with the time; given the number 3\n"
+                  "  Racket's form for timing an expression is in racket/base under the same name: (require (only-in racket/base [time racket:time]))")
+   (time 3))
+  (check-message
+   "coordinate: expected a local tuple (up t q v ...) with coordinates; given (up t), an up tuple of 1"
+   (coordinate (up 't)))
+  (check-message
+   "velocity: expected a local tuple (up t q v ...) with velocities; given the symbol v"
+   (velocity 'v))
+  (check-message
+   "velocity: expected a local tuple (up t q v ...) with velocities; given (down t q v), a down tuple of 3"
+   (velocity (down 't 'q 'v)))
+  (check-message
+   "acceleration: expected a local tuple (up t q v ...) with accelerations; given (up t q v), an up tuple of 3"
+   (acceleration (up 't 'q 'v)))
   (check-exn #rx"^coordinate: .*given the procedure `sin`" (lambda () (coordinate sin))))
 
 (test-case "literal local tuples name their components"

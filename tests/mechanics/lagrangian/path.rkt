@@ -6,7 +6,6 @@
          mechanics/generic/elementary
          mechanics/value/structure
          mechanics/calculus/derivative
-         mechanics/lagrangian/action
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/path
          (only-in mechanics/book L-free-particle L-harmonic)
@@ -17,7 +16,8 @@
   (check-equal? (linear-interpolants 0 1 0) '())
   (check-equal? (linear-interpolants 1.0 -1.0 1) '(0.0))
   (check-true (same? (list->up (linear-interpolants 'a 'b 1)) (up (g:/ (g:+ 'a 'b) 2))))
-  (check-exn #rx"^linear-interpolants: .*a number of points" (lambda () (linear-interpolants 0 1 1.5))))
+  (check-exn #rx"^linear-interpolants: .*a number of points"
+             (lambda () (linear-interpolants 0 1 1.5))))
 
 (test-case "the interpolating polynomial goes through its points"
   (with-seed 501
@@ -40,8 +40,9 @@
   (check-true (same? ((Lagrange-interpolation-function '(a b) '(s u)) 's) 'a)))
 
 (test-case "values and points must be as many"
-  (check-exn #rx"^Lagrange-interpolation-function: expected as many values as points, and at least one"
-             (lambda () (Lagrange-interpolation-function '(1 2) '(1))))
+  (check-exn
+   #rx"^Lagrange-interpolation-function: expected as many values as points, and at least one"
+   (lambda () (Lagrange-interpolation-function '(1 2) '(1))))
   (check-exn #rx"as many values as points" (lambda () (Lagrange-interpolation-function '() '()))))
 
 (test-case "a path through its ends and the points between"
@@ -49,7 +50,8 @@
   (for ([t '(0 1 2 3)] [q '(a b c d)])
     (check-true (same? (path t) q)))
   (check-equal? ((make-path 0 1 2 5 '()) 1) 3)
-  (check-exn #rx"^make-path: .*a list of intermediate coordinates" (lambda () (make-path 0 1 2 5 3))))
+  (check-exn #rx"^make-path: .*a list of intermediate coordinates"
+             (lambda () (make-path 0 1 2 5 3))))
 
 (test-case "a variation vanishes at both ends"
   (define eta (make-eta (up g:sin g:cos) 1 3))

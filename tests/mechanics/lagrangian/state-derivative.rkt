@@ -21,7 +21,8 @@
                 '(up 1 (up v_x v_y) (up (/ (* -1 k x) m) (/ (* -1 k y) m)))))
 
 (test-case "a system of one coordinate has a scalar acceleration"
-  (check-equal? (expression (simplify ((Lagrangian->acceleration (L-harmonic 'm 'k)) (up 't 'x 'v))))
+  (check-equal? (expression (simplify ((Lagrangian->acceleration (L-harmonic 'm 'k))
+                                       (up 't 'x 'v))))
                 '(/ (* -1 k x) m)))
 
 (test-case "the acceleration makes the residual vanish"
@@ -53,7 +54,8 @@
                          (up 't (up 'x 'y) (up 'vx 'vy))))))
 
 (test-case "the energy needs a Lagrangian"
-  (check-exn #rx"^Lagrangian->energy: a Lagrangian is a function" (lambda () (Lagrangian->energy 'L))))
+  (check-exn #rx"^Lagrangian->energy: a Lagrangian is a function"
+             (lambda () (Lagrangian->energy 'L))))
 
 ;; ---------------------------------------------------------------------------
 ;; Forces outside L
@@ -88,8 +90,9 @@
                      (/ 'F (* 'm (square 'l))))))
 
 (test-case "a force of another shape than the momenta, or none at all"
-  (check-exn #rx"^Lagrangian->acceleration: the force must be a number, like the momenta; given [(]down 1 2[)]"
-             (lambda () ((Lagrangian->acceleration pendulum #:force (lambda (l) (down 1 2))) swinging)))
+  (check-exn
+   #rx"^Lagrangian->acceleration: the force must be a number, like the momenta; given [(]down 1 2[)]"
+   (lambda () ((Lagrangian->acceleration pendulum #:force (lambda (l) (down 1 2))) swinging)))
   (check-exn #rx"^Lagrangian->state-derivative: .*a force: a function of the local tuple"
              (lambda () (Lagrangian->state-derivative pendulum #:force 'F)))
   (check-exn #rx"^Lagrange-equations: .*a dissipation function: a function of the local tuple"
@@ -97,11 +100,12 @@
 
 (test-case "a force in the place of a dissipation function"
   (define (drag local) (* -1 'b (velocity local)))
-  (check-exn #rx"^Lagrange-equations: the value of a dissipation function is a number, but that of drag is .*\n  a force is given as #:force drag$"
-             (lambda ()
-               (((Lagrange-equations (L-harmonic 'm 'k) drag)
-                 (up (literal-function 'x) (literal-function 'y)))
-                't))))
+  (check-exn
+   #rx"^Lagrange-equations: the value of a dissipation function is a number, but that of drag is .*\n  a force is given as #:force drag$"
+   (lambda ()
+     (((Lagrange-equations (L-harmonic 'm 'k) drag)
+       (up (literal-function 'x) (literal-function 'y)))
+      't))))
 
 (test-case "they print with what they were made from"
   (check-equal? (format "~a" (Lagrangian->acceleration pendulum (Rayleigh-dissipation 'k)))

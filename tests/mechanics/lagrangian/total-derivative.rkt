@@ -25,7 +25,9 @@
 (test-case "D_t F is ∂₀F + ∂₁F v + ∂₂F a"
   (define at (up 't 'x 'v))
   (check-same ((Dt F) local)
-              (g:+ (((partial 0) F) at) (g:* (((partial 1) F) at) 'v) (g:* (((partial 2) F) at) 'a))))
+              (g:+ (((partial 0) F) at)
+                   (g:* (((partial 1) F) at) 'v)
+                   (g:* (((partial 2) F) at) 'a))))
 
 (test-case "D_t of time, coordinate and velocity"
   (check-equal? (map (lambda (f) ((Dt f) local)) (list time coordinate velocity)) '(1 v a))
@@ -83,10 +85,13 @@
   (check-equal? ((clip-state 3) local) (up 't 'x 'v))
   (check-equal? (trim-last-argument local) (up 't 'x 'v))
   (check-equal? (trim-last-argument (vector 't 'x 'v)) (up 't 'x))
-  (check-exn #rx"^clip-state: expected a local tuple of at least 5 components; given [(]up t x v a[)], an up tuple of 4$"
-             (lambda () ((clip-state 5) local)))
-  (check-exn #rx"^clip-state: contract violation\n  expected: a length of local tuples" (lambda () (clip-state 1)))
-  (check-exn #rx"^trim-last-argument: expected a local tuple; given the number 3$" (lambda () (trim-last-argument 3))))
+  (check-exn
+   #rx"^clip-state: expected a local tuple of at least 5 components; given [(]up t x v a[)], an up tuple of 4$"
+   (lambda () ((clip-state 5) local)))
+  (check-exn #rx"^clip-state: contract violation\n  expected: a length of local tuples"
+             (lambda () (clip-state 1)))
+  (check-exn #rx"^trim-last-argument: expected a local tuple; given the number 3$"
+             (lambda () (trim-last-argument 3))))
 
 (test-case "operators and their images print as what was typed"
   (check-pred operator? Dt)
@@ -95,13 +100,18 @@
   (check-equal? (format "~a" (Euler-Lagrange-operator L)) "(Euler-Lagrange-operator L)"))
 
 (test-case "what it cannot take is named"
-  (check-exn #rx"^Dt: contract violation\n  expected: a function of the local tuple\n  given: 3" (lambda () (Dt 3)))
-  (check-exn #rx"^Dt: expected a local tuple [(]up t q v [.][.][.][)]; given [(]up t q[)], an up tuple of 2$"
-             (lambda () ((Dt F) (up 't 'q))))
-  (check-exn #rx"^Dt: the parts of the local tuple differ in shape\n  coordinates: [(]up x y[)]\n  another: a$"
-             (lambda () ((Dt velocity) (up 't (up 'x 'y) (up 'vx 'vy) 'a))))
-  (check-exn #rx"^Euler-Lagrange-operator: expected a local tuple [(]up t q v [.][.][.][)] of at least 4 components; given [(]up t q v[)], an up tuple of 3$"
-             (lambda () ((Euler-Lagrange-operator F) (up 't 'q 'v))))
+  (check-exn #rx"^Dt: contract violation\n  expected: a function of the local tuple\n  given: 3"
+             (lambda () (Dt 3)))
+  (check-exn
+   #rx"^Dt: expected a local tuple [(]up t q v [.][.][.][)]; given [(]up t q[)], an up tuple of 2$"
+   (lambda () ((Dt F) (up 't 'q))))
+  (check-exn
+   #rx"^Dt: the parts of the local tuple differ in shape\n  coordinates: [(]up x y[)]\n  another: a$"
+   (lambda () ((Dt velocity) (up 't (up 'x 'y) (up 'vx 'vy) 'a))))
+  (check-exn
+   #rx"^Euler-Lagrange-operator: expected a local tuple [(]up t q v [.][.][.][)] of at least 4 components; given [(]up t q v[)], an up tuple of 3$"
+   (lambda () ((Euler-Lagrange-operator F) (up 't 'q 'v))))
   (check-exn #rx"^Euler-Lagrange-operator: .*an order, a positive integer"
              (lambda () (Euler-Lagrange-operator F #:order 0)))
-  (check-exn #rx"^Euler-Lagrange-operator: a Lagrangian is a function" (lambda () (Euler-Lagrange-operator 3))))
+  (check-exn #rx"^Euler-Lagrange-operator: a Lagrangian is a function"
+             (lambda () (Euler-Lagrange-operator 3))))

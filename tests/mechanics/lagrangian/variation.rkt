@@ -5,7 +5,6 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/up-down
          mechanics/value/compose
          mechanics/value/operator
          mechanics/value/structure
@@ -91,8 +90,8 @@
                            (g:* (D (ref path 1)) (D (ref eta2 1)))))))
 
 (test-case "a variation may be a known function, and a path too"
-  (check-equal? ((((delta (lambda (t) (g:* t (g:- t 1)))) (lambda (q) (g:square q))) (lambda (t) (g:* 2 t))) 3)
-                72))
+  (define variation (delta (lambda (t) (g:* t (g:- t 1)))))
+  (check-equal? (((variation (lambda (q) (g:square q))) (lambda (t) (g:* 2 t))) 3) 72))
 
 (test-case "δ is an operator, and prints as what was typed"
   (check-pred operator? delta-eta)
@@ -102,6 +101,8 @@
   (check-equal? (format "~a" (g:* 2 (g:expt delta-eta 2))) "(* 2 (expt (delta eta) 2))"))
 
 (test-case "what is no variation, or no function of paths, is refused"
-  (check-exn #rx"^delta: contract violation\n  expected: a variation: a function of time, or a tuple of them\n  given: 'eta"
-             (lambda () (delta 'eta)))
-  (check-exn #rx"^delta: contract violation\n  expected: a function of paths\n  given: 3" (lambda () (delta-eta 3))))
+  (check-exn
+   #rx"^delta: contract violation\n  expected: a variation: a function of time, or a tuple of them\n  given: 'eta"
+   (lambda () (delta 'eta)))
+  (check-exn #rx"^delta: contract violation\n  expected: a function of paths\n  given: 3"
+             (lambda () (delta-eta 3))))

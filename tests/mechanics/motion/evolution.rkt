@@ -112,7 +112,8 @@
 
 (test-case "mistakes"
   (define advance (state-advancer harmonic-state-derivative 2 1))
-  (check-exn #rx"expected a state of real numbers; the symbol x is none" (lambda () (advance (up 0 'x 0) 1)))
+  (check-exn #rx"expected a state of real numbers; the symbol x is none"
+             (lambda () (advance (up 0 'x 0) 1)))
   (check-exn #rx"expected a duration that is a real number" (lambda () (advance (up 0 1 0) 'T)))
   (check-exn #rx"tolerance is below the rounding error" (lambda () (advance (up 0 1 0) 1 1e-20)))
   (check-exn #rx"expected a positive tolerance" (lambda () (advance (up 0 1 0) 1 0)))
@@ -123,7 +124,8 @@
   (check-exn #rx"of another shape than the state"
              (lambda () ((state-advancer (lambda () (lambda (s) (up 1 2)))) (up 0 1 0) 1)))
   (check-exn #rx"symbol m is left in the state derivative"
-             (lambda () ((state-advancer (lambda () (harmonic-state-derivative 1 'm))) (up 0 1 0) 1)))
+             (lambda ()
+               ((state-advancer (lambda () (harmonic-state-derivative 1 'm))) (up 0 1 0) 1)))
   (check-exn #rx"evolve: expected a procedure that makes a state derivative\n  given: the number 3"
              (lambda () (evolve 3))))
 

@@ -64,7 +64,8 @@
   (define (falling-in s) (up 1 (velocity s) (/ -1 (square (coordinate s)))))
   (for ([method '(Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5)])
     (define tr
-      (check-failure #rx"\n  time: 1[.]1107[^\n]*\n  last state: [^\n]*\n  steps became too short to change the time$"
+      (check-failure
+       #rx"\n  time: 1[.]1107[^\n]*\n  last state: [^\n]*\n  steps became too short to change the time$"
                      (evolve-trajectory falling-in start 2 #:method method)))
     (check-= (trajectory-end tr) (/ :pi (* 2 (sqrt 2))) 1e-8)))
 
@@ -92,7 +93,8 @@
   (check-equal? (time ((state-advancer oscillator-maker) start 1 1e-10 #:most-steps 1000)) 1.0))
 
 (test-case "no step is longer than allowed"
-  (define times (map time (trajectory-states (evolve-trajectory oscillator start 5 #:longest-step 0.01))))
+  (define times
+    (map time (trajectory-states (evolve-trajectory oscillator start 5 #:longest-step 0.01))))
   (for ([a times] [b (cdr times)]) (check-true (<= (- b a) 0.0100001)))
   (check-equal? (car (reverse times)) 5.0)
   (define short-kick                            ; missed by steps that are longer than it
@@ -123,7 +125,8 @@
 
 (test-case "a pole is no zero, a jump is"
   (define (times f)
-    (map occurrence-time (trajectory-events (evolve-trajectory oscillator start 1 #:events (event f)))))
+    (map occurrence-time
+         (trajectory-events (evolve-trajectory oscillator start 1 #:events (event f)))))
   (check-equal? (times (lambda (s) (/ 1 (- (time s) 0.513)))) '())
   (for ([t (times (lambda (s) (tan (* 20 (time s)))))] [k (in-naturals 1)])
     (check-= t (* k (/ :pi 20)) 1e-12))

@@ -101,7 +101,8 @@
 
 (test-case "functions without a derivative are minimised from their values"
   (define found
-    (multidimensional-minimize (lambda (v) (+ (abs (floor (* 1e6 (- (ref v 0) 1)))) (abs (- (ref v 1) 2))))
+    (multidimensional-minimize (lambda (v) (+ (abs (floor (* 1e6 (- (ref v 0) 1))))
+                                              (abs (- (ref v 1) 2))))
                                (up 0 0) #:tolerance 1e-6))
   (check-= (ref found 0) 1 1e-3)
   (check-= (ref found 1) 2 1e-3))
@@ -122,7 +123,8 @@
 (test-case "over more than half a period the motion is a saddle point, which is said and carried"
   ;; q = sin(T − t)/sin T from 1 to 0
   (define f (failure (lambda () (find-path (L-harmonic 1 1) 0 1 4 0 8))))
-  (check-regexp-match #rx"^find-path: the stationary path does not make the action least: it falls" (exn-message f))
+  (check-regexp-match #rx"^find-path: the stationary path does not make the action least: it falls"
+                      (exn-message f))
   (check-regexp-match #rx"half a period\n  action of the stationary path: 0.43" (exn-message f))
   (define q (exn:fail:mechanics:not-convergent-value f))
   (for ([t '(0 1 2.5 4)]) (check-= (q t) (/ (sin (- 4 t)) (sin 4)) 1e-4))
@@ -135,14 +137,16 @@
 
 (test-case "an action without a stationary path"
   (define f (failure (lambda () (find-path (lambda (s) (coordinate s)) 0 1 1 1 2))))
-  (check-regexp-match #rx"^find-path: the action has no minimum among these paths\n  best value: " (exn-message f))
+  (check-regexp-match #rx"^find-path: the action has no minimum among these paths\n  best value: "
+                      (exn-message f))
   (check-= ((exn:fail:mechanics:not-convergent-value f) 0.5) 1 1e-14)
   (check-pred exn? (failure (lambda () (find-path (lambda (s) +nan.0) 0 1 1 1 2)))))
 
 (test-case "a Lagrangian that jumps in time is not integrated well enough, which is said"
   (define (L s) (+ (square (velocity s)) (* (coordinate s) (if (< (time s) 0.3) 1 0))))
   (define f (failure (lambda () (find-path L 0 1 1 1 2))))
-  (check-regexp-match #rx"^find-path: the action of the paths cannot be integrated well enough" (exn-message f))
+  (check-regexp-match #rx"^find-path: the action of the paths cannot be integrated well enough"
+                      (exn-message f))
   (check-true (< 0 (exn:fail:mechanics:not-convergent-error-estimate f) 1e-3))
   ;; to what it can be
   (define q (find-path L 0 1 1 1 2 #:tolerance 1e-4))
@@ -153,19 +157,26 @@
 
 (test-case "mistakes"
   (check-exn #rx"find-path: .*initial time" (lambda () (find-path (L-harmonic 1 1) 't 1 2 0 3)))
-  (check-exn #rx"number of intermediate points" (lambda () (find-path (L-harmonic 1 1) 0 1 2 0 1.5)))
+  (check-exn #rx"number of intermediate points"
+             (lambda () (find-path (L-harmonic 1 1) 0 1 2 0 1.5)))
   (check-exn #rx"symbol m is left" (lambda () (find-path (L-harmonic 'm 1) 0 1 2 0 2)))
   (check-exn #rx"^find-path: the initial and the final time are the same\n  time: 1"
              (lambda () (find-path (L-harmonic 1 1) 1 0 1 1 2)))
-  (check-exn #rx"^find-path: expected a coordinate at the final time that is a real number\n  given: the symbol b"
-             (lambda () (find-path (L-harmonic 1 1) 0 0 1 'b 2)))
-  (check-exn #rx"^find-path: expected a coordinate at the initial time that is a real number\n  given: \"here\", a string"
-             (lambda () (find-path (L-harmonic 1 1) 0 (up 1 "here") 1 (up 1 2) 2)))
-  (check-exn #rx"^find-path: the coordinates at the two ends are of different shapes\n  at the initial time: [(]up 0 1[)]\n  at the final time: 0"
-             (lambda () (find-path (L-harmonic 1 1) 0 (up 0 1) 1 0 2)))
-  (check-exn #rx"^find-path: expected a final time" (lambda () (find-path (L-harmonic 1 1) 0 0 +inf.0 1 2)))
-  (check-exn #rx"^find-path: .*tolerance" (lambda () (find-path (L-harmonic 1 1) 0 0 1 1 2 #:tolerance 0)))
-  (check-exn #rx"^find-path: a Lagrangian is a function of the local tuple" (lambda () (find-path 3 0 0 1 1 2)))
+  (check-exn
+   #rx"^find-path: expected a coordinate at the final time that is a real number\n  given: the symbol b"
+   (lambda () (find-path (L-harmonic 1 1) 0 0 1 'b 2)))
+  (check-exn
+   #rx"^find-path: expected a coordinate at the initial time that is a real number\n  given: \"here\", a string"
+   (lambda () (find-path (L-harmonic 1 1) 0 (up 1 "here") 1 (up 1 2) 2)))
+  (check-exn
+   #rx"^find-path: the coordinates at the two ends are of different shapes\n  at the initial time: [(]up 0 1[)]\n  at the final time: 0"
+   (lambda () (find-path (L-harmonic 1 1) 0 (up 0 1) 1 0 2)))
+  (check-exn #rx"^find-path: expected a final time"
+             (lambda () (find-path (L-harmonic 1 1) 0 0 +inf.0 1 2)))
+  (check-exn #rx"^find-path: .*tolerance"
+             (lambda () (find-path (L-harmonic 1 1) 0 0 1 1 2 #:tolerance 0)))
+  (check-exn #rx"^find-path: a Lagrangian is a function of the local tuple"
+             (lambda () (find-path 3 0 0 1 1 2)))
   (check-exn #rx"^find-path: the value of a Lagrangian is a number"
              (lambda () (find-path coordinate 0 (up 0 1) 1 (up 1 1) 2)))
   (check-exn #rx"the argument does not match the pattern .*expected an up tuple of 2, given 0.0"

@@ -153,9 +153,10 @@
                                 "  its keywords: (#:observe #:progress #:tolerance)")
                  (minimize values 0 #:tolerance 1e-3)
                  exn:fail:contract:arity?)
-  (check-message "event: takes 1 argument; it was given none\n  its keywords: (#:direction #:name #:terminal?)"
-                 (event)
-                 exn:fail:contract:arity?))
+  (check-message
+   "event: takes 1 argument; it was given none\n  its keywords: (#:direction #:name #:terminal?)"
+   (event)
+   exn:fail:contract:arity?))
 
 (test-case "what is loaded on demand tells its keywords"
   (check-exn (unknown 'event '#:directon '(#:direction #:name #:terminal?))

@@ -16,7 +16,8 @@
             (unless (and (= (length found) (length expected))
                          (for/and ([v found] [w expected])
                            (and (< (min (euclidean-norm (- v w)) (euclidean-norm (+ v w))) 1e-9)
-                                (regexp-match? (regexp-quote (format "no inertia in the direction: ~a" v))
+                                (regexp-match? (regexp-quote
+                                                (format "no inertia in the direction: ~a" v))
                                                (exn-message e)))))
               (fail-check))))])
     (advance L state)
@@ -42,7 +43,8 @@
                     (up 0 (up 1 2 3 4 5) (up 3 4 5 6 7)) (list (up -1 1 0 0 0) (up 0 0 1 0 1))))
 
 (test-case "singular but for rounding"
-  (check-directions (particle-of (list (lambda (v) (+ (* (cos 0.3) (ref v 0)) (* (sin 0.3) (ref v 1))))))
+  (check-directions (particle-of (list (lambda (v) (+ (* (cos 0.3) (ref v 0))
+                                                      (* (sin 0.3) (ref v 1))))))
                     (up 0 (up 1 2) (up 3 4)) (list (up (- (tan 0.3)) 1))))
 
 (test-case "where the state makes it so: the angle at the centre of polar coordinates"
@@ -60,7 +62,8 @@
     (with-handlers ([exn:fail:mechanics:singular?
                      (lambda (e)
                        (check-regexp-match
-                        (string-append "^evolve-trajectory: the motion cannot be followed any further\n"
+                        (string-append
+                         "^evolve-trajectory: the motion cannot be followed any further\n"
                                        "  time: (1.0|0.99999)[^\n]*\n  last state: [^\n]*\n"
                                        "  the mass matrix has no inverse (there|beyond)\n"
                                        "  no inertia in the direction: [(]up 0 1[)]$")

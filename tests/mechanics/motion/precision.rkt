@@ -166,10 +166,12 @@
   (test-case "mistakes"
     (define (advance . more)
       (keyword-apply advance-harmonic '(#:precision) '(100) (list* (up 0 1 0) 1 more)))
-    (check-exn #rx"state-advancer: the tolerance is below the rounding error of 100 bits, about 1e-30"
-               (lambda () (advance 1e-40)))
-    (check-exn #rx"state-advancer: methods are for flonums; with a precision, extrapolation integrates"
-               (lambda () (advance-harmonic (up 0 1 0) 1 #:precision 100 #:method 'qcrk4)))
+    (check-exn
+     #rx"state-advancer: the tolerance is below the rounding error of 100 bits, about 1e-30"
+     (lambda () (advance 1e-40)))
+    (check-exn
+     #rx"state-advancer: methods are for flonums; with a precision, extrapolation integrates"
+     (lambda () (advance-harmonic (up 0 1 0) 1 #:precision 100 #:method 'qcrk4)))
     (check-exn #rx"expected a state of real numbers; the symbol x is none"
                (lambda () (advance-harmonic (up 0 'x 0) 1 #:precision 100)))
     (check-exn #rx"of another shape than the state"
@@ -180,7 +182,8 @@
                                                                      #:precision 100)))))
 
 (test-case "a precision is a number of bits"
-  (check-exn #rx"ode-precision: contract violation\n  expected: a number of bits from 54 on, or #f for flonums\n  given: 20"
-             (lambda () (ode-precision 20)))
+  (check-exn
+   #rx"ode-precision: contract violation\n  expected: a number of bits from 54 on, or #f for flonums\n  given: 20"
+   (lambda () (ode-precision 20)))
   (check-exn #rx"state-advancer: contract violation\n  expected: a number of bits"
              (lambda () ((state-advancer harmonic 1) (up 0 1 0) 1 #:precision 1e-20))))

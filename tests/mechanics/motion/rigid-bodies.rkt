@@ -61,7 +61,11 @@
 
 (test-case "so they are by the book's method, looser by its order"
   (define s
-    ((state-advancer (Lagrangian->state-derivative (T-body A B C))) start 100 1e-12 #:method 'qcrk4))
+    ((state-advancer (Lagrangian->state-derivative (T-body A B C)))
+     start
+     100
+     1e-12
+     #:method 'qcrk4))
   (check-= (/ (energy s) (energy start)) 1 1e-10)
   (check-close (momenta s) (momenta start) 1e-10))
 

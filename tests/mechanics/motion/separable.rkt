@@ -57,7 +57,10 @@
   (check-followed derivative (up 0 0 0) 1 1e-3))
 
 (test-case "a decision by the position"
-  (check-followed (lambda (s) (up 1 (velocity s) (if (< (coordinate s) 0) (* -4 (coordinate s)) (- (coordinate s)))))
+  (check-followed (lambda (s) (up 1 (velocity s)
+                                  (if (< (coordinate s) 0)
+                                      (* -4 (coordinate s))
+                                      (- (coordinate s)))))
                   (up 0 1 0) 1 1e-4))
 
 ;; ---------------------------------------------------------------------------

@@ -37,7 +37,8 @@
     (map occurrence-time
          (trajectory-events
           (evolve-trajectory pendulum (up 0 1 0) 6 #:tolerance 1e-13 #:events (bottom direction)))))
-  (define expected (for/list ([k 6] #:when (< (* (+ k 1/2) 1/2 period) 6)) (* (+ k 1/2) 1/2 period)))
+  (define expected
+    (for/list ([k 6] #:when (< (* (+ k 1/2) 1/2 period) 6)) (* (+ k 1/2) 1/2 period)))
   (define (every-other ts from) (for/list ([t ts] [k (in-naturals from)] #:when (even? k)) t))
   (check-close (times 'both) expected 1e-11)
   (check-close (times 'falling) (every-other expected 0) 1e-11)
@@ -54,7 +55,8 @@
 (test-case "several events come in the order of time"
   (define tr
     (evolve-trajectory oscillator (up 0 1 0) 10 #:tolerance 1e-12
-                       #:events (list (event coordinate #:name 'zero) (event velocity #:name 'turn))))
+                       #:events (list (event coordinate #:name 'zero)
+                                      (event velocity #:name 'turn))))
   (check-true (apply < (map occurrence-time (trajectory-events tr))))
   (for ([o (trajectory-events tr)] [k (in-naturals 1)])
     (check-= (occurrence-time o) (* k :pi/2) 1e-11)))
@@ -66,15 +68,18 @@
 (test-case "two zeros within one step are both found"
   (define free (lambda (s) (up 1 (velocity s) 0)))
   (define tr (evolve-trajectory free (up 0 0 1) 10
-                                #:events (event (lambda (s) (* (- (coordinate s) 4.1) (- (coordinate s) 5.9))))))
-  (check-equal? (map (lambda (o) (/ (round (* 1e6 (occurrence-time o))) 1e6)) (trajectory-events tr))
+                                #:events (event (lambda (s) (* (- (coordinate s) 4.1)
+                                                               (- (coordinate s) 5.9))))))
+  (check-equal? (map (lambda (o) (/ (round (* 1e6 (occurrence-time o))) 1e6))
+                     (trajectory-events tr))
                 '(4.1 5.9)))
 
 (test-case "a ball leaves a sphere where cos θ = 2/3"
   (define ((on-sphere g R) (up t θ v)) (up 1 v (* (/ g R) (sin θ))))
   (define force (event (lambda (s) (- (* 9.8 (cos (coordinate s))) (square (velocity s))))
                        #:direction 'falling #:terminal? #t))
-  (define tr (evolve-trajectory (on-sphere 9.8 1) (up 0 1e-9 0) 100 #:tolerance 1e-12 #:events force))
+  (define tr
+    (evolve-trajectory (on-sphere 9.8 1) (up 0 1e-9 0) 100 #:tolerance 1e-12 #:events force))
   (check-= (cos (coordinate (trajectory-final-state tr))) 2/3 1e-9))
 
 (test-case "where the motion ends, the failure carries the trajectory so far"
@@ -91,7 +96,8 @@
   (check-exn #rx"expected events; \\(event f\\) makes one"
              (lambda () (evolve-trajectory oscillator (up 0 1 0) 1 #:events coordinate)))
   (check-exn #rx"the value of an event's function is a real number"
-             (lambda () (evolve-trajectory oscillator (up 0 1 0) 1 #:events (event (lambda (s) s)))))
+             (lambda ()
+               (evolve-trajectory oscillator (up 0 1 0) 1 #:events (event (lambda (s) s)))))
   (check-exn #rx"trajectory-end: .*expected: trajectory.*given: 5" (lambda () (trajectory-end 5)))
   (check-exn #rx"trajectory-states: .*given: 5" (lambda () (trajectory-states 5 '(1))))
   (check-exn #rx"'rising, 'falling or 'both" (lambda () (event coordinate #:direction 'up)))
@@ -131,8 +137,9 @@
   (check-equal? (format "~a" (leapfrog 0.5)) "(leapfrog 0.5)"))
 
 (test-case "mistakes about methods"
-  (check-exn #rx"expected a method of integration or the name of one.*given: the symbol unheard-of.*qcrk4"
-             (lambda () (set-ode-integration-method! 'unheard-of)))
+  (check-exn
+   #rx"expected a method of integration or the name of one.*given: the symbol unheard-of.*qcrk4"
+   (lambda () (set-ode-integration-method! 'unheard-of)))
   (check-exn #rx"evolve-trajectory: expected a method"
              (lambda () (evolve-trajectory oscillator (up 0 1 0) 1 #:method 4)))
   (check-exn #rx"leapfrog: expected a positive time step" (lambda () (leapfrog 0))))

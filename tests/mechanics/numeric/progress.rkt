@@ -78,7 +78,8 @@
   (define-values (text value) (shown (lambda () (advance #f))))
   (check-equal? text "")
   (define-values (text2 value2)
-    (shown (lambda () (parameterize ([report-progress #f]) ((state-advancer harmonic) (up 0 1 0) 100)))))
+    (shown
+     (lambda () (parameterize ([report-progress #f]) ((state-advancer harmonic) (up 0 1 0) 100)))))
   (check-equal? text2 "")
   (parameterize ([current-error-port (open-output-string)])
     (check-false (terminal-reporter))))

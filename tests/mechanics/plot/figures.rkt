@@ -1,9 +1,8 @@
 #lang racket/base
-;; The figures are programs, and other programs draw figures: each writes its picture to the file named on its command
-;; line.  What they draw is tested beside them.
+;; The figures are programs, and other programs draw figures: each writes its picture to
+;; the file named on its command line.  What they draw is tested beside them.
 
-(require (only-in mechanics)
-         (only-in mechanics/book)
+(require (only-in mechanics/book)
          (only-in mechanics/plot)
          (only-in mechanics/plot/on-demand why-not)
          racket/file

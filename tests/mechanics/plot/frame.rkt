@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Frames: what is recorded in them, how they print, when they are closed.
 
-(require (prefix-in m: mechanics)
-         file/convertible
+(require file/convertible
          mechanics/plot
          (only-in mechanics/lang/printer install-printer!)
          (only-in racket/port make-pipe-with-specials)

@@ -4,7 +4,6 @@
 ;; They are tested in a process of its own, which has that display.
 
 (require compiler/find-exe
-         mechanics/plot
          racket/port
          racket/runtime-path
          racket/string

@@ -43,7 +43,10 @@
   (define (start (up t x v)) (- (* x (cos (* 'omega t))) (* (/ v 'omega) (sin (* 'omega t)))))
   (define L (L-harmonic 'm (* 'm (square 'omega))))
   (check-pred proved? (verify-conserved L start line))
-  (check-pred refuted? (verify-conserved L (lambda (local) (start (up 0 (coordinate local) (velocity local)))) line)))
+  (check-pred refuted?
+              (verify-conserved L
+                                (lambda (local) (start (up 0 (coordinate local) (velocity local))))
+                                line)))
 
 (test-case "angular momentum, all of it at once, about a centre and beside it"
   (define ((momentum-about x0) (up t (up x y z) (up vx vy vz)))
@@ -78,11 +81,15 @@
   (define (drag local) (* -1 'b (velocity local)))
   (define L (L-harmonic 'm 'k))
   (define energy (Lagrangian->energy L))
-  (check-equal? (expression (simplify ((rate-of-change L energy #:force drag) line))) '(* -1 b (expt v 2)))
+  (check-equal? (expression (simplify ((rate-of-change L energy #:force drag) line)))
+                '(* -1 b (expt v 2)))
   (check-pred refuted? (verify-conserved L energy line #:force drag))
   (define (turning (up t (up x y) (up vx vy))) (down (* 'B vy) (* -1 'B vx)))
-  (check-pred proved? (verify-conserved (L-attraction 'm 'mu) (Lagrangian->energy (L-attraction 'm 'mu))
-                                        plane #:force turning)))
+  (check-pred proved?
+              (verify-conserved (L-attraction 'm 'mu)
+                                (Lagrangian->energy (L-attraction 'm 'mu))
+                                plane
+                                #:force turning)))
 
 (test-case "a rate is that of the accelerations, and a number where the state is one"
   (define (Q (up t (up r phi) (up rdot phidot))) (* r (cube rdot) phidot))
@@ -98,7 +105,8 @@
 (test-case "without an inverse of the mass matrix, where none is needed"
   (define (L (up t (up x y) (up vx vy))) (- (* 1/2 'm (square vx)) (U x)))
   (check-pred proved? (verify-conserved L (Lagrangian->energy L) plane))
-  (check-exn exn:fail:mechanics:singular? (lambda () (verify-conserved L (lambda (l) (ref (velocity l) 1)) plane))))
+  (check-exn exn:fail:mechanics:singular?
+             (lambda () (verify-conserved L (lambda (l) (ref (velocity l) 1)) plane))))
 
 (test-case "of several rates that agree along motions, any one that vanishes proves"
   ;; without inertia the equations are ẋ = 0 and ẏ = 0
@@ -132,10 +140,14 @@
   (define U (literal-function 'U (-> (X Real Real) Real)))
   (define local (up 't (up 'r 'theta 'phi) (up 'rdot 'thetadot 'phidot)))
   (check-equal? (ignorable-coordinates L-spherical local) '(phi))
-  (check-pred proved? (verify-conserved L-spherical (compose (component 2) ((partial 2) L-spherical)) local)))
+  (check-pred proved?
+              (verify-conserved L-spherical
+                                (compose (component 2) ((partial 2) L-spherical))
+                                local)))
 
 (define L (L-harmonic 'm 'k))
-(define any-state "the local tuple must be made of symbols, each there once, to stand for any state\n")
+(define any-state
+  "the local tuple must be made of symbols, each there once, to stand for any state\n")
 
 (says
  [(verify-conserved L 'E line)

@@ -49,7 +49,9 @@
   (define (L-growing local) (* (exp (* 'b (time local))) ((L-harmonic 'm 'k) local)))
   (check-pred refuted? (verify-equivalent-Lagrangians (L-harmonic 'm 'k) L-growing line))
   (define (L-square (up t x v))
-    (+ (* 1/12 (square 'm) (expt v 4)) (* 1/2 'm 'k (square v) (square x)) (* -1/4 (square 'k) (expt x 4))))
+    (+ (* 1/12 (square 'm) (expt v 4))
+       (* 1/2 'm 'k (square v) (square x))
+       (* -1/4 (square 'k) (expt x 4))))
   (define by-energy (compare-Lagrangians (L-harmonic 'm 'k) L-square line))
   (check-equal? (expression (equivalence-factor by-energy)) '(+ (* k (expt x 2)) (* m (expt v 2)))))
 
@@ -67,15 +69,19 @@
 (test-case "not equivalent, with a witness, and the condition under which it would be"
   (define e (compare-Lagrangians (L-harmonic 'm 'k) (L-harmonic 1 (square 'omega)) line))
   (check-false (equivalence-kind e))
-  (check-equal? (map expression (verdict-conditions (equivalence-verdict e))) '((= k (* m (expt omega 2)))))
+  (check-equal? (map expression (verdict-conditions (equivalence-verdict e)))
+                '((= k (* m (expt omega 2)))))
   (check-true (pair? (verdict-witness (equivalence-verdict e))))
-  (check-regexp-match #rx"^not equivalent: motions of one Lagrangian leave a residual of the other\nrefuted: " (text e)))
+  (check-regexp-match
+   #rx"^not equivalent: motions of one Lagrangian leave a residual of the other\nrefuted: "
+   (text e)))
 
 (test-case "Lagrangians without inertia in some direction"
   (define (L (up t (up x y) (up vx vy))) (- (* 1/2 (square vx)) (* 1/2 (square (- x y)))))
   (define (L-solved (up t (up x y) (up vx vy))) (* vx (- x y)))
   (define (L-free (up t q v)) (* 1/2 (square v)))
-  (define (mixed (up t (up x y) (up vx vy))) (+ (* 3 (L (up t (up x y) (up vx vy)))) (* x vy) (* y vx)))
+  (define (mixed (up t (up x y) (up vx vy)))
+    (+ (* 3 (L (up t (up x y) (up vx vy)))) (* x vy) (* y vx)))
   (check-eq? (equivalence-kind (compare-Lagrangians L mixed plane)) 'proportional)
   ;; both restrict states, the one to x = y and the other to rest
   (check-exn #rx"^compare-Lagrangians: the equations of both Lagrangians restrict"
@@ -105,7 +111,8 @@
       (define c (random-rational))
       (define L (L-harmonic 'm 'k))
       (check-pred proved? (verify-equivalent-Lagrangians L (+ (* c L) (Dt f)) line))
-      (check-pred refuted? (verify-equivalent-Lagrangians L (+ L (Dt f) (compose square velocity)) line)))))
+      (check-pred refuted?
+                  (verify-equivalent-Lagrangians L (+ L (Dt f) (compose square velocity)) line)))))
 
 (define L (L-harmonic 'm 'k))
 

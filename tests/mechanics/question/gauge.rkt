@@ -88,10 +88,13 @@
   (check-= (f (up 0 1)) 1.46265174590718161 1e-13)
   (check-= (f (up 5 1 7)) 1.46265174590718161 1e-13)
   (check-= ((D (lambda (x) (f (up 0 x)))) 1.0) (exp 1) 1e-12)
-  (check-= ((gauge-function F line #:from (up 0 1)) (up 0 2)) (- 16.45262776550723 1.46265174590718161) 1e-11)
+  (check-= ((gauge-function F line #:from (up 0 1)) (up 0 2))
+           (- 16.45262776550723 1.46265174590718161)
+           1e-11)
   (check-equal? (format "~a" f) "(gauge-function F)")
-  (check-exn #rx"^gauge-function: F is a total time derivative, but no formula for its integral was found\n"
-             (lambda () (f line))))
+  (check-exn
+   #rx"^gauge-function: F is a total time derivative, but no formula for its integral was found\n"
+   (lambda () (f line))))
 
 (test-case "a gauge function prints as the program that computes it, or by its name"
   (define (shown F) (expression (gauge-function F (up 't 'x 'v))))
@@ -122,8 +125,9 @@
 (test-case "an integral does not begin at a singularity"
   (define (turning (up t (up x y) (up vx vy))) (/ (- (* x vy) (* y vx)) (+ (square x) (square y))))
   (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
-  (check-exn #rx"^gauge-function: the integral for turning cannot begin where it is not finite\n  begin: .up 0 .up 0 0.."
-             (lambda () ((gauge-function turning plane) (up 0 (up 1 2)))))
+  (check-exn
+   #rx"^gauge-function: the integral for turning cannot begin where it is not finite\n  begin: .up 0 .up 0 0.."
+   (lambda () ((gauge-function turning plane) (up 0 (up 1 2)))))
   (check-within ((gauge-function turning plane #:from (up 0 (up 1 0))) (up 0 (up 1 2)))
                 (atan 2)
                 1e-11))

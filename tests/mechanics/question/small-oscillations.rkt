@@ -163,10 +163,12 @@
                   "  coordinates: (up a 0)\n"
                   "  ∂₁L: (down (* -2 g l m (sin a)) 0)")
    (normal-modes (L-pendulums 'm 'm 'l 'g) (up 'a 0)))
-  (check-exn #rx"^small-oscillation-frequencies: the Lagrangian changes in time at these coordinates"
-             (lambda ()
-               (small-oscillation-frequencies
-                (lambda (s) (- (square (velocity s)) (* (time s) (square (coordinate s))))) 0)))
+  (check-exn
+   #rx"^small-oscillation-frequencies: the Lagrangian changes in time at these coordinates"
+   (lambda ()
+     (small-oscillation-frequencies
+      (lambda (s) (- (square (velocity s)) (* (time s) (square (coordinate s)))))
+      0)))
   (for ([ask (list normal-modes small-oscillation-frequencies)]
         [name '("normal-modes" "small-oscillation-frequencies")])
     (check-exn (regexp (string-append "^" name ": the Lagrangian changes in time at these"))

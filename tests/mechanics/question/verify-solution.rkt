@@ -4,7 +4,6 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/up-down
          mechanics/value/structure
          mechanics/calculus/literal-function
          mechanics/verdict/verdict
@@ -25,11 +24,13 @@
   (check-true (refuted? v))
   (check-not-false (member '(= k (* m (expt omega 2))) (map expression-of (verdict-conditions v))))
   (check-true (proved? (verify-solution L (oscillation (g:sqrt (g:/ 'k 'm))))))
-  (check-true (proved? (verify-solution (L-harmonic 'm (g:* 'm (g:square 'omega))) (oscillation 'omega)))))
+  (check-true (proved? (verify-solution (L-harmonic 'm (g:* 'm (g:square 'omega)))
+                                        (oscillation 'omega)))))
 
 (test-case "a circular orbit"
   (define (circle t) (up (g:* 'R (g:cos (g:* 'omega t))) (g:* 'R (g:sin (g:* 'omega t)))))
-  (check-true (proved? (verify-solution (L-orbital 'm (g:* 'm (g:square 'omega) (g:cube 'R))) circle)))
+  (check-true (proved? (verify-solution (L-orbital 'm (g:* 'm (g:square 'omega) (g:cube 'R)))
+                                        circle)))
   (check-true (refuted? (verify-solution (L-orbital 'm 'mu) circle))))
 
 (test-case "with a force: the damped oscillator, exactly when γ and ω satisfy the two relations"
@@ -55,9 +56,12 @@
 
 (test-case "with an order"
   (define (L local)
-    (g:- (g:* -1/2 'm (coordinate local) (acceleration local)) (g:* 1/2 'k (g:square (coordinate local)))))
+    (g:- (g:* -1/2 'm (coordinate local) (acceleration local))
+         (g:* 1/2 'k (g:square (coordinate local)))))
   (check-true (proved? (verify-solution L #:order 2 (oscillation (g:sqrt (g:/ 'k 'm)))))))
 
 (test-case "what is no path or no Lagrangian is refused as by Lagrange-equations"
-  (check-exn #rx"[(]literal-function 'x[)] makes a path of that name" (lambda () (verify-solution (L-free-particle 'm) 'x)))
-  (check-exn #rx"^Lagrange-equations: a Lagrangian is a function" (lambda () (verify-solution 3 (literal-function 'x)))))
+  (check-exn #rx"[(]literal-function 'x[)] makes a path of that name"
+             (lambda () (verify-solution (L-free-particle 'm) 'x)))
+  (check-exn #rx"^Lagrange-equations: a Lagrangian is a function"
+             (lambda () (verify-solution 3 (literal-function 'x)))))

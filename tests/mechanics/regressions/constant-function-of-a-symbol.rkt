@@ -4,5 +4,6 @@
 (require rackunit mechanics/calculus/derivative)
 
 (test-case "the advice for the derivative of a symbol is right"
-  (check-exn #rx"^D: needs a function; x is a number-like expression\n  the constant function is [(]lambda [(]t[)] 'x[)], an unknown one [(]literal-function 'x[)]$"
-             (lambda () (D 'x))))
+  (check-exn
+   #rx"^D: needs a function; x is a number-like expression\n  the constant function is [(]lambda [(]t[)] 'x[)], an unknown one [(]literal-function 'x[)]$"
+   (lambda () (D 'x))))

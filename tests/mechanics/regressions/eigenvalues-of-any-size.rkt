@@ -25,7 +25,8 @@
 
 (test-case "what is not finite has none"
   (define (with x) (matrix-by-rows (list 1.0 2.0 3.0) (list 4.0 x 6.0) (list 7.0 8.0 9.0)))
-  (define (symmetric-with x) (matrix-by-rows (list 1.0 2.0 3.0) (list 2.0 x 6.0) (list 3.0 6.0 9.0)))
+  (define (symmetric-with x)
+    (matrix-by-rows (list 1.0 2.0 3.0) (list 2.0 x 6.0) (list 3.0 6.0 9.0)))
   (define (small-with x) (matrix-by-rows (list 1 2.0) (list 3 x)))
   (for* ([make (list with symmetric-with small-with)] [x '(+inf.0 -inf.0 +nan.0)])
     (check-exn #rx"^eigenvalues: expected a matrix of finite numbers\n  entry: [-+](inf|nan).0\n"

@@ -5,7 +5,7 @@
 
 (require (except-in rackunit fail)
          mechanics
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/messages.rkt")
 
 (define (L (up t q v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square q))))
 (define state (up 't (up 'x 'y) (up 'vx 'vy)))
@@ -55,9 +55,10 @@
 
 (test-case "functions of the local tuple take one argument"
   (define (f t q v) (* q v))
-  (check-message (string-append "verify-total-time-derivative: expected a function of the local tuple "
-                                "(up t q v); given the procedure `f`, which takes 3 arguments")
-                 (verify-total-time-derivative f (up 't 'x 'v)))
+  (check-message
+   (string-append "verify-total-time-derivative: expected a function of the local tuple "
+                  "(up t q v); given the procedure `f`, which takes 3 arguments")
+   (verify-total-time-derivative f (up 't 'x 'v)))
   (check-message (string-append "verify-conserved: a quantity is a function of the local tuple "
                                 "(up t q v); given the procedure `f`, which takes 3 arguments")
                  (verify-conserved L f (up 't 'x 'v))))

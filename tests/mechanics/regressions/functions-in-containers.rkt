@@ -27,7 +27,9 @@
         (list 'box box unbox)
         (list 'immutable-box box-immutable unbox)
         (list 'hash (lambda (f) (hash 'f f)) (lambda (h) (hash-ref h 'f)))
-        (list 'mutable-hash (lambda (f) (make-hash (list (cons 'f f)))) (lambda (h) (hash-ref h 'f)))
+        (list 'mutable-hash
+              (lambda (f) (make-hash (list (cons 'f f))))
+              (lambda (h) (hash-ref h 'f)))
         (list 'promise (lambda (f) (delay f)) force)
         (list 'parameter make-parameter (lambda (p) (p)))
         (list 'thunk (lambda (f) (lambda () f)) (lambda (t) (t)))

@@ -26,7 +26,8 @@
              (lambda () (m:submatrix M 0 3 0 1))))
 
 (test-case "a matrix of several columns is no column"
-  (check-exn #rx"^column-matrix->up: expected a matrix of one column" (lambda () (column-matrix->up M)))
+  (check-exn #rx"^column-matrix->up: expected a matrix of one column"
+             (lambda () (column-matrix->up M)))
   (check-exn #rx"^row-matrix->down: expected a matrix of one row" (lambda () (row-matrix->down M))))
 
 (test-case "a flat tuple has no transpose"

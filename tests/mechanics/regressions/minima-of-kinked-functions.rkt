@@ -8,7 +8,8 @@
 (test-case "a function with kinks is minimised from its values where it has no gradient"
   (check-= (multidimensional-minimize abs 1) 0 1e-7)
   (define found
-    (multidimensional-minimize (lambda (v) (+ (abs (- (ref v 0) 1)) (abs (- (ref v 1) 2)))) (up 0 0)))
+    (multidimensional-minimize (lambda (v) (+ (abs (- (ref v 0) 1)) (abs (- (ref v 1) 2))))
+                               (up 0 0)))
   (check-= (ref found 0) 1 1e-6)
   (check-= (ref found 1) 2 1e-6))
 

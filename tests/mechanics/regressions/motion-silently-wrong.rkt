@@ -14,7 +14,8 @@
 (test-case "leapfrog took friction for half of what it was"
   (define (damped s) (up 1 (velocity s) (- (* -1 (coordinate s)) (* 0.1 (velocity s)))))
   (check-exn #rx"^state-advancer: leapfrog .*the rates of the velocities depend on the velocities"
-             (lambda () ((state-advancer (lambda () damped)) start 1 1e-10 #:method (leapfrog 0.1)))))
+             (lambda ()
+               ((state-advancer (lambda () damped)) start 1 1e-10 #:method (leapfrog 0.1)))))
 
 (test-case "the value of sin(x)/x at 0, by tests that no trace sees"
   (for ([f (list (lambda (x) (if (eqv? x 0.0) 1 (/ (sin x) x)))

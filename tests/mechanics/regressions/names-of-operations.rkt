@@ -2,8 +2,9 @@
 ;; Generic operations called themselves by their internal names.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/compare
-         mechanics/generic/describe
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/generic/compare
          mechanics/lang/application)
 
 (test-case "an operation goes by the name the reader types"

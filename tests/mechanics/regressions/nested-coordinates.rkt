@@ -23,7 +23,9 @@
 (test-case "the determinant of a nested mass matrix is a scalar"
   (check-equal? (determinant mass) 225)
   (check-equal? (trace mass) 16)
-  (check-equal? (determinant (down (down 2 (down 0 0)) (down (down 0 (down 3 1)) (down 0 (down 1 4))))) 22))
+  (check-equal?
+   (determinant (down (down 2 (down 0 0)) (down (down 0 (down 3 1)) (down 0 (down 1 4)))))
+   22))
 
 (test-case "accelerations are nested as the coordinates are"
   (check-equal? ((Lagrangian->acceleration L) (up 0 (up (up 0 0) (up 1 2)) (up (up 0 0) (up 0 0))))
@@ -50,10 +52,13 @@
 (test-case "what is not square is refused"
   (check-exn #rx"^determinant: expected as many components in each component"
              (lambda () (determinant (down (down (down 1 2) 3) (down 1 2)))))
-  (check-exn #rx"^solve-linear-left: there are more unknowns than equations: the system is underdetermined\n  unknowns: 8\n  equations: 2"
-             (lambda () (solve-linear-left mass (down 1 2))))
-  (check-exn #rx"^transpose: expected components of one length that hold scalars; .*[(]transpose s x[)]$"
-             (lambda () (transpose mass)))
+  (check-exn
+   #rx"^solve-linear-left: there are more unknowns than equations: the system is underdetermined\n  unknowns: 8\n  equations: 2"
+   (lambda () (solve-linear-left mass (down 1 2))))
+  (check-exn
+   #rx"^transpose: expected components of one length that hold scalars; .*[(]transpose s x[)]$"
+   (lambda () (transpose mass)))
   (check-exn #rx"^transpose: expected components of one length"
              (lambda () (transpose (up (down 1 2) (down 1)))))
-  (check-exn #rx"^transpose: expected a tuple of tuples; given [(]up[)]" (lambda () (transpose (up)))))
+  (check-exn #rx"^transpose: expected a tuple of tuples; given [(]up[)]"
+             (lambda () (transpose (up)))))

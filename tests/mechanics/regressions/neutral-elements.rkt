@@ -27,5 +27,7 @@
 (test-case "Any is any tuple of scalars"
   (define S (literal-function 'S (-> Any Real)))
   (check-equal? (format "~a" (S (up 'x (down 1 2)))) "(S (up x (down 1 2)))")
-  (check-exn #rx"^S: was declared [(]-> Any Real[)]; slot 0 got f, a literal function" (lambda () (S f)))
-  (check-exn #rx"^S: .*slot 0 got [(]up 1 [(]2 3[)][)], an up tuple of 2" (lambda () (S (up 1 '(2 3))))))
+  (check-exn #rx"^S: was declared [(]-> Any Real[)]; slot 0 got f, a literal function"
+             (lambda () (S f)))
+  (check-exn #rx"^S: .*slot 0 got [(]up 1 [(]2 3[)][)], an up tuple of 2"
+             (lambda () (S (up 1 '(2 3))))))

@@ -4,5 +4,6 @@
 (require rackunit mechanics/value/operator)
 
 (test-case "an operator is made of a function of functions"
-  (check-exn #rx"^make-operator: contract violation\n  expected: a function of functions\n  given: 3"
-             (lambda () (make-operator 3 'three))))
+  (check-exn
+   #rx"^make-operator: contract violation\n  expected: a function of functions\n  given: 3"
+   (lambda () (make-operator 3 'three))))

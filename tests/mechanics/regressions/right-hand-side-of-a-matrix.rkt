@@ -21,12 +21,14 @@
                                 (list (g:/ 3 'b) (g:/ 4 'b)))))
 
 (test-case "any other right-hand side is refused, and both are named"
-  (check-exn #rx"^solve-linear-left: the right-hand side must be an up tuple or a matrix of 2 rows, to match [(]matrix-by-rows [(]list 1 2[)] [(]list 3 4[)][)]; given [(]down 1 2[)], a down tuple of 2$"
-             (lambda () (solve-linear-left M (down 1 2))))
+  (check-exn
+   #rx"^solve-linear-left: the right-hand side must be an up tuple or a matrix of 2 rows, to match [(]matrix-by-rows [(]list 1 2[)] [(]list 3 4[)][)]; given [(]down 1 2[)], a down tuple of 2$"
+   (lambda () (solve-linear-left M (down 1 2))))
   (check-exn #rx"must be an up tuple or a matrix of 2 rows, .* a 1 by 2 matrix$"
              (lambda () (solve-linear-left M (matrix-by-rows '(1 2)))))
-  (check-exn #rx"^solve-linear-right: .* must be a down tuple or a matrix of 2 columns, .* an up tuple of 2$"
-             (lambda () (solve-linear-right (up 1 2) M)))
+  (check-exn
+   #rx"^solve-linear-right: .* must be a down tuple or a matrix of 2 columns, .* an up tuple of 2$"
+   (lambda () (solve-linear-right (up 1 2) M)))
   (check-exn #rx"^solve-linear-right: .* a 2 by 1 matrix$"
              (lambda () (solve-linear-right (matrix-by-columns '(1 2)) M))))
 

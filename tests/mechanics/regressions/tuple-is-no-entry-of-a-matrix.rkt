@@ -11,11 +11,15 @@
 (define M (matrix-by-rows '(1 2) '(3 4)))
 
 (test-case "sums and quotients name the matrix and the tuple"
-  (check-exn #rx"^[+]: cannot add a 2 by 2 matrix and an up tuple of 2\n" (lambda () (g:+ M (up 1 2))))
-  (check-exn #rx"^-: cannot subtract a 2 by 2 matrix from a down tuple of 2\n" (lambda () (g:- (down 1 2) M)))
-  (check-exn #rx"^/: cannot divide a 2 by 2 matrix by an up tuple of 2\n" (lambda () (g:/ M (up 1 2))))
-  (check-exn #rx"^/: cannot divide an up tuple of 2 by a 2 by 2 matrix\n.*\n.*[(]matrix-by-rows [(]list 1 2[)]"
-             (lambda () (g:/ (up 1 2) M)))
+  (check-exn #rx"^[+]: cannot add a 2 by 2 matrix and an up tuple of 2\n"
+             (lambda () (g:+ M (up 1 2))))
+  (check-exn #rx"^-: cannot subtract a 2 by 2 matrix from a down tuple of 2\n"
+             (lambda () (g:- (down 1 2) M)))
+  (check-exn #rx"^/: cannot divide a 2 by 2 matrix by an up tuple of 2\n"
+             (lambda () (g:/ M (up 1 2))))
+  (check-exn
+   #rx"^/: cannot divide an up tuple of 2 by a 2 by 2 matrix\n.*\n.*[(]matrix-by-rows [(]list 1 2[)]"
+   (lambda () (g:/ (up 1 2) M)))
   (check-equal? (g:* (g:/ (down 1 2) M) M) (down 1 2))
   (check-equal? (g:+ M 'a) (matrix-by-rows (list (g:+ 1 'a) 2) (list 3 (g:+ 4 'a)))))
 

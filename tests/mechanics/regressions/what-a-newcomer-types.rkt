@@ -35,7 +35,8 @@
 
 (test-case "an expression or a number for a path"
   (define hint "a path is written (lambda (t) ...), with t where the time stands")
-  (define who "Lagrange-equations: a path is a function of time, or a tuple of such functions; given ")
+  (define who
+    "Lagrange-equations: a path is a function of time, or a tuple of such functions; given ")
   (check-message (string-append who "(sin t), a number-like expression\n  " hint)
                  (verify-solution L (sin 't)))
   (check-message (string-append who "the number 0\n  " hint) (verify-solution L 0)))
@@ -47,8 +48,9 @@
                  (substitute (* 'm 'g) 'm))
   (check-message (string-append usage "  without a replacement: the symbol k")
                  (substitute (* 'm 'k) 'm 1 'k))
-  (check-message "substitute: expected a symbol or an expression to replace\n  given: \"m\", a string"
-                 (substitute (* 'm 'g) "m" 1))
+  (check-message
+   "substitute: expected a symbol or an expression to replace\n  given: \"m\", a string"
+   (substitute (* 'm 'g) "m" 1))
   (check-message
    "substitute: expected a number or an expression as replacement\n  given: (up 1 2), an up tuple of 2"
    (substitute (* 'm 'g) 'm (up 1 2))))
@@ -72,8 +74,9 @@
   (for ([form '((assuming '(> m 0) (sqrt (square 'm)))
                 (assuming (> m 0) (sqrt (square 'm)))
                 (assuming (> 'm 0) (sqrt (square 'm))))])
-    (check-regexp-match #rx"^assuming: relations stand in parentheses: [(]assuming [(]'[(]> m 0[)][)] body[)]"
-                        (syntax-complaint form)))
+    (check-regexp-match
+     #rx"^assuming: relations stand in parentheses: [(]assuming [(]'[(]> m 0[)][)] body[)]"
+     (syntax-complaint form)))
   (define relation '(> m 0))
   (check-equal? (assuming (relation) (simplify (sqrt (square 'm)))) 'm)
   (check-equal? (assuming () 3) 3))
@@ -83,8 +86,9 @@
                       (syntax-complaint '(assume (> 'm 0)))))
 
 (test-case "series:print speaks for itself"
-  (check-exn #rx"^series:print: the series does not end; say of how many terms: [(]series:print s n[)]"
-             (lambda () (series:print ((Taylor-series sin) 'x))))
+  (check-exn
+   #rx"^series:print: the series does not end; say of how many terms: [(]series:print s n[)]"
+   (lambda () (series:print ((Taylor-series sin) 'x))))
   (check-exn #rx"^series:print: expected a series" (lambda () (series:print 5))))
 
 (test-case "the rows of a matrix are arguments"

@@ -114,7 +114,10 @@
      #:program "runner"
      #:once-each
      [("-j" "--jobs") n "run <n> files at a time" (set! jobs (positive n "the number of jobs"))]
-     [("-l" "--limit") s "stop a file after <s> seconds (600)" (set! limit (positive s "the limit"))]
+     [("-l" "--limit")
+      s
+      "stop a file after <s> seconds (600)"
+      (set! limit (positive s "the limit"))]
      #:args paths
      (if (null? paths) (test-files) (append-map files-under (map path->complete-path paths)))))
   ;; A break, however it comes, ends the children before the runner.

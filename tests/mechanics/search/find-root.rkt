@@ -63,8 +63,9 @@
              (lambda () (find-root g:square 'a)))
   (check-exn #rx"^find-root: expected a real number; given .*a"
              (lambda () (find-root (g:* 'a values) 1)))
-  (check-exn #rx"^find-root: the function must give as many numbers as it takes\n  given: 1\n  expected: 2"
-             (lambda () (find-root (lambda (s) (ref s 0)) (up 1 1))))
+  (check-exn
+   #rx"^find-root: the function must give as many numbers as it takes\n  given: 1\n  expected: 2"
+   (lambda () (find-root (lambda (s) (ref s 0)) (up 1 1))))
   (check-exn #rx"positive tolerance" (lambda () (find-root g:square 1 #:tolerance -1))))
 
 ;; ---------------------------------------------------------------------------
@@ -93,14 +94,17 @@
   (find-root f-golden 1 2 #:report (lambda (x error count) (honest? x error count 12)))
   (find-root f-golden 1 #:report (lambda (x error count) (honest? x error count 16)))
   (bisect f-golden 1 2 #:report (lambda (x error count) (honest? x error count 56)))
-  (check-equal? (newton-search f-golden 1 #:report (lambda (x error count) x)) (find-root f-golden 1)))
+  (check-equal? (newton-search f-golden 1 #:report (lambda (x error count) x))
+                (find-root f-golden 1)))
 
 (test-case "each says its own name"
   (for ([ask (list (lambda () (bisect g:cos 0 1)) (lambda () (zbrent g:cos 0 1)))]
         [name '("bisect" "zbrent")])
     (check-exn (regexp (format "^~a: the function has the same sign" name)) ask))
-  (check-exn #rx"^newton-search: no root found" (lambda () (newton-search (lambda (x) (g:+ 1 (g:square x))) 1/3)))
-  (check-exn #rx"^bisect: expected a real number; given the symbol a" (lambda () (bisect g:cos 'a 1)))
+  (check-exn #rx"^newton-search: no root found"
+             (lambda () (newton-search (lambda (x) (g:+ 1 (g:square x))) 1/3)))
+  (check-exn #rx"^bisect: expected a real number; given the symbol a"
+             (lambda () (bisect g:cos 'a 1)))
   (check-exn #rx"^bisect: contract violation\n  expected: a function of one variable"
              (lambda () (bisect 3 0 1)))
   (check-exn #rx"^bisect: the function is not finite\n  at: 1.0"
@@ -150,5 +154,6 @@
   (check-= ((D (lambda (a) (find-root (lambda (x) (g:- (tabulated x) a)) 0 3))) 2) 1/2 1e-8))
 
 (test-case "where the root does not move smoothly there is no derivative"
-  (check-exn #rx"^find-root: the root has no derivative: those of the function have no inverse there\n  at: 0.0"
-             (lambda () ((D (lambda (a) (find-root (lambda (x) (g:- (g:expt x 3) (g:* a a))) -1 1))) 0))))
+  (check-exn
+   #rx"^find-root: the root has no derivative: those of the function have no inverse there\n  at: 0.0"
+   (lambda () ((D (lambda (a) (find-root (lambda (x) (g:- (g:expt x 3) (g:* a a))) -1 1))) 0))))

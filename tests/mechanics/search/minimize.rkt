@@ -5,7 +5,6 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/rounding
-         mechanics/generic/up-down
          mechanics/error/failure
          mechanics/value/structure
          mechanics/search/minimize)
@@ -19,7 +18,8 @@
 (test-case "what is no function of one variable, or no number, is refused"
   (check-exn #rx"^minimize: contract violation\n  expected: a function of one variable"
              (lambda () (minimize (lambda (x y) x) 0 1)))
-  (check-exn #rx"^minimize: expected a real number; given the symbol b" (lambda () (minimize values 0 'b))))
+  (check-exn #rx"^minimize: expected a real number; given the symbol b"
+             (lambda () (minimize values 0 'b))))
 
 ;; ---------------------------------------------------------------------------
 ;; In one variable
@@ -54,8 +54,9 @@
     (= count 10))
   (check-equal? (caddr (golden-section-min g:cos 2 4 after-ten)) 10)
   (check-= (/ (car seen) (cadr seen)) (/ 2 (+ 1 (sqrt 5.0))) 1e-12)
-  (check-exn #rx"^golden-section-min: a predicate that ends the search takes three arguments, .*\n  given: "
-             (lambda () (golden-section-min g:cos 2 4 (lambda (width) #t)))))
+  (check-exn
+   #rx"^golden-section-min: a predicate that ends the search takes three arguments, .*\n  given: "
+   (lambda () (golden-section-min g:cos 2 4 (lambda (width) #t)))))
 
 (test-case "each point tried is observed"
   (for ([method (list minimize brent-min golden-section-min)])
@@ -126,11 +127,15 @@
   (for ([method '(quasi-newton nelder-mead)])
     (define failure
       (with-handlers ([exn:fail:mechanics:not-convergent? values])
-        (multidimensional-minimize (lambda (v) (g:- (g:square (ref v 0)))) (up 1 2) #:method method)))
+        (multidimensional-minimize (lambda (v) (g:- (g:square (ref v 0))))
+                                   (up 1 2)
+                                   #:method method)))
     (check-pred up? (exn:fail:mechanics:not-convergent-value failure))
-    (check-regexp-match #rx"^multidimensional-minimize: no minimum found: the function " (exn-message failure)))
-  (check-exn #rx"^nelder-mead: no minimum found: too many evaluations\n  value there: .*\n  evaluations: "
-             (lambda () (nelder-mead bowl (up 0 (up 0 0)) 1 1e-8 20))))
+    (check-regexp-match #rx"^multidimensional-minimize: no minimum found: the function "
+                        (exn-message failure)))
+  (check-exn
+   #rx"^nelder-mead: no minimum found: too many evaluations\n  value there: .*\n  evaluations: "
+   (lambda () (nelder-mead bowl (up 0 (up 0 0)) 1 1e-8 20))))
 
 ;; It falls with slope −1 up to 2, where it jumps upwards.
 (define (sawtooth x) (g:- (g:* 2 (g:floor x)) x))

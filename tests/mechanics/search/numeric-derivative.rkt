@@ -4,8 +4,6 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/rounding
-         mechanics/generic/up-down
          mechanics/error/failure
          mechanics/value/structure
          mechanics/calculus/derivative
@@ -59,7 +57,8 @@
   (define failure
     (with-handlers ([exn:fail:mechanics:not-convergent? values])
       ((D-numeric (lambda (x) (if (< x 1) 0 1))) 1)))
-  (check-regexp-match #rx"^D-numeric: no derivative found\n  at: 1.0\n  evaluations: 81" (exn-message failure))
+  (check-regexp-match #rx"^D-numeric: no derivative found\n  at: 1.0\n  evaluations: 81"
+                      (exn-message failure))
   (check-exn #rx"^D-numeric: the function is not finite on both sides\n  at: 0.0"
              (lambda () ((D-numeric g:log) 0)))
   (check-exn #rx"^richardson-derivative: the function is not finite on both sides"
@@ -68,7 +67,8 @@
 (test-case "mistakes"
   (check-exn #rx"^D-numeric: contract violation\n  expected: a function of one variable"
              (lambda () (D-numeric 3)))
-  (check-exn #rx"^D-numeric: expected a real number; given the symbol x" (lambda () ((D-numeric g:sin) 'x)))
+  (check-exn #rx"^D-numeric: expected a real number; given the symbol x"
+             (lambda () ((D-numeric g:sin) 'x)))
   (check-exn #rx"^D-numeric: expected a real number; given .*a"
              (lambda () ((D-numeric (lambda (x) (g:* 'a x))) 1)))
   (check-exn #rx"^richardson-derivative: contract violation\n  expected: a positive tolerance"

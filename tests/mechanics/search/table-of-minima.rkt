@@ -5,7 +5,6 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/up-down
          mechanics/value/structure
          mechanics/search/minimize)
 

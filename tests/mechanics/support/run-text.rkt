@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Running modules that are given as text, and prompts.
 
-(require (only-in mechanics)
-         racket/port
+(require racket/port
          racket/string
          "messages.rkt")
 

@@ -18,7 +18,8 @@
   (and found (color-of (cadr found))))
 
 (define (color-of text)
-  (cond [(regexp-match #px"^rgb\\(\\s*([\\d.]+%?)\\s*,\\s*([\\d.]+%?)\\s*,\\s*([\\d.]+%?)\\s*\\)" text)
+  (cond [(regexp-match #px"^rgb\\(\\s*([\\d.]+%?)\\s*,\\s*([\\d.]+%?)\\s*,\\s*([\\d.]+%?)\\s*\\)"
+                       text)
          => (lambda (parts) (map byte-of (cdr parts)))]
         [(regexp-match #px"^#([[:xdigit:]]{2})([[:xdigit:]]{2})([[:xdigit:]]{2})" text)
          => (lambda (parts) (for/list ([p (in-list (cdr parts))]) (string->number p 16)))]

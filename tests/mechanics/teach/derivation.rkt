@@ -50,14 +50,17 @@
     (shown (lambda ()
              (show-derivation (Lagrange-equations L-distance) (up x (literal-function 'y))))))
   (check-regexp-match #rx"^\\(\\(Gamma q\\) t\\)\n  \\(up t \\(up \\(x t\\) \\(y t\\)\\)" text)
-  (check-regexp-match #rx"\n\\(\\(\\(Lagrange-equations L\\) q\\) t\\)\n  \\(down 1 0\\)\n; assuming" text)
+  (check-regexp-match
+   #rx"\n\\(\\(\\(Lagrange-equations L\\) q\\) t\\)\n  \\(down 1 0\\)\n; assuming"
+   text)
   (check-equal? (length (regexp-match* #rx"assuming \\(>= \\(x t\\) 0\\)\n" text)) 1))
 
 (test-case "mistakes are reported in the name of what was called"
   (for ([derive (in-list (list derivation-steps show-derivation))]
         [name (in-list '("derivation-steps" "show-derivation"))])
-    (check-exn (pregexp (string-append "^" name ": contract violation\n  expected: .Lagrange-equations L."))
-               (lambda () (derive L x)))
+    (check-exn
+     (pregexp (string-append "^" name ": contract violation\n  expected: .Lagrange-equations L."))
+     (lambda () (derive L x)))
     (check-exn (pregexp (string-append "^" name ": a path is a function of time"))
                (lambda () (derive (Lagrange-equations L) 'x)))))
 
@@ -102,4 +105,5 @@
       (parameterize ([current-output-port port]) (show-derivation newton x))
       (get-output-string port)))
   (check-regexp-match #rx"\\(slopes t\\)\n  \\(up " text)
-  (check-regexp-match #rx"\\(= \\(D slopes\\) \\(\\(partial 1\\) velocities\\)\\)\n  proved: " text))
+  (check-regexp-match #rx"\\(= \\(D slopes\\) \\(\\(partial 1\\) velocities\\)\\)\n  proved: "
+                      text))

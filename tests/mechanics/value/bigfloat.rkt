@@ -16,7 +16,8 @@
   (check-exn
    (lambda (e)
      (and (exn:fail:unsupported? e)
-          (regexp-match? #rx"^bigfloat: numbers of higher precision need the library MPFR, which is not installed"
+          (regexp-match?
+           #rx"^bigfloat: numbers of higher precision need the library MPFR, which is not installed"
                          (exn-message e))
           (regexp-match? #rx"apt install libmpfr6" (exn-message e))))
    (lambda () (check-bigfloats 'bigfloat (lambda (a b) (error "mpfr_add: not available"))))))
@@ -91,7 +92,8 @@
     (define (g s) (* (ref s 0) (sin (ref s 1))))
     (check-true (rounding? (- (ref ((gradient g) (up two x)) 1) (* two (cos x))) 200))
     (check-true (rounding? (- (ref ((D g) (up two x)) 0) (sin x)) 200))
-    (check-true (rounding? (- (((partial 1) atan) x two) (* -1 (/ x (+ (square x) (square two))))) 200))
+    (check-true (rounding? (- (((partial 1) atan) x two) (* -1 (/ x (+ (square x) (square two)))))
+                           200))
     (check-equal? ((D (lambda (t) two)) x) 0)
     (check-equal? ((D (lambda (t) (up two t))) x) (up 0 1)))
 
@@ -122,4 +124,5 @@
     (check-exn #rx"number of bits" (lambda () (bigfloat 2 1)))
     (check-exn #rx"bigfloat-precision: contract violation\n  expected: bigfloat?"
                (lambda () (bigfloat-precision 2.0)))
-    (check-exn #rx"cannot multiply a number of 200 bits by a number" (lambda () (* two (sqrt -1))))))
+    (check-exn #rx"cannot multiply a number of 200 bits by a number"
+               (lambda () (* two (sqrt -1))))))

@@ -42,7 +42,8 @@
 (test-case "only functions are composed"
   (check-exn #rx"^compose: expected functions; given the number 3$" (lambda () (compose V 3)))
   (check-exn #rx"^compose: expected functions; given the symbol V$" (lambda () (compose 'V)))
-  (check-exn #rx"^compose: expected functions; given [(]1[)], a list$" (lambda () (compose V '(1) V))))
+  (check-exn #rx"^compose: expected functions; given [(]1[)], a list$"
+             (lambda () (compose V '(1) V))))
 
 (test-case "a constant function takes anything"
   (define c (constant-function (up 'a 2)))

@@ -15,7 +15,8 @@
 ;; Poisson brackets, two degrees of freedom
 
 (define state (up 't (up 'x 'y) (down 'px 'py)))
-(define (Hamiltonian name) (literal-function name (-> (UP Real (UP Real Real) (DOWN Real Real)) Real)))
+(define (Hamiltonian name)
+  (literal-function name (-> (UP Real (UP Real Real) (DOWN Real Real)) Real)))
 (define F (Hamiltonian 'F))
 (define G (Hamiltonian 'G))
 (define H (Hamiltonian 'H))
@@ -23,7 +24,8 @@
   (- (* ((partial 1)  f) ((partial 2) g)) (* ((partial 2) f) ((partial 1) g))))
 
 (define (cyclic sign)
-  ((+ (bracket F (bracket G H)) (bracket G (bracket H F)) (* sign (bracket H (bracket F G)))) state))
+  ((+ (bracket F (bracket G H)) (bracket G (bracket H F)) (* sign (bracket H (bracket F G))))
+   state))
 
 (check-identity "Jacobi's, with three literal Hamiltonians" (cyclic 1) (cyclic -1))
 
@@ -34,8 +36,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Rotations by Euler angles
 
-(define (about-z a) (matrix-by-rows (list (cos a) (- (sin a)) 0) (list (sin a) (cos a) 0) (list 0 0 1)))
-(define (about-x a) (matrix-by-rows (list 1 0 0) (list 0 (cos a) (- (sin a))) (list 0 (sin a) (cos a))))
+(define (about-z a)
+  (matrix-by-rows (list (cos a) (- (sin a)) 0) (list (sin a) (cos a) 0) (list 0 0 1)))
+(define (about-x a)
+  (matrix-by-rows (list 1 0 0) (list 0 (cos a) (- (sin a))) (list 0 (sin a) (cos a))))
 (define M (* (about-z 'phi) (about-x 'theta) (about-z 'psi)))
 (define unit (matrix-by-rows '(1 0 0) '(0 1 0) '(0 0 1)))
 

@@ -158,5 +158,6 @@
              (lambda () (cubic-spline '(0 1) '(1 2) #:ends 'periodic)))
   (check-exn #rx"monotone-spline: expected values that are real numbers\n  given: the symbol a"
              (lambda () (monotone-spline '(0 1) '(1 a))))
-  (check-exn #rx"cubic-spline: the function of these data takes a real number\n  given: the symbol x"
-             (lambda () ((cubic-spline '(0 1) '(1 2)) 'x))))
+  (check-exn
+   #rx"cubic-spline: the function of these data takes a real number\n  given: the symbol x"
+   (lambda () ((cubic-spline '(0 1) '(1 2)) 'x))))

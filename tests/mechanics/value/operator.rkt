@@ -61,7 +61,8 @@
 
 (test-case "operators act on tuples of functions"
   (check-true (same? ((D (up V g:sin)) 't) (up ((D V) 't) (g:cos 't))))
-  (check-true (same? (((g:expt D 2) (up V g:sin)) 't) (up (((g:expt D 2) V) 't) (g:negate (g:sin 't))))))
+  (check-true (same? (((g:expt D 2) (up V g:sin)) 't)
+                     (up (((g:expt D 2) V) 't) (g:negate (g:sin 't))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Making and printing
@@ -100,8 +101,9 @@
 
 (test-case "an operator has no powers but 0, 1, 2, ..."
   (for ([n (list -1 1/2 'n 0.5)])
-    (check-exn #rx"^expt: cannot raise an operator to the power of .*\n  the powers of an operator are 0, 1, 2, ...$"
-               (lambda () (g:expt D n))))
+    (check-exn
+     #rx"^expt: cannot raise an operator to the power of .*\n  the powers of an operator are 0, 1, 2, ...$"
+     (lambda () (g:expt D n))))
   (check-eq? (g:expt D 0) I-operator)
   (check-eq? (g:expt D 1) D))
 

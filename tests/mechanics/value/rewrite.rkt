@@ -55,18 +55,22 @@
 
 (test-case "coefficients"
   (check-equal? (expression (coefficient (up (expt (+ 'a 'm) 2) 3) 'm 1)) '(up (* 2 a) 0))
-  (check-exn #rx"^coefficient: the expression is no polynomial in m: it is divided by a sum with m in it"
-             (lambda () (coefficient (/ 1 (+ 1 'm)) 'm 0)))
+  (check-exn
+   #rx"^coefficient: the expression is no polynomial in m: it is divided by a sum with m in it"
+   (lambda () (coefficient (/ 1 (+ 1 'm)) 'm 0)))
   (check-exn #rx"an integer, the power whose coefficient is wanted\n  given: 1/2"
              (lambda () (coefficient 'm 'm 1/2))))
 
 (test-case "what is wrong with the arguments is said"
-  (check-exn #rx"^expand: expected an expression, or a tuple or matrix of them; given the procedure `sin`\n  apply the function first, and use it on its value$"
-             (lambda () (expand sin)))
+  (check-exn
+   #rx"^expand: expected an expression, or a tuple or matrix of them; given the procedure `sin`\n  apply the function first, and use it on its value$"
+   (lambda () (expand sin)))
   (check-exn #rx"^factor: .*given \"a\", a string$" (lambda () (factor "a")))
-  (check-exn #rx"^collect: it is not said in what; use [(]collect x 'm[)] or [(]collect x [(]list 'm 'n[)][)]\n  given only: 3$"
-             (lambda () (collect 3)))
-  (check-exn #rx"^collect: expected a symbol, or a literal function applied such as [(][(]D f[)] 't[)]; given the number 3$"
-             (lambda () (collect 'a 3)))
+  (check-exn
+   #rx"^collect: it is not said in what; use [(]collect x 'm[)] or [(]collect x [(]list 'm 'n[)][)]\n  given only: 3$"
+   (lambda () (collect 3)))
+  (check-exn
+   #rx"^collect: expected a symbol, or a literal function applied such as [(][(]D f[)] 't[)]; given the number 3$"
+   (lambda () (collect 'a 3)))
   (check-exn #rx"^apart: expected a symbol, .*; given the number 3$" (lambda () (apart 'x 3)))
   (check-exn #rx"^apart: it is not said in what" (lambda () (apart 'x))))

@@ -6,18 +6,13 @@
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/kind
-         mechanics/generic/up-down
          mechanics/value/compose
-         mechanics/value/linear/matrix
-         mechanics/value/operator
          mechanics/value/simplify
          mechanics/value/structure
          mechanics/value/series/access
          mechanics/value/series/calculus
          mechanics/value/series/named
-         mechanics/value/series/series
          mechanics/calculus/derivative
-         mechanics/calculus/literal-function
          mechanics/verdict/prove-zero
          mechanics/verdict/verdict
          "../support/messages.rkt" "../support/random.rkt" "../support/same.rkt"
@@ -45,10 +40,12 @@
 (check-laws "series of functions" commutative-laws generic-ring
             (lambda () (series (random-real-function) (random-real-function))) same?
             #:seed 605 #:rounds 4)
-(check-laws "series of operators and matrices do not commute" (append ring-laws power-laws) generic-ring
+(check-laws "series of operators and matrices do not commute"
+            (append ring-laws power-laws) generic-ring
             (lambda () (series (random-operator) (random-operator))) same? #:seed 606 #:rounds 2)
 (check-laws "power series of matrices" (append ring-laws power-laws) generic-ring
-            (lambda () (power-series (random-matrix) (random-matrix) (random-matrix))) same? #:seed 607)
+            (lambda () (power-series (random-matrix) (random-matrix) (random-matrix)))
+              same? #:seed 607)
 
 (define (random-small-series)           ; beginning with 0
   (g:* x (random-series)))
@@ -103,7 +100,7 @@
     (check-same (b t) x)
     (check-same (t b) x)))
 
-(test-case "every elementary function of a series is its composition with the series of the function"
+(test-case "every elementary function of a series is composed of its series and that"
   (for ([f (list g:exp g:sin g:cos g:tan g:asin g:atan g:sinh g:cosh g:tanh
                  (lambda (x) (g:log (g:+ 1 x))) (lambda (x) (g:sqrt (g:- 1 x))))])
     (define a (power-series 0 2 -1 1/3))
@@ -144,7 +141,8 @@
 (test-case "the binomial series, exercise 6.7"
   (check-equal? (head (binomial-series 5) 8) '(1 5 10 10 5 1 0 0))
   (check-equal? (head (binomial-series 1/2)) '(1 1/2 -1/8 1/16 -5/128 7/256))
-  (check-equal? (simplify (series:ref (binomial-series 'n) 2)) (simplify (g:/ (g:* 'n (g:- 'n 1)) 2)))
+  (check-equal? (simplify (series:ref (binomial-series 'n) 2))
+                (simplify (g:/ (g:* 'n (g:- 'n 1)) 2)))
   (check-same (g:* (binomial-series 'n) (binomial-series 'm)) (binomial-series (g:+ 'n 'm))))
 
 ;; ---------------------------------------------------------------------------
@@ -154,7 +152,8 @@
   (check-equal? (head (g:+ 'a (series 1 2)) 3) (list (g:+ 'a 1) 2 0))
   (check-equal? (head (g:* (up 1 'a) (series 2 3)) 2) (list (up 2 (g:* 2 'a)) (up 3 (g:* 3 'a))))
   (check-equal? (head (g:* (down 1 2) (series (up 3 4) (up 5 6))) 3) '(11 17 0))
-  (check-equal? (head ((g:* g:sin (series 1 g:cos)) 'x) 2) (list (g:sin 'x) (g:* (g:sin 'x) (g:cos 'x))))
+  (check-equal? (head ((g:* g:sin (series 1 g:cos)) 'x) 2)
+                (list (g:sin 'x) (g:* (g:sin 'x) (g:cos 'x))))
   (check-same ((g:* D (series 1 identity)) g:square)
               (series (g:* 2 identity) (g:* 3 (g:square identity))))
   (check-equal? (head (g:/ (series 2 4) 2) 3) '(1 2 0)))
@@ -189,7 +188,8 @@
   (check-same (((partial 0) (series g:* g:+)) 'x 'y) (series 'y 1)))
 
 (test-case "a series is simplified, and substituted in, term by term"
-  (define s (simplify (series (g:+ (g:square (g:sin 'x)) (g:square (g:cos 'x))) (g:- (g:* 2 'x) 'x))))
+  (define s
+    (simplify (series (g:+ (g:square (g:sin 'x)) (g:square (g:cos 'x))) (g:- (g:* 2 'x) 'x))))
   (check-equal? (head s 2) '(1 x))
   (check-equal? (head (substitute (g:exp (power-series 0 'a)) 'a 2) 4) '(1 2 2 4/3)))
 
@@ -210,12 +210,14 @@
   (check-equal? (visited exp-series 3) '(1 1 1/2))
   (check-equal? (visited (series 1 2)) '(1 2))
   (check-equal? (visited (series 1 2) 5) '(1 2))
-  (check-exn #rx"^series:for-each: the series does not end; say of how many terms: .*series: .power-series 1 1 1/2 1/6 [.][.][.].$"
-             (lambda () (visited exp-series))))
+  (check-exn
+   #rx"^series:for-each: the series does not end; say of how many terms: .*series: .power-series 1 1 1/2 1/6 [.][.][.].$"
+   (lambda () (visited exp-series))))
 
 (test-case "which series end is known"
   (for ([s (list (series) (series 1 2) (power-series 1 2) (g:expt (power-series 1 2) 3)
-                 (series:derivative (power-series 1 2 3)) (series:integral x) ((power-series 1 2) 'x)
+                 (series:derivative (power-series 1 2 3))
+                   (series:integral x) ((power-series 1 2) 'x)
                  ((power-series 1 2) (g:+ x (g:square x))) (g:/ x 2))])
     (check-true (series:finite? s)))
   (for ([s (list exp-series (g:/ 1 (g:+ 1 x)) (series:generate values) (exp-series 'x))])
@@ -237,8 +239,9 @@
   (check-false (g:= (series 1 2) (power-series 1 2)))
   (check-true (g:= exp-series exp-series))
   (check-false (g:= exp-series sin-series))
-  (check-exn #rx"^=: two endless series agree in their first 8 terms, which does not decide whether they are equal"
-             (lambda () (g:= exp-series (g:+ sinh-series cosh-series))))
+  (check-exn
+   #rx"^=: two endless series agree in their first 8 terms, which does not decide whether they are equal"
+   (lambda () (g:= exp-series (g:+ sinh-series cosh-series))))
   (check-true (g:zero? (g:- (series 1 2) (series 1 2))))
   (check-false (g:zero? (g:- exp-series exp-series))))
 
@@ -249,7 +252,8 @@
   (check-pred refuted? (prove-zero (g:- exp-series cosh-series)))
   (define v (verify-equal exp-series (g:+ sinh-series cosh-series)))
   (check-pred undecided? v)
-  (check-regexp-match #rx"examined: terms up to order 7 of a series that does not end" (format "~a" v))
+  (check-regexp-match #rx"examined: terms up to order 7 of a series that does not end"
+                      (format "~a" v))
   (check-pred undecided? (prove-zero (up 0 (g:- (exp-series 'x) (exp-series 'x)))))
   (check-pred undecided? (prove-zero (lambda (t) (g:- (exp-series t) (exp-series t)))))
   (check-pred refuted? (prove-zero (lambda (t) (up 0 (exp-series t))))))

@@ -21,7 +21,8 @@
   (check-equal? (domain '(-> (X Real (UP Real Real)) Real)) '(Real (UP Real Real)))
   (check-equal? (domain '(-> (X* Real 3) Real)) '(Real Real Real))
   (check-equal? (domain '(-> (UP* Real 3) Real)) '((UP Real Real Real)))
-  (check-equal? (domain '(-> (DOWN* (UP Real Real) 2) Real)) '((DOWN (UP Real Real) (UP Real Real))))
+  (check-equal? (domain '(-> (DOWN* (UP Real Real) 2) Real))
+                '((DOWN (UP Real Real) (UP Real Real))))
   (check-equal? (domain '(-> (UP Real (X Real Real)) Real)) '((UP Real (UP Real Real)))))
 
 (test-case "ranges may be structures"
@@ -35,13 +36,15 @@
 
 (test-case "what is no signature is refused with an example"
   (for ([d (list 'Real '(Real Real) '(-> Real) '(-> Real Real Real) 3 "(-> Real Real)" '())])
-    (check-exn #rx"^literal-function: a signature has the form [(]-> domain range[)], as in [(]-> [(]X Real Real[)] Real[)]"
-               (lambda () (parse-signature d)))))
+    (check-exn
+     #rx"^literal-function: a signature has the form [(]-> domain range[)], as in [(]-> [(]X Real Real[)] Real[)]"
+     (lambda () (parse-signature d)))))
 
 (test-case "what is no shape is refused with the forms there are"
   (for ([d '((-> Reel Real) (-> (UP Real 3) Real) (-> (UP* Real) Real) (-> (UP* Real x) Real)
              (-> (LEFT Real) Real) (-> (UP* Real -1) Real) (-> (X* Real 1.5) Real))])
-    (check-exn #rx"^literal-function: expected Real, [(]UP shape [.][.][.][)]" (lambda () (parse-signature d)))))
+    (check-exn #rx"^literal-function: expected Real, [(]UP shape [.][.][.][)]"
+               (lambda () (parse-signature d)))))
 
 (test-case "values fit shapes by orientation, length and depth"
   (define (fits? d x) (shape-fits? (car (signature-domain (parse-signature (-> d Real)))) x))

@@ -3,10 +3,8 @@
 
 (require rackunit
          mechanics/generic/arithmetic
-         mechanics/generic/elementary
          mechanics/value/structure
          mechanics/calculus/literal-function
-         mechanics/value/signature
          "../support/messages.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/random/element.rkt")
 
@@ -48,10 +46,12 @@
 
 (test-case "ref into what is no tuple says where"
   (check-message "ref: expected a tuple; given the number 3" (ref 3 0))
-  (check-message "ref: expected a tuple; given (1 2), a list\n  a list is not a tuple; use (up x y ...)"
-                 (ref '(1 2) 0))
-  (check-message "ref: expected a tuple; index 1 was asked of the symbol t\n  in: (up t (up x y) (down 1 (up 2 3)))"
-                 (ref s 0 1)))
+  (check-message
+   "ref: expected a tuple; given (1 2), a list\n  a list is not a tuple; use (up x y ...)"
+   (ref '(1 2) 0))
+  (check-message
+   "ref: expected a tuple; index 1 was asked of the symbol t\n  in: (up t (up x y) (down 1 (up 2 3)))"
+   (ref s 0 1)))
 
 (test-case "lengths and dimensions"
   (check-equal? (map s:length (list s (up) 'a)) '(3 0 1))
@@ -67,7 +67,8 @@
   (define v (structure->vector s))
   (vector-set! v 0 'changed)
   (check-equal? (ref s 0) 't)
-  (check-exn #rx"^structure->list: expected a tuple; given the number 3$" (lambda () (structure->list 3))))
+  (check-exn #rx"^structure->list: expected a tuple; given the number 3$"
+             (lambda () (structure->list 3))))
 
 ;; ---------------------------------------------------------------------------
 ;; Construction
@@ -124,8 +125,9 @@
                  (dot-product (up 1 2) (up 1 2 3)))
   (check-message "dot-product: expected two tuples, or two numbers\n  first: (up 1 2)\n  second: 3"
                  (dot-product (up 1 2) 3))
-  (check-message "dot-product: expected two tuples, or two numbers\n  first: '(1 2)\n  second: (up 1 2)"
-                 (dot-product '(1 2) (up 1 2))))
+  (check-message
+   "dot-product: expected two tuples, or two numbers\n  first: '(1 2)\n  second: (up 1 2)"
+   (dot-product '(1 2) (up 1 2))))
 
 (test-case "the outer product never contracts"
   (check-equal? (outer-product (down 1 2) (up 3 4)) (up (down 3 6) (down 4 8)))
@@ -156,4 +158,5 @@
   (check-equal? ((cross-product e f) 2) (cross-product (e 2) (f 2)))
   (check-equal? ((outer-product e f) 2) (outer-product (e 2) (f 2)))
   (check-equal? (format "~a" (cross-product e f)) "(cross-product e f)")
-  (check-exn #rx"^cross-product: expected a tuple; given the number 1" (lambda () (cross-product 1 e))))
+  (check-exn #rx"^cross-product: expected a tuple; given the number 1"
+             (lambda () (cross-product 1 e))))

@@ -7,7 +7,6 @@
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/value/linear/matrix
-         mechanics/value/operator
          mechanics/value/simplify
          mechanics/value/signature
          mechanics/calculus/derivative
@@ -35,7 +34,8 @@
 (test-case "a function is judged at symbolic arguments, also inside structures"
   (check-true (proved? (prove-zero (g:- (D (g:square V)) (g:* 2 V (D V))))))
   (check-true (refuted? (prove-zero (g:- (D V) V))))
-  (check-true (proved? (prove-zero (g:- ((partial 0) ((partial 1) F)) ((partial 1) ((partial 0) F))))))
+  (check-true
+   (proved? (prove-zero (g:- ((partial 0) ((partial 1) F)) ((partial 1) ((partial 0) F))))))
   (check-true (proved? (prove-zero (up (g:- V V) 0)))))
 
 (test-case "equality is a difference of zero"
@@ -61,10 +61,12 @@
   (check-equal? (verdict-residual v) 0))
 
 (test-case "what cannot be judged is named"
-  (check-exn #rx"^prove-zero: expected a number, an expression, a tuple of them, or a function; given \"x\", a string$"
-             (lambda () (prove-zero "x")))
+  (check-exn
+   #rx"^prove-zero: expected a number, an expression, a tuple of them, or a function; given \"x\", a string$"
+   (lambda () (prove-zero "x")))
   (check-exn #rx"^prove-zero: .*given [(]1 2[)], a list" (lambda () (prove-zero '(1 2))))
-  (check-exn #rx"^prove-zero: D is an operator; give it a function to act on" (lambda () (prove-zero D))))
+  (check-exn #rx"^prove-zero: D is an operator; give it a function to act on"
+             (lambda () (prove-zero D))))
 
 (test-case "a verdict prints its status first, in all three modes"
   (for ([mode '("~a" "~s" "~v")])
@@ -77,7 +79,8 @@
 (define (last-line v) (cadr (regexp-match #rx"([^\n]*)$" (format "~a" v))))
 
 (test-case "a bound is given to two digits, rounded upwards"
-  (check-equal? (last-line (prove-zero 1.234e-15)) "  evidence: at one point, zero to within 1.3e-15")
+  (check-equal? (last-line (prove-zero 1.234e-15))
+                "  evidence: at one point, zero to within 1.3e-15")
   (check-regexp-match #px"^  evidence: at 12 points, zero to within [0-9]([.][0-9])?e-[0-9]+$"
                       (last-line (verify-equal (g:* 0.1 'x) (g:/ 'x 10)))))
 

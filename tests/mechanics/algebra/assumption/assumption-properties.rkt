@@ -9,12 +9,10 @@
          mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/expression/read
          mechanics/algebra/assumption/relation
          mechanics/algebra/assumption/signs
          mechanics/algebra/simplify/simplify-expression
-         "../../support/close.rkt" "../../support/random.rkt"
-         "../../support/random/expression.rkt")
+         "../../support/close.rkt" "../../support/random.rkt")
 
 (define (choose xs) (list-ref xs (random (length xs))))
 

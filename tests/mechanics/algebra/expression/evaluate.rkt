@@ -2,7 +2,6 @@
 ;; Numbers for expressions.
 
 (require rackunit
-         mechanics/algebra/expression/expression
          mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/read)
 

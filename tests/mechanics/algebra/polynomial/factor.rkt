@@ -90,7 +90,8 @@
   (check-equal? (length (poly-factor R (times p q))) 2))
 
 (test-case "integer polynomials, many factors at once"
-  (check-equal? (length (integer-factors (list->vector (append '(-1) (for/list ([_ 11]) 0) '(1))))) 6)
+  (check-equal? (length (integer-factors (list->vector (append '(-1) (for/list ([_ 11]) 0) '(1)))))
+                6)
   (define wilkinson
     (for/fold ([p #(1)]) ([k (in-range 1 11)])
       (for/vector #:length (+ 1 (vector-length p)) ([i (in-range (+ 1 (vector-length p)))])

@@ -4,8 +4,7 @@
 (require rackunit
          mechanics/algebra/polynomial/monomial
          mechanics/algebra/polynomial/ring
-         "../../support/random.rkt"
-         "../../support/random/polynomial.rkt")
+         "../../support/random.rkt")
 
 ;; Sizes and degrees on both sides of the word boundaries.
 (define shapes
@@ -86,7 +85,8 @@
       (define guards (ring-guards R))
       (check-equal? (monomial-divides? guards a b) (for/and ([x u] [y v]) (<= x y)))
       (check-true (monomial-divides? guards a (monomial+ a b)))
-      (check-equal? (monomial-exponents R (monomial-gcd R a b)) (for/vector ([x u] [y v]) (min x y)))
+      (check-equal? (monomial-exponents R (monomial-gcd R a b))
+                    (for/vector ([x u] [y v]) (min x y)))
       (define even (for/list ([i n] #:when (even? i)) i))
       (check-equal? (monomial-exponents R ((monomial-part R even) a))
                     (for/vector ([x u] [i (in-naturals)]) (if (even? i) x 0))))))

@@ -135,7 +135,8 @@
 
 (for* ([kinds (in-list '((rational) (rational trigonometric) (radical) (exponential)))]
        [tool (in-list tools)])
-  (test-case (format "~a keeps the value of what is ~a, and is done once and for all" (car tool) kinds)
+  (test-case (format "~a keeps the value of what is ~a, and is done once and for all"
+                     (car tool) kinds)
     (with-seeds 25
       (define e (random-expression 3 kinds))
       (define once (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
@@ -146,7 +147,8 @@
 
 (test-case "partial fractions of high degree, with symbols for coefficients"
   (define e
-    (datum->expression '(/ (expt s 4) (* (+ (expt s 3) a) (+ (expt s 2) (* b s) c) (expt (+ s x) 2)))))
+    (datum->expression
+     '(/ (expt s 4) (* (+ (expt s 3) a) (+ (expt s 2) (* b s) c) (expt (+ s x) 2)))))
   (define parts (first-value partial-fractions e 's))
   (check-kept "apart" e parts)
   (check-equal? (length (node-args parts)) 4))

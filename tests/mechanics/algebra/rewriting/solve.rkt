@@ -4,8 +4,8 @@
 (require rackunit
          (only-in mechanics
                   + - * / expt square sin cos expression simplify
-   
-                  
+
+
                                substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/rewriting/solve
@@ -40,7 +40,8 @@
                 '((((x 0))) (((x 3.141592653589793))))))
 
 (test-case "sines and cosines of one angle, once each turn"
-  (check-equal? (solutions (list (cos (* 2 'x))) '(x)) '((((x 0.7853981633974483))) (((x -0.7853981633974483)))))
+  (check-equal? (solutions (list (cos (* 2 'x))) '(x))
+                '((((x 0.7853981633974483))) (((x -0.7853981633974483)))))
   (check-equal? (solutions (list (- (* 2 (sin 'x)) 3)) '(x)) '())
   (check-equal? (solutions (list (- (* 'a (sin 'x)) (* 'b (cos 'x)))) '(x))
                 '((((x (atan (/ b a))))) (((x (+ 3.141592653589793 (atan (/ b a)))))))))
@@ -59,10 +60,12 @@
 (test-case "solutions of random linear systems with a product satisfy them"
   (with-seed 77
     (for ([_ (in-range 10)])
-      (define (linear) (+ (* (random-rational) 'x) (* (random-rational) 'y) (* (random-rational) 'a)))
+      (define (linear)
+        (+ (* (random-rational) 'x) (* (random-rational) 'y) (* (random-rational) 'a)))
       (define equations (list (* (linear) (linear)) (linear)))
       (define found (solve-equations equations '(x y) no-assumptions))
       (check-equal? (length found) 2)
       (for* ([s found] [e equations])
-        (define at (apply substitute e (apply append (for/list ([p (car s)]) (list (car p) (cdr p))))))
+        (define at
+          (apply substitute e (apply append (for/list ([p (car s)]) (list (car p) (cdr p))))))
         (check-pred proved? (prove-zero at))))))

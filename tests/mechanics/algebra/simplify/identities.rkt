@@ -121,7 +121,10 @@
  ["a logarithm of a product" (log (* a (expt b 3))) (+ (log a) (* 3 (log b))) (+ (log a) (log b))]
  ["a power by logarithms" (exp (* n (log x))) (expt x n) (* n x)]
  ["conjugate roots" (/ 1 (- (sqrt 3) (sqrt 2))) (+ (sqrt 3) (sqrt 2)) (- (sqrt 3) (sqrt 2))]
- ["the golden ratio" (expt (/ (+ 1 (sqrt 5)) 2) 2) (+ 1 (/ (+ 1 (sqrt 5)) 2)) (+ 2 (/ (+ 1 (sqrt 5)) 2))]
+ ["the golden ratio"
+  (expt (/ (+ 1 (sqrt 5)) 2) 2)
+  (+ 1 (/ (+ 1 (sqrt 5)) 2))
+  (+ 2 (/ (+ 1 (sqrt 5)) 2))]
  ["the cosine of a fifth of a turn satisfies its equation"
   (- (* 4 (expt (/ (- (sqrt 5) 1) 4) 2)) 1) (* -2 (/ (- (sqrt 5) 1) 4)) (* 2 (/ (- (sqrt 5) 1) 4))]
  ["a cube root below" (/ 1 (- (expt a 1/3) 1)) (/ (+ (expt a 2/3) (expt a 1/3) 1) (- a 1))
@@ -131,8 +134,10 @@
   (define z
     (zero-test (difference '(sqrt (+ 3 (* 2 (sqrt 2)))) '(+ 1 (sqrt 2)))))
   (check-eq? (zero-test-status z) 'undecided)
-  (check-eq? (zero-test-status (zero-test (difference '(sqrt (+ 3 (* 2 (sqrt 2)))) '(+ 2 (sqrt 2)))))
+  (check-eq? (zero-test-status (zero-test (difference '(sqrt (+ 3 (* 2 (sqrt 2))))
+                                                      '(+ 2 (sqrt 2)))))
              'refuted))
 
 (test-case "roots of roots are roots"
-  (check-equal? (simplify-expression (difference '(sqrt (sqrt (* 4 a))) '(* (sqrt 2) (expt a 1/4)))) 0))
+  (check-equal? (simplify-expression (difference '(sqrt (sqrt (* 4 a))) '(* (sqrt 2) (expt a 1/4))))
+                0))

@@ -132,7 +132,8 @@
 (test-case "what vanishes only because of what its parts are is left as it is"
   (define-values (general differences)
     (abstract (expression->tape
-               (datum->expression '(- (expt (sin (* 2 x)) 2) (* 4 (expt (sin x) 2) (expt (cos x) 2)))))))
+               (datum->expression
+                '(- (expt (sin (* 2 x)) 2) (* 4 (expt (sin x) 2) (expt (cos x) 2)))))))
   (check-false general))
 
 ;; ---------------------------------------------------------------------------
@@ -164,7 +165,8 @@
 (test-case "equal nodes are one item of a tape, whatever the order of commuting operands"
   (define (built d) (datum->expression d))
   (check-equal? (tape-length (expression->tape
-                              (make-node op:+ (list (built '(* (+ a b) c)) (built '(* c (+ b a)))))))
+                              (make-node op:+
+                                         (list (built '(* (+ a b) c)) (built '(* c (+ b a)))))))
                 6)
   (check-equal? (tape-length (expression->tape (built '(- (f a b) (f b a))))) 5)
   (check-equal? (tape-length (expression->tape (built '(- (expt a 2) (expt 2 a))))) 5))
@@ -200,5 +202,6 @@
   (check-equal? (vanishes? '(- (sqrt (expt (cos u) 2)) (cos u))) '((>= (cos u) 0)))
   (check-false (vanishes? '(- (sqrt (expt (+ (expt (cos u) 2) (expt (sin v) 2)) 2)) (cos u))))
   (check-true (single-valued? (datum->expression '(+ (cos u) (expt (exp v) -2) (f (sinh u) t)))))
-  (for ([d (in-list '((sqrt (cos u)) (abs u) (log (exp u)) (expt u 1/2) (expt u n) (asin (sin u))))])
+  (for ([d (in-list '((sqrt (cos u)) (abs u) (log (exp u)) (expt u 1/2)
+                      (expt u n) (asin (sin u))))])
     (check-false (single-valued? (datum->expression d)))))

@@ -107,7 +107,8 @@
 
 (test-case "what moves is no parameter: its coefficients have to vanish"
   (check-equal? (conditions '(- g (* 6 c t)) 't) '())
-  (check-equal? (conditions '(+ (* (- b (* 2 c)) (sin (* w t))) (* (- k (* m w w)) (cos (* w t)))) 't)
+  (check-equal? (conditions '(+ (* (- b (* 2 c)) (sin (* w t)))
+                                (* (- k (* m w w)) (cos (* w t)))) 't)
                 '((= b (* 2 c)) (= k (* m (expt w 2)))))
   (check-equal? (conditions '(+ (* (- b c) t) (* b t t)) 't) '())
   (check-equal? (conditions '(+ (* k (x t)) (* m (((expt D 2) x) t)))) '()))

@@ -4,8 +4,7 @@
 (require rackunit
          mechanics/numeric/linear/flonum-systems
          mechanics/algebra/linear/elimination
-         "../../support/close.rkt" "../../support/matrices.rkt" "../../support/random.rkt"
-         "../../support/same.rkt")
+         "../../support/close.rkt" "../../support/matrices.rkt" "../../support/random.rkt")
 
 (define (exact A) (for/vector ([row A]) (for/vector ([x row]) (inexact->exact x))))
 

@@ -21,7 +21,8 @@
     (for/fold ([sum 0.0]) ([k (in-range n)])
       (fl+ sum (fl* (flvector-ref a (+ (* i n) k)) (flvector-ref b (+ (* k n) j)))))))
 
-(define (trace a n) (for/fold ([sum 0.0]) ([i (in-range n)]) (+ sum (flvector-ref a (* i (+ n 1))))))
+(define (trace a n)
+  (for/fold ([sum 0.0]) ([i (in-range n)]) (+ sum (flvector-ref a (* i (+ n 1))))))
 
 (define (check-traces found a n)
   (check-equal? (length found) n)

@@ -33,7 +33,8 @@
   (define-values (t last)
     (integrate m rotation! (flvector 1.0 0.0) 0.0 100.0 #:tolerance 1e-6 #:visit visit))
   (values greatest
-          (max (abs (- (flvector-ref last 0) (cos 100.0))) (abs (- (flvector-ref last 1) (sin 100.0))))))
+          (max (abs (- (flvector-ref last 0) (cos 100.0)))
+               (abs (- (flvector-ref last 1) (sin 100.0))))))
 
 (for ([m (list dormand-prince-54 dormand-prince-853)])
   (test-case (format "~a" m)

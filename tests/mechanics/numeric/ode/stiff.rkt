@@ -175,7 +175,11 @@
 
 (test-case "derivatives are taken again only where they have changed"
   (define-values (y steps evaluations derivatives)
-    (count-work (van-der-pol! 1000.0) (van-der-pol-jacobian! 1000.0) (flvector 2.0 0.0) 2000.0 1e-8))
+    (count-work (van-der-pol! 1000.0)
+                (van-der-pol-jacobian! 1000.0)
+                (flvector 2.0 0.0)
+                2000.0
+                1e-8))
   (check-true (< derivatives (/ steps 4)) (format "~a of ~a" derivatives steps))
   (define-values (z steps* evaluations* derivatives*)
     (count-work linear! linear-jacobian! (flvector -1.0 2.0 1.0) 3.0 1e-6))

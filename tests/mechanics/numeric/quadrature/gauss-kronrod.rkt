@@ -70,8 +70,9 @@
     (with-handlers ([exn:fail:mechanics:not-convergent? values])
       (quadrature (lambda (x) (/ 1 x)) 0 1 #:limit 40 #:name 'definite-integral)))
   (check-pred exn:fail:mechanics:not-convergent? failure)
-  (check-regexp-match #rx"^definite-integral: the integral does not converge\n  trouble near: .*\n  best value: .*\n  error estimate: "
-                      (exn-message failure))
+  (check-regexp-match
+   #rx"^definite-integral: the integral does not converge\n  trouble near: .*\n  best value: .*\n  error estimate: "
+   (exn-message failure))
   (check-true (< 20 (exn:fail:mechanics:not-convergent-value failure) 40))
   (check-true (< 0.1 (exn:fail:mechanics:not-convergent-error-estimate failure))))
 
@@ -87,9 +88,11 @@
              (lambda () (quadrature (lambda (x) +nan.0) 0 2))))
 
 (test-case "wrong arguments are refused by name"
-  (check-exn #rx"^quadrature: the function must give real numbers; does it still contain symbols[?]\n  at: 1.0\n  given: 'm"
-             (lambda () (quadrature (lambda (x) 'm) 0 2)))
-  (check-exn #rx"definite-integral: contract violation\n  expected: a finite real number as limit of integration\n  given: 'b"
-             (lambda () (quadrature sin 0 'b #:name 'definite-integral)))
+  (check-exn
+   #rx"^quadrature: the function must give real numbers; does it still contain symbols[?]\n  at: 1.0\n  given: 'm"
+   (lambda () (quadrature (lambda (x) 'm) 0 2)))
+  (check-exn
+   #rx"definite-integral: contract violation\n  expected: a finite real number as limit of integration\n  given: 'b"
+   (lambda () (quadrature sin 0 'b #:name 'definite-integral)))
   (check-exn #rx"a finite real number" (lambda () (quadrature sin 0 +inf.0)))
   (check-exn #rx"a positive tolerance" (lambda () (quadrature sin 0 1 #:tolerance 0))))

@@ -83,8 +83,9 @@
   (define failure
     (with-handlers ([exn:fail:mechanics:not-convergent? exn-message])
       (integral (lambda (x) (/ 1.0 x)) 1 +inf.0)))
-  (check-regexp-match #rx"^quadrature: the integral does not converge\n  trouble near: [0-9.]*e[+][0-9]+"
-                      failure))
+  (check-regexp-match
+   #rx"^quadrature: the integral does not converge\n  trouble near: [0-9.]*e[+][0-9]+"
+   failure))
 
 (test-case "wrong arguments are refused by name"
   (check-exn #rx"quadrature: contract violation\n  expected: a real number, perhaps infinite"

@@ -118,7 +118,8 @@
    ["cos x/(1 + x²)" (lambda (x) (/ (cos x) (+ 1 (* x x)))) -inf.0 +inf.0 (/ pi e) 2.0]
    ["x sin x/(1 + x²)" (lambda (x) (/ (* x (sin x)) (+ 1 (* x x)))) 0 +inf.0 (/ pi 2 e)]))
 
-(define all (append slowly-decaying smooth peaked oscillating broken infinite-at-points infinite-ranges))
+(define all
+  (append slowly-decaying smooth peaked oscillating broken infinite-at-points infinite-ranges))
 
 (define (judge example tolerance)
   (define-values (name f low high value size) (apply values example))
@@ -146,8 +147,10 @@
 
 (test-case "reversed ends change the sign"
   (for ([example (in-list all)])
-    (define-values (value bound) (improper-quadrature (cadr example) (caddr example) (cadddr example)))
-    (define-values (back bound*) (improper-quadrature (cadr example) (cadddr example) (caddr example)))
+    (define-values (value bound)
+      (improper-quadrature (cadr example) (caddr example) (cadddr example)))
+    (define-values (back bound*)
+      (improper-quadrature (cadr example) (cadddr example) (caddr example)))
     (check-equal? back (- value))
     (check-equal? bound* bound)))
 

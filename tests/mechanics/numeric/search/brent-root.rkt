@@ -52,8 +52,9 @@
 (test-case "what is no root is told by name"
   (check-exn #rx"^find-root: the function has the same sign at both ends of the interval"
              (lambda () (bracketed-root cos 0 1)))
-  (check-exn #rx"^find-root: the function changes its sign at a pole or a jump, not at a zero\n  near: 1.57"
-             (lambda () (bracketed-root tan 1 2)))
+  (check-exn
+   #rx"^find-root: the function changes its sign at a pole or a jump, not at a zero\n  near: 1.57"
+   (lambda () (bracketed-root tan 1 2)))
   (define failure
     (with-handlers ([exn:fail:mechanics:not-convergent? values])
       (bracketed-root cos 1 2 #:limit 3)))

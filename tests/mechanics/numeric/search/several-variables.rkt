@@ -58,7 +58,9 @@
 
 (test-case "each point reached is observed, and the function falls"
   (define seen '())
-  (quasi-newton valley+gradient (flvector -1.2 1.0) #:observe (lambda (v f) (set! seen (cons f seen))))
+  (quasi-newton valley+gradient
+                (flvector -1.2 1.0)
+                #:observe (lambda (v f) (set! seen (cons f seen))))
   (check-true (> (length seen) 5))
   (check-true (apply <= seen)))
 

@@ -54,7 +54,8 @@
 
 ;; Is it a clause of such a form, and not of the macro that makes one?
 (define (clause? x) (and (pair? x) (or (string? (car x)) (memq (car x) '(lib))
-                                       (and (symbol? (car x)) (regexp-match? #rx"/" (symbol->string (car x)))))))
+                                       (and (symbol? (car x))
+                                            (regexp-match? #rx"/" (symbol->string (car x)))))))
 
 (define (file-of resolved)
   (cond [(path? resolved) resolved]

@@ -4,7 +4,6 @@
 ;; A file is named by its path from mechanics/, with slashes.
 
 (require racket/file
-         racket/list
          racket/path
          racket/runtime-path)
 

@@ -45,6 +45,7 @@
   (define found
     (for*/list ([(room i) (in-indexed rooms)]
                 [place (in-list room)]
-                #:when (if (string-suffix? place "/") (string-prefix? name place) (equal? name place)))
+                #:when (if (string-suffix? place "/") (string-prefix? name place)
+                           (equal? name place)))
       (cons i (string-length place))))
   (and (pair? found) (car (argmax cdr found))))

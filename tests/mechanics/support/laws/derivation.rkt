@@ -149,6 +149,7 @@
   (broken-partial "partial derivatives commute"
                   (lambda (i f) (if (eqv? i 0) (numeric-partial 0 f) (lambda (x y) (* x (f x y))))))
   (broken-partial "a partial derivative sees one argument"
-                  (lambda (i f) (lambda (x y) (+ ((numeric-partial 0 f) x y) ((numeric-partial 1 f) x y)))))
+                  (lambda (i f)
+                    (lambda (x y) (+ ((numeric-partial 0 f) x y) ((numeric-partial 1 f) x y)))))
   (broken-partial "along the diagonal partial derivatives add"
                   (lambda (i f) (numeric-partial 0 f))))

@@ -61,7 +61,8 @@
   (check-laws "pairs of rationals" laws generic-module draw equal? #:seed 21)
 
   (define (broken name wrong) (check-broken name laws wrong draw equal? #:seed 22))
-  (define-syntax-rule (with field value) (struct-copy module-operations generic-module [field value]))
+  (define-syntax-rule (with field value)
+                      (struct-copy module-operations generic-module [field value]))
   (define (halves f) (lambda (x y) (g:/ (f x y) 2)))
   (define (flip s) (structure (structure-orientation s)
                               (list->vector (reverse (vector->list (structure-elements s))))))

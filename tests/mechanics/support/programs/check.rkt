@@ -2,7 +2,6 @@
 ;; One random program through the library and through the oracle.
 
 (require racket/list
-         racket/promise
          (prefix-in m: mechanics)
          "differences.rkt" "generate.rkt" "language.rkt"
          "../bigfloats.rkt" "../close.rkt")
@@ -119,7 +118,8 @@
 ;; The program with a subexpression replaced by one of its own, or by a number.
 (define (smaller program)
   (define (replacements e)
-    (cond [(pair? e) (append '(1 x) (filter expression? (append* (map parts (cons (car e) (cdr e))))))]
+    (cond [(pair? e) (append '(1 x) (filter expression?
+                                            (append* (map parts (cons (car e) (cdr e))))))]
           [(and (symbol? e) (not (eq? e 'x))) '(x)]
           [else '()]))
   (define (parts e) (if (pair? e) (cons e (filter pair? e)) (list e)))
@@ -139,7 +139,9 @@
   (in-parallel (in-list xs) (in-naturals)))
 
 (define (expression? e)
-  (or (number? e) (and (symbol? e) (not (memq e '(lambda let if for/fold delay ref expt partial)))) (pair? e)))
+  (or (number? e)
+      (and (symbol? e) (not (memq e '(lambda let if for/fold delay ref expt partial))))
+      (pair? e)))
 
 (define (size e)
   (cond [(pair? e) (+ 1 (for/sum ([p (in-list e)]) (size p)))]

@@ -12,7 +12,6 @@
          racket/list
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/simplify/simplify-expression
          "expressions.rkt" "places.rkt" "property.rkt" "rules.rkt" "shrink.rkt" "value.rkt")
 
 (provide run-seed (struct-out failure) failure->string)

@@ -2,8 +2,7 @@
 ;; Random expressions of the class that simplification decides, random points,
 ;; and random rewrites, sound and unsound.
 
-(require racket/list
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/substitute)

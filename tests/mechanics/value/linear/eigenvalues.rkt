@@ -46,10 +46,12 @@
   (check-= (/ small 1e-8) 1 1e-8))
 
 (test-case "what has no formula here says what to do"
-  (check-exn #rx"^eigenvalues: the zeros of the matrix leave a block of 3 rows; formulas are for 1 and 2\n  the eigenvalues are the zeros of [(]characteristic-polynomial m 'x[)];\n  those of flonums are found: [(]eigenvalues [(]exact->inexact m[)][)]\n"
-             (lambda () (eigenvalues (matrix-by-rows '(1 2 3) '(4 5 6) '(7 8 9)))))
-  (check-exn #rx"^eigenvalues: expected a square matrix or tuple of tuples; given the procedure `sin`$"
-             (lambda () (eigenvalues sin)))
+  (check-exn
+   #rx"^eigenvalues: the zeros of the matrix leave a block of 3 rows; formulas are for 1 and 2\n  the eigenvalues are the zeros of [(]characteristic-polynomial m 'x[)];\n  those of flonums are found: [(]eigenvalues [(]exact->inexact m[)][)]\n"
+   (lambda () (eigenvalues (matrix-by-rows '(1 2 3) '(4 5 6) '(7 8 9)))))
+  (check-exn
+   #rx"^eigenvalues: expected a square matrix or tuple of tuples; given the procedure `sin`$"
+   (lambda () (eigenvalues sin)))
   (check-exn #rx"^characteristic-polynomial: expected a square matrix"
              (lambda () (characteristic-polynomial (matrix-by-rows '(1 2)) 'x))))
 

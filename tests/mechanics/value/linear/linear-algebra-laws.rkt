@@ -233,8 +233,9 @@
   (check-regexp-match #rx"\n  dependent: row 2 is row 0 plus 2 times row 1\n" (message (up 1 1 1)))
   (check-regexp-match #rx"\n  solutions: none, the right-hand side not depending in the same way$"
                       (message (up 1 1 1)))
-  (check-regexp-match #rx"\n  solutions: infinitely many, the right-hand side depending in the same way$"
-                      (message (up 'p 'q (+ 'p (* 2 'q)))))
+  (check-regexp-match
+   #rx"\n  solutions: infinitely many, the right-hand side depending in the same way$"
+   (message (up 'p 'q (+ 'p (* 2 'q)))))
   (check-regexp-match #rx"row 0 is zero"
                       (exn-message (failure-of (m:invert (matrix-by-rows '(0 0) '(1 2))))))
   (check-regexp-match #rx"row 1 is [(]/ b a[)] times row 0"
@@ -253,10 +254,12 @@
   (check-equal? (nulls (lambda () (solve-linear-left 0 'p))) '(1)))
 
 (test-case "a system with too few or too many equations is called so"
-  (check-exn #rx"^solve-linear-left: there are more unknowns than equations: the system is underdetermined"
-             (lambda () (solve-linear-left (down (up 'a) (up 'b)) (up 'p))))
-  (check-exn #rx"^solve-linear-left: there are more equations than unknowns: the system is overdetermined"
-             (lambda () (solve-linear-left (down (up 'a 'b 'c) (up 'd 'e 'f)) (up 'p 'q 'r)))))
+  (check-exn
+   #rx"^solve-linear-left: there are more unknowns than equations: the system is underdetermined"
+   (lambda () (solve-linear-left (down (up 'a) (up 'b)) (up 'p))))
+  (check-exn
+   #rx"^solve-linear-left: there are more equations than unknowns: the system is overdetermined"
+   (lambda () (solve-linear-left (down (up 'a 'b 'c) (up 'd 'e 'f)) (up 'p 'q 'r)))))
 
 (test-case "flonums: singular within rounding, rank and null space to rounding"
   (define A (matrix-by-rows '(0.1 0.3) '(0.3 0.9)))
@@ -271,5 +274,6 @@
   (check-equal? (rank (up (down 1 2 3) (down 2 4 6))) 1)
   (check-exn #rx"^rank: expected a matrix or a tuple of tuples; given the procedure `sin`$"
              (lambda () (rank sin)))
-  (check-exn #rx"^null-space: expected numbers or expressions as entries; given [(]matrix-by-rows [(]list sin[)][)]"
-             (lambda () (null-space (matrix-by-rows (list sin))))))
+  (check-exn
+   #rx"^null-space: expected numbers or expressions as entries; given [(]matrix-by-rows [(]list sin[)][)]"
+   (lambda () (null-space (matrix-by-rows (list sin))))))

@@ -10,8 +10,6 @@
          mechanics/value/linear/matrix
          mechanics/value/structure
          mechanics/calculus/derivative
-         mechanics/calculus/literal-function
-         mechanics/value/signature
          "../../support/random.rkt" "../../support/same.rkt"
          "../../support/random/element.rkt")
 
@@ -31,8 +29,9 @@
   (check-equal? (determinant (down (down 1 2) (down 3 4))) -2)
   (check-equal? (determinant (up (down 1 2) (down 3 4))) -2)
   (check-equal? (trace (down (up 1 2) (up 3 4))) 5)
-  (check-exn #rx"^determinant: expected as many components in each component as there are components"
-             (lambda () (determinant (up (up 1 2 3) (up 1 2 3))))))
+  (check-exn
+   #rx"^determinant: expected as many components in each component as there are components"
+   (lambda () (determinant (up (up 1 2 3) (up 1 2 3))))))
 
 (test-case "the determinant multiplies, ignores transposition, scales with each row"
   (with-seed 321
@@ -63,7 +62,8 @@
 ;; Transposes
 
 (test-case "transposes of matrices and of tuples of tuples"
-  (check-equal? (transpose (matrix-by-rows '(1 2 3) '(a b c))) (matrix-by-rows '(1 a) '(2 b) '(3 c)))
+  (check-equal? (transpose (matrix-by-rows '(1 2 3) '(a b c)))
+                (matrix-by-rows '(1 a) '(2 b) '(3 c)))
   (check-equal? (transpose (up (down 1 2 3) (down 4 5 6))) (down (up 1 4) (up 2 5) (up 3 6)))
   (with-seed 322
     (for ([_ 5])
@@ -89,7 +89,9 @@
       (define b (s:generate n 'up (lambda (i) (random-rational))))
       (check-true (same? (g:* A (solve-linear-left A b)) b 1e-6))
       (check-true (same? (g:* (solve-linear-right (flip b) A) A) (flip b) 1e-6))
-      (check-true (same? (g:* A (solve-linear-left A (up->column-matrix b))) (up->column-matrix b) 1e-6)))))
+      (check-true (same? (g:* A (solve-linear-left A (up->column-matrix b)))
+                         (up->column-matrix b)
+                         1e-6)))))
 
 (test-case "solutions satisfy their system, for structures of every orientation"
   (with-seed 324
@@ -130,10 +132,12 @@
              (lambda () (solve-linear-left (down (down 1 2) (down 2 4)) (down 'x 'y)))))
 
 (test-case "a right-hand side of the wrong shape is named"
-  (check-exn #rx"^solve-linear-left: the right-hand side must be a down tuple of 2, to match [(]down [(]down 1 2[)] [(]down 3 4[)][)]; given [(]up 1 2[)], an up tuple of 2$"
-             (lambda () (solve-linear-left (down (down 1 2) (down 3 4)) (up 1 2))))
-  (check-exn #rx"^solve-linear-left: the right-hand side must be an up tuple or a matrix of 2 rows, .*; given [(]up 1 2 3[)], an up tuple of 3$"
-             (lambda () (solve-linear-left (identity-matrix 2) (up 1 2 3))))
+  (check-exn
+   #rx"^solve-linear-left: the right-hand side must be a down tuple of 2, to match [(]down [(]down 1 2[)] [(]down 3 4[)][)]; given [(]up 1 2[)], an up tuple of 2$"
+   (lambda () (solve-linear-left (down (down 1 2) (down 3 4)) (up 1 2))))
+  (check-exn
+   #rx"^solve-linear-left: the right-hand side must be an up tuple or a matrix of 2 rows, .*; given [(]up 1 2 3[)], an up tuple of 3$"
+   (lambda () (solve-linear-left (identity-matrix 2) (up 1 2 3))))
   (check-exn #rx"given [(]1 2[)], a list\n  a list is not a tuple; use [(]up x y ...[)]$"
              (lambda () (solve-linear-left (identity-matrix 2) '(1 2)))))
 
@@ -151,7 +155,8 @@
 
 (test-case "s->m and m->s undo one another"
   (with-seed 325
-    (for* ([ls (list (down 'a 'b) (up 'a (down 'b 'c)))] [rs (list (up 'x 'y 'z) (up 'x (down 'y 'z)))])
+    (for* ([ls (list (down 'a 'b) (up 'a (down 'b 'c)))]
+           [rs (list (up 'x 'y 'z) (up 'x (down 'y 'z)))])
       (define ms
         (s:map/r (lambda (_) (s:map/r (lambda (_) (random-rational)) (flip ls))) (flip rs)))
       (define M (s->m ls ms rs))

@@ -42,14 +42,16 @@
   (check-equal? (row-matrix->down (down->row-matrix (down 1 'a))) (down 1 'a)))
 
 (test-case "rows of unequal length, or no rows, make no matrix"
-  (check-exn #rx"^matrix-by-rows: the rows of a matrix have one length" (lambda () (matrix-by-rows '(1 2) '(3))))
+  (check-exn #rx"^matrix-by-rows: the rows of a matrix have one length"
+             (lambda () (matrix-by-rows '(1 2) '(3))))
   (check-exn #rx"^matrix-by-rows: a matrix has at least one row" (lambda () (matrix-by-rows)))
   (check-exn #rx"expected: a row: a list or a tuple\n  given: 3" (lambda () (matrix-by-rows 3))))
 
 (test-case "a matrix prints as what makes it, in all three modes"
   (define text "(matrix-by-rows (list 1 2 3) (list a b c))")
   (check-equal? (list (format "~a" M) (format "~s" M) (format "~v" M)) (list text text text))
-  (check-equal? (format "~a" (matrix-by-rows (list (literal-function 'f)))) "(matrix-by-rows (list f))"))
+  (check-equal? (format "~a" (matrix-by-rows (list (literal-function 'f))))
+                "(matrix-by-rows (list f))"))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
@@ -67,7 +69,8 @@
                    (lambda () (g:* M M)))])
     (check-exn #rx"^[*]: cannot multiply " bad))
   (check-exn #rx"^[+]: cannot add a 2 by 3 matrix and a number" (lambda () (g:+ M 1)))
-  (check-exn #rx"^[+]: cannot add a 2 by 3 matrix and a 2 by 2 matrix" (lambda () (g:+ M (identity-matrix 2))))
+  (check-exn #rx"^[+]: cannot add a 2 by 3 matrix and a 2 by 2 matrix"
+             (lambda () (g:+ M (identity-matrix 2))))
   (check-exn #rx"^expt: expected a square matrix" (lambda () (g:expt M 2)))
   (check-exn #rx"^sin: cannot be taken of a 2 by 3 matrix" (lambda () (g:sin M))))
 
