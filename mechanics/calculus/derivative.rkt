@@ -83,12 +83,9 @@
   (define result
     (let/ec escape
       (call-with-exception-handler
-       (lambda (e) (if (singular? e) (escape unless-singular) e))
+       (lambda (e) (if (no-value? e) (escape unless-singular) e))
        try)))
   (if (eq? result unless-singular) (otherwise) result))
-
-(define (singular? e)
-  (or (exn:fail:contract:divide-by-zero? e) (exn:fail:mechanics:singular? e)))
 
 (define (extract-derivative tag n y)
   (extract (list 'expt 'D n) tag (lambda (jet) (jet-derivative jet n)) y))

@@ -12,7 +12,9 @@
  (struct-out exn:fail:mechanics:not-convergent:integral)
  ;; raising them
  raise-no-answer raise-singular raise-without-inverse raise-not-convergent
- raise-divergent-integral)
+ raise-divergent-integral
+ ;; asking
+ no-value?)
 
 (struct exn:fail:mechanics exn:fail ())
 
@@ -28,6 +30,10 @@
 
 ;; where : the point near which an integrand is too much for the method.
 (struct exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:not-convergent (where))
+
+;; Does an exception say that something has no value there?
+(define (no-value? e)
+  (or (exn:fail:mechanics:singular? e) (exn:fail:contract:divide-by-zero? e)))
 
 ;; The message is made as `format` makes it.
 (define (raise-no-answer who text . parts)

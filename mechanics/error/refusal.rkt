@@ -10,11 +10,7 @@
 
 (provide no-value? refusal? failure?)
 
-;; It has no value there.
-(define (no-value? e)
-  (or (exn:fail:mechanics:singular? e) (exn:fail:contract:divide-by-zero? e)))
-
-;; It has none, or not for arguments such as this one: so complain Racket's own procedures
+;; It has no value there, or not for such an argument: so complain Racket's own procedures
 ;; and those of this library.  What a program says by `error` or `raise` is no refusal.
 (define (refusal? e)
   (or (exn:fail:contract? e) (exn:fail:mechanics? e)))

@@ -53,9 +53,10 @@
   (paths (syntax->datum (read-file path))))
 
 ;; Is it a clause of such a form, and not of the macro that makes one?
-(define (clause? x) (and (pair? x) (or (string? (car x)) (memq (car x) '(lib))
-                                       (and (symbol? (car x))
-                                            (regexp-match? #rx"/" (symbol->string (car x)))))))
+(define (clause? x)
+  (and (pair? x)
+       (or (string? (car x))
+           (and (symbol? (car x)) (regexp-match? #rx"/" (symbol->string (car x)))))))
 
 (define (file-of resolved)
   (cond [(path? resolved) resolved]
