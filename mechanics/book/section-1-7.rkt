@@ -2,11 +2,10 @@
 ;; SICM 1.7, Evolution of Dynamical State (pp. 68–78), in the reader's own language.
 
 (require mechanics
-         racket/lazy-require
-         (only-in "section-1-4.rkt" L-harmonic)
-         (only-in "section-1-6.rkt" L-pend))
+         (only-in "section-1-4.rkt" L-harmonic) (only-in "section-1-6.rkt" L-pend)
+         "../generic/on-demand.rkt")
 
-(lazy-require ["../plot.rkt" (plot-point)])
+(require-on-demand ["../plot.rkt" plot-point])
 
 (provide harmonic-state-derivative
          periodic-drive L-periodically-driven-pendulum pend-state-derivative monitor-theta)

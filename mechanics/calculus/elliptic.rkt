@@ -14,11 +14,10 @@
 ;; Incomplete integrals are Carlson's.  Their derivatives are those of the integrals
 ;; that define them.
 
-(require racket/lazy-require
-         "number.rkt" "perturbed.rkt"
+(require "number.rkt" "perturbed.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/kind.rkt" "../generic/rounding.rkt"
+         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/rounding.rkt"
          "../numeric/constants.rkt"
          (prefix-in carlson: "../numeric/quadrature/elliptic-integrals.rkt"))
 
@@ -26,7 +25,7 @@
          elliptic-integral-F elliptic-integral-E
          Jacobi-elliptic-functions)
 
-(lazy-require ["integral.rkt" (integrate)])
+(require-on-demand ["integral.rkt" integrate])
 
 ;; From b = 1e-300 on it takes 12 steps to rounding, 9 from 1e-8.
 (define steps 12)

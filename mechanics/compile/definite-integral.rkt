@@ -1,10 +1,11 @@
 #lang racket/base
 ;; Definite integrals (SICM p. 17).  An integrand that is evaluated often is compiled.
 
-(require racket/lazy-require)
+(require "../generic/on-demand.rkt")
 
-(lazy-require ["../calculus/integral.rkt" ([integrate generic:integrate])]
-              ["one-variable.rkt" (compile-scalar)])
+(require-on-demand
+ ["one-variable.rkt" compile-scalar]
+ ["../calculus/integral.rkt" [integrate generic:integrate]])
 
 (provide definite-integral definite-integral-with-tolerance integrate)
 

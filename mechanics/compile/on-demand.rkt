@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Compilation, loaded when it is first used.
 
-(require "../generic/provide-on-demand.rkt")
+(require "../generic/on-demand.rkt")
 
 (provide-on-demand
  ["compile-function.rkt" compile-function compiled-function? compiled-function-reason

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Constraints, loaded when one is first stated.
 
-(require "../generic/provide-on-demand.rkt")
+(require "../generic/on-demand.rkt")
 
 (provide-on-demand
  ["constraint.rkt" holonomic nonholonomic constraint?]

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Forces and where they come from, loaded when they are first used.
 
-(require "../generic/provide-on-demand.rkt")
+(require "../generic/on-demand.rkt")
 
 (provide-on-demand
  ["displacement.rkt" particle-velocities virtual-displacement]

@@ -2,11 +2,10 @@
 ;; Procedures of MIT Scheme, the language of the book's programs, that Racket has
 ;; under other names or not at all.
 
-(require racket/lazy-require
-         "../display/result.rkt"
-         "../generic/arithmetic.rkt")
+(require "../display/result.rkt"
+         "../generic/arithmetic.rkt" "../generic/on-demand.rkt")
 
-(lazy-require [racket/pretty (pretty-write)])
+(require-on-demand [racket/pretty pretty-write])
 
 (provide iota (rename-out [successor 1+] [predecessor -1+])
          write-line pp

@@ -7,10 +7,10 @@
 ;; is as a value that prints as that text; so output keeps the colour, the
 ;; value history and the line ends of the editor it appears in.
 
-(require racket/lazy-require
-         "../display/result.rkt")
+(require "../display/result.rkt"
+         "../generic/on-demand.rkt")
 
-(lazy-require [racket/pretty (pretty-print-columns)])
+(require-on-demand [racket/pretty pretty-print-columns])
 
 (provide install-printer! print-result)
 

@@ -2,16 +2,14 @@
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
 (require racket/flonum
-         racket/lazy-require
          "check.rkt" "choice.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt" "stuck.rkt"
          "system.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../numeric/progress.rkt"
          "../numeric/ode/integrate.rkt")
 
-(lazy-require
- ["precise.rkt" (advance-precisely follow-precisely)])
+(require-on-demand ["precise.rkt" advance-precisely follow-precisely])
 
 (provide state-advancer evolve
          ;; for trajectories and single steps

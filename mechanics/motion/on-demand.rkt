@@ -2,7 +2,7 @@
 ;; Integration, loaded when it is first used.
 
 (require "choice.rkt"
-         "../generic/provide-on-demand.rkt")
+         "../generic/on-demand.rkt")
 
 (provide set-ode-integration-method! ode-integration-method integration-method? ode-precision)
 

@@ -6,16 +6,15 @@
 ;; themselves do.
 
 (require racket/flonum
-         racket/lazy-require
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "recording.rkt"
          "system.rkt"
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
+         "../generic/value-struct.rkt"
          "../numeric/flvector.rkt" "../numeric/progress.rkt")
 
-(lazy-require
- ["precise-trajectory.rkt" (follow-precise-trajectory)])
+(require-on-demand ["precise-trajectory.rkt" follow-precise-trajectory])
 
 (provide evolve-trajectory
          trajectory? trajectory-start trajectory-end trajectory-final-state

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; The drawing library, loaded when the first picture is made.
 
-(require racket/lazy-require)
+(require "../generic/on-demand.rkt")
 
-(lazy-require ["picture.rkt" (loaded? color-name? make-picture picture-bytes)])
+(require-on-demand ["picture.rkt" loaded? color-name? make-picture picture-bytes])
 
 (provide can-draw? why-not color-name? make-picture picture-bytes)
 

@@ -2,11 +2,11 @@
 ;; Frames on the screen, where there is one.  The window and the libraries for it are
 ;; loaded when the first is opened.
 
-(require racket/lazy-require
-         "frame.rkt" "pict.rkt" "view.rkt"
-         "../error/machine.rkt")
+(require "frame.rkt" "pict.rkt" "view.rkt"
+         "../error/machine.rkt"
+         "../generic/on-demand.rkt")
 
-(lazy-require ["window.rkt" (loaded? open-window)])
+(require-on-demand ["window.rkt" loaded? open-window])
 
 (provide graphics-show)
 

@@ -9,18 +9,16 @@
 ;; More coordinates are left to numbers: where M and K are numbers but for a factor
 ;; each, as in a chain of equal pendulums, the factors come out of the square root.
 
-(require racket/lazy-require
-         racket/list
+(require racket/list
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt"
+         "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../numeric/linear/rows.rkt"
          "../value/simplify.rkt")
 
 (provide modes-of frequencies-of raise-not-positive)
 
-(lazy-require
- ["../numeric/linear/numeric-modes.rkt" (symmetric-modes gyroscopic-modes)])
+(require-on-demand ["../numeric/linear/numeric-modes.rkt" symmetric-modes gyroscopic-modes])
 
 ;; M, K, G : vectors of rows of simplified scalars
 ;; -> a list of (frequency component ...)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What is asked about a system, loaded when it is first asked.
 
-(require "../generic/provide-on-demand.rkt")
+(require "../generic/on-demand.rkt")
 
 (provide-on-demand
  ["conserved.rkt" rate-of-change verify-conserved]

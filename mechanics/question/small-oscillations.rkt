@@ -11,11 +11,11 @@
 ;; solution v e^{iωt}: a null vector v of K − ω²M + iωG.  M and K are symmetric and G is
 ;; not: its entries are what turning frames and magnetic fields add.
 
-(require racket/lazy-require
-         "equilibrium.rkt"
+(require "equilibrium.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
+         "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
@@ -26,7 +26,7 @@
          ;; for stability
          check-autonomous)
 
-(lazy-require ["normal-modes.rkt" (modes-of frequencies-of)])
+(require-on-demand ["normal-modes.rkt" modes-of frequencies-of])
 
 ;; ---------------------------------------------------------------------------
 ;; The linearised equations

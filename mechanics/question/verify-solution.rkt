@@ -1,14 +1,15 @@
 #lang racket/base
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
-(require racket/lazy-require
-         "../error/complain.rkt" "../error/refusal.rkt"
+(require "../error/complain.rkt" "../error/refusal.rkt"
+         "../generic/on-demand.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          "../verdict/prove-zero.rkt")
 
-(lazy-require ["../constraint/equations.rkt" (constrained-Lagrange-equations)]
-              ["../constraint/eliminate.rkt" (eliminate-multipliers)])
+(require-on-demand
+ ["../constraint/eliminate.rkt" eliminate-multipliers]
+ ["../constraint/equations.rkt" constrained-Lagrange-equations])
 
 (provide verify-solution)
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Minima, roots and derivatives from values, loaded when they are first looked for.
 
-(require "../generic/provide-on-demand.rkt")
+(require "../generic/on-demand.rkt")
 
 (provide-on-demand
  ["minimize.rkt" minimize brent-min golden-section-min multidimensional-minimize nelder-mead]

@@ -1,15 +1,15 @@
 #lang racket/base
 ;; From a path to the residual, every step in sight (SICM exercise 1.12).
 
-(require racket/lazy-require
-         "../calculus/derivative.rkt"
+(require "../calculus/derivative.rkt"
          "../display/print-expression.rkt"
-         "../generic/elementary.rkt"
+         "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt")
 
-(lazy-require ["../force/d-Alembert.rkt" (newtonian?)]
-              ["../force/Newton-to-Lagrange.rkt" (Newton-steps Newton-identities)])
+(require-on-demand
+ ["../force/d-Alembert.rkt" newtonian?]
+ ["../force/Newton-to-Lagrange.rkt" Newton-steps Newton-identities])
 
 (provide derivation-steps show-derivation)
 

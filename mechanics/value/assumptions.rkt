@@ -7,11 +7,10 @@
 ;; result rests on.
 
 (require (for-syntax racket/base)
-         "assumption-errors.rkt"
+         "algebra.rkt" "assumption-errors.rkt"
          (except-in "../algebra/assumption/assumption-set.rkt" assumptions)
          "../algebra/assumption/relation.rkt"
          "../algebra/expression/expression.rkt"
-         "../algebra/simplify/declare.rkt" "../algebra/simplify/simplify-expression.rkt"
          "../generic/describe.rkt")
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Numbers of higher precision and functions through data, loaded when one is made.
 
-(require "../generic/provide-on-demand.rkt")
+(require "../generic/on-demand.rkt")
 
 (provide-on-demand
  ["bigfloat.rkt" bigfloat bigfloat? bigfloat-precision bigfloat->exact]

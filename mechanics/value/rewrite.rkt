@@ -5,11 +5,8 @@
 ;; asked for, where others are simplified first; calculating with them goes on
 ;; as with any value, and `simplify` simplifies them.
 
-(require "assumptions.rkt"
+(require "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/rewriting/apart.rkt" "../algebra/rewriting/collect.rkt"
-         "../algebra/rewriting/expand.rkt" "../algebra/rewriting/factor.rkt"
-         "../algebra/rewriting/together.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt")
 

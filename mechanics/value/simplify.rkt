@@ -2,9 +2,8 @@
 ;; The algebra of expressions, applied to every scalar of a value.
 
 (require racket/list
-         "assumptions.rkt"
+         "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
-         "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt")
 

@@ -7,11 +7,10 @@
 (require "verdict.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/zero/zero-test.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
-         "../value/assumptions.rkt" "../value/operator.rkt"
+         "../value/algebra.rkt" "../value/assumptions.rkt" "../value/operator.rkt"
          "../value/series/access.rkt" "../value/series/series.rkt")
 
 (provide prove-zero verify-equal)

@@ -7,9 +7,9 @@
 
 (require racket/list
          "../algebra/expression/write.rkt"
-         "../algebra/zero/zero-test.rkt"
          "../error/words.rkt"
-         "../generic/describe.rkt")
+         "../generic/describe.rkt"
+         "../value/algebra.rkt")
 
 (provide verdict-report report->text)
 

@@ -3,8 +3,8 @@
 
 (require racket/list
          "report.rkt"
-         "../algebra/zero/zero-test.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../value/algebra.rkt"
          "../value/linear/matrix.rkt"
          "../value/series/series.rkt")
 

@@ -89,7 +89,7 @@
   (check-equal? (of bare-errors "value/a.rkt" "(define (f)\n (error \"no\"))\n(error 'f \"yes\")")
                 '("value/a.rkt:3: (error \"...\") does not say who complains"))
   (check-equal? (of dynamic-requires "value/a.rkt" "(dynamic-require 'x 'y)")
-                '("value/a.rkt:2: dynamic-require hides a dependency; use lazy-require"))
+                '("value/a.rkt:2: dynamic-require hides a dependency; use require-on-demand"))
   (check-equal? (of assigned-exports "value/a.rkt"
                     "(provide a (rename-out [b c]))\n(set! a 1)\n(set! b 1)\n(set! d 1)")
                 '("value/a.rkt:3: set! on a, which is exported"
@@ -131,7 +131,7 @@
   (define names
     (map (lambda (p) (path->string (file-name-from-path p)))
          (imports (simple-form-path fixture))))
-  (for ([name '("class.rkt" "list.rkt" "string.rkt" "lazy-require.rkt" "date.rkt")])
+  (for ([name '("class.rkt" "list.rkt" "string.rkt" "on-demand.rkt" "date.rkt")])
     (check-not-false (member name names) name)))
 
 ;; ---------------------------------------------------------------------------

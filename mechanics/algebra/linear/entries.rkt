@@ -19,7 +19,7 @@
          "../simplify/normalize.rkt" "../simplify/workspace.rkt"
          "../../numeric/linear/rows.rkt")
 
-(provide (struct-out coefficients) (struct-out ratio) call-with-coefficients exact-numbers?)
+(provide (struct-out coefficients) (struct-out ratio) call-with-coefficients)
 
 ;; rows : in the domain
 ;; unscale : the determinant of `rows` -> that of the matrix, a number or expression;
@@ -43,9 +43,6 @@
   (cond [(not (exact-numbers? matrix)) (call-with-polynomials matrix A use)]
         [(all-entries? real? matrix) (use (integer-coefficients matrix))]
         [else (use (complex-coefficients matrix))]))
-
-(define (exact-numbers? matrix)
-  (all-entries? (lambda (x) (and (number? x) (exact? x))) matrix))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Matrices as vectors of rows, which are vectors of entries of any kind.
 
-(provide entry all-entries? row-length
+(provide entry all-entries? exact-numbers? row-length
          rows-map rows-transpose beside submatrix unit-rows
          exchange!)
 
@@ -9,6 +9,10 @@
 
 (define (all-entries? good? rows)
   (for*/and ([row (in-vector rows)] [x (in-vector row)]) (good? x)))
+
+;; Exact ones only?
+(define (exact-numbers? rows)
+  (all-entries? (lambda (x) (and (number? x) (exact? x))) rows))
 
 (define (row-length rows)
   (if (eqv? 0 (vector-length rows)) 0 (vector-length (vector-ref rows 0))))

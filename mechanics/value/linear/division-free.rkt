@@ -9,11 +9,9 @@
 ;; polynomial, and any other is the last coefficient of the characteristic
 ;; polynomial, in n⁴/4 products.
 
-(require "../assumptions.rkt"
+(require "../algebra.rkt" "../assumptions.rkt"
          "../../algebra/expression/expression.rkt"
-         "../../algebra/linear/characteristic.rkt" "../../algebra/linear/elimination.rkt"
          "../../algebra/linear/minors.rkt"
-         "../../algebra/zero/vanishing.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/kind.rkt"
          "../../numeric/linear/rows.rkt")
 

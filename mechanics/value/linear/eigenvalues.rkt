@@ -9,20 +9,19 @@
 ;; the algorithms of numeric/, others are refused.
 
 (require racket/flonum
-         racket/lazy-require
          racket/list
          "linear-algebra.rkt" "row-systems.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
-         "../../generic/elementary.rkt" "../../generic/scalar.rkt"
+         "../../generic/elementary.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
          "../../numeric/flvector.rkt"
          "../../numeric/linear/rows.rkt" "../../numeric/linear/unit.rkt")
 
 (provide characteristic-polynomial eigenvalues)
 
-(lazy-require
- ["../../numeric/linear/general-eigenvalues.rkt" (real-matrix-eigenvalues)]
- ["../../numeric/linear/symmetric-eigenvalues.rkt" (symmetric-eigenvalues)])
+(require-on-demand
+ ["../../numeric/linear/general-eigenvalues.rkt" real-matrix-eigenvalues]
+ ["../../numeric/linear/symmetric-eigenvalues.rkt" symmetric-eigenvalues])
 
 ;; |x - m|, a polynomial in x: a scalar, or a square matrix.
 (define (characteristic-polynomial m x)

@@ -11,20 +11,20 @@
 ;;
 ;; Results are graphs that share what they are made of, not simplified.
 
-(require racket/lazy-require
-         racket/list
+(require racket/list
          "division-free.rkt" "open-system.rkt" "singular.rkt"
+         "../algebra.rkt"
          "../../algebra/expression/expression.rkt"
-         "../../algebra/linear/block-form.rkt" "../../algebra/linear/characteristic.rkt"
-         "../../algebra/linear/elimination.rkt" "../../algebra/linear/entries.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../algebra/linear/block-form.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
+         "../../generic/up-down.rkt"
          "../../numeric/linear/flonum-systems.rkt" "../../numeric/linear/rows.rkt")
 
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
          rows-rank rows-null-space rows-characteristic rows-diagonal-blocks
          rows-transpose sum-of-products)
 
-(lazy-require ["../bigfloat.rkt" (bigfloat-solutions)])
+(require-on-demand ["../bigfloat.rkt" bigfloat-solutions])
 
 ;; ---------------------------------------------------------------------------
 ;; Determinants

@@ -2,11 +2,8 @@
 ;; A matrix without an inverse, in words: which rows depend on which, what it
 ;; takes to zero, whether the system still has solutions.
 
-(require "../assumptions.rkt"
+(require "../algebra.rkt" "../assumptions.rkt"
          "../../algebra/expression/expression.rkt"
-         "../../algebra/linear/elimination.rkt" "../../algebra/linear/entries.rkt"
-         "../../algebra/simplify/simplify-expression.rkt"
-         "../../algebra/zero/vanishing.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/words.rkt"
          "../../generic/describe.rkt"
          "../../numeric/linear/flonum-systems.rkt" "../../numeric/linear/rows.rkt")

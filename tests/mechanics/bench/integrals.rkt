@@ -3,9 +3,6 @@
 ;; the time keeps it from that.
 
 (require (prefix-in m: mechanics)
-         ;; loaded before the clock starts
-
-
          "systems.rkt" "task.rkt")
 
 (provide integral-tasks)

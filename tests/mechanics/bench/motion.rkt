@@ -2,7 +2,6 @@
 ;; Motions and paths computed from Lagrangians, derivation and compilation included.
 
 (require (prefix-in m: mechanics)
-         ;; loaded before the clock starts
          (only-in mechanics/map/iterated-map iterated-map)
          (only-in mechanics/motion/event event)
          (only-in mechanics/motion/evolution evolve state-advancer)

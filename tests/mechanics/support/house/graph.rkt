@@ -40,7 +40,7 @@
                                (module-compiled-submodules code #f)))))
   (remove-duplicates (append (paths (get-module-code path)) (lazy-imports path))))
 
-(define on-demand-forms '(lazy-require provide-on-demand))
+(define on-demand-forms '(require-on-demand provide-on-demand))
 
 ;; These leave no trace in the compiled requires.
 (define (lazy-imports path)

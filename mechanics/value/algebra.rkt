@@ -1,0 +1,29 @@
+#lang racket/base
+;; What values ask of the algebra of expressions, loaded when it is first asked.
+;;
+;; Numbers, tuples and derivatives need no polynomials: these are half of the library,
+;; and a program that never simplifies should not wait for them.
+
+(require "../generic/on-demand.rkt")
+
+(provide-on-demand
+ ["../algebra/linear/characteristic.rkt" characteristic-coefficients characteristic-determinant
+                                         adjugate-times]
+ ["../algebra/linear/elimination.rkt" eliminated-determinant eliminated-solutions
+                                      eliminated-kernel kernel-basis kernel-basis-rank
+                                      kernel-basis-vectors kernel-basis-assumptions]
+ ["../algebra/rewriting/apart.rkt" partial-fractions]
+ ["../algebra/rewriting/collect.rkt" collect-expression expression-coefficient]
+ ["../algebra/rewriting/expand.rkt" expand-expression]
+ ["../algebra/rewriting/factor.rkt" factored-expression]
+ ["../algebra/rewriting/together.rkt" together-expression numerator-and-denominator]
+ ["../algebra/simplify/declare.rkt" declare-relations declared-relations without-relations
+                                    exn:algebra:contradiction?
+                                    exn:algebra:contradiction-because]
+ ["../algebra/simplify/simplify-expression.rkt" simplify-expression
+                                                simplify-expression/assumptions]
+ ["../algebra/zero/vanishing.rkt" vanishes?]
+ ["../algebra/zero/zero-test.rkt"
+  zero-test zero-test-status zero-test-residual zero-test-witness zero-test-value
+  zero-test-bound zero-test-points zero-test-factor zero-test-core zero-test-conditions
+  zero-test-assumptions zero-test-left-unexpanded])
