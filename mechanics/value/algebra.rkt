@@ -25,5 +25,5 @@
  ["../algebra/zero/vanishing.rkt" vanishes?]
  ["../algebra/zero/zero-test.rkt"
   zero-test zero-test-status zero-test-residual zero-test-witness zero-test-value
-  zero-test-bound zero-test-points zero-test-factor zero-test-core zero-test-conditions
-  zero-test-assumptions zero-test-left-unexpanded])
+  zero-test-bound zero-test-points zero-test-reason zero-test-factor zero-test-core
+  zero-test-conditions zero-test-assumptions zero-test-left-unexpanded])

@@ -130,18 +130,17 @@
   (define points (zero-test-points z))
   (define size (zero-test-bound z))
   (line "evidence:"
-        (cond [(zero? points) (without-points z)]
+        (cond [(zero-test-reason z) => reason->text]
               [(eqv? size 0) (format "zero at ~a, exactly or modulo primes" (points->text points))]
               [else (format "at ~a, zero to within ~a" (points->text points)
                             (readable (* 1.05 size) 2))])))
 
-(define (points->text n) (if (eqv? n 1) "one point" (counted n "point")))
+(define (reason->text reason)
+  (case reason
+    [(nowhere) "no point was found where it has a real value and the assumptions hold"]
+    [(decimals) "zero within rounding; exact numbers would tell"]))
 
-;; Either the residual is zero, but for rounding, or no point was found.
-(define (without-points z)
-  (if (number? (zero-test-residual z))
-      "zero within rounding; exact numbers would tell"
-      "no point was found at which it is defined and the assumptions hold"))
+(define (points->text n) (if (eqv? n 1) "one point" (counted n "point")))
 
 ;; ---------------------------------------------------------------------------
 

@@ -128,7 +128,7 @@
         [else unknown]))
 
 ;; Those that have the sign of their argument.
-(define odd-functions (list op:sinh op:tanh op:asin op:atan))
+(define odd-functions (list op:sinh op:tanh op:asinh op:atanh op:asin op:atan))
 
 (define (never-positive? k) (signs-within? (known-signs k) nonpositive))
 

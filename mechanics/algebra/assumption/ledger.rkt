@@ -2,6 +2,11 @@
 ;; What one simplification rests on: the relations it used, the signs it took
 ;; for granted, and those it had to leave open.
 ;;
+;; A sign is known by declarations, by what real numbers are (cos x is less than 2), and by
+;; the question's domain: where √(1 - x) has a value, x is at most 1.  What is not known is
+;; the sign at the question's reference point (reference.rkt), if signs may be taken for
+;; granted.
+;;
 ;; The assumptions are the same from beginning to end, so that the order in which
 ;; an expression's parts are met makes no difference.  If what was taken for
 ;; granted in one place decides what was left open in another, as in √(x²) + |x|,
@@ -9,24 +14,38 @@
 ;;
 ;; All signs are asked of a simplifier, which has the ledger they are noted in.
 
-(require "assumption-set.rkt" "narrowing.rkt" "signs.rkt"
+(require racket/promise
+         "assumption-set.rkt" "narrowing.rkt" "range.rkt" "reference.rkt" "signs.rkt"
          "../expression/expression.rkt" "../expression/simplifier.rkt")
 
-(provide make-ledger decided-sign sign-or-assumed sign-or-left-open known-real?
+(provide make-ledger (struct-out question)
+         decided-sign sign-or-assumed sign-or-left-open taken-not-negative? known-real?
          simplifier-grounds simplifier-revision)
 
+;; What is asked about.
+;; expressions : all that is to have a value
+;; domain : promise of the assumptions with the relations of its domain; or #f
+(struct question (expressions domain) #:authentic)
+
+;; point : promise of the lookup of the reference point, or of #f
 ;; grounds : datums, newest first, each once; noted : the same as a table
 ;; taken, open : expressions taken not to be negative, and of unknown sign
-(struct ledger (assumptions noted [grounds #:mutable] [taken #:mutable] [open #:mutable])
+(struct ledger (assumptions domain point noted
+                            [grounds #:mutable] [taken #:mutable] [open #:mutable])
   #:authentic)
 
-(define (make-ledger A) (ledger A (make-hash) '() '() '()))
+(define (make-ledger A q)
+  (ledger A
+          (question-domain q)
+          (delay (find-reference (question-expressions q) A))
+          (make-hash) '() '() '()))
 
 ;; What all rests on, as datums such as (>= R 0), in the order they were needed.
 (define (simplifier-grounds s) (reverse (ledger-grounds (simplifier-ledger s))))
 
+;; Relations of the domain have no datum.
 (define (note! l datum)
-  (unless (hash-ref (ledger-noted l) datum #f)
+  (unless (or (not datum) (hash-ref (ledger-noted l) datum #f))
     (hash-set! (ledger-noted l) datum #t)
     (set-ledger-grounds! l (cons datum (ledger-grounds l)))))
 
@@ -37,33 +56,64 @@
 
 ;; -> 1, -1 or, if it is not known, #f
 (define (decided-sign s e)
-  (define k (infer-signs (declared s) s e))
-  (define branch (decided-branch k))
+  (or (sign-under (declared s) s e)
+      (and (known-real? s e) (decided-branch (range-signs e)))
+      (sign-in-domain s e)))
+
+;; As the assumptions decide it; what that rests on is noted.
+(define (sign-under A s e)
+  (define k (infer-signs A s e))
+  (define branch (decided-branch (known-signs k)))
   (when branch
     (for ([d (in-list (known-because k))]) (note! (simplifier-ledger s) d)))
   branch)
 
-(define (decided-branch k)
-  (cond [(signs-within? (known-signs k) nonnegative) 1]
-        [(signs-within? (known-signs k) nonpositive) -1]
+(define (sign-in-domain s e)
+  (define A (force (ledger-domain (simplifier-ledger s))))
+  (and A (sign-under A s e)))
+
+(define (decided-branch signs)
+  (cond [(signs-within? signs nonnegative) 1]
+        [(signs-within? signs nonpositive) -1]
         [else #f]))
 
-;; The same, or 1 where e may be taken not to be negative.
-(define (sign-or-assumed s e) (or (decided-sign s e) (assume! s e)))
+;; The same, or that at the reference point.
+(define (sign-or-assumed s e)
+  (or (decided-sign s e)
+      (let ([sign (sign-to-assume s e)])
+        (when sign (assume! s e sign))
+        sign)))
 
 ;; The same if it is known; else it is left open.
 (define (sign-or-left-open s e) (or (decided-sign s e) (leave-open! s e)))
 
-;; -> 1, or #f where nothing may be taken for granted, as of what is not real
-(define (assume! s e)
-  (and (assumptions-automatic? (declared s))
-       (known-real? s e)
-       (let ([l (simplifier-ledger s)] [r (taken-relation e)])
-         (note! l (relation-datum r))
-         (set-ledger-taken! l (cons r (ledger-taken l)))
-         1)))
+;; Is e known not to be negative, or taken to be so from now on?
+(define (taken-not-negative? s e)
+  (define known (decided-sign s e))
+  (cond [known (eqv? known 1)]
+        [(eqv? 1 (sign-to-assume s e)) (assume! s e 1) #t]
+        [else #f]))
 
-(define (taken-relation e) (relation (list '>= (expression->datum e) 0) e nonnegative))
+;; -> 1, -1, or #f where nothing may be taken for granted, as of what is not real
+(define (sign-to-assume s e)
+  (define lookup
+    (and (assumptions-automatic? (declared s))
+         (known-real? s e)
+         (force (ledger-point (simplifier-ledger s)))))
+  (and lookup (reference-sign e lookup)))
+
+(define (assume! s e sign)
+  (define l (simplifier-ledger s))
+  (define r (taken-relation s e sign))
+  (note! l (relation-datum r))
+  (set-ledger-taken! l (cons r (ledger-taken l))))
+
+;; Of sums the positive one is told: 1 - x ≥ 0, but x ≤ 0.
+(define (taken-relation s e sign)
+  (define (related name e signs) (relation (list name (expression->datum e) 0) e signs))
+  (cond [(eqv? sign 1) (related '>= e nonnegative)]
+        [(null? (cdr (simplifier-terms s e))) (related '<= e nonpositive)]
+        [else (related '>= (simplifier-simplify s (e:negate e)) nonnegative)]))
 
 ;; -> #f
 (define (leave-open! s e)
@@ -86,5 +136,6 @@
          (with-handlers ([exn:algebra:contradiction? (lambda (x) #f)])
            (add-relations (ledger-assumptions l) (reverse (ledger-taken l)) s))))
   (and extended
-       (for/or ([e (in-list (ledger-open l))]) (decided-branch (infer-signs extended s e)))
+       (for/or ([e (in-list (ledger-open l))])
+         (decided-branch (known-signs (infer-signs extended s e))))
        extended))

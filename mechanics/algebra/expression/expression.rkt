@@ -218,8 +218,11 @@
                [(number? a) (/ a b)]
                [else (make-node op:/ (list a b))])]
         [(exact-zero? a) 0]
-        [(expression=? a b) 1]
+        [(and (expression=? a b) (not (sum? b))) 1]
         [else (make-node op:/ (list a b))]))
+
+;; Of a sum it takes simplification to see that it is not 0, however it is written.
+(define (sum? e) (or (headed? e op:+) (headed? e op:-)))
 
 (define (complain-of-division a)
   (raise-division-by-zero

@@ -38,8 +38,7 @@
 (define (field-simplifier F) (atlas-simplifier (field-atlas F)))
 
 ;; Is e known not to be negative, or taken to be so from now on?
-(define (field-not-negative? F e)
-  (eqv? 1 (sign-or-assumed (field-simplifier F) e)))
+(define (field-not-negative? F e) (taken-not-negative? (field-simplifier F) e))
 
 ;; ---------------------------------------------------------------------------
 ;; The field and the value of an expression

@@ -30,7 +30,7 @@
          (resolve! c n (intern-kernel! c (make-node op:log (list u))))]
         [(headed? u op:exp) (resolve-alias! c n (car (node-args u)))]
         [(and (symbolic-power? u)
-              (eqv? 1 (sign-or-assumed (collector-simplifier c) (car (node-args u)))))
+              (taken-not-negative? (collector-simplifier c) (car (node-args u))))
          (resolve-alias! c n (e:* (cadr (node-args u))
                                   (make-node op:log (list (car (node-args u))))))]
         [else

@@ -16,7 +16,7 @@
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt"
-         "../simplify/normalize.rkt" "../simplify/workspace.rkt"
+         "../simplify/normalize.rkt" "../simplify/question.rkt" "../simplify/workspace.rkt"
          "../../numeric/linear/rows.rkt")
 
 (provide (struct-out coefficients) (struct-out ratio) call-with-coefficients)
@@ -76,8 +76,8 @@
 ;; Expressions
 
 (define (call-with-polynomials matrix A use)
-  (define w (make-workspace A))
   (define entries (for*/list ([row (in-vector matrix)] [e (in-vector row)]) e))
+  (define w (make-workspace A (question-about entries A)))
   (define atlas (workspace-atlas w (make-node op:+ entries)))
   (define kernels (place-kernels! (atlas-kernels atlas)))
   (let retry ([degree 15])

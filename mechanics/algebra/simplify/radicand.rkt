@@ -34,18 +34,35 @@
      (define R (field-ring F))
      (define-values (number factors) (value-parts F f))
      (define-values (roots others) (partition-roots F factors real?))
-     (define-values (sign known unknown) (by-signs F others q real?))
+     (define-values (joint together apart) (by-joint-sign F others q))
+     (define-values (sign signed unknown) (by-signs F apart q real?))
+     (define known (append together signed))
      (define parts (append (number-parts (* sign number) q (field-inexact? F))
                            (for/list ([g (in-list known)]) (cons (car g) (/ (cdr g) q)))))
      (define-values (outer lower kept) (careful-roots F unknown q real?))
      (define rest (append (filter pair? (map fractional-part parts)) kept))
-     (values (e:* (present F (fraction-product R (map whole-part parts))) outer)
+     (values (e:* joint (e:* (present F (fraction-product R (map whole-part parts))) outer))
              (append (for/list ([r (in-list roots)]) (lower-root (car r) (/ (cdr r) q)))
                      (if (and (pair? kept)
                               (or (odd? q) (not (andmap real? (map car unknown)))))
                          (list (one-root F rest q))
                          (grouped-roots F rest))
                      lower))]))
+
+;; Factors that leave the root as a product whose sign is known, as that of x y may be where
+;; nothing is known of x and y: -> its sign, these factors, and the others.
+(define (by-joint-sign F factors q)
+  (define s (field-simplifier F))
+  (define (open? g)
+    (define e (/ (cdr g) q))
+    (and (integer? e) (odd? e) (not (decided-sign s (present-poly F (car g))))))
+  (define-values (group others) (partition open? factors))
+  (define sign
+    (and (pair? group) (pair? (cdr group))
+         (decided-sign s (present F (fraction-product (field-ring F)
+                                                      (for/list ([g (in-list group)])
+                                                        (cons (car g) 1)))))))
+  (if sign (values sign group others) (values 1 '() factors)))
 
 ;; Factors ((polynomial . integer) ...) by their signs, if these matter: -> 1 or -1 and
 ;; factors that together are those of known signs, and those of unknown sign.

@@ -2,7 +2,7 @@
 ;; Simplification: to a canonical value, and from it to a readable expression,
 ;; under assumptions about signs.
 
-(require "workspace.rkt"
+(require "question.rkt" "workspace.rkt"
          "../assumption/assumption-set.rkt"
          "../expression/expression.rkt"
          "../field/bounds.rkt")
@@ -11,14 +11,15 @@
          normal-form normal-form+simplified)
 
 ;; The work begins anew as long as there are revisions; each decides more signs.
+;; e : what is asked about
 ;; -> what it results in, and what that rests on, as datums such as (>= R 0):
 ;; relations of A, and what was taken for granted
-(define (work-under A work [make-fuel make-fuel])
-  (define w (make-workspace A (make-fuel)))
+(define (work-under A e work [make-fuel make-fuel])
+  (define w (make-workspace A (question-about (list e) A) (make-fuel)))
   (define result (work w))
   (define revised (workspace-revision w))
   (if revised
-      (work-under revised work make-fuel)
+      (work-under revised e work make-fuel)
       (values result (workspace-assumptions w))))
 
 (define (simplify-expression e [A no-assumptions])
@@ -30,16 +31,17 @@
 ;; form because e would have grown too large.
 (define (simplify-expression/assumptions e [A no-assumptions])
   (define-values (result grounds)
-    (work-under A (lambda (w)
-                    (define simple (workspace-simplify w e))
-                    (cons simple (workspace-left w)))))
+    (work-under A e
+                (lambda (w)
+                  (define simple (workspace-simplify w e))
+                  (cons simple (workspace-left w)))))
   (values (car result) (append grounds (cdr result))))
 
 ;; -> the field of the expression's kernels, its value there, what that rests on.
 ;; fuel : what it may cost (field/bounds.rkt)
 (define (normal-form e [A no-assumptions] [fuel (make-fuel)])
   (define-values (result grounds)
-    (work-under A
+    (work-under A e
                 (lambda (w)
                   (define-values (F f) (workspace-normal w e))
                   (list F f))
@@ -50,8 +52,9 @@
 ;; known of it as well.
 (define (normal-form+simplified e [A no-assumptions])
   (define-values (result grounds)
-    (work-under A (lambda (w)
-                    (define-values (F f) (workspace-normal w e))
-                    (list F f (if (node? e) (workspace-simplify w e) e) (workspace-left w)))))
+    (work-under A e
+                (lambda (w)
+                  (define-values (F f) (workspace-normal w e))
+                  (list F f (if (node? e) (workspace-simplify w e) e) (workspace-left w)))))
   (define-values (F f simple left) (apply values result))
   (values F f simple (append grounds left)))

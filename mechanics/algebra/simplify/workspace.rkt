@@ -24,8 +24,9 @@
 (struct workspace simplifier (normals simples term-lists involved? [left-unexpanded #:mutable])
   #:authentic)
 
-(define (make-workspace A [fuel (make-fuel)])
-  (workspace workspace-methods (make-ledger A) fuel
+;; q : what is asked about (assumption/ledger.rkt)
+(define (make-workspace A q [fuel (make-fuel)])
+  (workspace workspace-methods (make-ledger A q) fuel
              (make-hash) (make-hash) (make-hash) (make-involved?) '()))
 
 ;; ---------------------------------------------------------------------------

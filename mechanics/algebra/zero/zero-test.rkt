@@ -14,7 +14,8 @@
 ;; none be found, the test is undecided, with a bound of 0 at those points.  The
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
-(require "condition.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt" "region.rkt" "witness.rkt"
+(require "condition.rkt" "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt" "region.rkt"
+         "witness.rkt"
          "../assumption/assumption-set.rkt" "../assumption/relation.rkt"
          (only-in "../assumption/signs.rkt" signs-within? zero)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
@@ -26,7 +27,7 @@
 
 (provide zero-test
          zero-test-status zero-test-residual zero-test-witness zero-test-value
-         zero-test-bound zero-test-points zero-test-factor zero-test-core
+         zero-test-bound zero-test-points zero-test-reason zero-test-factor zero-test-core
          zero-test-conditions zero-test-assumptions zero-test-left-unexpanded)
 
 ;; status : 'proved, 'refuted or 'undecided
@@ -34,8 +35,9 @@
 ;; bound : the greatest rounding error at the points tried without a decision; 0 if
 ;; those were points modulo primes
 ;; points : how many those were
+;; reason : why it is undecided, 'nowhere if no point was found where it has a value; or #f
 ;; form : box of a form, or of a thunk that makes it
-(struct zero-test (status witness value bound points form)
+(struct zero-test (status witness value bound points reason form)
   #:name zero-test-result
   #:constructor-name make-zero-test)
 
@@ -108,10 +110,10 @@
 (define (test-flonum x A)
   (define size (magnitude x))
   (define form (later x A '()))
-  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 form)]
-        [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 form)]
+  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 #f form)]
+        [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 #f form)]
         [(rational? size) #f]
-        [else (make-zero-test 'undecided #f x 0 0 form)]))
+        [else (make-zero-test 'undecided #f x 0 0 #f form)]))
 
 (define (later e A variables) (box (lambda () (make-form e A variables))))
 
@@ -143,7 +145,7 @@
   (define-values (witness value bound points)
     (find-witness t t (make-region (assumptions-relations A) t) #f))
   (and witness
-       (make-zero-test 'refuted witness value bound points (later e A variables))))
+       (make-zero-test 'refuted witness value bound points #f (later e A variables))))
 
 ;; -> a proof, or #f
 (define (prove-indirectly t A)
@@ -151,17 +153,20 @@
   (and grounds
        (vanishing-test t (form 0 1 0 '() grounds) A)))
 
-;; Of flonums only what holds whatever they are is proved.
+;; Of flonums only what holds whatever they are is proved, and nothing of what has no value.
 (define (vanishing-test t f A)
-  (define proved? (or (not (contains-flonum? t)) (vanishes-for-any-flonums? t A)))
-  (make-zero-test (if proved? 'proved 'undecided) #f 0 0 0 (box f)))
+  (define reason
+    (cond [(and (contains-flonum? t) (not (vanishes-for-any-flonums? t A))) 'decimals]
+          [(not (somewhere-defined? t A)) 'nowhere]
+          [else #f]))
+  (make-zero-test (if reason 'undecided 'proved) #f 0 0 0 reason (box f)))
 
 ;; print : what the fingerprint said, if it was asked
 (define (test-canonically e A variables t print)
   (define f (make-form e A variables))
   (cond [(eqv? (form-residual f) 0) (vanishing-test t f A)]
         [(and (eq? print 'zero) (null? (assumptions-relations A)))
-         (make-zero-test 'undecided #f 0 0 fingerprint-points (box f))]
+         (make-zero-test 'undecided #f 0 0 fingerprint-points #f (box f))]
         [else (test-by-points e A t f)]))
 
 (define (test-by-points e A t f)
@@ -171,9 +176,11 @@
                   (expression->tape (form-residual f))
                   (make-region (append (assumptions-relations A) (taken-relations A grounds)) t)
                   (pair? grounds)))
-  (cond [witness (make-zero-test 'refuted witness value bound points (box f))]
+  (cond [witness (make-zero-test 'refuted witness value bound points #f (box f))]
         [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
-        [else (make-zero-test 'undecided #f value bound points (box f))]))
+        [else
+         (define reason (and (zero? points) 'nowhere))
+         (make-zero-test 'undecided #f value bound points reason (box f))]))
 
 ;; What is among the grounds without being in A.
 (define (taken-relations A grounds)

@@ -80,8 +80,8 @@
    [(log (exp (+ a b))) (+ a b)]
    [(log (/ x y)) (log (/ x y))]
    [(- (log (* x y)) (log x) (log y)) 0])
-  (check-equal? (sort (map cadr (assumptions '(- (log (* x y)) (log x) (log y)))) symbol<?)
-                '(x y)))
+  (check-equal? (assumptions '(- (log (* x y)) (log x) (log y))) '())
+  (check-equal? (sort (map cadr (assumptions '(- (log (* x y)) (log y)))) symbol<?) '(x y)))
 
 (test-case "absolute values keep the factors whose sign is not known"
   (check-forms
@@ -107,8 +107,8 @@
    [(+ (sqrt 6) (* (sqrt -2) (sqrt -3))) 0]
    [(* (sqrt (/ k m)) (sqrt (* k m))) k]
    [(- (sqrt (- (* x x) (* y y))) (* (sqrt (- x y)) (sqrt (+ x y)))) 0])
-  (check-equal? (sort (map cadr (assumptions '(- (* (sqrt x) (sqrt y)) (sqrt (* x y))))) symbol<?)
-                '(x y)))
+  (check-equal? (assumptions '(- (* (sqrt x) (sqrt y)) (sqrt (* x y)))) '())
+  (check-equal? (sort (map cadr (assumptions '(sqrt (* x y)))) symbol<?) '(x y)))
 
 (test-case "the root of one minus a squared cosine is a sine, taken to be positive"
   (check-forms [(sqrt (- 1 (expt (cos x) 2))) (sin x)])

@@ -1,0 +1,66 @@
+#lang racket/base
+;; What relations say of the numbers that a symbol may be.
+;;
+;; A relation that is linear in a single symbol, or literal function applied,
+;; bounds it from one side.  Where a point is looked for, numbers are chosen within.
+
+(require racket/list
+         "assumption-set.rkt" "signs.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")
+
+(provide bounds-from bounds-of (struct-out bounds))
+
+;; Numbers, #f where there is no bound.
+(struct bounds (low high) #:authentic)
+
+(define unbounded (bounds #f #f))
+
+;; -> table: leaf -> bounds
+(define (bounds-from relations)
+  (for/fold ([table (hash)]) ([r (in-list relations)]) (narrow-bounds table r)))
+
+(define (bounds-of table leaf) (hash-ref table leaf unbounded))
+
+(define (narrow-bounds table r)
+  (define-values (leaf a b) (affine (relation-expression r)))
+  (cond [leaf
+         (define bound (- (/ b a)))
+         (define side (if (positive? a) (relation-signs r) (signs-negate (relation-signs r))))
+         (hash-update table leaf (lambda (b) (cut b side bound)) unbounded)]
+        [else table]))
+
+;; The part on this side of the bound.
+(define (cut b side bound)
+  (define (closer choose old) (if old (choose old bound) bound))
+  (cond [(signs-within? side nonnegative) (bounds (closer max (bounds-low b)) (bounds-high b))]
+        [(signs-within? side nonpositive) (bounds (bounds-low b) (closer min (bounds-high b)))]
+        [else b]))
+
+;; e as a · leaf + b with exact numbers, or #f #f #f.
+(define (affine e)
+  (define terms (affine-terms e))
+  (define all (and terms (filter car terms)))
+  (define leaf (and (pair? all) (caar all)))
+  (define (total terms) (for/sum ([t (in-list terms)]) (inexact->exact (cdr t))))
+  (if (and leaf
+           (for/and ([t (in-list all)]) (equal? (car t) leaf))
+           (not (eqv? 0 (total all))))
+      (values leaf (total all) (total (filter (lambda (t) (not (car t))) terms)))
+      (values #f #f #f)))
+
+;; -> ((leaf-or-#f . number) ...), whose sum e is, or #f
+(define (affine-terms e)
+  (define head (and (node? e) (node-head e)))
+  (define (scale c terms)
+    (and terms (for/list ([t (in-list terms)]) (cons (car t) (* c (cdr t))))))
+  (define (join parts) (and (andmap values parts) (append* parts)))
+  (cond [(number? e) (and (rational? e) (list (cons #f e)))]
+        [(unknown? e) (list (cons e 1))]
+        [(eq? head op:+) (join (map affine-terms (node-args e)))]
+        [(eq? head op:-)
+         (join (list (affine-terms (car (node-args e)))
+                     (scale -1 (affine-terms (cadr (node-args e))))))]
+        [(and (eq? head op:*) (number? (car (node-args e))) (null? (cddr (node-args e))))
+         (scale (car (node-args e)) (affine-terms (cadr (node-args e))))]
+        [else #f]))
+

@@ -1,0 +1,154 @@
+#lang racket/base
+;; The reference point of a question: where a sign that nothing decides is looked up.
+;;
+;; √(u²) is u or -u.  If domain, declarations and the real numbers leave that open, the
+;; sign of u at one fixed point is taken, and told as an assumption.  Signs of one answer
+;; are all taken at one point, where the question has a value and what was declared
+;; holds: so no two of them contradict each other, or what was declared.
+;;
+;; The first point tried gives numbers between 1 and π/2 to all symbols, the first of the
+;; alphabet the greatest: lengths and masses are positive there, and sines and cosines of
+;; angles.  Then come others, positive ones first, always the same.
+
+(require "assumption-set.rkt" "bounds.rkt" "signs.rkt"
+         "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/order.rkt" "../expression/symbols.rkt")
+
+(provide find-reference reference-sign real-value)
+
+;; expressions : those of the question; A : assumptions
+;; value? : lookup -> does the question have a value there?
+;; -> lookup: leaf arguments -> number, or #f if no point was found
+(define (find-reference expressions A [value? (lambda (lookup) (all-real? expressions lookup))])
+  (define leaves (leaves-of expressions))
+  (define relations (concerning leaves (assumptions-relations A)))
+  (define table (bounds-from relations))
+  (define (there? lookup)
+    (and (for/and ([r (in-list relations)]) (holds? r lookup))
+         (value? lookup)))
+  (for/or ([k (in-range most-points)])
+    (define lookup (make-lookup leaves table k))
+    (and (there? lookup) lookup)))
+
+(define (all-real? expressions lookup)
+  (for/and ([e (in-list expressions)]) (real-value e lookup)))
+
+(define most-points 160)
+
+;; 1 or -1, or #f where e is 0, as far as rounding lets one see, or has no value
+(define (reference-sign e lookup)
+  (define x (real-value e lookup))
+  (cond [(not x) #f]
+        [(> x distinct) 1]
+        [(< x (- distinct)) -1]
+        [else #f]))
+
+(define distinct 1e-9)
+
+(define (holds? r lookup)
+  (define x (real-value (relation-expression r) lookup))
+  (and x (signs-within? (number-signs x) (relation-signs r))))
+
+;; ---------------------------------------------------------------------------
+;; Values
+
+;; A flonum, or #f where something in e is not real or not finite.
+(define (real-value e lookup)
+  (let/ec return
+    (define (real x) (if (and (real? x) (rational? x)) x (return #f)))
+    (define (value-of-node n parts)
+      (define f (operation-numeric (node-head n)))
+      (if f (real (apply f parts)) (cons (operation-name (node-head n)) parts)))
+    (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+      (exact->inexact
+       (evaluate e
+                 (lambda (x) (if (exact-integer? x) x (real->double-flonum (real x))))
+                 value-of-node
+                 lookup)))))
+
+(define (evaluate e number value-of-node lookup)
+  (node-fold e
+             (lambda (leaf) (if (symbol? leaf) (lookup leaf '()) (number leaf)))
+             (lambda (n parts)
+               (if (literal-head? (node-head n)) (lookup n parts) (value-of-node n parts)))))
+
+;; ---------------------------------------------------------------------------
+;; Points
+
+;; -> table: leaf -> its place among the symbols and literal functions applied, in order
+(define (leaves-of expressions)
+  (define compare (make-order))
+  (define found (make-hash))
+  (for ([e (in-list expressions)])
+    (node-fold e
+               (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t)))
+               (lambda (n parts) (when (unknown? n) (hash-set! found n #t)))))
+  (for/hash ([leaf (in-list (sort (hash-keys found) (lambda (a b) (< (compare a b) 0))))]
+             [i (in-naturals)])
+    (values leaf i)))
+
+;; The relations that speak of one of the leaves, or of what such a relation speaks of.
+(define (concerning leaves relations)
+  (define (leaves-in r) (hash-keys (leaves-of (list (relation-expression r)))))
+  (let loop ([known leaves] [chosen '()] [rest relations])
+    (define-values (more others)
+      (for/fold ([more '()] [others '()]) ([r (in-list rest)])
+        (if (for/or ([l (in-list (leaves-in r))]) (hash-ref known l #f))
+            (values (cons r more) others)
+            (values more (cons r others)))))
+    (if (null? more)
+        chosen
+        (loop (for*/fold ([known known]) ([r (in-list more)] [l (in-list (leaves-in r))])
+                (hash-set known l #t))
+              (append more chosen)
+              others))))
+
+;; The k-th point.  A literal function has one value for one argument.
+(define (make-lookup leaves table k)
+  (define seen (make-hash))
+  (define (lookup leaf arguments)
+    (hash-ref! seen (leaf-key leaf arguments)
+               (lambda ()
+                 (define i (hash-ref leaves leaf (lambda () (+ 1000 (hash-count seen)))))
+                 (within (bounds-of table leaf) (coordinate k i)))))
+  lookup)
+
+(define (leaf-key leaf arguments)
+  (if (symbol? leaf)
+      leaf
+      (list (literal-head-name (node-head leaf)) (literal-head-index (node-head leaf))
+            (rounded arguments))))
+
+;; Values that differ by rounding alone are one.
+(define (rounded x)
+  (cond [(pair? x) (cons (rounded (car x)) (rounded (cdr x)))]
+        [(and (real? x) (rational? x)) (/ (round (* 1e10 x)) 1e10)]
+        [else x]))
+
+;; x brought to where it may be
+(define (within b x)
+  (define-values (low high) (values (bounds-low b) (bounds-high b)))
+  (cond [(and low high) (+ low (* (- high low) (/ (abs x) (+ 1.0 (abs x)))))]
+        [low (+ low (abs x))]
+        [high (- high (abs x))]
+        [else x]))
+
+;; The i-th coordinate of the k-th point.
+(define (coordinate k i)
+  (if (eqv? k 0)
+      (+ 1.0 (/ 5.0 (+ 11.0 (* 7.0 i))))
+      (let* ([a (scattered (+ (* 1009 k) (* 31 i)))]
+             [b (scattered (+ 17 (* 2003 k) (* 57 i)))]
+             [size (exp (* (spread k) (- (* 2.0 a) 1.0)))])
+        (if (and (> k last-positive) (< b 0.5)) (- size) size))))
+
+(define last-positive 80)
+
+;; How far from 1, as a logarithm, the numbers of the k-th point may be.
+(define (spread k)
+  (case (remainder k 4) [(0 1) 1.0] [(2) 3.0] [else 7.0]))
+
+;; A number between 0 and 1 that depends on n in no simple way.
+(define (scattered n)
+  (define x (modulo (+ (* 1103515245 (modulo (+ (* 22695477 n) 1) 2147483648)) 12345) 2147483648))
+  (/ (modulo (quotient x 64) 65536) 65536.0))

@@ -1,0 +1,55 @@
+#lang racket/base
+;; Questions, of which the ledger asks where they have a value.
+
+(require racket/list
+         racket/promise
+         "workspace.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/domain.rkt"
+         "../assumption/ledger.rkt" "../assumption/narrowing.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")
+
+(provide question-about nothing-asked)
+
+(define nothing-asked (question '() #f))
+
+;; es : expressions, which are asked about under the assumptions A
+(define (question-about es A)
+  (question es (delay (domain-assumptions es A))))
+
+;; A with the relations of the domain; #f if there are none, too many, or if they cannot
+;; all hold: then there is no point to speak of.
+(define (domain-assumptions es A)
+  (define found (remove-duplicates (append-map domain-relations es)))
+  (cond [(not (<= 1 (length found) most-relations)) #f]
+        [(and (null? (assumptions-relations A)) (andmap of-monomial? found))
+         (assumptions-of-monomials found A)]
+        [else
+         (define w (make-workspace (with-automatic-assumptions no-assumptions #f) nothing-asked))
+         (with-handlers ([exn:algebra:contradiction? (lambda (x) #f)])
+           (add-relations A (for/list ([r (in-list found)]) (simplified r w)) w))]))
+
+(define most-relations 30)
+
+(define (simplified r w)
+  (relation #f (workspace-simplify w (relation-expression r)) (relation-signs r)))
+
+;; ---------------------------------------------------------------------------
+;; Frequencies √(k/m) are the roots met most often.  What such a relation says of k and m
+;; together says nothing of one of them, and no narrowing is needed to see that.
+
+(define (of-monomial? r)
+  (define e (relation-expression r))
+  (or (unknown? e)
+      (and (node? e)
+           (memq (node-head e) (list op:* op:/))
+           (andmap unknown? (node-args e))
+           (not (check-duplicates (node-args e))))))
+
+(define (assumptions-of-monomials relations A)
+  (assumptions relations
+               (for/fold ([table (hash)]) ([r (in-list relations)])
+                 (hash-update table (list (cons 1 (relation-expression r)))
+                              (lambda (k) (meet k (known (relation-signs r) '())))
+                              unknown))
+               '()
+               (assumptions-automatic? A)))
