@@ -22,8 +22,10 @@
                                     exn:algebra:contradiction-because]
  ["../algebra/simplify/simplify-expression.rkt" simplify-expression
                                                 simplify-expression/assumptions]
+ ["../algebra/zero/decimals.rkt" reading-decimal reading-expression]
  ["../algebra/zero/vanishing.rkt" vanishes?]
  ["../algebra/zero/zero-test.rkt"
   zero-test zero-test-status zero-test-residual zero-test-witness zero-test-value
-  zero-test-bound zero-test-points zero-test-reason zero-test-factor zero-test-core
+  zero-test-bound zero-test-points zero-test-reason zero-test-decimals
+  zero-test-factor zero-test-core
   zero-test-conditions zero-test-assumptions zero-test-left-unexpanded])

@@ -32,7 +32,16 @@
    (if (and (pair? shared) (pair? labels))
        (list (list 1 "zero if:" (equations shared)))
        '())
+   (decimals-read tests)
    (grounds (remove-duplicates (append-map zero-test-assumptions tests)) given)))
+
+;; How decimals were read for the proofs that rest on it.
+(define (decimals-read tests)
+  (define read
+    (append-map zero-test-decimals
+                (filter (lambda (z) (eq? (zero-test-status z) 'proved)) tests)))
+  (for/list ([r (in-list (remove-duplicates read))])
+    (list 1 "reading:" (list (reading-decimal r) "as" (short-datum (reading-expression r))))))
 
 ;; What was declared and used, then what was assumed.
 (define (grounds all given)
@@ -67,7 +76,7 @@
        '())
    (cond [(not-a-number? (zero-test-residual z)) (line "evidence:" "it is not a number")]
          [(eq? (zero-test-status z) 'refuted) (witness z line)]
-         [else (bound z line)])))
+         [else (append (bound z line) (decimals-in-the-way z line))])))
 
 (define (not-a-number? x) (and (number? x) (not (= x x))))
 
@@ -139,6 +148,23 @@
   (case reason
     [(nowhere) "no point was found where it has a real value and the assumptions hold"]
     [(decimals) "zero within rounding; exact numbers would tell"]))
+
+;; Exact numbers in their place would lead to a proof or a refutation.
+(define (decimals-in-the-way z line)
+  (define all (zero-test-decimals z))
+  (define r (for/first ([r (in-list all)] #:when (reading-expression r)) r))
+  (if (null? all)
+      '()
+      (apply line "decimals:"
+             (append (add-between (for/list ([r (in-list all)] [_ (in-range most-decimals)])
+                                    (reading-decimal r))
+                                  ",")
+                     (list "stand in the way; exact numbers would tell")
+                     (if r
+                         (list "," (short-datum (reading-expression r)) "for" (reading-decimal r))
+                         '())))))
+
+(define most-decimals 4)
 
 (define (points->text n) (if (eqv? n 1) "one point" (counted n "point")))
 

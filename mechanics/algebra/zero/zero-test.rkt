@@ -14,7 +14,8 @@
 ;; none be found, the test is undecided, with a bound of 0 at those points.  The
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
-(require "condition.rkt" "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt" "region.rkt"
+(require racket/list
+         "condition.rkt" "decimals.rkt" "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt" "region.rkt"
          "witness.rkt"
          "../assumption/assumption-set.rkt" "../assumption/relation.rkt"
          (only-in "../assumption/signs.rkt" signs-within? zero)
@@ -27,7 +28,8 @@
 
 (provide zero-test
          zero-test-status zero-test-residual zero-test-witness zero-test-value
-         zero-test-bound zero-test-points zero-test-reason zero-test-factor zero-test-core
+         zero-test-bound zero-test-points zero-test-reason zero-test-decimals
+         zero-test-factor zero-test-core
          zero-test-conditions zero-test-assumptions zero-test-left-unexpanded)
 
 ;; status : 'proved, 'refuted or 'undecided
@@ -35,9 +37,11 @@
 ;; bound : the greatest rounding error at the points tried without a decision; 0 if
 ;; those were points modulo primes
 ;; points : how many those were
-;; reason : why it is undecided, 'nowhere if no point was found where it has a value; or #f
+;; reason : why it is undecided: 'nowhere if no point was found where it has a value,
+;; 'decimals if it vanishes but for these; or #f
+;; decimals : readings (decimals.rkt): those a proof rests on, those that stand in the way
 ;; form : box of a form, or of a thunk that makes it
-(struct zero-test (status witness value bound points reason form)
+(struct zero-test (status witness value bound points reason decimals form)
   #:name zero-test-result
   #:constructor-name make-zero-test)
 
@@ -101,7 +105,20 @@
 (define (zero-test e [A no-assumptions] [variables '()])
   (or (and (number? e) (inexact? e) (test-flonum e A))
       (test-if-enormous e A variables (expression->plain-tape e))
-      (test-expression e A variables (expression->tape e))))
+      (let* ([t (expression->tape e)] [z (test-expression e A variables t)])
+        (if (and (eq? (zero-test-status z) 'undecided) (contains-flonum? t))
+            (test-as-read e A variables t z)
+            z))))
+
+;; z : what could not be decided with the decimals as they stand.  As they are read there
+;; may be a proof, and it tells how they were read.
+(define (test-as-read e A variables t z)
+  (define-values (read unread) (partition reading-expression (decimals-in t)))
+  (define exact (with-decimals-read e read))
+  (define other (and (pair? read) (test-expression exact A variables (expression->tape exact))))
+  (if (and other (eq? (zero-test-status other) 'proved))
+      (struct-copy zero-test-result other [decimals read])
+      (struct-copy zero-test-result z [decimals (append read unread)])))
 
 ;; A flonum that stands alone does not tell what it is the difference of; one
 ;; this small may be what rounding left of numbers about 1.  Infinity is not
@@ -110,10 +127,10 @@
 (define (test-flonum x A)
   (define size (magnitude x))
   (define form (later x A '()))
-  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 #f form)]
-        [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 #f form)]
+  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 #f '() form)]
+        [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 #f '() form)]
         [(rational? size) #f]
-        [else (make-zero-test 'undecided #f x 0 0 #f form)]))
+        [else (make-zero-test 'undecided #f x 0 0 #f '() form)]))
 
 (define (later e A variables) (box (lambda () (make-form e A variables))))
 
@@ -145,7 +162,7 @@
   (define-values (witness value bound points)
     (find-witness t t (make-region (assumptions-relations A) t) #f))
   (and witness
-       (make-zero-test 'refuted witness value bound points #f (later e A variables))))
+       (make-zero-test 'refuted witness value bound points #f '() (later e A variables))))
 
 ;; -> a proof, or #f
 (define (prove-indirectly t A)
@@ -159,14 +176,14 @@
     (cond [(and (contains-flonum? t) (not (vanishes-for-any-flonums? t A))) 'decimals]
           [(not (somewhere-defined? t A)) 'nowhere]
           [else #f]))
-  (make-zero-test (if reason 'undecided 'proved) #f 0 0 0 reason (box f)))
+  (make-zero-test (if reason 'undecided 'proved) #f 0 0 0 reason '() (box f)))
 
 ;; print : what the fingerprint said, if it was asked
 (define (test-canonically e A variables t print)
   (define f (make-form e A variables))
   (cond [(eqv? (form-residual f) 0) (vanishing-test t f A)]
         [(and (eq? print 'zero) (null? (assumptions-relations A)))
-         (make-zero-test 'undecided #f 0 0 fingerprint-points #f (box f))]
+         (make-zero-test 'undecided #f 0 0 fingerprint-points #f '() (box f))]
         [else (test-by-points e A t f)]))
 
 (define (test-by-points e A t f)
@@ -176,11 +193,11 @@
                   (expression->tape (form-residual f))
                   (make-region (append (assumptions-relations A) (taken-relations A grounds)) t)
                   (pair? grounds)))
-  (cond [witness (make-zero-test 'refuted witness value bound points #f (box f))]
+  (cond [witness (make-zero-test 'refuted witness value bound points #f '() (box f))]
         [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
         [else
          (define reason (and (zero? points) 'nowhere))
-         (make-zero-test 'undecided #f value bound points reason (box f))]))
+         (make-zero-test 'undecided #f value bound points reason '() (box f))]))
 
 ;; What is among the grounds without being in A.
 (define (taken-relations A grounds)

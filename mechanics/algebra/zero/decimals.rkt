@@ -1,0 +1,128 @@
+#lang racket/base
+;; What a decimal may have been meant to be.
+;;
+;; 1.4142135623730951 is √2, as far as flonums can tell, and 0.30000000000000004 is 3/10.  A
+;; decimal is read as the simplest number within two units in its last place, of: a
+;; fraction; a root of one, up to the sixth; a root of a quadratic equation with
+;; coefficients up to 100; and fractions and square roots times a power of π or e.
+;;
+;; A number is simple if it takes so few bits to write that meeting it by chance among the
+;; flonums is out of the question: of 52 bits, less than two thirds.  So 1.41421356 stays
+;; what it is.  No proof rests on a reading alone: what is read is told (zero-test.rkt).
+
+(require racket/list
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/operation.rkt" "../expression/substitute.rkt")
+
+(provide read-decimal decimals-in with-decimals-read (struct-out reading))
+
+;; What is exactly π and e, for the algebra.
+(define exact-pi (make-node op:acos '(-1)))
+(define exact-e (make-node op:exp '(1)))
+
+(define unit (expt 2 -52))
+
+;; decimal : a flonum; expression : what it is read as, or #f
+(struct reading (decimal expression) #:transparent)
+
+;; The flonums on a tape, each once, and what each is read as.
+(define (decimals-in t)
+  (for/list ([x (in-list (remove-duplicates
+                          (for/list ([e (in-vector (tape-items t))] #:when (flonum-in? e)) e)))])
+    (reading x (read-decimal x))))
+
+(define (flonum-in? e) (and (number? e) (not (exact? e))))
+
+;; e with decimals as they are read
+(define (with-decimals-read e readings)
+  (substitute-expression e (for/list ([r (in-list readings)])
+                             (cons (reading-decimal r) (reading-expression r)))))
+
+;; -> an exact expression, or #f
+(define (read-decimal x)
+  (cond [(not (and (real? x) (rational? x))) #f]
+        [(negative? x)
+         (define e (read-decimal (- x)))
+         (and e (e:negate e))]
+        [else
+         (define exact (inexact->exact x))
+         (or (read-root exact 1 fraction-bits)
+             (as-written x)
+             (for/or ([degree (in-range 2 7)]) (read-root exact degree root-bits))
+             (read-multiple exact)
+             (read-quadratic exact))]))
+
+(define fraction-bits 34)
+(define root-bits 30)
+(define multiple-bits 24)
+
+;; The root of a fraction.
+(define (read-root x degree most-bits)
+  (define f (simplest-near (expt x degree) (* 2 degree unit)))
+  (and (<= (bits f) most-bits)
+       (case degree
+         [(1) f]
+         [(2) (make-node op:sqrt (list f))]
+         [else (make-node op:expt (list f (/ 1 degree)))])))
+
+;; What was written with few digits, such as 6.674e-11.
+(define (as-written x)
+  (define digits (filter char-numeric? (string->list (car (regexp-match #rx"^[^e]*" (number->string x))))))
+  (and (<= (length digits) most-digits)
+       (string->number (string-append "#e" (number->string x)))))
+
+(define most-digits 8)
+
+(define (bits f) (+ (integer-length (numerator f)) (integer-length (denominator f))))
+
+;; A fraction, or the square root of one, times a power of π or e.
+(define (read-multiple x)
+  (for*/or ([constant (in-list (list (cons exact-pi pi-digits) (cons exact-e e-digits)))]
+            [n (in-list '(1 -1 2 -2))])
+    (define rest (/ x (expt (cdr constant) n)))
+    (define factor
+      (or (read-root rest 1 multiple-bits) (read-root rest 2 multiple-bits)))
+    (and factor (e:* factor (e:expt (car constant) n)))))
+
+(define pi-digits 31415926535897932384626433832795028842/10000000000000000000000000000000000000)
+(define e-digits 27182818284590452353602874713526624978/10000000000000000000000000000000000000)
+
+;; ---------------------------------------------------------------------------
+;; Fractions
+
+;; The simplest fraction within x (1 ± error), by the continued fractions of both ends.
+(define (simplest-near x error)
+  (simplest-between (* x (- 1 error)) (* x (+ 1 error))))
+
+;; 0 <= low <= high
+(define (simplest-between low high)
+  (define whole (ceiling low))
+  (if (<= whole high)
+      whole
+      (let ([below (floor low)])
+        (+ below (/ 1 (simplest-between (/ 1 (- high below)) (/ 1 (- low below))))))))
+
+;; ---------------------------------------------------------------------------
+;; Quadratic equations
+
+(define most 100)
+
+;; a x² + b x + c = 0 with the least coefficients.  Flonums tell where to look closer.
+(define (read-quadratic x)
+  (define z (exact->inexact x))
+  (define (c-of a b)
+    (define y (+ (* a z z) (* b z)))
+    (define c (round y))
+    (and (<= (abs c) most) (< (abs (- y c)) 1e-9) (- (inexact->exact c))))
+  (and (< 1/1000 x 1000)
+       (for*/or ([a (in-range 1 (+ most 1))] [b (in-range (- most) (+ most 1))])
+         (define c (c-of a b))
+         (and c
+              (<= (abs (+ (* a x x) (* b x) c)) (* 2 unit x (+ (* 2 a x) (abs b))))
+              (quadratic-root a b c x)))))
+
+(define (quadratic-root a b c x)
+  (define D (- (* b b) (* 4 a c)))
+  (define sign (if (>= (* 2 a x) (- b)) 1 -1))
+  (and (positive? D)
+       (e:/ (e:+ (- b) (e:* sign (make-node op:sqrt (list D)))) (* 2 a))))
