@@ -10,7 +10,7 @@
 ;; alphabet the greatest: lengths and masses are positive there, and sines and cosines of
 ;; angles.  Then come others, positive ones first, always the same.
 
-(require "assumption-set.rkt" "bounds.rkt" "signs.rkt"
+(require "assumption-set.rkt" "leaf-bounds.rkt" "signs.rkt"
          "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/symbols.rkt")
 

@@ -21,7 +21,7 @@
 (define (domain-assumptions es A)
   (define found (remove-duplicates (append-map domain-relations es)))
   (cond [(not (<= 1 (length found) most-relations)) #f]
-        [(and (null? (assumptions-relations A)) (andmap of-monomial? found))
+        [(and (null? (assumptions-relations A)) (monomials-apart? found))
          (assumptions-of-monomials found A)]
         [else
          (define w (make-workspace (with-automatic-assumptions no-assumptions #f) nothing-asked))
@@ -34,8 +34,14 @@
   (relation #f (workspace-simplify w (relation-expression r)) (relation-signs r)))
 
 ;; ---------------------------------------------------------------------------
-;; Frequencies √(k/m) are the roots met most often.  What such a relation says of k and m
+;; Frequencies √(k/m) are the roots met most often.  What such relations say of k and m
 ;; together says nothing of one of them, and no narrowing is needed to see that.
+
+;; All of single unknowns, or all of products and quotients?
+(define (monomials-apart? relations)
+  (define (single? r) (unknown? (relation-expression r)))
+  (and (andmap of-monomial? relations)
+       (or (andmap single? relations) (not (ormap single? relations)))))
 
 (define (of-monomial? r)
   (define e (relation-expression r))

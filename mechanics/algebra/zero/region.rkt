@@ -5,13 +5,13 @@
 ;; expression are checked at a point chosen for it.
 
 (require "approximate.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/bounds.rkt" "../assumption/signs.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/leaf-bounds.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/symbols.rkt")
 
 (provide make-region region-free? region-place region-admits?)
 
-;; ranges : leaf -> bounds (assumption/bounds.rkt)
+;; ranges : leaf -> bounds (assumption/leaf-bounds.rkt)
 ;; conditions : ((tape . signs) ...)
 (struct region (ranges conditions) #:authentic)
 

@@ -20,14 +20,14 @@
                             (+ (cos (* 60 't)) (* 2 (sin 't) (cos 't)))))
              'proved))
 
-(test-case "normal modes with a float frequency are no refutation"
+(test-case "normal modes with a float frequency are proved, the float being read as a root"
   (define ((L-coupled m k) (up t (up x y) (up vx vy)))
     (- (* 1/2 m (+ (square vx) (square vy)))
        (* 1/2 k (+ (square x) (square y) (square (- x y))))))
   (define (modes t)
     (let ([slow (* 'a (cos t))] [fast (* 'b (cos (* (sqrt 3) t)))])
       (up (+ slow fast) (- slow fast))))
-  (check-eq? (verdict-status (verify-solution (L-coupled 1 1) modes)) 'undecided))
+  (check-eq? (verdict-status (verify-solution (L-coupled 1 1) modes)) 'proved))
 
 (test-case "exponents in no simple ratio give a verdict"
   (check-eq? (verdict-status

@@ -136,12 +136,14 @@
    [() (sqrt (* m (expt x 2))) (* (abs x) (sqrt m))]
    [() (- (/ 1 (sqrt (expt x 2))) (/ 1 (abs x))) 0]
    [() (sqrt (expt x 4)) (expt x 2)]
-   [() (expt (expt x 3) 1/3) (expt (expt x 3) 1/3)]
-   [() (expt (expt x 9) 1/3) (* (expt x 2) (expt (expt x 3) 1/3))]
+   [() (expt (expt x 3) 1/3) x]
+   [() (expt (expt x 9) 1/3) (expt x 3)]
    [() (log (expt x 2)) (log (expt x 2))]
    [() (- (log (expt x 2)) (* 2 (log (abs x)))) 0]
    [() (expt (expt x a) b) (expt (expt x a) b)]
-   [() (- (sqrt (* x y)) (* (sqrt x) (sqrt y))) (- (sqrt (* x y)) (* (sqrt x) (sqrt y)))]
+   [() (- (sqrt (* x y)) (* (sqrt x) (sqrt y))) 0]
+   [((> (* x y) 0)) (sqrt (* (expt x 2) (expt y 2))) (* x y)]
+   [((< (* x y) 0)) (sqrt (* (expt x 2) (expt y 2))) (* -1 x y)]
    [((> y 0)) (sqrt (* (expt x 2) (expt y 2))) (* y (abs x))]))
 
 ;; ---------------------------------------------------------------------------

@@ -81,8 +81,26 @@
    "(for/fold ([product number])"]
   ;; roots
   ["√(u²) = -u" "simplify/radicand.rkt"
-   "(values (e:* (present F (fraction-product R (map whole-part parts)))"
-   "(values (e:* (present F (fraction-product R (cons (cons -1 1) (map whole-part parts))))"]
+   "(values (e:* joint (e:* (present F (fraction-product R (map whole-part parts))) outer))"
+   "(values (e:* -1 (e:* (present F (fraction-product R (map whole-part parts))) outer))"]
+  ["a root of a product leaves with the wrong sign" "simplify/radicand.rkt"
+   "(if sign (values sign group others) (values 1 '() factors))"
+   "(if sign (values 1 group others) (values 1 '() factors))"]
+  ["the domain of a root is where it is not real" "assumption/domain.rkt"
+   "[(eq? head op:sqrt) (need! nonnegative u)]"
+   "[(eq? head op:sqrt) (need! nonnegative (e:negate u))]"]
+  ["a sign that is looked up is the other" "assumption/reference.rkt"
+   "[(> x distinct) 1]"
+   "[(> x distinct) -1]"]
+  ["a sine is less than one half" "assumption/range.rkt"
+   "(define unit (interval -1 1))"
+   "(define unit (interval -1/2 1/2))"]
+  ["what is nowhere defined is proved" "zero/existence.rkt"
+   "(and (rational? (magnitude value)) (rational? error))))"
+   "#t))"]
+  ["a decimal is read at a distance" "zero/decimals.rkt"
+   "(define unit (expt 2 -52))"
+   "(define unit (expt 2 -40))"]
   ["√(x³) = x √(x²)" "simplify/radicand.rkt"
    "(define e (- (cdr part) (cdr (whole-part part))))"
    "(define e (cdr part))"]
