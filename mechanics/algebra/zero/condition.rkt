@@ -10,11 +10,13 @@
 ;; along sin ωt, cos ωt, t ... do: each may give an equation.
 
 (require racket/list
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/size.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/read.rkt"
+         "../expression/size.rkt" "../expression/substitute.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
-         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
-         "../presentation/present.rkt")
+         "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../presentation/present.rkt"
+         "../simplify/simplify-expression.rkt")
 
 (provide factor-and-core)
 
@@ -47,14 +49,22 @@
       (values (fraction-scale R (/ 1 content) factor) (fraction-scale R content p))
       (values factor p)))
 
-;; Parts of p with several terms that may be zero.
+;; Factors of p with several terms that may be zero: its parts as they are found at once, then
+;; what these can be factored into; parts with too many terms are not.
 (define (vanishing-factors F p may-vanish?)
   (define R (field-ring F))
-  (for/list ([g (in-list (poly-parts R p))]
-             #:when (and (eqv? (power-exponent g) 1)
-                         (> (poly-term-count (power-base g)) 1)
-                         (may-vanish? (present F (fraction-from-poly R (power-base g))))))
-    (power-base g)))
+  (define (may-be? g)
+    (and (> (poly-term-count g) 1) (may-vanish? (present F (fraction-from-poly R g)))))
+  (define parts (filter may-be? (map power-base (poly-parts R p))))
+  (append parts
+          (for*/list ([g (in-list parts)]
+                      #:when (<= (poly-term-count g) most-terms)
+                      [h (in-list (map power-base (poly-factor R g)))]
+                      #:unless (equal? g h)
+                      #:when (may-be? h))
+            h)))
+
+(define most-terms 60)
 
 ;; Is it made of symbols that are no variables?
 (define (constant-expression? e variables)
@@ -89,12 +99,24 @@
 (define equation-limit 3)
 
 (define (conditions F p parameter? may-vanish?)
+  (define coefficients (moving-coefficients F p parameter?))
   (define equations
-    (for/list ([c (in-list (moving-coefficients F p parameter?))])
-      (condition F c parameter? may-vanish?)))
-  (if (and (andmap values equations) (<= (length equations) equation-limit))
-      (remove-duplicates equations)
+    (for/list ([c (in-list coefficients)]) (condition F c parameter? may-vanish?)))
+  (define found (remove-duplicates (filter values equations)))
+  (define (open c) (present F (fraction-from-poly (field-ring F) c)))
+  (if (and (<= (length found) equation-limit)
+           (for/and ([c (in-list coefficients)] [e (in-list equations)])
+             (or e (follows? (open c) found))))
+      found
       '()))
+
+;; Does an expression vanish where the equations that give symbols hold?
+(define (follows? e equations)
+  (define values-of-symbols
+    (for/list ([q (in-list equations)] #:when (symbol? (cadr q)))
+      (cons (cadr q) (datum->expression (caddr q)))))
+  (and (pair? values-of-symbols)
+       (eqv? 0 (simplify-expression (substitute-expression e values-of-symbols)))))
 
 ;; An equation that makes a polynomial in parameters vanish, or #f.
 (define (condition F p parameter? may-vanish?)

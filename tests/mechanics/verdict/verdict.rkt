@@ -81,8 +81,8 @@
 (test-case "a bound is given to two digits, rounded upwards"
   (check-equal? (last-line (prove-zero 1.234e-15))
                 "  evidence: at one point, zero to within 1.3e-15")
-  (check-regexp-match #px"^  evidence: at 12 points, zero to within [0-9]([.][0-9])?e-[0-9]+$"
-                      (last-line (verify-equal (g:* 0.1 'x) (g:/ 'x 10)))))
+  (check-regexp-match #px"\n  evidence: at 12 points, zero to within [0-9]([.][0-9])?e-[0-9]+\n"
+                      (format "~a" (verify-equal (g:* 0.12345678901 'x) (g:* 0.12345678901000001 'x)))))
 
 (test-case "several conditions stand on one line, and none speaks of the time"
   (define v (prove-zero (lambda (t) (g:+ (g:* (g:- 'a 'b) (g:sin t))

@@ -8,6 +8,7 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/assumption/relation
+         mechanics/algebra/zero/decimals
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/read)
 
@@ -65,14 +66,28 @@
   (check-equal? (status '(+ (expt (sin (* 2.1 t)) 2) -1 (expt (cos (* 2.1 t)) 2))) 'proved)
   (check-equal? (status '(- (expt (sqrt (/ 9.8 l)) 2) (/ 9.8 l))) 'proved))
 
-(test-case "what vanishes for the flonums it has is undecided"
-  (check-equal? (status '(- (* 1/2 m) (* 0.5 m))) 'undecided)
-  (check-equal? (status '(- (sqrt (* 0.25 a)) (* 0.5 (sqrt a)))) 'undecided)
-  (check-equal? (status '(- (abs (* 9.8 a)) (* 9.8 (abs a)))) 'undecided)
-  (check-equal? (status (make-node op:- (list 9.8 9.8))) 'undecided))
+(define (readings d)
+  (for/list ([r (in-list (zero-test-decimals (verdict d)))])
+    (list (reading-decimal r) (expression->datum (reading-expression r)))))
+
+(test-case "what vanishes for the flonums it has is proved as they are read"
+  (check-equal? (status '(- (* 1/2 m) (* 0.5 m))) 'proved)
+  (check-equal? (readings '(- (* 1/2 m) (* 0.5 m))) '((0.5 1/2)))
+  (check-equal? (status '(- (sqrt (* 0.25 a)) (* 0.5 (sqrt a)))) 'proved)
+  (check-equal? (status '(- (* 1.4142135623730951 1.4142135623730951 a) (* 2 a))) 'proved)
+  (check-equal? (readings '(- (cos (* 1.4142135623730951 a)) (cos (* (sqrt 2) a))))
+                '((1.4142135623730951 (sqrt 2)))))
+
+(test-case "what vanishes for the flonums it has alone is undecided, and they are told"
+  (check-equal? (status '(- (cos (* 1.3579246801 a)) (cos (* 1.3579246801000003 a)))) 'undecided)
+  (check-equal? (readings '(- (cos (* 1.3579246801 a)) (cos (* 1.3579246801000003 a))))
+                '((1.3579246801 #f) (1.3579246801000003 #f)))
+  (check-equal? (status '(- (cos (* 1.41421356 a)) (cos (* (sqrt 2) a)))) 'refuted)
+  (check-equal? (status '(- (abs (* 9.8 a)) (* 9.8 (abs a)))) 'proved)
+  (check-equal? (status (make-node op:- (list 9.8 9.8))) 'proved))
 
 (test-case "flonums are never refuted within rounding"
-  (check-equal? (status '(+ (* 0.1 a) (* 0.2 a) (* -0.3 a))) 'undecided)
+  (check-equal? (status '(+ (* 0.1 a) (* 0.2 a) (* -0.3 a))) 'proved)
   (check-equal? (status '(+ (* 0.1 a) (* 0.2 a) (* -0.3001 a))) 'refuted))
 
 (test-case "outside the decidable class a numerical zero is undecided, with its bound"
