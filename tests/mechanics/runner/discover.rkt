@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Which files are tests: every module under tests/mechanics except the runner,
-;; the benchmarks, the helpers in support/ and package information; and every
-;; helper and example with a `test` submodule.
+;; the benchmarks, the helpers in support/ and attack/ and package information; and
+;; every helper and example with a `test` submodule.
 
 (require racket/file
          racket/path
@@ -23,7 +23,7 @@
   (define place (path->string (find-relative-path (simplify-path tests) file)))
   (cond [(regexp-match? #rx"^(runner|bench)/" place) #f]
         ;; read off the text, so that a file that does not compile is found too
-        [(regexp-match? #rx"^(support|[.][.])/" place)
+        [(regexp-match? #rx"^(support|attack|[.][.])/" place)
          (regexp-match? #px"\\(module[+*]?\\s+test\\b" (file->string file))]
         [else #t]))
 

@@ -1,0 +1,150 @@
+#lang racket/base
+;; What the library is asked of a statement, and how its answer is judged.
+
+(require "judge/judge.rkt" "judge/motion.rkt"
+         "classes/motions.rkt" "library.rkt" "statement.rkt")
+
+(provide (struct-out outcome) outcomes-of wrong? fault-kind-of claim-again statement-of)
+
+;; claim : 'equal, 'opposite, 'form or 'motion; subject : statement or proposal
+;; answer : 'proved, 'refuted, 'undecided, 'form, 'raised, 'slow or 'rejected
+;; judgement : #f where it is right, 'unjudged, or a fault
+;; detail : text or datum to be shown: what was answered
+(struct outcome (claim subject answer judgement detail) #:prefab)
+
+(define (wrong? o) (fault? (outcome-judgement o)))
+(define (fault-kind-of o) (and (wrong? o) (fault-kind (outcome-judgement o))))
+(define (statement-of o) (and (statement? (outcome-subject o)) (outcome-subject o)))
+
+;; subject -> (listof outcome)
+(define (outcomes-of subject)
+  (if (proposal? subject)
+      (list (claim-again 'motion subject))
+      (let* ([first (claim-again 'equal subject)]
+             [second (claim-again 'opposite subject)])
+        (list first (with-both-proved first second subject) (claim-again 'form subject)))))
+
+;; The statement as the library gets it.  One with a number that is not real is another
+;; matter: its values may be complex.
+(define (settled s)
+  (define-values (left right) (values (folded (statement-left s)) (folded (statement-right s))))
+  (when (or (complex-within? left) (complex-within? right)) (raise 'rejected))
+  (struct-copy statement s [left left] [right right]))
+
+(define (complex-within? e)
+  (cond [(pair? e) (ormap complex-within? (cdr e))]
+        [else (and (number? e) (not (and (real? e) (rational? e))))]))
+
+;; The outcome of one claim.
+(define (claim-again claim subject)
+  (guarded claim subject
+           (lambda ()
+             (case claim
+               [(equal) (judged-zero 'equal (settled subject))]
+               [(opposite) (judged-zero 'opposite (opposite (settled subject)))]
+               [(form) (judged-form (settled subject))]
+               [(motion) (judged-motion subject)]))))
+
+;; ---------------------------------------------------------------------------
+;; Statements
+
+(define (judged-zero claim s)
+  (define-values (left right given) (values (statement-left s) (statement-right s)
+                                            (statement-given s)))
+  (define a (asked-zero left right given))
+  (outcome claim s (answer-status a)
+           (case (answer-status a)
+             [(proved) (judge-proof left right given (answer-assumptions a) (statement-hints s))]
+             [(refuted) (judged-refutation s (answer-witness a))]
+             [else #f])
+           (if (eq? 'refuted (answer-status a)) (answer-witness a) (answer-assumptions a))))
+
+;; What the constructors cancelled, as in x/x, the library cannot know of.
+(define (judged-refutation s witness)
+  (define (judged left right)
+    (judge-refutation left right (statement-given s) (statement-hints s) witness))
+  (define-values (left right) (values (statement-left s) (statement-right s)))
+  (define found (judged left right))
+  (if (and (fault? found) (eq? 'no-value-at-witness (fault-kind found)))
+      (and (judged (as-handed-over left) (as-handed-over right)) found)
+      found))
+
+(define (opposite s)
+  (statement (statement-left s) `(- ,(statement-right s)) (statement-given s)
+             (statement-hints s)))
+
+;; A statement and its opposite cannot both hold where the right side is not zero.
+(define (with-both-proved first second s)
+  (define both? (and (eq? 'proved (outcome-answer first)) (eq? 'proved (outcome-answer second))))
+  (define numbers
+    (and both? (not (wrong? first)) (not (wrong? second))
+         (both-nonzero? (statement-left s) (statement-right s) (statement-given s)
+                        (statement-hints s))))
+  (if numbers
+      (struct-copy outcome second [judgement (fault 'opposites-proved numbers #f #f)])
+      second))
+
+(define (judged-form s)
+  (define-values (simple assumed) (asked-form (statement-left s) (statement-given s)))
+  (outcome 'form s 'form
+           (judge-simplified (statement-left s) simple (statement-given s) assumed
+                             (statement-hints s))
+           (cons simple assumed)))
+
+;; ---------------------------------------------------------------------------
+;; Motions
+
+(define (judged-motion p)
+  (define-values (path force) (values (proposal-path p) (proposal-force p)))
+  (define a (asked-solution path force))
+  (outcome 'motion p (answer-status a)
+           (case (answer-status a)
+             [(proved)
+              (define kink (kink-near path (proposal-places p)))
+              (if kink
+                  (fault 'not-smooth (hasheq 't kink) #f #f)
+                  (differing-time path force '(1/7 -13/9 31/8 22/3) >))]
+             [(refuted)
+              (define t (cdr (or (assq 't (answer-witness a)) '(t . 1/7))))
+              (and (not (kink-near path (list t)))
+                   (differing-time path force (list t) <))]
+             [else #f])
+           (answer-assumptions a)))
+
+;; A time at which the residual is greater, or less, than rounding.
+(define (differing-time path force times compare)
+  (for/or ([t (in-list times)])
+    (define size (residual-size path force t))
+    (and size (compare size 1e-12)
+         (fault 'residual (hasheq 't t) size 0))))
+
+;; ---------------------------------------------------------------------------
+;; Guards
+
+;; Seconds for one claim.
+(define limit 20)
+
+;; In a thread of its own, so that declarations are forgotten and time is limited.  What
+;; the constructors refuse, as division by zero, is no claim.
+(define (guarded claim subject thunk)
+  (define result #f)
+  (define worker
+    (thread
+     (lambda ()
+       (set! result
+             (with-handlers ([exn:break? (lambda (e) #f)]
+                             [(lambda (e) (or (eq? e 'rejected)
+                                              (exn:fail:contract:divide-by-zero? e)))
+                              (lambda (e) (outcome claim subject 'rejected #f #f))]
+                             [exn:fail? (lambda (e) (raised claim subject (exn-message e)))])
+               (thunk))))))
+  (unless (sync/timeout limit worker)
+    (break-thread worker)
+    (unless (sync/timeout 5 worker) (kill-thread worker)))
+  (or result (outcome claim subject 'slow #f #f)))
+
+;; Contradictory declarations, and tan of an angle without one, are the user's mistakes.
+(define (raised claim subject message)
+  (if (regexp-match? #rx"contradict|assum" message)
+      (outcome claim subject 'rejected #f message)
+      (outcome claim subject 'raised (fault 'raised #f #f #f) message)))

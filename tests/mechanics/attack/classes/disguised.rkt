@@ -1,0 +1,29 @@
+#lang racket/base
+;; Identities of smooth functions that hold wherever both sides have values, disguised; and
+;; the same false by 10^-12 of something that is not zero.
+
+(require "../disguise.rkt" "../statement.rkt" "forms.rkt")
+
+(provide disguised-identity false-by-little)
+
+(define (random-smooth depth)
+  (define (sub) (random-smooth (- depth 1)))
+  (if (eqv? depth 0)
+      (pick '(x y z a 2 1/3))
+      (case (random 9)
+        [(0 1) `(+ ,(sub) ,(sub))]
+        [(2 3) `(* ,(sub) ,(sub))]
+        [(4) `(- ,(sub) ,(sub))]
+        [(5) `(/ ,(sub) (+ 1 (square ,(random-symbol))))]
+        [(6) `(,(pick '(sin cos)) ,(pick (list (random-symbol) (random-linear))))]
+        [(7) `(sqrt (+ 1 (square ,(sub))))]
+        [(8) `(exp ,(random-symbol))])))
+
+(define (disguised-identity)
+  (define e (random-smooth 3))
+  (statement e (disguised e (random-between 2 5)) '() '()))
+
+(define (false-by-little)
+  (define s (disguised-identity))
+  (define excess `(/ ,(pick (list '(exp x) '(+ 2 (sin y)) '(+ 1 (square z)))) 1000000000000))
+  (statement (statement-left s) `(+ ,(statement-right s) ,excess) '() '()))
