@@ -11,12 +11,13 @@ export RACKET
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
-.PHONY: help demo repl test lint elsewhere bench docs clean racket libraries compile
+.PHONY: help demo repl test attack lint elsewhere bench docs clean racket libraries compile
 
 help:
 	@echo 'make demo    a tour: Lagrange equations, proposed paths, verdicts'
 	@echo 'make repl    a prompt with mechanics loaded'
 	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
+	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    unused requires, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
 	@echo 'make docs    build the manual in build/doc'
@@ -34,6 +35,15 @@ test: racket libraries
 	@echo 'Compiling the tests ...'
 	@$(RACO) make tests/mechanics/runner/main.rkt tests/mechanics/runner/child.rkt
 	@$(RACKET) tests/mechanics/runner/main.rkt --jobs $(JOBS) $(TESTS)
+
+# N claims of each class; CLASS=disguised for identities in disguise alone.
+N    ?= 2000
+SEED ?= 1
+attack: compile
+	@mkdir -p build
+	@$(RACO) make tests/mechanics/attack/main.rkt tests/mechanics/attack/worker.rkt
+	@$(RACKET) tests/mechanics/attack/main.rkt --count $(N) --seed $(SEED) --jobs $(JOBS) \
+	    $(if $(CLASS),--class $(CLASS))
 
 lint: racket
 	@$(RACO) make .ci/lint.rkt

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What the library is asked of a statement, and how its answer is judged.
 
-(require "judge/judge.rkt" "judge/motion.rkt"
+(require "judge/fault.rkt" "judge/judge.rkt" "judge/motion.rkt" "judge/refutation.rkt"
          "classes/motions.rkt" "library.rkt" "statement.rkt")
 
 (provide (struct-out outcome) outcomes-of wrong? fault-kind-of claim-again statement-of)
@@ -103,15 +103,22 @@
               (define kink (kink-near path (proposal-places p)))
               (if kink
                   (fault 'not-smooth (hasheq 't kink) #f #f)
-                  (differing-time path force '(1/7 -13/9 31/8 22/3) >))]
-             [(refuted)
-              (define t (cdr (or (assq 't (answer-witness a)) '(t . 1/7))))
-              (and (not (kink-near path (list t)))
-                   (differing-time path force (list t) <))]
+                  (differing-time path force times >))]
+             [(refuted) (judged-motionless path force (assq 't (answer-witness a)))]
              [else #f])
            (answer-assumptions a)))
 
-;; A time at which the residual is greater, or less, than rounding.
+(define times '(1/7 -13/9 31/8 22/3 -25/4))
+
+;; entry : of the time in the witness, or #f where any will do
+(define (judged-motionless path force entry)
+  (define found
+    (for/list ([t (in-list (if entry (list (cdr entry)) times))]
+               #:unless (kink-near path (list t)))
+      (differing-time path force (list t) <)))
+  (and (pair? found) (andmap values found) (car found)))
+
+;; A time at which the residual is greater, or less, than rounding; as a fault.
 (define (differing-time path force times compare)
   (for/or ([t (in-list times)])
     (define size (residual-size path force t))

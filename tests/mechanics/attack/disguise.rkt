@@ -36,7 +36,8 @@
     [`(+ ,u ,v) (pick (list `(+ ,v ,u) `(- ,u (- ,v))))]
     [`(* ,u (+ ,v ,w)) `(+ (* ,u ,v) (* ,u ,w))]
     [`(* ,u ,v) (pick (list `(* ,v ,u) `(/ (- (square (+ ,u ,v)) (square (- ,u ,v))) 4)))]
-    [`(/ ,u ,v) (pick (list `(* ,u (expt ,v -1)) (let ([c (small)]) `(/ (* ,u ,c) (* ,c ,v)))))]
+    [`(/ ,u ,v) (pick (list `(* ,u (expt ,v -1))
+                            (let ([c (small)]) `(/ (* ,u ,c) (* ,c ,v)))))]
     [`(square (+ ,u ,v)) `(+ (square ,u) (* 2 ,u ,v) (square ,v))]
     [`(square ,u) `(* ,u ,u)]
     [`(sin ,u) (pick (list `(* 2 (sin (* 1/2 ,u)) (cos (* 1/2 ,u))) `(- (sin (- ,u)))
@@ -46,7 +47,9 @@
     [`(exp ,u) (pick (list `(square (exp (* 1/2 ,u))) `(/ 1 (exp (- ,u)))
                            `(+ (cosh ,u) (sinh ,u))))]
     [`(abs ,u) `(abs (- ,u))]
-    [u (pick (list (let ([c (small)]) `(- (+ ,u ,c) ,c)) `(* ,u (+ (square (sin ,u)) (square (cos ,u))))
+    [(? number?) #f]
+    [u (pick (list (let ([c (small)]) `(- (+ ,u ,c) ,c))
+                   `(* ,u (+ (square (sin ,u)) (square (cos ,u))))
                    `(/ (+ ,u ,u) 2) `(- (* 3 ,u) (* 2 ,u))
                    `(/ (* ,u (+ 1 (square x))) (+ 1 (square x)))))]))
 

@@ -88,7 +88,7 @@
 
 ;; All go to the file, the first ones of each kind to the screen.
 (define (show-programs report t seed out shown)
-  (define kinds (filter wrong-judgement? (map cdr (caddr report))))
+  (define kinds (filter told-judgement? (map cdr (caddr report))))
   (for ([program (in-list (cdddr report))] [kind (in-list kinds)])
     (define text (format "; ~a ~a of seed ~a\n~a" (car report) (cadr report) seed program))
     (displayln text out)

@@ -2,26 +2,29 @@
 ;; A wrong claim as a program that can be pasted, with what is wrong as comments.
 
 (require racket/format racket/pretty
-         "claims.rkt" "judge/judge.rkt" "classes/motions.rkt" "statement.rkt")
+         "claims.rkt" "judge/fault.rkt" "classes/motions.rkt" "statement.rkt")
 
 (provide program-text)
 
 (define (program-text o)
+  (string-append (comments o) "#lang mechanics\n" (program-of o)))
+
+(define (comments o)
   (define f (outcome-judgement o))
-  (string-append
-   (format "; ~a, yet ~a~a\n" (outcome-answer o) (words-of (fault-kind f)) (detail-text o))
-   (if (fault-numbers f) (format "; at ~a\n" (numbers-text (fault-numbers f))) "")
-   (if (fault-left f)
-       (format "; the left side is ~a, the right side ~a\n"
-               (shown (fault-left f)) (shown (fault-right f)))
-       "")
-   "#lang mechanics\n"
-   (program-of o)))
+  (if (fault? f)
+      (string-append
+       (format "; ~a, yet ~a~a\n" (outcome-answer o) (words-of (fault-kind f)) (detail-text o))
+       (if (fault-numbers f) (format "; at ~a\n" (numbers-text (fault-numbers f))) "")
+       (if (fault-left f)
+           (format "; the left side is ~a, the right side ~a\n"
+                   (shown (fault-left f)) (shown (fault-right f)))
+           ""))
+      (format "; ~a\n" (outcome-answer o))))
 
 (define (words-of kind)
   (case kind
     [(values-differ) "the values differ"]
-    [(assumptions-hold-nowhere) "what is assumed holds at no point of the question"]
+    [(assumptions-hold-nowhere) "what is assumed holds at no point tried of the question"]
     [(nowhere-defined) "no point has a value on both sides"]
     [(result-nowhere-defined) "the result has no value where the question has one"]
     [(no-value-at-witness) "a side has no real value at the witness"]
@@ -69,7 +72,8 @@
                                    ,(written (statement-right s)))))))))
   (apply string-append
          (for/list ([f (in-list forms)])
-           (parameterize ([pretty-print-columns 98]) (string-append (pretty-format f #:mode 'write) "\n")))))
+           (parameterize ([pretty-print-columns 98])
+             (string-append (pretty-format f #:mode 'write) "\n")))))
 
 (define (motion-program p)
   (define V

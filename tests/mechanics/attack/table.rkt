@@ -3,7 +3,8 @@
 
 (require racket/format)
 
-(provide make-table table-add! table-claims table-wrong table-count wrong-judgement?
+(provide make-table table-add! table-claims table-wrong table-count
+         wrong-judgement? told-judgement?
          print-table)
 
 ;; (class column) -> count, where a column is an answer, or a judgement as a list
@@ -12,7 +13,9 @@
 (define (note! t . key) (hash-update! t key add1 0))
 (define (entry t . key) (hash-ref t key 0))
 
-(define (wrong-judgement? j) (and j (not (eq? j 'unjudged))))
+;; Open is what was to be decided and is not.
+(define (told-judgement? j) (and j (not (eq? j 'unjudged))))
+(define (wrong-judgement? j) (and j (not (memq j '(unjudged open)))))
 
 ;; report : (class k ((answer . judgement) ...) program ...)
 (define (table-add! t report)

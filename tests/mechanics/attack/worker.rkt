@@ -5,7 +5,8 @@
 ;;
 ;;     (class k ((answer . judgement) ...) program ...)
 ;;
-;; with a program for each wrong claim, the first ones of a kind shrunk.
+;; with a program for each claim that is wrong, the first ones of a kind shrunk, or that was to
+;; be decided and is open.
 
 (require "claims.rkt" "classes/all.rkt" "program.rkt" "shrink.rkt")
 
@@ -20,20 +21,27 @@
   (list* name k
          (for/list ([o (in-list outcomes)])
            (cons (outcome-answer o) (or (fault-kind-of o) (outcome-judgement o))))
-         (for/list ([o (in-list outcomes)] #:when (wrong? o))
+         (for/list ([o (in-list outcomes)] #:when (told? (outcome-judgement o)))
            (program-text (shrunk-at-first o name counts)))))
+
+(define (told? judgement) (and judgement (not (eq? judgement 'unjudged))))
+
+(define (to-be-decided o)
+  (if (memq (outcome-answer o) '(undecided slow))
+      (struct-copy outcome o [judgement 'open])
+      o))
 
 ;; Of a disguised identity one thing is asked.
 (define (asked name subject)
   (if (memq name '(disguised false-by-little))
-      (list (claim-again 'equal subject))
+      (list (to-be-decided (claim-again 'equal subject)))
       (outcomes-of subject)))
 
 (define (shrunk-at-first o name counts)
   (define key (list name (outcome-claim o) (fault-kind-of o)))
   (define count (hash-ref counts key 0))
   (hash-set! counts key (+ count 1))
-  (if (< count shrunk-of-a-kind) (shrunk o) o))
+  (if (and (wrong? o) (< count shrunk-of-a-kind)) (shrunk o) o))
 
 (module+ main
   (define arguments

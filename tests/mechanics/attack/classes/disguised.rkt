@@ -2,7 +2,7 @@
 ;; Identities of smooth functions that hold wherever both sides have values, disguised; and
 ;; the same false by 10^-12 of something that is not zero.
 
-(require "../disguise.rkt" "../statement.rkt" "forms.rkt")
+(require "../disguise.rkt" "../judge/point.rkt" "../statement.rkt" "forms.rkt")
 
 (provide disguised-identity false-by-little)
 
@@ -19,9 +19,17 @@
         [(7) `(sqrt (+ 1 (square ,(sub))))]
         [(8) `(exp ,(random-symbol))])))
 
+;; Functions of numbers alone would be decimals; they are another class.
 (define (disguised-identity)
   (define e (random-smooth 3))
-  (statement e (disguised e (random-between 2 5)) '() '()))
+  (define r (disguised e (random-between 2 5)))
+  (if (or (constant-within? e) (constant-within? r))
+      (disguised-identity)
+      (statement e r '() '())))
+
+(define (constant-within? e)
+  (and (pair? e)
+       (or (null? (symbols-of e)) (ormap constant-within? (cdr e)))))
 
 (define (false-by-little)
   (define s (disguised-identity))

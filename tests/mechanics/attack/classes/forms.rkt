@@ -4,22 +4,26 @@
 (require "../judge/evaluate.rkt" "../judge/flonum.rkt" "../judge/point.rkt"
          "../statement.rkt")
 
-(provide random-symbol random-linear random-form random-exponent
+(provide random-symbol random-symbols random-linear random-form random-exponent
          random-point relations-at)
 
 (define (random-symbol) (pick '(x y z a)))
 
+;; Two that differ.
+(define (random-symbols)
+  (define u (random-symbol))
+  (values u (pick (remq u '(x y z a)))))
+
 ;; Differences in both orders, sums, symbols: of either sign, as they come.
 (define (random-linear)
-  (define-values (u v) (values (random-symbol) (random-symbol)))
+  (define-values (u v) (random-symbols))
   (define c (pick '(1 2 3 1/2)))
   (pick (list u `(- ,c ,u) `(- ,u ,c) `(+ ,u ,c) `(- ,u ,v) `(+ ,u ,v) `(- ,u) `(* ,u ,v)
               `(- (* ,c ,u) ,v) `(/ ,u ,v))))
 
 ;; The same, and what has a sign of its own that shows only to who looks closely.
 (define (random-form)
-  (define u (random-symbol))
-  (define v (random-symbol))
+  (define-values (u v) (random-symbols))
   (if (chance 3)
       (pick (list `(- 2 (cos ,u)) `(- (cos ,u) 2) `(- ,u (exp ,u)) `(- (* ,u (exp (- ,u))) 1)
                   `(- (atan ,u) 2) `(- (* (sin ,u) (cos ,v)) 1) `(+ (square ,u) (square ,v))

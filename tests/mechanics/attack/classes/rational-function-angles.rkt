@@ -14,11 +14,13 @@
 
 (define (random-function)
   (define e
-    `(,(pick '(sin cos exp tan sinh cosh exp sin cos)) (,(pick '(+ +  -)) ,(random-angle) ,(random-angle))))
+    `(,(pick '(sin cos exp tan sinh cosh exp sin cos))
+      (,(pick '(+ + -)) ,(random-angle) ,(random-angle))))
   (if (chance 2) `(,(pick '(+ * /)) ,e ,(pick (list (random-symbol) `(exp ,(random-angle))))) e))
 
 (define (random-angle)
-  (define-values (x y z) (values (random-symbol) (random-symbol) (random-symbol)))
+  (define-values (y z) (random-symbols))
+  (define x (pick (remq z '(x y z a))))
   (pick (list x `(* 2 ,x) `(/ ,x ,y) `(/ ,x (+ 1 ,y)) `(/ 1 (+ ,x ,z)) `(/ ,x (- ,y ,z))
               `(square ,x) `(/ (+ ,x ,y) (- ,x 2)) `(* 1/2 ,x) `(/ 1 (+ 1 (square ,x)))
               `(- ,x (/ ,y ,z)))))

@@ -6,14 +6,14 @@
 
 (provide empty?)
 
-(define most-boxes 1500)
-(define edge 1e8)
+(define most-boxes 600)
+(define edge 512.0)                     ; beyond, exponentials are too large for flonums
 (define narrowest 1e-3)
 
-;; Up to two symbols; -> #t, or #f where it is not known.
+;; -> #t, or #f where it is not known
 (define (empty? sides relations)
   (define symbols (apply symbols-of (append sides (relation-sides relations))))
-  (and (<= (length symbols) 2)
+  (and (<= (length symbols) 4)
        (let loop ([boxes (list (map (lambda (s) (interval (- edge) edge)) symbols))] [count 0])
          (cond [(null? boxes) #t]
                [(= count most-boxes) #f]
@@ -24,8 +24,16 @@
 
 (define (excluded? sides relations symbols box)
   (define where (make-point (for/hasheq ([s (in-list symbols)] [i (in-list box)]) (values s i)) 0))
-  (or (for/or ([e (in-list sides)]) (no-value? (value-at e where flonum-intervals)))
+  (or (for/or ([e (in-list sides)]) (part-without-value? e where))
       (broken? relations where flonum-intervals)))
+
+;; One part may have none where that of another is not known.
+(define (part-without-value? e where)
+  (and (pair? e)
+       (let ([v (value-at e where flonum-intervals)])
+         (or (no-value? v)
+             (and (too-hard? v)
+                  (for/or ([a (in-list (cdr e))]) (part-without-value? a where)))))))
 
 ;; The widest side is cut, near its middle on a scale of sizes; or #f.
 (define (split box)

@@ -71,6 +71,7 @@
   (cond [(real? v) (cond [(> v 0) 1] [(< v 0) -1] [else 0])]
         [(positive-interval? v) 1]
         [(negative-interval? v) -1]
+        [(= 0 (interval-low v) (interval-high v)) 0]
         [else #f]))
 
 (define (known-sign v) (or (sign-of v) (fail-unknown)))

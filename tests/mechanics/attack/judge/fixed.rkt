@@ -13,14 +13,16 @@
 
 (define guard 40)
 
-;; -> arithmetic
-(define (fixed-intervals p)
+;; snap? : is an interval about 0 of less than 2^(-3p/4) taken for 0?  That proves nothing, but
+;; with thousands of bits there is no doubt.
+(define (fixed-intervals p #:snap? [snap? #f])
+  (define tiny (if snap? (arithmetic-shift 1 (quotient p 4)) 0))
   (define one (arithmetic-shift 1 p))
   (define (down x) (arithmetic-shift x (- p)))
   (define (up x) (- (arithmetic-shift (- x) (- p))))
   (define (checked low high)
     (when (> (max (integer-length low) (integer-length high)) (+ p 3000)) (fail-unknown))
-    (interval low high))
+    (if (and (<= low 0 high) (< (- high low) tiny)) (interval 0 0) (interval low high)))
   (define (from q) (checked (floor (* q one)) (ceiling (* q one))))
   (define (multiply i j)
     (define-values (a b c d)
@@ -43,7 +45,7 @@
     (define-values (a b) (values (interval-low i) (interval-high i)))
     (define radius (+ 2 (- b a)))
     (define y (f (quotient-down (+ a b) 2) p))
-    (interval (max (- one) (- y radius)) (min one (+ y radius))))
+    (checked (max (- one) (- y radius)) (min one (+ y radius))))
   (arithmetic from
               (lambda (m) (/ m one))
               (lambda (i j) (checked (+ (interval-low i) (interval-low j))

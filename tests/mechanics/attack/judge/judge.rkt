@@ -1,20 +1,15 @@
 #lang racket/base
-;; Is a claim right?  Judged at points, by intervals.
+;; Is a proof right, is a simplified expression?  Judged at points, by intervals.
 ;;
 ;; A statement is `left = right` where the relations `given` hold.  The judge asks of a
 ;; proof that it has points, at which all it assumes holds and both sides have values,
-;; and that these do not differ at any; of a refutation that both sides have values at its
-;; witness, which differ.  Flonums look first; what they find is confirmed, and what they
-;; cannot see is sought, with many digits.
+;; and that these do not differ at any.  Flonums look first; what they find is confirmed,
+;; and what they cannot see is sought, with many digits.
 
-(require "boxes.rkt" "evaluate.rkt" "fixed.rkt" "flonum.rkt" "interval.rkt" "point.rkt"
-         "relation.rkt" "witness.rkt")
+(require "boxes.rkt" "evaluate.rkt" "fault.rkt" "fixed.rkt" "flonum.rkt" "interval.rkt"
+         "point.rkt" "relation.rkt")
 
-(provide (struct-out fault) judge-proof judge-refutation judge-simplified both-nonzero?)
-
-;; kind : a symbol that says what is wrong; numbers : symbol -> rational, or #f
-;; left, right : values there, or #f
-(struct fault (kind numbers left right) #:prefab)
+(provide judge-proof judge-simplified both-nonzero?)
 
 (define sharp (fixed-intervals 224))
 
@@ -57,10 +52,6 @@
              [(not (all-hold? assumed where flonum-intervals)) (loop (+ k 1) used (+ in-domain 1))]
              [(visit numbers where) (survey (cons numbers used) (+ in-domain 1))]
              [else (loop (+ k 1) (cons numbers used) (+ in-domain 1))])])))
-
-;; k : even where numbers may be negative
-(define (completed hint symbols [k 1])
-  (for/fold ([all (random-numbers symbols k)]) ([(s x) (in-hash hint)]) (hash-set all s x)))
 
 (define (in-question? sides given where)
   (and (for/and ([e (in-list sides)]) (value? (value-at e where flonum-intervals)))
@@ -117,7 +108,8 @@
   (or found
       (judge-form-survey s (list e) given assumed)
       (and (eqv? defined 0)
-           (if (ormap (lambda (numbers) (surely-undefined? simple numbers)) (survey-used s))
+           (if (for/and ([numbers (in-list (survey-used s))])
+                 (and (surely-undefined? simple numbers) (roomy? e given numbers)))
                (fault 'result-nowhere-defined (car (survey-used s)) #f #f)
                'unjudged))))
 
@@ -125,45 +117,16 @@
 (define (judge-form-survey s sides given assumed)
   (if (eqv? 0 (survey-in-domain s)) 'unjudged (judge-survey s sides given assumed)))
 
+;; Has e values near the point, too?  Else it is the brim of where it has values.
+(define (roomy? e given numbers)
+  (for/or ([_ (in-range 12)])
+    (in-question? (list e) given
+                  (make-point (for/hasheq ([(s x) (in-hash numbers)])
+                                (values s (+ x (/ (- (random 2001) 1000) 1000000000))))
+                              0))))
+
 (define (surely-undefined? e numbers)
   (no-value? (value-at e (make-point numbers 0) sharp)))
-
-;; ---------------------------------------------------------------------------
-;; Refutations
-
-;; witness : ((S-expression . number) ...); symbols it does not name may be anything that is
-;; in the question
-(define (judge-refutation left right given hints witness)
-  (define symbols (apply symbols-of left right (relation-sides given)))
-  (define numbers (witness-numbers witness))
-  (define unnamed (remq* (hash-keys numbers) symbols))
-  (define (random-completion hint k)
-    (for/fold ([all numbers]) ([(s x) (in-hash (completed hint unnamed k))]
-                               #:unless (hash-has-key? numbers s))
-      (hash-set all s x)))
-  (let loop ([k 0] [worst #f])
-    (define all (random-completion (if (< k (length hints)) (list-ref hints k) (hash)) (* 2 k)))
-    (define found (judge-witness left right given all witness))
-    (define so-far (if (eq? worst 'unjudged) worst found))
-    (if (or (not found) (null? unnamed) (= k 90)) (and found so-far) (loop (+ k 1) so-far))))
-
-(define (judge-witness left right given numbers witness)
-  (let loop ([bits '(96 224 900 2400)])
-    (define A (fixed-intervals (car bits)))
-    (define where (witness-point numbers witness exact-decimal))
-    (define u (value-at left where A))
-    (define v (value-at right where A))
-    (define (wrong kind) (fault kind numbers (shown u A) (shown v A)))
-    (cond [(or (no-value? u) (no-value? v)) (wrong 'no-value-at-witness)]
-          [(and (value? u) (value? v) (differ? u v A))
-           (if (broken? given where A) (wrong 'witness-outside-given) #f)]
-          [(and (real? u) (real? v)) (wrong 'no-difference-at-witness)]
-          [(pair? (cdr bits)) (loop (cdr bits))]
-          [(or (two-values? u) (two-values? v)) (wrong 'function-of-two-values)]
-          [(and (value? u) (value? v)) (wrong 'no-difference-at-witness)]
-          [else 'unjudged])))
-
-(define (shown v A) (and (value? v) (value->exact v A)))
 
 ;; ---------------------------------------------------------------------------
 

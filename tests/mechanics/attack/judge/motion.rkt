@@ -2,7 +2,7 @@
 ;; Is a path S-expression in t a motion?  By differences of many digits: nothing is
 ;; differentiated.
 
-(require "evaluate.rkt" "fixed.rkt" "interval.rkt" "point.rkt")
+(require "evaluate.rkt" "fixed.rkt" "point.rkt")
 
 (provide kink-near residual-size)
 
@@ -18,8 +18,15 @@
 (define h (expt 2 -20))
 (define (kink-near path times)
   (for/first ([t (in-list times)]
-              #:unless (let ([d (second-difference path t h)]) (and d (< (abs (/ d h)) 1/100))))
+              #:unless (smooth-near? path t))
     t))
+
+;; A jump may be as high on one side as on the other.
+(define (smooth-near? path t)
+  (define d (second-difference path t h))
+  (and d
+       (< (abs (/ d h)) 1/100)
+       (< (abs (- (path-value path (+ t h)) (path-value path t))) 1/100)))
 
 (define (second-difference path t h)
   (define-values (a b c)

@@ -3,7 +3,7 @@
 
 (require "evaluate.rkt" "interval.rkt" "polynomial.rkt")
 
-(provide make-point symbols-of random-numbers
+(provide make-point symbols-of random-numbers completed
          exact-decimal loose-decimal
          value-of-terms)
 
@@ -64,3 +64,7 @@
     (define m (vector-ref magnitudes (random range)))
     (define x (if (zero? (random 3)) (/ (+ (random 64) 1) 16) m))
     (values s (if (and (even? k) (zero? (random 2))) (- x) x))))
+
+;; The numbers of the hint, and random ones for the other symbols.
+(define (completed hint symbols [k 1])
+  (for/fold ([all (random-numbers symbols k)]) ([(s x) (in-hash hint)]) (hash-set all s x)))

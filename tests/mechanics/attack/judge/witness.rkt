@@ -2,11 +2,11 @@
 ;; The point a refutation names: numbers for symbols, and what literal functions are.
 ;;
 ;; An entry (V x) -> number says the value of V at one argument; applications at arguments
-;; that cannot be told apart must agree.  An entry (V q) -> expression in q says what
-;; function V is.  What no entry names may be anything: it has a value of its own.
+;; that cannot be told apart must agree.  What no entry names may be anything: it has a
+;; value of its own.
 
 (require racket/list
-         "evaluate.rkt" "interval.rkt" "point.rkt" "polynomial.rkt")
+         "evaluate.rkt" "interval.rkt" "polynomial.rkt")
 
 (provide witness-numbers witness-point)
 
@@ -19,18 +19,30 @@
 
 (define (witness-point numbers witness decimal)
   (define applications (filter (lambda (entry) (pair? (car entry))) witness))
-  (define others (make-hash))
+  (define others '())                    ; applications not named, as entries of values
   (define (look-up name orders args A)
     (define found
       (remove-duplicates
-       (for/list ([entry (in-list applications)]
-                  #:when (said-of? entry name orders args self A))
-         (cdr entry))))
-    (cond [(null? found) (hash-ref! others (list name orders args) (lambda () (random-value)))]
+       (append
+        (for/list ([entry (in-list applications)]
+                   #:when (said-of? entry name orders args self A))
+          (cdr entry))
+        (for/list ([o (in-list others)] #:when (same-application? o name orders args A))
+          (application-value o)))))
+    (cond [(null? found)
+           (set! others (cons (application name orders args (random-value)) others))
+           (application-value (car others))]
           [(pair? (cdr found)) (fail-with-two-values)]
           [else (exact (car found))]))
   (define self (point (lambda (s) (hash-ref numbers s #f)) look-up decimal))
   self)
+
+(struct application (name orders args value))
+
+(define (same-application? o name orders args A)
+  (and (eq? name (application-name o))
+       (equal? orders (application-orders o))
+       (not (for/or ([u (in-list args)] [v (in-list (application-args o))]) (differ? u v A)))))
 
 (define (random-value) (/ (- (random 201) 100) 8))
 
