@@ -128,27 +128,37 @@
 ;; ---------------------------------------------------------------------------
 ;; Guards
 
-;; Seconds for one claim.
+;; Seconds, and bytes, for one claim.
 (define limit 20)
+(define memory-limit (* 1500 1024 1024))
+
+;; Who goes beyond the bytes is ended, and the next ones begin anew.
+(define custodian #f)
+(define (claims-custodian)
+  (unless (and custodian (not (custodian-shut-down? custodian)))
+    (set! custodian (make-custodian))
+    (custodian-limit-memory custodian memory-limit))
+  custodian)
 
 ;; In a thread of its own, so that declarations are forgotten and time is limited.  What
 ;; the constructors refuse, as division by zero, is no claim.
 (define (guarded claim subject thunk)
   (define result #f)
-  (define worker
-    (thread
-     (lambda ()
-       (set! result
-             (with-handlers ([exn:break? (lambda (e) #f)]
-                             [(lambda (e) (or (eq? e 'rejected)
-                                              (exn:fail:contract:divide-by-zero? e)))
-                              (lambda (e) (outcome claim subject 'rejected #f #f))]
-                             [exn:fail? (lambda (e) (raised claim subject (exn-message e)))])
-               (thunk))))))
+  (define (answer!) (set! result (answered claim subject thunk)))
+  (define worker (parameterize ([current-custodian (claims-custodian)]) (thread answer!)))
   (unless (sync/timeout limit worker)
     (break-thread worker)
     (unless (sync/timeout 5 worker) (kill-thread worker)))
   (or result (outcome claim subject 'slow #f #f)))
+
+;; -> an outcome, or #f after a break
+(define (answered claim subject thunk)
+  (with-handlers ([exn:break? (lambda (e) #f)]
+                  [no-claim? (lambda (e) (outcome claim subject 'rejected #f #f))]
+                  [exn:fail? (lambda (e) (raised claim subject (exn-message e)))])
+    (thunk)))
+
+(define (no-claim? e) (or (eq? e 'rejected) (exn:fail:contract:divide-by-zero? e)))
 
 ;; Contradictory declarations, and tan of an angle without one, are the user's mistakes.
 (define (raised claim subject message)

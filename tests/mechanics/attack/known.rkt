@@ -20,6 +20,8 @@
     (declared-relations no-value-at-witness "witnesses may be complex (A4)")
     (rational-function-angles raised "angles with sums in their denominators (C3)")
     (rational-function-angles values-differ "angles with sums in their denominators (C3)")
+    (rational-function-angles no-difference-at-witness "rounding of exact arguments (B1)")
+    (rational-function-angles no-value-at-witness "witnesses may be complex (A4)")
     (logarithms values-differ "signs are asked of normalised polynomials (A1)")
     (logarithms assumptions-hold-nowhere "signs of factors are assumed one by one (A3)")
     (logarithms nowhere-defined "a form that is zero is proof enough (A6)")

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The attack:  racket main.rkt [--count N] [--seed N] [--class NAME] [--jobs N]
+;; The attack:  racket main.rkt [--count N] [--seed N] [--class NAME] [--jobs N] [--only K]
 ;;
 ;; Random claims of every class are put to the library, several processes at a time, and
 ;; judged by an evaluator of the tests' own (judge/).  At the end come a table and, in
@@ -7,7 +7,7 @@
 ;; kind are shrunk, and shown.  The exit code is 1 if any claim is wrong.
 
 (require compiler/find-exe racket/cmdline racket/future racket/runtime-path
-         "classes/all.rkt" "table.rkt")
+         "classes/all.rkt" "table.rkt" "worker.rkt")
 
 (define-runtime-path worker "worker.rkt")
 
@@ -84,6 +84,14 @@
   (for ([d (in-list deaths)]) (printf "~a\n" d))
   (if (and (eqv? 0 (table-wrong t)) (null? deaths)) 0 1))
 
+;; One subject, in this process.
+(define (run-one class seed k)
+  (unless (memq class class-names) (raise-user-error 'attack "--only needs a --class"))
+  (define report (report-on class seed k (make-hash)))
+  (writeln (caddr report))
+  (for-each displayln (cdddr report))
+  (if (ormap (lambda (o) (wrong-judgement? (cdr o))) (caddr report)) 1 0))
+
 (define (round* x) (inexact->exact (round x)))
 
 ;; All go to the file, the first ones of each kind to the screen.
@@ -96,7 +104,7 @@
 
 (module+ main
   (define-values (count seed jobs class) (values 2000 1 (processor-count) #f))
-  (define-values (file shown) (values "build/attack.txt" 1))
+  (define-values (file shown only) (values "build/attack.txt" 1 #f))
   (define (natural text)
     (define n (string->number text))
     (unless (exact-nonnegative-integer? n) (raise-user-error 'attack "not a number: ~a" text))
@@ -109,7 +117,9 @@
    [("--jobs") n "processes at a time" (set! jobs (max 1 (natural n)))]
    [("--class") name "one class alone" (set! class (string->symbol name))]
    [("--shown") n "wrong claims shown of each kind (1)" (set! shown (natural n))]
+   [("--only") k "one subject of the class, by its number" (set! only (natural k))]
    [("--file") path "where all wrong claims go" (set! file path)])
+  (when only (exit (run-one class seed only)))
   (define children (make-custodian))
   (define code
     (with-handlers ([exn:break? (lambda (e) (eprintf "interrupted\n") 130)])

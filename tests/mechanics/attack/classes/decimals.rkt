@@ -24,6 +24,8 @@
   (pick (list `(* ,c ,x) `(+ (* ,c ,x) (* ,d ,x)) `(square (+ ,x ,c)) `(sin (* ,c ,x))
               `(cos (+ (* ,c ,x) ,y)) `(sqrt (* ,c ,(random-linear))) `(exp (* ,c ,x))
               `(/ ,x (- ,c ,y)) `(* ,c (+ ,x (* ,d ,y))) `(square (* ,c (sin ,x)))
+              `(- (square (+ ,x ,c)) (square ,x)) `(sqrt (square (- ,c ,x)))
+              `(- (expt (+ ,x ,c) 2) (* ,x (+ ,x ,d))) `(sqrt (* (square ,c) ,x))
               `(expt ,x ,(pick '(0.5 2.0 1.5))) `(- (* (square ,c) ,x) (* ,d ,x))
               `(/ (* ,c ,x) ,d) `(abs (* ,c ,x)) `(log (* ,c ,x)))))
 

@@ -13,7 +13,7 @@
       (case (random 9)
         [(0 1) `(+ ,(sub) ,(sub))]
         [(2 3) `(* ,(sub) ,(sub))]
-        [(4) `(- ,(sub) ,(sub))]
+        [(4) `(- ,(sub) (* 2 ,(random-symbol)))]
         [(5) `(/ ,(sub) (+ 1 (square ,(random-symbol))))]
         [(6) `(,(pick '(sin cos)) ,(pick (list (random-symbol) (random-linear))))]
         [(7) `(sqrt (+ 1 (square ,(sub))))]

@@ -16,14 +16,17 @@
   (define e
     `(,(pick '(sin cos exp tan sinh cosh exp sin cos))
       (,(pick '(+ + -)) ,(random-angle) ,(random-angle))))
-  (if (chance 2) `(,(pick '(+ * /)) ,e ,(pick (list (random-symbol) `(exp ,(random-angle))))) e))
+  (case (random 6)
+    [(0 1) `(,(pick '(+ * /)) ,e ,(pick (list (random-symbol) `(exp ,(random-angle)))))]
+    [(2) `(,(pick '(/ sgn abs sqrt)) ,e)]
+    [else e]))
 
 (define (random-angle)
   (define-values (y z) (random-symbols))
   (define x (pick (remq z '(x y z a))))
   (pick (list x `(* 2 ,x) `(/ ,x ,y) `(/ ,x (+ 1 ,y)) `(/ 1 (+ ,x ,z)) `(/ ,x (- ,y ,z))
               `(square ,x) `(/ (+ ,x ,y) (- ,x 2)) `(* 1/2 ,x) `(/ 1 (+ 1 (square ,x)))
-              `(- ,x (/ ,y ,z)))))
+              `(- ,x (/ ,y ,z)) `(expt ,x 12))))
 
 (define (expanded e)
   (match e

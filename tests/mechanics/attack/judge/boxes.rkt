@@ -7,12 +7,14 @@
 (provide empty?)
 
 (define most-boxes 600)
-(define edge 512.0)                     ; beyond, exponentials are too large for flonums
+(define least-edge 512.0)               ; beyond, exponentials are too large for flonums
 (define narrowest 1e-3)
 
 ;; -> #t, or #f where it is not known
 (define (empty? sides relations)
-  (define symbols (apply symbols-of (append sides (relation-sides relations))))
+  (define all (append sides (relation-sides relations)))
+  (define symbols (apply symbols-of all))
+  (define edge (apply max least-edge (map (lambda (c) (* 4.0 c)) (apply constants-of all))))
   (and (<= (length symbols) 4)
        (let loop ([boxes (list (map (lambda (s) (interval (- edge) edge)) symbols))] [count 0])
          (cond [(null? boxes) #t]

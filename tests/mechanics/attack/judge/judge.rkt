@@ -37,7 +37,9 @@
 ;; visit : numbers, point -> does it end the search?
 ;; hints : hashes of numbers to try first
 (define (find-points sides given assumed hints decimal visit)
-  (define symbols (apply symbols-of (append sides (relation-sides (append given assumed)))))
+  (define all (append sides (relation-sides (append given assumed))))
+  (define symbols (apply symbols-of all))
+  (define constants (apply constants-of all))
   (let loop ([k (- (length hints))] [used '()] [in-domain 0])
     (define limit (if (null? used) more-tries tries))
     (cond
@@ -46,7 +48,7 @@
        (define numbers
          (if (negative? k)
              (completed (list-ref hints (+ k (length hints))) symbols)
-             (random-numbers symbols k)))
+             (random-numbers symbols k constants)))
        (define where (make-point numbers (modulo k 5) decimal))
        (cond [(not (in-question? sides given where)) (loop (+ k 1) used in-domain)]
              [(not (all-hold? assumed where flonum-intervals)) (loop (+ k 1) used (+ in-domain 1))]

@@ -3,7 +3,7 @@
 
 (require "evaluate.rkt" "interval.rkt" "polynomial.rkt")
 
-(provide make-point symbols-of random-numbers completed
+(provide make-point symbols-of constants-of random-numbers completed
          exact-decimal loose-decimal
          value-of-terms)
 
@@ -57,14 +57,29 @@
 (define magnitudes
   '#(1/2 3/5 7/4 2 3 1/8 11/3 9/2 5/4 1/3 7/8 13/8 1/50 10 1 25/2 99/100 101/100 1/1000 1000))
 
+;; Sizes of the numbers in S-expressions that stand out, exact.
+(define (constants-of . es)
+  (define found (make-hasheqv))
+  (let walk ([e es])
+    (cond [(pair? e) (for-each walk e)]
+          [(and (real? e) (rational? e))
+           (define size (abs (inexact->exact e)))
+           (unless (<= 1/50 size 25/2) (hash-set! found size #t))]))
+  (sort (remv 0 (hash-keys found)) <))
+
 ;; The first ones mostly moderate; those of even k may be negative.
-(define (random-numbers symbols k)
+;; constants : sizes near which some are to be
+(define (random-numbers symbols k [constants '()])
   (define range (cond [(< k 30) 12] [(< k 80) 16] [else (vector-length magnitudes)]))
   (for/hasheq ([s (in-list symbols)])
     (define m (vector-ref magnitudes (random range)))
-    (define x (if (zero? (random 3)) (/ (+ (random 64) 1) 16) m))
+    (define x
+      (cond [(zero? (random 3)) (/ (+ (random 64) 1) 16)]
+            [(and (pair? constants) (zero? (random 2)))
+             (* m (list-ref constants (random (length constants))))]
+            [else m]))
     (values s (if (and (even? k) (zero? (random 2))) (- x) x))))
 
 ;; The numbers of the hint, and random ones for the other symbols.
-(define (completed hint symbols [k 1])
-  (for/fold ([all (random-numbers symbols k)]) ([(s x) (in-hash hint)]) (hash-set all s x)))
+(define (completed hint symbols [k 1] [constants '()])
+  (for/fold ([all (random-numbers symbols k constants)]) ([(s x) (in-hash hint)]) (hash-set all s x)))

@@ -19,11 +19,12 @@
 ;; Symbols that the witness does not name may be anything that is in the question: the
 ;; refutation is right if it is so for one choice.
 (define (judge-completions left right given hints witness named unnamed)
+  (define constants (apply constants-of left right (relation-sides given)))
   (let loop ([k 0] [so-far 'unjudged] [judged 0])
     (define numbers
       (for/fold ([all named])
                 ([(s x) (in-hash (completed (if (< k (length hints)) (list-ref hints k) (hash))
-                                            unnamed (* 2 k)))]
+                                            unnamed (* 2 k) constants))]
                  #:unless (hash-has-key? named s))
         (hash-set all s x)))
     (define held? (all-hold? given (make-point numbers 0) flonum-intervals))
