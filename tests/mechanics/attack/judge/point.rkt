@@ -82,4 +82,5 @@
 
 ;; The numbers of the hint, and random ones for the other symbols.
 (define (completed hint symbols [k 1] [constants '()])
-  (for/fold ([all (random-numbers symbols k constants)]) ([(s x) (in-hash hint)]) (hash-set all s x)))
+  (for/fold ([all (random-numbers symbols k constants)]) ([(s x) (in-hash hint)])
+    (hash-set all s x)))
