@@ -118,6 +118,8 @@
 (test-case "right and wrong forms are told apart"
   (with-seed 1
     (check-false (form '(sqrt (square x)) 'x '() '((>= x 0))))
+    (check-false (form '(- (* 1e-18 x) x) '(- x)))
+    (check-equal? (form '(- (* 1e-3 x) x) '(- x)) 'values-differ)
     (check-equal? (form '(sqrt (square x)) 'x) 'values-differ)
     (check-equal? (form '(sqrt (square x)) 'x '((< x 0)) '((>= x 0))) 'assumptions-hold-nowhere)
     (check-equal? (form '(sqrt (- 2 (cos x))) '(sqrt (- (cos x) 2))) 'result-nowhere-defined)))

@@ -149,7 +149,7 @@
   (unless (sync/timeout limit worker)
     (break-thread worker)
     (unless (sync/timeout 5 worker) (kill-thread worker)))
-  (or result (outcome claim subject 'slow #f #f)))
+  (or result (outcome claim subject 'slow 'open #f)))
 
 ;; -> an outcome, or #f after a break
 (define (answered claim subject thunk)

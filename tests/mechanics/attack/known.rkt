@@ -36,6 +36,8 @@
     (kinks no-difference-at-witness "rounding decides a sign (B2)")
     (motions not-smooth "jumps and kinks have the derivative 0 (A5)")
     (motions residual "jumps and kinks have the derivative 0 (A5)")
+    (disguised assumptions-hold-nowhere "signs of normalised factors are assumed (A2)")
+    (declared-relations no-difference-at-witness "witnesses may be complex (A4)")
     (decimals no-value-at-witness "witnesses may be complex (A4)")))
 
 (define (known-fault? class kind)

@@ -13,7 +13,7 @@
 (define (note! t . key) (hash-update! t key add1 0))
 (define (entry t . key) (hash-ref t key 0))
 
-;; Open is what was to be decided and is not.
+;; Open is what was to be decided and is not, and what took too long.
 (define (told-judgement? j) (and j (not (eq? j 'unjudged))))
 (define (wrong-judgement? j) (and j (not (memq j '(unjudged open)))))
 

@@ -105,7 +105,8 @@
                  (lambda (numbers where)
                    (when (value? (value-at simple where flonum-intervals))
                      (set! defined (+ defined 1)))
-                   (set! found (or found (difference-at e simple numbers where)))
+                   (set! found (or found (beyond-rounding (list e simple)
+                                                          (difference-at e simple numbers where))))
                    found)))
   (or found
       (judge-form-survey s (list e) given assumed)
@@ -114,6 +115,13 @@
                  (and (surely-undefined? simple numbers) (roomy? e given numbers)))
                (fault 'result-nowhere-defined (car (survey-used s)) #f #f)
                'unjudged))))
+
+;; Decimals are rounded where numbers are put together; -> f, or #f
+(define (beyond-rounding es f)
+  (define-values (u v) (if f (values (fault-left f) (fault-right f)) (values 0 0)))
+  (and f
+       (or (not (decimals? es)) (> (abs (- u v)) (* 1e-9 (+ (abs u) (abs v)))))
+       f))
 
 ;; Of what is nowhere defined every form is right.
 (define (judge-form-survey s sides given assumed)
