@@ -61,6 +61,11 @@
   (check-true (too-hard? (value '(sqrt (- (square (sin 1)) (square (sin 1)))) flonum-intervals)))
   (check-equal? (value '(sqrt (- 9/4 2 1/4)) flonum-intervals) 0))
 
+(test-case "what is less than a unit of the scale has a value with more digits"
+  (for ([e (in-list '((log 1/1000000000000) (/ (exp 1) 1/1000000000000)))])
+    (check-true (too-hard? (value e (fixed-intervals 20))) (format "~s" e))
+    (check-true (value? (value e (fixed-intervals 60))) (format "~s" e))))
+
 (test-case "the derivative of a literal function is that of its polynomial"
   (define (V x) (value `(V ,x) flonum-intervals))
   (define h 1/1000000)

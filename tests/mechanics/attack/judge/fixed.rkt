@@ -30,6 +30,7 @@
     (define-values (x y z w) (values (* a c) (* a d) (* b c) (* b d)))
     (checked (down (min x y z w)) (up (max x y z w))))
   (define (inverse j)
+    (unless (or (positive-interval? j) (negative-interval? j)) (fail-unknown))
     (interval (quotient-down (* one one) (interval-high j))
               (- (quotient-down (- (* one one)) (interval-low j)))))
   (define (square i)
@@ -127,6 +128,7 @@
 
 ;; log (2ᵏ f) = k log 2 + 2 artanh ((f-1)/(f+1)), 1/2 < f <= 1.
 (define (log-point m p)
+  (unless (> m 0) (fail-unknown))       ; less than the scale shows
   (define q (+ p guard))
   (define k (- (integer-length m) p))
   (define f (arithmetic-shift m (- q p k)))
