@@ -20,7 +20,7 @@
          "../lagrangian/generic-state.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/linear/row-systems.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide Frobenius-test constraint-integral check-generic)
 
@@ -30,7 +30,13 @@
   (define cs (gather who constraints))
   (check-coordinates who cs q)
   (define variables (cons 't (scalars q)))
-  (prove-zero (Frobenius-residual who variables (forms who cs q)) #:variables variables))
+  (Frobenius-verdict who variables (lambda () (forms who cs q))))
+
+;; forms : a procedure, as it may differentiate
+(define (Frobenius-verdict who variables forms)
+  (define-values (residual survey)
+    (survey-derivatives (lambda () (Frobenius-residual who variables (forms))) variables))
+  (prove-zero residual #:variables variables #:surveys (list survey)))
 
 ;; Time is left out if nothing depends on it.
 (define (Frobenius-residual who variables forms)
@@ -130,7 +136,7 @@
   (map-leaves (lambda (e) (evaluate-generically e environment)) found))
 
 (define (integral-of who cs w variables)
-  (define v (prove-zero (Frobenius-residual who variables (list w)) #:variables variables))
+  (define v (Frobenius-verdict who variables (lambda () (list w))))
   (unless (proved? v) (raise-not-integrable who cs v))
   (or (for/or ([factor (in-list (integrating-factors w variables))])
         (integral-of-gradient (for/vector ([a (in-vector w)]) (simple (e:* factor a))) variables))
@@ -142,10 +148,11 @@
   (raise-no-answer who
                    (string-append "the constraint ~a integrable"
                                   "\n  constraint: ~a"
-                                  "\n  by Frobenius's condition this had to vanish: ~a")
+                                  "\n  by Frobenius's condition this had to vanish: ~a~a")
                    (if (refuted? v) "is not" "is not known to be")
                    (value->text (constraints->datum cs))
-                   (value->text (verdict-residual v))))
+                   (value->text (verdict-residual v))
+                   (kinks->text v)))
 
 (define (integrating-factors w variables)
   (append (list 1)

@@ -14,7 +14,7 @@
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt"
          "../value/linear/row-systems.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide reduce-by-substitution reduction? reduction-integrability reduction-agreement)
 
@@ -61,12 +61,15 @@
            (substitute (time local) (coordinate local) (velocity local)))))
   (define a
     (vector-ref (structure-elements ((constrained-accelerations L cs) (up t q true-v))) 0))
-  (define residual ((Euler-Lagrange-operator reduced) (up t q true-v a)))
+  (define-values (residual survey)
+    (survey-derivatives (lambda () ((Euler-Lagrange-operator reduced) (up t q true-v a)))
+                        (scalars state)))
   (reduction (unary-function (lambda () (list who (value->datum L))) (local) (reduced local))
              (Frobenius-test cs q)
              (prove-zero (if kept
                              (in-allowed who (gather who kept) t q true-v residual)
-                             residual))))
+                             residual)
+                         #:surveys (list survey))))
 
 (define (check-substitution who cs t q v)
   (define-values (positions rates) (positions-and-velocities who cs t q v))

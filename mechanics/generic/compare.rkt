@@ -5,7 +5,8 @@
 ;; equality at a generic point; an order between values that are not constant
 ;; does not exist, and asking for it is an error that names the value.
 
-(require "arithmetic.rkt" "describe.rkt" "kind.rkt" "naming.rkt" "scalar.rkt"
+(require "arithmetic.rkt" "describe.rkt" "kind.rkt" "kinks-met.rkt" "naming.rkt"
+         "scalar.rkt"
          "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt")
@@ -14,17 +15,18 @@
          g:max g:min g:add1 g:sub1
          comparand)
 
-;; What comparisons look at: a dual number is compared by its value.
-(define (comparand x)
-  (define look (and (has-kind? x) (kind-comparand (kind-of x))))
-  (if look (comparand (look x)) x))
-
 ;; ---------------------------------------------------------------------------
 ;; Equality
 
 (define (equal-values? a b)
   (cond [(and (number? a) (number? b)) (= a b)]
-        [else (equal-comparands? (comparand a) (comparand b))]))
+        [else (note-branch! a b)
+              (equal-comparands? (comparand a) (comparand b))]))
+
+;; An expression that is being differentiated passes for unequal to what it equals at single
+;; points only.
+(define (note-branch! a b)
+  (when (or (carrier? a) (carrier? b)) (note-kink! '= a b)))
 
 (define (equal-comparands? a b)
   (cond [(and (number? a) (number? b)) (= a b)]
@@ -55,7 +57,7 @@
     (cond [(number? c) (zero? c)]
           [(tuple? c) (for/and ([e (in-vector (tuple-elements c))]) (g:zero? e))]
           [(has-kind? c) ((kind-zero? (kind-of c)) c)]
-          [(symbolic? c) (look-inside 'zero?) #f]
+          [(symbolic? c) (look-inside 'zero?) (note-branch! x 0) #f]
           [(procedure? c) #f]
           [else (raise-with-value 'zero? "expected a value of the arithmetic" c)])))
 
@@ -64,7 +66,7 @@
     (define c (comparand x))
     (if (number? c)
         (= c 1)
-        (and (symbolic? c) (look-inside 'one?) #f))))
+        (and (symbolic? c) (begin (look-inside 'one?) (note-branch! x 1) #f)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Order

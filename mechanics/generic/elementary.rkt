@@ -8,7 +8,7 @@
 (require (for-syntax racket/base)
          racket/flonum
          "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt" "record.rkt"
-         "singular-derivative.rkt" "up-down.rkt"
+         "kinks-met.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../error/complain.rkt")
 
@@ -121,10 +121,11 @@
 ;; ---------------------------------------------------------------------------
 ;; What the table writes derivatives with
 
-;; a/b, where b = 0 means that there is no derivative.
+;; a/b, where b = 0 means that there is no derivative: of a b that is open it is noted.
 (define (slope-at name arguments a b)
   (cond [(if (flonum? b) (fl= b 0.0) (zero-here? b)) (raise-no-derivative-at name arguments)]
-        [else (g:/ a b)]))
+        [else (apply note-kink! name arguments)
+              (g:/ a b)]))
 
 ;; Is x known to be zero?  A symbol is not, and asking that does not end a trace: where its
 ;; number is zero, the compiled derivative is none.
@@ -146,7 +147,8 @@
   (cond [(eqv? n 0) 0]
         [(and (real? exponent) (< exponent 1) (zero-here? b))
          (if (zero? exponent) 0 (raise-no-derivative-at 'expt (list b n)))]
-        [else (g:* n (g:expt b (g:- n 1)))]))
+        [else (unless (exact-nonnegative-integer? exponent) (note-kink! 'expt b n))
+              (g:* n (g:expt b (g:- n 1)))]))
 
 ;; ∂(bⁿ)/∂n = bⁿ log b, which is 0 at b = 0 as long as bⁿ is; but 0ⁿ jumps from
 ;; 0 to 1 at n = 0.

@@ -23,6 +23,7 @@
            (case (syntax-e #'head)
              [(g:negate) #'(fl* -1.0 a ...)]
              [(g:square) (with-syntax ([(a) #'(a ...)]) #'(let ([x a]) (fl* x x)))]
+             [(pole) (car (syntax->list #'(a ...)))]
              [(slope) (with-syntax ([(a b) #'(a ...)])
                         #'(let ([d b]) (if (fl= d 0.0) (head a d) (fl/ a d))))]
              [else (with-syntax ([operation (hash-ref operations (syntax-e #'head)

@@ -12,7 +12,7 @@
 (provide
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)
  (struct-out generic-op)
- other-number?
+ other-number? comparand
  rank:scalar rank:number rank:dual rank:structure rank:matrix rank:function rank:operator
  rank:series)
 
@@ -80,6 +80,11 @@
 ;; the same value.
 (define (other-number? x)
   (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:number)))
+
+;; What comparisons look at: a dual number is compared by its value.
+(define (comparand x)
+  (define look (and (has-kind? x) (kind-comparand (kind-of x))))
+  (if look (comparand (look x)) x))
 
 ;; A generic operation as kinds see it: its name, the operation that heads
 ;; symbolic expressions, the generic procedure itself, its partial derivatives,

@@ -8,7 +8,7 @@
 ;; of flonums, which saves the most of what calls and dispatch cost.
 
 (require (for-syntax racket/base "flonum-form.rkt")
-         "kind.rkt"
+         "kind.rkt" "kinks-met.rkt"
          "../algebra/expression/operation-table.rkt")
 
 (provide define-record define-composite-record case-at-flonums)
@@ -43,24 +43,27 @@
                      [value (here #'value)]
                      [slope (here #'slope)]
                      [slope-at (here #'slope-at)]
+                     [pole (here #'pole)]
                      [(partial ...) (here #'partials)]
                      [(derivative ...) (generate-temporaries #'partials)])
-         (define define-slope
-           #'(define-syntax-rule (slope a b) (slope-at 'name (list argument ...) a b)))
-         (with-syntax ([define-slope define-slope]
+         (define define-forms
+           #'(begin
+               (define-syntax-rule (slope a b) (slope-at 'name (list argument ...) a b))
+               (define-syntax-rule (pole a) (begin (note-kink! 'name argument ...) a))))
+         (with-syntax ([define-forms define-forms]
                        [at-flonums (flonum-procedure #'(procedure argument ...) (here #'expression)
-                                                     define-slope
+                                                     define-forms
                                                      #'(argument ...) #'value
                                                      #'(partial ...) #'(derivative ...))])
            #'(let ()
-               (define (derivative argument ... value) define-slope partial) ...
+               (define (derivative argument ... value) define-forms partial) ...
                (define in-one-call at-flonums)
                (generic-op 'name op procedure (list derivative ...) in-one-call 'domain)))))]))
 
 ;; The procedure that gives value and derivatives of flonums, or #f if a derivative
 ;; takes more than flonum arithmetic.  Where the value is no flonum, as √-1.0, the
 ;; derivatives are not either.
-(define-for-syntax (flonum-procedure application expression define-slope
+(define-for-syntax (flonum-procedure application expression define-forms
                                      arguments value partials derivatives)
   (define inputs (syntax->list arguments))
   (define flonums (cons value inputs))
@@ -72,7 +75,7 @@
                      [(slope ...) slopes]
                      [(derivative ...) derivatives])
          #`(lambda (argument ...)
-             #,define-slope
+             #,define-forms
              (let ([value numeric])
                (if (flonum? value)
                    (values value slope ...)

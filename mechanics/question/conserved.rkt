@@ -24,7 +24,7 @@
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/state-derivative.rkt" "../lagrangian/total-derivative.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide rate-of-change verify-conserved)
 
@@ -34,7 +34,10 @@
   (check-arguments 'verify-conserved L Q)
   (check-generic-states 'verify-conserved local L Q (external-force 'verify-conserved force #f))
   (define state (state-of local))
-  (define v (prove-zero ((rate 'verify-conserved L Q force) state) #:variables (scalars local)))
+  (define-values (change survey)
+    (survey-derivatives (lambda () ((rate 'verify-conserved L Q force) state)) (scalars state)))
+  (define v (prove-zero change #:variables (scalars local)
+                        #:surveys (list (survey-of-values (Q state)) survey)))
   (when (refuted? v) (check-accelerations L force state))
   v)
 

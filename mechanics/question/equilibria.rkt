@@ -4,10 +4,12 @@
 ;; A constant path q solves Lagrange's equations if the residual vanishes at
 ;; (t, q, 0, 0); of an L that does not change in time that is −∂₁L there.
 
-(require "equilibrium.rkt"
+(require racket/list
+         "equilibrium.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/symbols.rkt"
          "../algebra/rewriting/solve.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
@@ -15,7 +17,7 @@
          "../numeric/constants.rkt"
          "../search/find-root.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equilibrium equilibria find-equilibrium
          equilibrium? equilibrium-coordinates equilibrium-conditions)
@@ -26,11 +28,29 @@
   (check-coordinates 'verify-equilibrium q)
   (define t (string->uninterned-symbol "t"))
   (define (judge q)
-    (prove-zero (residual-at-rest 'verify-equilibrium L force t q) #:variables (list t)))
+    (prove-zero (residual-at-rest 'verify-equilibrium L force t q)
+                #:variables (list t)
+                #:surveys (lambda () (surveys-at-rest L force t q))))
   (define v (judge q))
   (define exactly (and (not (proved? v)) (with-exact-angles q)))
   (define w (if exactly (judge exactly) v))
   (if (proved? w) w v))
+
+;; Kinks are looked for where the coordinates are any numbers; of an L that takes no symbols
+;; numbers have told.
+(define (surveys-at-rest L force t q)
+  (define names (for/list ([_ (in-list (scalars q))]) (string->uninterned-symbol "q")))
+  (define anywhere (scalars->structure q (lambda (k) (list-ref names k))))
+  (define-values (_ survey)
+    (with-handlers ([failure? (lambda (e) (values #f #f))])
+      (survey-derivatives
+       (lambda () (residual-at-rest 'verify-equilibrium L force t anywhere))
+       names
+       #:put (map cons names (scalars q))
+       #:solve-for (remove-duplicates (append-map symbols-of (scalars q))))))
+  (if survey (list survey) '()))
+
+(define (symbols-of e) (if (expression? e) (symbols-in e) '()))
 
 ;; q with multiples of acos 0 in place of flonums that are those of π/2, as near as can
 ;; be; #f if there are none.

@@ -17,7 +17,7 @@
 (require "gauge.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/zero/vanishing.rkt"
-         "../calculus/derivative.rkt"
+         "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
@@ -25,7 +25,7 @@
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../value/structure.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians
          equivalence? equivalence-kind equivalence-factor equivalence-gauge
@@ -50,20 +50,25 @@
   (check-generic-states who given L1 L2)
   (define local (lengthened ((clip-state 3) given) 4))
   (define-values (S1 S2) (values (scalar-valued who L1) (scalar-valued who L2)))
-  (define-values (E1 E2) (values (residual S1 local) (residual S2 local)))
+  (define-values (E1 survey1) (surveyed S1 local))
+  (define-values (E2 survey2) (surveyed S2 local))
   (or (proportional S1 S2 E1 E2 local 1 'total-derivative)
       (let ([c (constant-ratio E1 E2 local)])
         (and c (proportional S1 S2 E1 E2 local c 'proportional)))
-      (combined who (mass-rows S1 local) (mass-rows S2 local) E1 E2 local)))
+      (combined who (mass-rows S1 local) (mass-rows S2 local) E1 E2 local
+                (list survey1 survey2))))
 
-;; A list of scalars.
-(define (residual L local) (scalars ((Euler-Lagrange-operator L) local)))
+;; -> a list of scalars, and what the derivatives in them met
+(define (surveyed L local)
+  (survey-derivatives (lambda () (scalars ((Euler-Lagrange-operator L) local))) (scalars local)))
 
 ;; ---------------------------------------------------------------------------
 ;; A constant factor
 
 (define (proportional L1 L2 E1 E2 local c kind)
-  (define v (judged (map (lambda (a b) (g:- b (g:* c a))) E1 E2) local))
+  (define v
+    (judged (map (lambda (a b) (g:- b (g:* c a))) E1 E2) local
+            (lambda () (list (survey-of-difference (g:- L2 (g:* c L1)) local)))))
   (and (proved? v)
        (equivalence kind c (gauge-at (g:- L2 (g:* c L1)) ((clip-state 3) local)) v)))
 
@@ -71,8 +76,18 @@
   (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
     (simplify ((gauge-function F local) local))))
 
-(define (judged xs local)
-  (prove-zero (if (null? (cdr xs)) (car xs) (list->down xs)) #:variables (scalars local)))
+;; A kink that both have is none of the difference, simplified without taking a sign for
+;; granted.
+(define (survey-of-difference F local)
+  (define state ((clip-state 3) local))
+  (define rest (parameterize ([automatic-assumptions #f]) (simplify (F state))))
+  (define (G at) (evaluate-generically rest (map cons (scalars state) (scalars at))))
+  (define-values (_ survey) (surveyed G local))
+  survey)
+
+(define (judged xs local surveys)
+  (prove-zero (if (null? (cdr xs)) (car xs) (list->down xs))
+              #:variables (scalars local) #:surveys surveys))
 
 ;; The quotient of two components if it is no function of the state; else #f.
 (define (constant-ratio E1 E2 local)
@@ -106,20 +121,20 @@
       (substitute e a 0)))
   (map simplify (scalars rest)))
 
-(define (combined who rows1 rows2 E1 E2 local)
+(define (combined who rows1 rows2 E1 E2 local surveys)
   (define-values (b1 b2)
     (values (without-accelerations E1 local) (without-accelerations E2 local)))
   (define-values (M1 M2) (values (apply matrix-by-rows rows1) (apply matrix-by-rows rows2)))
   (define (regular? M) (not (zero-expression? (determinant M))))
   (if (and (regular? M1) (regular? M2))
-      (by-matrix M1 M2 b1 b2 local)
+      (by-matrix M1 M2 b1 b2 local surveys)
       (let ([A1 (augmented rows1 b1)] [A2 (augmented rows2 b2)])
         (when (and (restricting? M1 A1) (restricting? M2 A2)) (raise-restricting who E1 E2))
-        (by-row-spaces A1 A2 local))))
+        (by-row-spaces A1 A2 local surveys))))
 
-(define (by-matrix M1 M2 b1 b2 local)
+(define (by-matrix M1 M2 b1 b2 local surveys)
   (define C (simplify (g:* M2 (g:invert M1))))
-  (define v (judged (map g:- b2 (matrix-times-list C b1)) local))
+  (define v (judged (map g:- b2 (matrix-times-list C b1)) local surveys))
   (define factor (if (null? (cdr b1)) (matrix-ref C 0 0) C))
   (equivalence (and (proved? v) 'combination) (and (proved? v) factor) #f v))
 
@@ -149,12 +164,12 @@
   (for/list ([row (in-list rows)] [x (in-list b)]) (append row (list x))))
 
 ;; What one takes to zero the other must, the one of the lesser rank being asked first.
-(define (by-row-spaces A1 A2 local)
+(define (by-row-spaces A1 A2 local surveys)
   (define-values (m1 m2) (values (apply matrix-by-rows A1) (apply matrix-by-rows A2)))
   (define v
     (if (<= (rank m1) (rank m2))
-        (judged (images A2 (null-space m1)) local)
-        (judged (images A1 (null-space m2)) local)))
+        (judged (images A2 (null-space m1)) local surveys)
+        (judged (images A1 (null-space m2)) local surveys)))
   (equivalence (and (proved? v) 'combination) #f #f v))
 
 (define (images rows vectors)

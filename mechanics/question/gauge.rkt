@@ -27,7 +27,7 @@
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../numeric/flvector.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-total-time-derivative gauge-function)
 
@@ -70,16 +70,19 @@
   (define n (order-of local))
   (define (F-scalar clipped) ((scalar-valued who F) clipped))
   (define longer (lengthened local (+ (* 2 n) 2)))
-  (prove-zero ((Euler-Lagrange-operator F-scalar #:order n) longer)
-              #:variables (scalars longer)))
+  (define-values (residual survey)
+    (survey-derivatives (lambda () ((Euler-Lagrange-operator F-scalar #:order n) longer))
+                        (scalars longer)))
+  (prove-zero residual #:variables (scalars longer) #:surveys (list survey)))
 
 (define (check-exact F v)
   (unless (proved? v)
     (raise-no-answer 'gauge-function
-                     "~a ~a a total time derivative\n  its Euler-Lagrange expression: ~a"
+                     "~a ~a a total time derivative\n  its Euler-Lagrange expression: ~a~a"
                      (value->text F)
                      (if (refuted? v) "is not" "is not known to be")
-                     (value->text (verdict-residual v)))))
+                     (value->text (verdict-residual v))
+                     (kinks->text v))))
 
 ;; ---------------------------------------------------------------------------
 ;; The gradient

@@ -9,7 +9,7 @@
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-ignorable ignorable-coordinates conserved-momenta)
 
@@ -18,8 +18,16 @@
 (define (verify-ignorable L which local)
   (check-question 'verify-ignorable L local)
   (define chain (index-chain which (coordinate local)))
-  (prove-zero (component-at (slope 'verify-ignorable L 1 local) chain)
-              #:variables (scalars local)))
+  (independence 'verify-ignorable L chain local))
+
+;; A verdict on the derivative of L by that coordinate alone.
+(define (independence who L chain local)
+  (define by-coordinate (apply partial 1 chain))
+  (define-values (slope survey)
+    (survey-derivatives
+     (lambda () ((by-coordinate (scalar-valued who L)) ((clip-state 3) local)))
+     (scalars local)))
+  (prove-zero slope #:variables (scalars local) #:surveys (list survey)))
 
 ;; The symbols of all coordinates for which that is proved.
 (define (ignorable-coordinates L local)
@@ -30,7 +38,8 @@
 (define (conserved-momenta L local)
   (check-question 'conserved-momenta L local)
   (define found (ignorable 'conserved-momenta L local))
-  (define momenta (slope 'conserved-momenta L 2 local))
+  (define momenta
+    (((partial 2) (scalar-valued 'conserved-momenta L)) ((clip-state 3) local)))
   (for/list ([entry (in-list found)])
     (up (leaf-symbol entry) (simplify (component-at momenta (leaf-chain entry))))))
 
@@ -40,13 +49,9 @@
 
 ;; Those of the coordinates that are.
 (define (ignorable who L local)
-  (define slopes (slope who L 1 local))
   (for/list ([entry (in-list (leaves (coordinate local)))]
-             #:when (proved? (prove-zero (component-at slopes (leaf-chain entry)))))
+             #:when (proved? (independence who L (leaf-chain entry) local)))
     entry))
-
-(define (slope who L slot local)
-  (((partial slot) (scalar-valued who L)) ((clip-state 3) local)))
 
 ;; ---------------------------------------------------------------------------
 ;; Coordinates by name and by place

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
-(require "../error/complain.rkt" "../error/refusal.rkt"
+(require "surveys.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
@@ -13,18 +14,21 @@
 
 (provide verify-solution)
 
-;; The verdict on the residual of the path q at a symbolic time t.  With constraints but
+;; The verdict on the residual of the path q at a symbolic time t; where the path has kinks, or
+;; no value, the residual does not tell.  With constraints but
 ;; no multipliers the question is whether there are any.
 (define (verify-solution L q [dissipation #f] #:force [Q #f] #:order [n 1]
                          #:constraints [constraints #f] #:multipliers [multipliers #f])
   (when (or constraints multipliers) (check-constrained n constraints))
   (with-handlers ([exn:fail:contract? (lambda (e) (check-not-swapped L q) (raise e))])
     (define outside (external-force 'verify-solution Q dissipation))
-    (prove-zero
-     (cond [multipliers
-            ((constrained-Lagrange-equations L constraints #:force outside) q multipliers)]
-           [constraints ((eliminate-multipliers L constraints #:force outside) q)]
-           [else ((Lagrange-equations L #:force outside #:order n) q)]))))
+    (define residual
+      (cond [multipliers
+             ((constrained-Lagrange-equations L constraints #:force outside) q multipliers)]
+            [constraints ((eliminate-multipliers L constraints #:force outside) q)]
+            [else ((Lagrange-equations L #:force outside #:order n) q)]))
+    (prove-zero residual
+                #:surveys (lambda () (surveys-of-solution L q n outside constraints residual)))))
 
 (define (check-constrained n constraints)
   (unless constraints

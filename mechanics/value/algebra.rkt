@@ -23,6 +23,8 @@
  ["../algebra/simplify/simplify-expression.rkt" simplify-expression
                                                 simplify-expression/assumptions]
  ["../algebra/zero/decimals.rkt" reading-decimal reading-expression]
+ ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations kink-solved?
+                             kink-family?]
  ["../algebra/zero/vanishing.rkt" vanishes?]
  ["../algebra/zero/zero-test.rkt"
   zero-test zero-test-status zero-test-residual zero-test-witness zero-test-value

@@ -4,7 +4,8 @@
 ;; The algebra judges scalars one by one, of a structure, a matrix or a series each.
 ;; A function is judged by its value at symbolic arguments.
 
-(require "verdict.rkt"
+(require racket/list
+         "fresh-name.rkt" "smoothness.rkt" "verdict.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt"
@@ -20,7 +21,9 @@
 
 ;; x : a value, or a function, which is judged at symbolic arguments.
 ;; names : symbols that no condition may speak of, as x must vanish whatever they are
-(define (prove-zero x #:variables [names '()])
+;; surveys : what was met by the derivatives x was made with; if that leaves places where
+;; they do not tell, x is not proved.  A procedure that gives the list is called if needed.
+(define (prove-zero x #:variables [names '()] #:surveys [surveys '()])
   (check-variables names)
   (define A (assumptions-in-force))
   (define tests '())
@@ -33,7 +36,12 @@
                   (zero-test-residual z))
                 (at-symbolic-arguments x '() variables (lambda () (set! endless? #t)))))
   (for ([z (in-list tests)]) (note-used! (zero-test-assumptions z)))
-  (make-verdict residual (reverse tests) (assumptions 'declared) endless?))
+  (define (kinks)
+    (define found
+      (for/list ([s (in-list (if (procedure? surveys) (surveys) surveys))])
+        (call-with-values (lambda () (survey-kinks s A)) list)))
+    (values (remove-duplicates (append-map first found)) (append-map second found)))
+  (make-verdict residual (reverse tests) (assumptions 'declared) endless? kinks))
 
 (define (check-variables names)
   (unless (and (list? names) (andmap symbol? names))
@@ -106,8 +114,3 @@
      (hash-set! taken name #t)
      (hash-set! variables name #t)
      (cons a name))))
-
-(define (unused-name base taken)
-  (for/first ([suffix (in-sequences '("") (in-naturals 1))]
-              #:unless (hash-ref taken (string->symbol (format "~a~a" base suffix)) #f))
-    (string->symbol (format "~a~a" base suffix))))

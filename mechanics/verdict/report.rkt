@@ -11,19 +11,20 @@
          "../generic/describe.rkt"
          "../value/algebra.rkt")
 
-(provide verdict-report report->text)
+(provide verdict-report kink-lines report->text)
 
 ;; status : as a whole.  tests : the zero-test of each scalar, in order.
 ;; labels : what the scalars are called; none for one that stands alone.
-;; given : the assumptions that were declared.
-(define (verdict-report status tests labels given)
+;; given : the assumptions that were declared.  used : those it rests on, declared or not.
+;; kinks : places of which derivatives do not tell.
+(define (verdict-report status tests labels given used kinks)
   (define open (for/list ([z (in-list tests)]
                           [label (in-list (if (null? labels) '(#f) labels))]
                           #:unless (eq? (zero-test-status z) 'proved))
                  (cons label z)))
   (define shared (shared-conditions open))
   (append
-   (list (list 0 (headline status) #f))
+   (list (list 0 (headline status (and (null? open) (pair? kinks))) #f))
    (if (null? labels)
        (append-map (lambda (entry) (evidence (cdr entry) 1 #t)) open)
        (append-map (lambda (entry)
@@ -32,8 +33,9 @@
    (if (and (pair? shared) (pair? labels))
        (list (list 1 "zero if:" (equations shared)))
        '())
+   (kink-lines kinks)
    (decimals-read tests)
-   (grounds (remove-duplicates (append-map zero-test-assumptions tests)) given)))
+   (grounds used given)))
 
 ;; How decimals were read for the proofs that rest on it.
 (define (decimals-read tests)
@@ -50,11 +52,25 @@
   (append (lines "given:" (lambda (a) (member a given)))
           (lines "assuming:" (lambda (a) (not (member a given))))))
 
-(define (headline status)
+(define (headline status only-kinks?)
   (case status
     [(proved) "proved: the residual is zero"]
     [(refuted) "refuted: the residual is not zero"]
-    [else "undecided: the residual is neither proved nor refuted to be zero"]))
+    [else (if only-kinks?
+              "undecided: the residual is zero, but it does not see what happens at some points"
+              "undecided: the residual is neither proved nor refuted to be zero")]))
+
+;; Such as kink: (abs (- t 2)) at t = 2
+(define (kink-lines kinks) (map kink-line kinks))
+
+(define (kink-line k)
+  (define where (equations (kink-equations k)))
+  (list 1
+        (case (kink-sort k) [(kink) "kink:"] [(jump) "jump:"] [else "no value:"])
+        (cond [(null? where) (list (short-datum (kink-expression k)) "everywhere")]
+              [else
+               `(,(short-datum (kink-expression k)) ,(if (kink-solved? k) "at" "where") ,@where
+                 ,@(if (kink-family? k) '("for integers" n) '()))])))
 
 ;; The conditions that all components that are not zero have in common, if they have
 ;; the same.
@@ -91,7 +107,7 @@
 
 (define (equations cs)
   (separated (for/list ([c (in-list cs)])
-               (list (short-datum (cadr c)) "=" (short-datum (caddr c))))))
+               (list (short-datum (cadr c)) (symbol->string (car c)) (short-datum (caddr c))))))
 
 (define (witness z line)
   (define point (zero-test-witness z))

@@ -11,25 +11,30 @@
 (provide make-verdict verdict?
          verdict-status proved? refuted? undecided?
          verdict-residual verdict-witness verdict-value
-         verdict-assumptions verdict-conditions verdict-factored
-         verdict-lines)
+         verdict-assumptions verdict-conditions verdict-factored verdict-kinks
+         verdict-lines kinks->text)
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
 ;; given       : the assumptions that were declared when it was judged
 ;; endless?    : is it, or has it, a series of which only the first terms were tested?
-(value-struct verdict (status residual tests given endless?)
+;; kinks-found : places of which derivatives do not tell (algebra/zero/kink.rkt)
+;; grounds     : datums of assumptions on which it rests that there are not more
+(value-struct verdict (status residual tests given endless? kinks-found grounds)
   #:text (lambda (v) (report->text (verdict-lines v))))
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
-;; cannot be proved zero by its first terms.
-(define (make-verdict residual tests given endless?)
+;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
+;; find-kinks : -> kinks, grounds; called unless the verdict is a refutation
+(define (make-verdict residual tests given endless? find-kinks)
   (define statuses (map zero-test-status tests))
+  (define refuted? (memq 'refuted statuses))
+  (define-values (kinks grounds) (if refuted? (values '() '()) (find-kinks)))
   (define status
-    (cond [(memq 'refuted statuses) 'refuted]
-          [(or endless? (memq 'undecided statuses)) 'undecided]
+    (cond [refuted? 'refuted]
+          [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
           [else 'proved]))
-  (verdict status residual tests given endless?))
+  (verdict status residual tests given endless? kinks grounds))
 
 (define (proved? v) (eq? (verdict-status v) 'proved))
 (define (refuted? v) (eq? (verdict-status v) 'refuted))
@@ -52,7 +57,8 @@
 
 ;; What the verdict rests on, declared or not.
 (define (verdict-assumptions v)
-  (remove-duplicates (append-map zero-test-assumptions (verdict-tests v))))
+  (remove-duplicates
+   (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
 
 ;; Equations, each of which makes a scalar of the residual vanish.
 (define (verdict-conditions v)
@@ -63,6 +69,12 @@
   (for/list ([z (in-list (verdict-tests v))] #:when (zero-test-core z))
     (cons (zero-test-factor z) (zero-test-core z))))
 
+;; (sort expression equation ...) for each place that keeps it from being proved, sort being
+;; kink, jump or no-value.
+(define (verdict-kinks v)
+  (for/list ([k (in-list (verdict-kinks-found v))])
+    (list* (kink-sort k) (kink-expression k) (kink-equations k))))
+
 ;; ---------------------------------------------------------------------------
 ;; In words
 
@@ -70,11 +82,16 @@
 (define (verdict-lines v)
   (append
    (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))
-                   (verdict-given v))
+                   (verdict-given v) (verdict-assumptions v) (verdict-kinks-found v))
    (if (verdict-endless? v)
        (list (list 1 "examined:" (list (format "terms up to order ~a of a series that does not end"
                                                (sub1 compared-terms)))))
        '())))
+
+;; Those of its kinks alone, each after a line break.
+(define (kinks->text v)
+  (define lines (kink-lines (verdict-kinks-found v)))
+  (if (null? lines) "" (string-append "\n" (report->text lines))))
 
 ;; What to call each scalar of a value, in the order they are judged in;
 ;; nothing for a value that is one itself.

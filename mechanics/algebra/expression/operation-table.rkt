@@ -6,7 +6,8 @@
 ;; numeric is the operation on numbers.  Each argument has a partial derivative,
 ;; an expression in the arguments and in `value`, the operation's value there
 ;; (so that exp and sqrt share the node they are made of); `(slope a b)` is the
-;; quotient a/b, or the complaint that there is no derivative where b vanishes.
+;; quotient a/b, or the complaint that there is no derivative where b vanishes; and `(pole a)`
+;; is a, of an operation that has no value at some arguments.
 ;; domain lists, for each argument, an interval on which the operation is real
 ;; and smooth: there every derivative is tested.
 ;;
@@ -25,7 +26,7 @@
      #'([+ (a b) + ((-2.0 2.0) (-2.0 2.0)) 1 1]
         [- (a b) - ((-2.0 2.0) (-2.0 2.0)) 1 -1]
         [* (a b) * ((-2.0 2.0) (-2.0 2.0)) b a]
-        [/ (a b) / ((-2.0 2.0) (0.3 2.0)) (g:/ 1 b) (g:negate (g:/ value b))]
+        [/ (a b) / ((-2.0 2.0) (0.3 2.0)) (g:/ 1 b) (pole (g:negate (g:/ value b)))]
 
         [expt (b n) expt ((0.7 2.0) (-3.0 3.0)) (power-by-base b n) (power-by-exponent b n value)]
         [sqrt (x) sqrt ((0.2 5.0)) (slope 1 (g:* 2 value))]
@@ -34,7 +35,7 @@
 
         [sin (x) sin ((-4.0 4.0)) (g:cos x)]
         [cos (x) cos ((-4.0 4.0)) (g:negate (g:sin x))]
-        [tan (x) tan ((-1.2 1.2)) (g:+ 1 (g:square value))]
+        [tan (x) tan ((-1.2 1.2)) (pole (g:+ 1 (g:square value)))]
         [asin (x) asin ((-0.9 0.9)) (slope 1 (g:sqrt (g:- 1 (g:square x))))]
         [acos (x) acos ((-0.9 0.9)) (slope -1 (g:sqrt (g:- 1 (g:square x))))]
         [atan (y) atan ((-3.0 3.0)) (slope 1 (g:+ 1 (g:square y)))]

@@ -35,6 +35,28 @@ A verdict never rests on a guess: points can refute, but they never prove.
 (prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))
 (prove-zero (- (* 1/10 'x 3) (* 3/10 'x)))]
 
+@section[#:tag "kinks"]{Where derivatives do not look}
+
+A ball that is thrown against a wall moves freely before it hits the wall and after. Its
+path is |t − 2|, say, and the second derivative of that is zero wherever there is one.
+Still the ball is not free: at t = 2 something turned it round. A residual cannot tell,
+for derivatives pass over single points. A verdict about a motion therefore keeps an eye
+on kinks, jumps, and times at which the path has no value. As long as one is left it does
+not say @italic{proved}, and names it:
+
+@examples[#:eval session #:label #f
+(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
+(verify-solution (L-free 'm) (lambda (t) (abs (- t 2))))
+(verify-solution (L-free 'm) (lambda (t) (atan (tan t))))]
+
+If you meant the motion after the wall only, say so:
+
+@examples[#:eval session #:label #f
+(assuming ('(> t 2))
+  (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))]
+
+The same goes for quantities: the sign of x keeps its value at all times but one.
+
 @section{Factor, core, condition}
 
 Most residuals that are not zero are zero sometimes. The verdict splits the

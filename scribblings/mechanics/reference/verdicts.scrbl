@@ -49,7 +49,8 @@ for the flonums it has may be due to rounding, and is undecided; write
          verdict?]{
 
 Whether the path q satisfies Lagrange's equations of L at all times. The other arguments
-are those of @racket[Lagrange-equations].
+are those of @racket[Lagrange-equations]. A path that has a kink, a jump or no value at
+some time is not proved to do so: see @racket[verdict-kinks].
 
 With constraints, the path has to keep them, and to satisfy
 @racket[constrained-Lagrange-equations] with the multipliers given. Without multipliers
@@ -123,6 +124,31 @@ vanish at all times, for which several equations may be needed.
 For each scalar that is not zero, a pair of its factor and its core.
 
 @examples[#:eval session (verdict-factored v)]}
+
+@defproc[(verdict-kinks [v verdict?]) list?]{
+
+What keeps a residual that is zero from being proved so: places where a function that
+was differentiated has a kink or a jump, which its derivative does not see, or where a
+path has no value. Each is a list of @racket['kink], @racket['jump] or
+@racket['no-value], an expression, and equations that hold there; an @racketidfont{n}
+in a series of places stands for any integer. The list is empty for a refutation, and
+where the sign of what would have to vanish is known: by its form, as that of
+@racket[(+ 1 (square t))], or because it was declared.
+
+Kinks are looked for by those who judge derivatives: @racket[verify-solution],
+@racket[verify-conserved], @racket[verify-ignorable], @racket[verify-equilibrium],
+@racket[verify-total-time-derivative], @racket[verify-equivalent-Lagrangians],
+@racket[Frobenius-test] and their relatives; @racket[prove-zero] and
+@racket[verify-equal] judge values. Of a Lagrangian or a quantity only kinks and jumps
+count: a potential may have poles. A distance such as the root of @math{x² + y²} is taken
+to be none, and parameters are taken not to be 0.
+
+@examples[#:eval session
+(define corner (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))
+corner
+(verdict-kinks corner)
+(verify-solution (L-free 'm) (lambda (t) (/ (square t) t)))
+(assuming ('(> t 2)) (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))]}
 
 @defproc[(verdict-assumptions [v verdict?]) list?]{
 

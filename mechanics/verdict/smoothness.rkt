@@ -1,0 +1,68 @@
+#lang racket/base
+;; Surveys: what derivatives met that a verdict is about.
+;;
+;; That a residual vanishes wherever it is defined does not make |t − 2| a free motion: the
+;; derivatives in it do not see the kink.  Whoever makes a residual by differentiating has the
+;; operations noted that have kinks, jumps or poles somewhere (generic/kinks-met.rkt); the
+;; algebra finds out whether and where they do (algebra/zero/kink.rkt).
+
+(require "fresh-name.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/expression/symbols.rkt"
+         "../generic/describe.rkt" "../generic/kinks-met.rkt"
+         "../value/algebra.rkt")
+
+(provide survey-derivatives survey-of-values survey-kinks)
+
+;; operations : ((name expression ...) ...) that were met
+;; variables : symbols by which one differentiates
+;; places : ((variable . expression) ...), put in for them in the end
+;; unknowns : symbols to solve for              values? : must all have a value, as a path must?
+(struct survey (operations variables places unknowns values?) #:authentic)
+
+;; -> the value of (thunk), and a survey of it
+(define (survey-derivatives thunk variables #:put [given '()] #:solve-for [unknowns variables]
+                            #:have-values? [values? #f])
+  (define-values (x found) (call-noting-kinks thunk))
+  (define operations (for/list ([m (in-list found)]) (cons (met-name m) (met-arguments m))))
+  (values x (survey operations variables given unknowns values?)))
+
+;; Of a value that must be one: is there what is not a number in it?
+(define (survey-of-values x)
+  (define holes '())
+  (map-leaves (lambda (leaf)
+                (when (and (expression? leaf) (holds-no-number? leaf))
+                  (set! holes (cons (list 'nowhere leaf) holes)))
+                leaf)
+              x)
+  (survey (reverse holes) '() '() '() #t))
+
+(define (holds-no-number? e)
+  (node-fold e
+             (lambda (leaf) (and (number? leaf) (not (rational? (magnitude leaf)))))
+             (lambda (n parts) (ormap values parts))))
+
+;; ---------------------------------------------------------------------------
+
+;; -> kinks under assumptions A, and what it rests on that there are not more
+(define (survey-kinks s A)
+  (define names (names-of (survey-unknowns s) (expressions-in s)))
+  (define (rename e) (if (null? names) e (substitute-expression e names)))
+  (find-kinks (for/list ([o (in-list (survey-operations s))]) (cons (car o) (map rename (cdr o))))
+              (map rename (survey-variables s))
+              (for/list ([entry (in-list (survey-places s))])
+                (cons (car entry) (rename (cdr entry))))
+              (map rename (survey-unknowns s))
+              (survey-values? s) A))
+
+(define (expressions-in s)
+  (append (apply append (map cdr (survey-operations s))) (map cdr (survey-places s))))
+
+;; Names for those of the symbols that nobody could have written, as an alist.
+(define (names-of symbols es)
+  (define taken (make-hasheq))
+  (for* ([e (in-list es)] [name (in-list (symbols-in e))]) (hash-set! taken name #t))
+  (for/list ([s (in-list symbols)] #:unless (symbol-interned? s))
+    (define name (unused-name (symbol->string s) taken))
+    (hash-set! taken name #t)
+    (cons s name)))
