@@ -6,7 +6,7 @@
 ;; stands above both.  It hands itself down, with its methods in one record.
 
 (provide (struct-out simplifier) (struct-out methods)
-         simplifier-simplify simplifier-terms
+         simplifier-simplify simplifier-terms simplifier-linear-parts
          simplifier-factors simplifier-irreducible-factors simplifier-split-root)
 
 ;; ledger : what the work rests on (assumption/ledger.rkt)
@@ -14,7 +14,8 @@
 (struct simplifier (methods ledger fuel) #:authentic)
 
 ;; Procedures that take the simplifier first.
-(struct methods (simplify terms factors irreducible-factors split-root) #:authentic)
+(struct methods (simplify terms linear-parts factors irreducible-factors split-root)
+  #:authentic)
 
 (define-syntax-rule (define-method (name s argument ...) method)
   (define (name s argument ...) ((method (simplifier-methods s)) s argument ...)))
@@ -25,6 +26,10 @@
 ;; -> ((number . expression) ...), whose sum e is; the numbers are flonums if they
 ;; came from flonums
 (define-method (simplifier-terms s e) methods-terms)
+
+;; -> the same, of terms that add up as values do: those of a sum are the sums of those
+;; of its operands
+(define-method (simplifier-linear-parts s e) methods-linear-parts)
 
 ;; -> number and ((expression . integer) ...), whose product e is; the expressions
 ;; have a positive leading coefficient

@@ -21,7 +21,7 @@
 (define (visit-angle! c n)
   (define head (node-head n))
   (define circular? (and (memq head circular-functions) #t))
-  (define terms (simplifier-terms (collector-simplifier c) (car (node-args n))))
+  (define terms (simplifier-linear-parts (collector-simplifier c) (car (node-args n))))
   (define inverse (and circular? (for/first ([t (in-list terms)] #:when (inverse-term? t)) t)))
   (cond [inverse (resolve-alias! c n (unfold head inverse terms))]
         [(and (not circular?) (ormap logarithm-term? terms)) (hyperbolic->exponential! c n)]

@@ -22,13 +22,13 @@
 
 ;; (exp u)
 (define (visit-exponential! c n)
-  (visit-terms! c n (simplifier-terms (collector-simplifier c) (car (node-args n)))))
+  (visit-terms! c n (simplifier-linear-parts (collector-simplifier c) (car (node-args n)))))
 
 ;; base^k, k not a rational number
 (define (visit-symbolic-power! c n base k)
   (define logarithm (make-node op:log (list base)))
   (define exponent (make-node op:* (list k logarithm)))
-  (visit-terms! c n (simplifier-terms (collector-simplifier c) exponent)))
+  (visit-terms! c n (simplifier-linear-parts (collector-simplifier c) exponent)))
 
 ;; e to the sum of the terms ((rational . expression) ...) stands for n.
 (define (visit-terms! c n terms)
@@ -79,7 +79,7 @@
 
 ;; e^u, as bⁿ if u is n log b.
 (define (exponential-expression s u)
-  (define terms (simplifier-terms s u))
+  (define terms (simplifier-linear-parts s u))
   (define b (common-base terms))
   (if b
       (make-node op:expt

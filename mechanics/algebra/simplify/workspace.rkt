@@ -11,23 +11,23 @@
          "../expression/simplifier.rkt" "../expression/size.rkt"
          "../field/bounds.rkt" "../field/field.rkt"
          "../kernel/find-kernels.rkt"
-         "../presentation/present.rkt")
+         "../presentation/linear-parts.rkt" "../presentation/present.rkt")
 
 (provide make-workspace workspace-assumptions workspace-revision workspace-left
          workspace-simplify workspace-normal workspace-atlas)
 
 ;; normals : expression -> normal form; simples : expression -> simplified
-;; term-lists : expression -> terms.  These tables know expressions by structure:
+;; term-lists : expression -> terms; part-lists : expression -> linear parts.  These tables know expressions by structure:
 ;; kernels are met again and again in nodes of their own.
 ;; involved? : expression -> boolean (align.rkt)
 ;; left-unexpanded : nodes, the last met first
-(struct workspace simplifier (normals simples term-lists involved? [left-unexpanded #:mutable])
+(struct workspace simplifier (normals simples term-lists part-lists involved? [left-unexpanded #:mutable])
   #:authentic)
 
 ;; q : what is asked about (assumption/ledger.rkt)
 (define (make-workspace A q [fuel (make-fuel)])
   (workspace workspace-methods (make-ledger A q) fuel
-             (make-hash) (make-hash) (make-hash) (make-involved?) '()))
+             (make-hash) (make-hash) (make-hash) (make-hash) (make-involved?) '()))
 
 ;; ---------------------------------------------------------------------------
 ;; Normal forms
@@ -103,6 +103,11 @@
       (list (cons 1 e))
       (hash-ref! (workspace-term-lists w) e (lambda () (with-normal w e linear-terms)))))
 
+(define (parts w e)
+  (if (or (symbol? e) (simple-application? e))
+      (list (cons 1 e))
+      (hash-ref! (workspace-part-lists w) e (lambda () (with-normal w e linear-parts)))))
+
 (define (factors w e) (with-normal w e fraction-factors))
 
 (define (irreducible-factors w e) (with-normal w e fraction-factors/irreducible))
@@ -110,7 +115,7 @@
 (define (root-parts w e degree)
   (with-normal w e (lambda (F f) (split-root F f degree (plainly-real? e)))))
 
-(define workspace-methods (methods simplify terms factors irreducible-factors root-parts))
+(define workspace-methods (methods simplify terms parts factors irreducible-factors root-parts))
 
 ;; ---------------------------------------------------------------------------
 ;; What the work rests on; what was left unexpanded
