@@ -12,7 +12,8 @@
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
 (provide make-fuel fuel-meter fuel-empty? call-nested
-         begin-step! end-steps! check-expansion check-sum spend-on-terms! spend-on-nodes! readable?)
+         begin-step! end-steps! within-a-step check-expansion check-sum
+         spend-on-terms! spend-on-nodes! readable?)
 
 ;; nested? : is this the argument of a kernel?
 (struct fuel (meter [nested? #:mutable]) #:authentic)
@@ -45,6 +46,12 @@
   (meter-allow! (fuel-meter tank) (limits-step (current-limits tank))))
 
 (define (end-steps! tank) (meter-allow-all! (fuel-meter tank)))
+
+;; What the thunk gives, or #f if it would cost more than a step of an argument may.
+(define (within-a-step tank thunk)
+  (meter-allow! (fuel-meter tank) (limits-step inner-limits))
+  (begin0 (with-handlers ([overspent? (lambda (x) #f)]) (thunk))
+          (end-steps! tank)))
 
 ;; How much dearer than arithmetic are presentation and the finding of kernels.
 (define presentation-factor 1000)

@@ -29,9 +29,10 @@
 (define (sum-kernel F terms)
   (field-whole-kernel F ((form-build (terms-form F terms)) 1)))
 
-;; The terms in the form they are shown in: as they are, or fewer.
+;; The terms in the form they are shown in: as they are, or fewer; not none.
 (define (condense F terms)
-  (define squares (with-squares F terms))
+  (define merged (with-squares F terms))
+  (define squares (if (null? merged) terms merged))
   (define grouped (if (null? (cdr squares)) squares (prefer-grouped F squares)))
   (if (null? (cdr grouped)) grouped (prefer-factored F grouped)))
 

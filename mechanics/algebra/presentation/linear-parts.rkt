@@ -12,13 +12,14 @@
 ;; and so is each c in the variables that follow: the products of these powers and
 ;; quotients, one for each variable, are a basis over the rationals.
 ;;
-;; Sines, roots and absolute values come first; they stand in numerators only.  Where
-;; they do not, or where denominators are long, the terms of the numerator have to do.
+;; Sines, roots and absolute values come first.  They stand in numerators only, but for
+;; long denominators, which are taken as they are: their products are not told apart.
+;; Where it would be much work the terms of the numerator have to do.
 
 (require racket/list
          "present.rkt"
-         "../expression/exact-numbers.rkt"
-         "../field/field.rkt" "../field/partial-fractions.rkt"
+         "../expression/exact-numbers.rkt" "../expression/simplifier.rkt"
+         "../field/bounds.rkt" "../field/field.rkt" "../field/partial-fractions.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
@@ -26,8 +27,10 @@
 
 ;; -> ((number . expression) ...), whose sum f is
 (define (linear-parts F f)
-  (if (and (compound-denominator? f) (separable? F f))
-      (with-room F f presented-parts)
+  (or (and (compound-denominator? f)
+           (separable? F f)
+           (within-a-step (simplifier-fuel (field-simplifier F))
+                          (lambda () (with-room F f presented-parts))))
       (linear-terms F f)))
 
 (define (compound-denominator? f)
@@ -43,8 +46,8 @@
 ;; What can be taken apart
 
 ;; A denominator may be of this degree and have so many terms.
-(define degree-bound 6)
-(define term-bound 24)
+(define degree-bound 60)
+(define term-bound 200)
 
 (define (separable? F f)
   (define R (field-ring F))
@@ -53,9 +56,7 @@
     (for/sum ([h (in-list below)]) (* (power-exponent h) (measure (power-base h)))))
   (and (<= (sum-over (lambda (p) (poly-total-degree R p))) degree-bound)
        (<= (sum-over poly-term-count) term-bound)
-       (<= (poly-term-count (fraction-numerator f)) term-bound)
-       (for*/and ([h (in-list below)] [i (in-list (poly-variables R (power-base h)))])
-         (not (algebraic? F i)))))
+       (<= (poly-term-count (fraction-numerator f)) term-bound)))
 
 (define (algebraic? F i)
   (for/or ([r (in-list (field-relations F))]) (eqv? i (relation-index r))))

@@ -17,11 +17,13 @@
          workspace-simplify workspace-normal workspace-atlas)
 
 ;; normals : expression -> normal form; simples : expression -> simplified
-;; term-lists : expression -> terms; part-lists : expression -> linear parts.  These tables know expressions by structure:
-;; kernels are met again and again in nodes of their own.
+;; term-lists : expression -> terms; part-lists : expression -> linear parts.  These
+;; tables know expressions by structure: kernels are met again and again in nodes of
+;; their own.
 ;; involved? : expression -> boolean (align.rkt)
 ;; left-unexpanded : nodes, the last met first
-(struct workspace simplifier (normals simples term-lists part-lists involved? [left-unexpanded #:mutable])
+(struct workspace simplifier
+  (normals simples term-lists part-lists involved? [left-unexpanded #:mutable])
   #:authentic)
 
 ;; q : what is asked about (assumption/ledger.rkt)
