@@ -60,7 +60,8 @@
 (define (block-modes who M K G)
   (define all (map entries (list M K G)))
   (cond [(and (andmap (lambda (xs) (andmap real? xs)) all)
-              (ormap (lambda (xs) (ormap flonum? xs)) all))
+              (or (> (vector-length M) 2)
+                  (ormap (lambda (xs) (ormap flonum? xs)) all)))
          (numeric-modes who M K G)]
         [(> (vector-length M) 2) (scaled-modes who M K G)]
         [(g:zero? (simplify (det M))) (raise-not-positive who M)]

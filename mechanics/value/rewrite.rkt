@@ -56,10 +56,14 @@
                x))
 
 (define (numerator-of x)
-  (if (number? x) (numerator x) (part-of-quotient 'numerator (lambda (n d) n) x)))
+  (if (number? x) (* x (denominator-of x)) (part-of-quotient 'numerator (lambda (n d) n) x)))
 
+;; Of a complex number the least that makes both its parts whole.
 (define (denominator-of x)
-  (if (number? x) (denominator x) (part-of-quotient 'denominator (lambda (n d) d) x)))
+  (define (of part) (if (rational? part) (denominator part) 1))
+  (if (number? x)
+      (lcm (of (real-part x)) (of (imag-part x)))
+      (part-of-quotient 'denominator (lambda (n d) d) x)))
 
 (define (part-of-quotient who choose x)
   (reform who

@@ -8,7 +8,7 @@
          "fresh-name.rkt" "smoothness.rkt" "verdict.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/operator.rkt"
@@ -63,7 +63,9 @@
          (make-node op:- (list a b))]
         [(and (tuple? a) (tuple? b) (compatible? (adopt a) (adopt b)))
          (structure-map2 difference (adopt a) (adopt b))]
-        [else (g:- a b)]))
+        [else
+         (for ([f (in-list (list a b))] #:when (procedure? f)) (check-keywords f))
+         (g:- a b)]))
 
 ;; x with the up tuple of its terms in place of a series; of one that does not end
 ;; as many as are compared, and (note!) is called.
@@ -99,11 +101,25 @@
             (value->text o) (value->text o)))
 
 (define (fresh-arguments f)
+  (check-keywords f)
   (define n (for/first ([n (in-sequences (in-range 1 21) '(0))] #:when (accepts? f n)) n))
   (unless n
     (raise-arguments-error 'prove-zero "cannot choose arguments for the function" "function" f))
   (for/list ([i (in-range n)])
     (string->uninterned-symbol (if (= n 1) "t" (format "t~a" i)))))
+
+;; No values are known for the keywords that a function requires.
+(define (check-keywords f)
+  (define-values (required known) (procedure-keywords f))
+  (when (pair? required)
+    (define names (map keyword->string required))
+    (complain 'prove-zero
+              (string-append "expected a function of arguments without keywords\n  given: ~a, "
+                             "which requires ~a\n  give it values for them, "
+                             "as in (lambda (x) (f x ~a))")
+              (value->text f)
+              (joined (for/list ([k (in-list names)]) (string-append "#:" k)) " and ")
+              (joined (for/list ([k (in-list names)]) (format "#:~a ~a" k k)) " "))))
 
 (define (rename-arguments e arguments variables)
   (define taken (make-hasheq (for/list ([s (in-list (symbols-in e))]) (cons s #t))))

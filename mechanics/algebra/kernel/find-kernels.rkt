@@ -76,7 +76,7 @@
         [(eq? head op:exp) (visit-exponential! c n)]
         [(eq? head op:log) (visit-logarithm! c n)]
         [(eq? head op:abs) (visit-modulus! c n)]
-        [else (visit-kernel! c n)]))
+        [else (visit-function! c n)]))
 
 (define arithmetic (list op:+ op:- op:* op:/))
 (define angular (list op:sin op:cos op:tan op:sinh op:cosh op:tanh))
@@ -96,6 +96,26 @@
 
 (define (visit-kernel! c n)
   (resolve! c n (intern-kernel! c (simplify-arguments c n))))
+
+(define (visit-function! c n)
+  (define simple (simplify-arguments c n))
+  (define x (exact-value simple))
+  (if x
+      (resolve-alias! c n x)
+      (resolve! c n (intern-kernel! c simple))))
+
+;; The value of a function of exact numbers if that is exact, as atan 0 and acos 1 are;
+;; else #f.
+(define (exact-value n)
+  (define numeric (and (not (literal-head? (node-head n))) (operation-numeric (node-head n))))
+  (define args (node-args n))
+  (define x
+    (and numeric
+         (andmap (lambda (a) (and (real? a) (exact? a))) args)
+         (not (equal? args '(0 0)))             ; atan 0 0
+         (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+           (apply numeric args))))
+  (and x (real? x) (exact? x) x))
 
 ;; n with its arguments simplified; structured arguments by components.
 (define (simplify-arguments c n)

@@ -88,8 +88,23 @@
   (and (Cholesky M n)
        (let ([exponents (real-matrix-eigenvalues (first-order M K G n) (* 2 n))])
          (and exponents
-              (for/list ([omega (in-list (frequencies exponents n))])
-                (cons omega (first-one (null-vector (at-frequency M K G omega n) n))))))))
+              (let ([omegas (frequencies exponents n)])
+                (for/list ([omega (in-list omegas)] [before (in-list (repetitions omegas))])
+                  (define A (at-frequency M K G omega n))
+                  (define small (* 1e-12 (frequency-scale M K G omega)))
+                  (cons omega (first-one (null-vector A n small before)))))))))
+
+;; Of each, how many before it are the same but for rounding.
+(define (repetitions omegas)
+  (for/list ([w (in-list omegas)] [k (in-naturals)])
+    (for/sum ([u (in-list omegas)] [_ (in-range k)])
+      (if (<= (magnitude (- w u)) (* 1e-9 (magnitude w))) 1 0))))
+
+;; The size of what is added up in K − ω²M + iωG.
+(define (frequency-scale M K G omega)
+  (define w (magnitude omega))
+  (define (size A) (for*/fold ([s 0.0]) ([row (in-vector A)] [x (in-vector row)]) (max s (abs x))))
+  (max (size K) (* w w (size M)) (* w (size G))))
 
 ;; (x, ẋ)' = (ẋ, −M⁻¹(K x + G ẋ))
 (define (first-order M K G n)
@@ -117,24 +132,38 @@
       (+ (entry K i j) (* -1 omega omega (entry M i j)) (* +i omega (entry G i j))))))
 
 ;; Elimination with the greatest of all remaining entries as pivot leaves the least
-;; for the end, where it counts as zero.
-(define (null-vector A n)
+;; for the end, where it counts as zero; so do those that are `small`.  Of several null
+;; vectors the one that has `before` others before it.
+(define (null-vector A n small before)
   (define order (build-vector n values))
-  (for ([k (in-range (- n 1))])
-    (define-values (p q) (greatest-left A k n))
-    (exchange! A k p)
-    (exchange! order k q)
-    (for ([row (in-vector A)]) (exchange! row k q))
-    (clear-below! A k k (+ k 1)))
+  (define rank (eliminate! A order n small))
+  (define unknowns (solve-above A n rank (+ rank (modulo before (- n rank)))))
   (define x (make-vector n 0.0))
-  (define unknowns (make-vector n 1.0))
-  (for ([k (in-range (- n 2) -1 -1)])
+  (for ([place (in-vector order)] [v (in-vector unknowns)]) (vector-set! x place v))
+  (vector->list x))
+
+;; -> how many pivots there are, less than n; A becomes triangular as far as they go
+(define (eliminate! A order n small)
+  (let loop ([k 0])
+    (define-values (p q) (greatest-left A k n))
+    (cond [(or (= k (- n 1)) (<= (magnitude (entry A p q)) small)) k]
+          [else
+           (exchange! A k p)
+           (exchange! order k q)
+           (for ([row (in-vector A)]) (exchange! row k q))
+           (clear-below! A k k (+ k 1))
+           (loop (+ k 1))])))
+
+;; The unknowns, the one at `free` being 1 and the others without pivot 0.
+(define (solve-above A n rank free)
+  (define unknowns (make-vector n 0.0))
+  (vector-set! unknowns free 1.0)
+  (for ([k (in-range (- rank 1) -1 -1)])
     (vector-set! unknowns k
                  (/ (for/fold ([s 0.0]) ([j (in-range (+ k 1) n)])
                       (- s (* (entry A k j) (vector-ref unknowns j))))
                     (entry A k k))))
-  (for ([place (in-vector order)] [v (in-vector unknowns)]) (vector-set! x place v))
-  (vector->list x))
+  unknowns)
 
 (define (greatest-left A k n)
   (for*/fold ([p k] [q k]) ([i (in-range k n)] [j (in-range k n)])
