@@ -118,7 +118,14 @@
           (for/list ([p (in-list powers)]) (cons (car p) (make-node op:abs (list (cdr p)))))
           (if (null? odd)
               (opposite-parts c (reverse negative) sign)
-              (cons (cons 1 (joined c odd sign)) (opposite-parts c (reverse negative) 1)))))
+              (cons (joined-part c odd sign) (opposite-parts c (reverse negative) 1)))))
+
+;; Parts of unknown sign as one.  A lone one is an odd power: log f³ = 3 log f.
+(define (joined-part c parts sign)
+  (define p (car parts))
+  (if (and (null? (cdr parts)) (integer? (car p)))
+      (if (eqv? sign 1) p (cons (car p) (opposite c (cdr p))))
+      (cons 1 (joined c parts sign))))
 
 ;; The product of the parts' powers, and a sign.
 (define (joined c parts sign)

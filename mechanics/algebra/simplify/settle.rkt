@@ -10,8 +10,9 @@
 (provide settle)
 
 ;; What a normal form is presented as.  Which angles are basic depends on those
-;; that occur, so a result in others is simplified again until it stays as it is or is
-;; one that came before: the least of those that keep coming back.
+;; that occur, and so do the degrees of roots and what stands under them; a result in
+;; others is simplified again until it stays as it is or is one that came before: the
+;; least of those that keep coming back.
 (define (settle form s)
   (let loop ([form form] [seen '()])
     (define e (present (normal-field form) (normal-fraction form)))
@@ -23,10 +24,14 @@
 
 (define settle-limit 4)
 
-;; Would e, presented from this field, come out again?
+;; Would e, presented from this field, come out again?  Flonums are rounded when they are
+;; shown, so that what they have in common may change.
 (define (settled? F e s)
-  (or (not (or (atlas-dependent? (field-atlas F)) (new-angles? F e)))
-      (same-field? F e s)))
+  (and (not (field-inexact? F))
+       (or (not (or (atlas-dependent? (field-atlas F))
+                    (pair? (atlas-tower (field-atlas F)))
+                    (new-angles? F e)))
+           (same-field? F e s))))
 
 ;; Would e be simplified in this very field?
 (define (same-field? F e s)
