@@ -5,7 +5,6 @@
 (require rackunit
          racket/list
          mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/assumption/relation
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/read
          mechanics/algebra/simplify/declare
