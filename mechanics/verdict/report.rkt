@@ -127,10 +127,16 @@
         [else (rounded x digits)]))
 
 ;; Flonums to fewer digits than they have: 9.81 - 9.8 is 0.009999999999999787, of
-;; which all but 0.01 is rounding.
+;; which all but 0.01 is rounding.  Pairs that are shared stay so: written out there may be
+;; more than anyone could count.
 (define (short-datum x)
+  (define shortened (make-hasheq))
   (let shorten ([d (value->datum x)])
-    (cond [(pair? d) (cons (shorten (car d)) (shorten (cdr d)))]
+    (cond [(pair? d)
+           (or (hash-ref shortened d #f)
+               (let ([short (cons (shorten (car d)) (shorten (cdr d)))])
+                 (hash-set! shortened d short)
+                 short))]
           [(and (flonum? d) (rational? d)) (rounded d 12)]
           [else d])))
 

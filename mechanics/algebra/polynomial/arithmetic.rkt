@@ -114,8 +114,20 @@
          (check-monomial R (monomial+ (leading-monomial p) (leading-monomial q)))
          (define m (length p))
          (define n (length q))
-         (charge! R (fx* m n))
+         (charge! R (* m n (+ 1 (quotient (* (words-in p m) (words-in q n)) 16))))
          (if (<= m n) (multiply p m q) (multiply q n p))]))
+
+;; How long the coefficients of p, of n terms, are: 0 for those of a machine word, and four
+;; times the words of a fraction, which has to be reduced.
+(define (words-in p n)
+  (max (words (leading-coefficient p))
+       (if (eqv? n 1) 0 (words (leading-coefficient (list-tail p (quotient n 2)))))))
+
+(define (words c)
+  (cond [(fixnum? c) 0]
+        [(integer? c) (quotient (integer-length c) 64)]
+        [else
+         (* 4 (quotient (+ (integer-length (numerator c)) (integer-length (denominator c))) 64))]))
 
 ;; p of n terms, times q.
 (define (multiply p n q)
