@@ -52,8 +52,8 @@
 
 (define (symbols-of e) (if (expression? e) (symbols-in e) '()))
 
-;; q with multiples of acos 0 in place of flonums that are those of π/2, as near as can
-;; be; #f if there are none.
+;; q with multiples of acos 0 in place of flonums that are those of π/2, rounded or made of
+;; the flonum pi; #f if there are none.
 (define (with-exact-angles q)
   (define exact (map exact-angle (scalars q)))
   (and (ormap values exact)
@@ -63,8 +63,12 @@
   (define turns (and (flonum? x) (rational? x) (round (/ x (/ pi 2)))))
   (and turns
        (not (zero? turns))
-       (<= (abs (- x (* turns (/ pi 2)))) (* 4e-16 (abs x)))
+       (or (= x (* turns (/ pi 2)))
+           (= x (exact->inexact (* (inexact->exact turns) half-pi))))
        (e:* (inexact->exact turns) (make-node op:acos '(0)))))
+
+;; π/2 to 50 digits
+(define half-pi (/ 314159265358979323846264338327950288419716939937510 (* 2 (expt 10 50))))
 
 ;; A list of them, by formulas in the parameters.
 (define (equilibria L local #:force [force #f])

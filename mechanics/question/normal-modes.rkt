@@ -10,13 +10,15 @@
 ;; each, as in a chain of equal pendulums, the factors come out of the square root.
 
 (require racket/list
+         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../numeric/linear/rows.rkt"
          "../value/simplify.rkt")
 
-(provide modes-of frequencies-of raise-not-positive)
+(provide modes-of frequencies-of constant-value raise-not-positive)
 
 (require-on-demand ["../numeric/linear/numeric-modes.rkt" symmetric-modes gyroscopic-modes])
 
@@ -30,7 +32,17 @@
        (define (part rows) (submatrix rows block block))
        (for/list ([mode (in-list (block-modes who (part M) (part K) (part G)))])
          (cons (car mode) (spread (cdr mode) block n))))))
-  (if (andmap (lambda (mode) (real? (car mode))) found) (sort found < #:key car) found))
+  (define sizes (for/list ([mode (in-list found)]) (constant-value (car mode))))
+  (if (andmap real? sizes)
+      (map cdr (sort (map cons sizes found) < #:key car))
+      found))
+
+;; The number that an expression without symbols is, or #f.
+(define (constant-value e)
+  (let/ec return
+    (if (number? e)
+        e
+        (evaluate-expression e (lambda (leaf arguments) (return #f))))))
 
 (define (frequencies-of who M K G) (map car (modes-of who M K G)))
 
@@ -79,7 +91,14 @@
 ;; ---------------------------------------------------------------------------
 ;; One coordinate and two
 
-(define (one-mode m k) (list (list (simplify (g:sqrt (g:/ k m))) 1)))
+;; The square root, of an exact number as it stands.
+(define (exact-root x)
+  (define root (g:sqrt x))
+  (simplify (if (and (number? x) (exact? x) (not (exact? root)))
+                (make-node op:sqrt (list x))
+                root)))
+
+(define (one-mode m k) (list (list (exact-root (g:/ k m)) 1)))
 
 (define (two-modes M K G)
   (define g (entry G 0 1))
@@ -87,8 +106,8 @@
   (define b
     (g:+ (g:* (entry M 0 0) (entry K 1 1)) (g:* (entry M 1 1) (entry K 0 0))
          (g:* -2 (entry M 0 1) (entry K 0 1)) (g:square g)))
-  (define root (simplify (g:sqrt (simplify (g:- (g:square b) (g:* 4 a (det K)))))))
-  (define (frequency sign) (simplify (g:sqrt (simplify (g:/ (g:+ b (g:* sign root)) (g:* 2 a))))))
+  (define root (exact-root (simplify (g:- (g:square b) (g:* 4 a (det K))))))
+  (define (frequency sign) (exact-root (simplify (g:/ (g:+ b (g:* sign root)) (g:* 2 a)))))
   (if (g:zero? root)
       (equal-frequencies (frequency 1) M K G)
       (for/list ([sign '(-1 1)])

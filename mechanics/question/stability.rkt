@@ -84,7 +84,7 @@
 
 (define (turning-stability L q M K G)
   (cond [(= (m:num-rows M) 2) (judged 'linearly-stable (oscillation-conditions M K G))]
-        [else (by-frequencies (small-oscillation-frequencies L q))]))
+        [else (by-frequencies (map constant-value (small-oscillation-frequencies L q)))]))
 
 ;; |K|, b and b² − 4 |M| |K|
 (define (oscillation-conditions M K G)

@@ -13,6 +13,7 @@
 ;; all stay under one root: √(e^(2it)) is e^(it) or its opposite.
 
 (require racket/list
+         "nested-roots.rkt"
          "../assumption/ledger.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt"
@@ -32,7 +33,9 @@
     [(fraction-zero? f) (values 0 '())]
     [else
      (define R (field-ring F))
-     (define-values (number factors) (value-parts F f))
+     (define-values (given all) (value-parts F f))
+     (define-values (number nested factors)
+       (if (eqv? q 2) (denest F given all) (values given 1 all)))
      (define-values (roots others) (partition-roots F factors real?))
      (define-values (joint together apart) (by-joint-sign F others q))
      (define-values (sign signed unknown) (by-signs F apart q real?))
@@ -41,7 +44,9 @@
                            (for/list ([g (in-list known)]) (cons (car g) (/ (cdr g) q)))))
      (define-values (outer lower kept) (careful-roots F unknown q real?))
      (define rest (append (filter pair? (map fractional-part parts)) kept))
-     (values (e:* joint (e:* (present F (fraction-product R (map whole-part parts))) outer))
+     (values (e:* joint
+                  (e:* nested
+                       (e:* (present F (fraction-product R (map whole-part parts))) outer)))
              (append (for/list ([r (in-list roots)]) (lower-root (car r) (/ (cdr r) q)))
                      (if (and (pair? kept)
                               (or (odd? q) (not (andmap real? (map car unknown)))))
@@ -63,6 +68,17 @@
                                                       (for/list ([g (in-list group)])
                                                         (cons (car g) 1)))))))
   (if sign (values sign group others) (values 1 '() factors)))
+
+;; -> the number, what is taken out of a square root, and the factors that are left
+(define (denest F number factors)
+  (for/fold ([number number] [outer 1] [left '()] #:result (values number outer (reverse left)))
+            ([g (in-list factors)])
+    (define d (as-square F (car g)))
+    (if d
+        (values (* number (expt (square-sign d) (cdr g)))
+                (e:* outer (e:expt (square-root d) (cdr g)))
+                left)
+        (values number outer (cons g left)))))
 
 ;; Factors ((polynomial . integer) ...) by their signs, if these matter: -> 1 or -1 and
 ;; factors that together are those of known signs, and those of unknown sign.

@@ -34,4 +34,5 @@
 
 (test-case "the same oscillator without its disguise"
   (define f (* -1/2 time (compose square coordinate)))
-  (check-equal? (small-oscillation-frequencies (+ L-disguised (Dt f)) 0) (list (sqrt 2))))
+  (check-equal? (format "~a" (small-oscillation-frequencies (+ L-disguised (Dt f)) 0))
+                "((sqrt 2))"))
