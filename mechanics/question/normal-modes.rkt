@@ -162,8 +162,7 @@
 (define (raise-no-formula who M)
   (complain who
             (string-append "~a coordinates act on one another, and formulas are for 1 and 2"
-                           "\n  give the parameters numbers, some of them decimal, "
-                           "for numbers in return")
+                           "\n  give the parameters numbers for numbers in return")
             (vector-length M)))
 
 (define (raise-not-positive who M)

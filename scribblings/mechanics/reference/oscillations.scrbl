@@ -20,7 +20,8 @@ whose square is negative belongs to an equilibrium that is left exponentially.
 Coordinates that do not act on one another are parted. One or two that do have
 formulas in the parameters; so have more whose masses and stiffnesses are numbers but
 for a common factor, as in a chain of equal pendulums. Otherwise the parameters must
-be numbers, some of them flonums.
+be numbers. Of exact numbers one or two coordinates have exact frequencies, more have
+flonums.
 
 @examples[#:eval session
 (define ((L-pendulums m1 m2 l g) (up t (up a b) (up va vb)))

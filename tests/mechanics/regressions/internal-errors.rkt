@@ -54,3 +54,12 @@
   (define twice (shapes 1 0 0 4))
   (check-equal? (length twice) 3)
   (for ([v twice] #:when #t [w twice] #:unless (eq? v w)) (check-false (equal? v w))))
+
+(test-case "three coordinates in symbols, joined by a magnetic term"
+  (check-message
+   (string-append "normal-modes: 3 coordinates act on one another, and formulas are for 1 and 2\n"
+                  "  give the parameters numbers for numbers in return")
+   (normal-modes (lambda (s)
+                   (+ ((L-magnetic 'B '(k k k)) s)
+                      (* 'c (ref (coordinate s) 0) (ref (coordinate s) 2))))
+                 (up 0 0 0))))
