@@ -29,7 +29,7 @@
 (define (settled? F e s)
   (and (not (field-inexact? F))
        (or (not (or (atlas-dependent? (field-atlas F))
-                    (pair? (atlas-tower (field-atlas F)))
+                    (new-roots? F e)
                     (new-angles? F e)))
            (same-field? F e s))))
 
@@ -63,3 +63,27 @@
            (not (hash-ref known (car (node-args n)) #f))]
           [else #f]))
   (and (positive? (hash-count known)) (new? e)))
+
+;; Does e show a root that is no kernel of F, as one of another degree or radicand?
+(define (new-roots? F e)
+  (define known
+    (for/hash ([k (in-vector (field-kernels F))] #:when (root? (kernel-relation k)))
+      (values (kernel-expression k) #t)))
+  (define memo (make-memo))
+  (define (new? e)
+    (and (node? e)
+         (memo e (lambda () (or (and (lone-root? e) (not (hash-ref known (root-of e) #f)))
+                                (ormap new? (node-args e)))))))
+  (and (pair? (atlas-tower (field-atlas F))) (new? e)))
+
+(define (lone-root? n)
+  (or (eq? (node-head n) op:sqrt)
+      (and (eq? (node-head n) op:expt)
+           (rational? (cadr (node-args n)))
+           (not (integer? (cadr (node-args n)))))))
+
+;; The root that the node is a power of.
+(define (root-of n)
+  (define degree (if (eq? (node-head n) op:sqrt) 2 (denominator (cadr (node-args n)))))
+  (define u (car (node-args n)))
+  (if (eqv? degree 2) (make-node op:sqrt (list u)) (make-node op:expt (list u (/ 1 degree)))))
