@@ -82,7 +82,8 @@
  ;; verdicts
  prove-zero verify-equal
  verdict? verdict-status verdict-residual verdict-witness verdict-value
- verdict-assumptions verdict-conditions verdict-factored verdict-kinks proved? refuted? undecided?
+ verdict-assumptions verdict-conditions verdict-factored verdict-kinks
+ verdict-readings verdict-reason verdict-remarks proved? refuted? undecided?
  ;; failures
  exn:fail:mechanics exn:fail:mechanics?
  exn:fail:mechanics:singular exn:fail:mechanics:singular? exn:fail:mechanics:singular-where

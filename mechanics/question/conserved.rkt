@@ -14,7 +14,8 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "../algebra/expression/expression.rkt"
+(require "remarks.rkt"
+         "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
@@ -37,7 +38,8 @@
   (define-values (change survey)
     (survey-derivatives (lambda () ((rate 'verify-conserved L Q force) state)) (scalars state)))
   (define v (prove-zero change #:variables (scalars local)
-                        #:surveys (list (survey-of-values (Q state)) survey)))
+                        #:surveys (list (survey-of-values (Q state)) survey)
+                        #:remarks (lambda () (remarks-on-quantity Q state))))
   (when (refuted? v) (check-accelerations L force state))
   v)
 

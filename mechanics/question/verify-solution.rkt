@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
-(require "surveys.rkt"
+(require "remarks.rkt" "surveys.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
@@ -28,6 +28,7 @@
             [constraints ((eliminate-multipliers L constraints #:force outside) q)]
             [else ((Lagrange-equations L #:force outside #:order n) q)]))
     (prove-zero residual
+                #:remarks (lambda () (remarks-on-solution L q n))
                 #:surveys (lambda () (surveys-of-solution L q n outside constraints residual)))))
 
 (define (check-constrained n constraints)

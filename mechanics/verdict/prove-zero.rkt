@@ -23,7 +23,9 @@
 ;; names : symbols that no condition may speak of, as x must vanish whatever they are
 ;; surveys : what was met by the derivatives x was made with; if that leaves places where
 ;; they do not tell, x is not proved.  A procedure that gives the list is called if needed.
-(define (prove-zero x #:variables [names '()] #:surveys [surveys '()])
+;; remarks : -> strings, on what the verdict does not say
+(define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
+                    #:remarks [remarks (lambda () '())])
   (check-variables names)
   (define A (assumptions-in-force))
   (define tests '())
@@ -41,7 +43,7 @@
       (for/list ([s (in-list (if (procedure? surveys) (surveys) surveys))])
         (call-with-values (lambda () (survey-kinks s A)) list)))
     (values (remove-duplicates (append-map first found)) (append-map second found)))
-  (make-verdict residual (reverse tests) (assumptions 'declared) endless? kinks))
+  (make-verdict residual (reverse tests) (assumptions 'declared) endless? kinks (remarks)))
 
 (define (check-variables names)
   (unless (and (list? names) (andmap symbol? names))

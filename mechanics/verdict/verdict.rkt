@@ -12,6 +12,7 @@
          verdict-status proved? refuted? undecided?
          verdict-residual verdict-witness verdict-value
          verdict-assumptions verdict-conditions verdict-factored verdict-kinks
+         verdict-readings verdict-reason verdict-remarks
          verdict-lines kinks->text)
 
 ;; residual    : the value judged, simplified
@@ -20,13 +21,14 @@
 ;; endless?    : is it, or has it, a series of which only the first terms were tested?
 ;; kinks-found : places of which derivatives do not tell (algebra/zero/kink.rkt)
 ;; grounds     : datums of assumptions on which it rests that there are not more
-(value-struct verdict (status residual tests given endless? kinks-found grounds)
+;; remarks     : strings: what the question itself makes of the answer
+(value-struct verdict (status residual tests given endless? kinks-found grounds remarks)
   #:text (lambda (v) (report->text (verdict-lines v))))
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
 ;; find-kinks : -> kinks, grounds; called unless the verdict is a refutation
-(define (make-verdict residual tests given endless? find-kinks)
+(define (make-verdict residual tests given endless? find-kinks [remarks '()])
   (define statuses (map zero-test-status tests))
   (define refuted? (memq 'refuted statuses))
   (define-values (kinks grounds) (if refuted? (values '() '()) (find-kinks)))
@@ -34,7 +36,7 @@
     (cond [refuted? 'refuted]
           [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
           [else 'proved]))
-  (verdict status residual tests given endless? kinks grounds))
+  (verdict status residual tests given endless? kinks grounds remarks))
 
 (define (proved? v) (eq? (verdict-status v) 'proved))
 (define (refuted? v) (eq? (verdict-status v) 'refuted))
@@ -75,6 +77,27 @@
   (for/list ([k (in-list (verdict-kinks-found v))])
     (list* (kink-sort k) (kink-expression k) (kink-equations k))))
 
+;; ((decimal expression) ...): how decimals were read for the proofs that rest on it.
+(define (verdict-readings v)
+  (for/list ([r (in-list (remove-duplicates (append-map proof-readings (verdict-tests v))))])
+    (list (reading-decimal r) (reading-expression r))))
+
+(define (proof-readings z)
+  (if (eq? (zero-test-status z) 'proved) (zero-test-decimals z) '()))
+
+;; Why it is undecided, the first of these that is so; or #f.
+(define (verdict-reason v)
+  (define open
+    (filter (lambda (z) (eq? (zero-test-status z) 'undecided)) (verdict-tests v)))
+  (define (some? test) (ormap test open))
+  (cond [(not (undecided? v)) #f]
+        [(pair? (verdict-kinks-found v)) 'kinks]
+        [(some? (lambda (z) (eq? (zero-test-reason z) 'nowhere))) 'nowhere-defined]
+        [(some? (lambda (z) (pair? (zero-test-left-unexpanded z)))) 'too-large]
+        [(some? (lambda (z) (pair? (zero-test-decimals z)))) 'decimals]
+        [(verdict-endless? v) 'series]
+        [else 'beyond-the-algebra]))
+
 ;; ---------------------------------------------------------------------------
 ;; In words
 
@@ -83,6 +106,7 @@
   (append
    (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))
                    (verdict-given v) (verdict-assumptions v) (verdict-kinks-found v))
+   (for/list ([r (in-list (verdict-remarks v))]) (list 1 "note:" (list r)))
    (if (verdict-endless? v)
        (list (list 1 "examined:" (list (format "terms up to order ~a of a series that does not end"
                                                (sub1 compared-terms)))))

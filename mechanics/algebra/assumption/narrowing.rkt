@@ -7,7 +7,7 @@
 ;; gets narrower, so this ends, and the order of the relations makes no difference.
 ;; An expression that is left without a possible sign is a contradiction.
 
-(require "assumption-set.rkt" "signs.rkt"
+(require "assumption-set.rkt" "range.rkt" "signs.rkt"
          "../expression/simplifier.rkt")
 
 (provide add-relations (struct-out exn:algebra:contradiction))
@@ -40,13 +40,16 @@
 
 ;; e has these signs: -> the table with that, and what follows for its parts.
 (define (narrow A s e k)
-  (define now (meet (infer-signs A s e) k))
+  (define now (meet (meet (infer-signs A s e) (by-range e)) k))
   (when (eqv? 0 (known-signs now))
     (raise (exn:algebra:contradiction "contradiction" (current-continuation-marks)
                                       (known-because now))))
   (if (number? e)
       (assumptions-table A)
       (narrow-parts A s e now)))
+
+;; cos x is not greater than 2.
+(define (by-range e) (if (plainly-real? e) (known (range-signs e) '()) unknown))
 
 (define (narrow-parts A s e k)
   (define ts (simplifier-terms s e))

@@ -195,3 +195,11 @@
   (define A (without-relations (declare '(> (* m r) 0) '(> m 0)) '((> m 0))))
   (define-values (e grounds) (under A '(abs r)))
   (check-equal? e '(abs r)))
+
+(test-case "what no real number satisfies contradicts itself"
+  (for ([d '((> (cos x) 2) (< (exp x) 0) (> (atan x) 2) (< (+ 1 (expt x 2)) 0)
+             (>= (* (sin x) (cos y)) 3/2))])
+    (check-exn exn:algebra:contradiction?
+               (lambda () (declare-relations no-assumptions (list d)))
+               (format "~s" d)))
+  (check-not-exn (lambda () (declare-relations no-assumptions '((> (cos x) 1/2))))))

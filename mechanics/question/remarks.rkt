@@ -1,0 +1,51 @@
+#lang racket/base
+;; Questions whose answer says less than it seems to: a constant is conserved, a Lagrangian
+;; that forgets its state has every path for a solution, and 't in a path of t is a constant.
+
+(require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../error/refusal.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt")
+
+(provide remarks-on-solution remarks-on-quantity)
+
+;; L : Lagrangian of order n; q : path -> list of strings
+(define (remarks-on-solution L q n)
+  (define t (string->uninterned-symbol "t"))
+  (define local ((Gamma q (+ n 2)) t))
+  (append (remarks-on-path t (coordinate local))
+          (remarks-on-Lagrangian L local)))
+
+(define (remarks-on-path t position)
+  (define es (expressions-in position))
+  (define (speaks-of? s) (for/or ([e (in-list es)]) (occurs? s e)))
+  (cond [(null? es) '()]
+        [(speaks-of? t)
+         (if (speaks-of? 't) (list "the symbol t in the path is a constant, not its argument") '())]
+        [(speaks-of? 't)
+         (list "the path does not depend on its argument; the symbol t in it is a constant")]
+        [else (list "the path does not depend on the time")]))
+
+(define (remarks-on-Lagrangian L local)
+  (define state (scalars->structure local (lambda (k) (string->uninterned-symbol "x"))))
+  (if (depends? L state)
+      '()
+      (list (string-append "the Lagrangian depends neither on time nor on coordinates nor on "
+                           "velocities: every path solves its equations"))))
+
+;; Q : a quantity, state : of symbols
+(define (remarks-on-quantity Q state)
+  (if (depends? Q state)
+      '()
+      (list "the quantity is a constant, whatever the motion")))
+
+;; Does f's value have one of the symbols of the state in it?  What f makes of such symbols
+;; may be beyond it; then nothing is said.
+(define (depends? f state)
+  (define value (with-handlers ([failure? (lambda (e) #f)]) (f state)))
+  (define es (expressions-in value))
+  (or (null? es)
+      (for*/or ([e (in-list es)] [s (in-list (scalars state))] #:when (symbol? s)) (occurs? s e))))
+
+(define (expressions-in x)
+  (if x (filter expression? (scalars x)) '()))
