@@ -16,6 +16,7 @@ can be read in any order.
 @include-section["guide/derivatives.scrbl"]
 @include-section["guide/differentiation.scrbl"]
 @include-section["guide/residuals.scrbl"]
+@include-section["guide/what-proved-means.scrbl"]
 @include-section["guide/newton-to-lagrange.scrbl"]
 @include-section["guide/constraints.scrbl"]
 @include-section["guide/asking.scrbl"]

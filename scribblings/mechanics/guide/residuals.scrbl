@@ -26,14 +26,17 @@ the assumptions that are listed.}
 @item{@italic{Refuted}: there is a point at which the residual is certainly not
 zero. The point and the value are given, so that you can check.}
 @item{@italic{Undecided}: the residual is zero at all the points tried, to within
-the stated bound, but there is no proof. This is what you get for inexact
-numbers, and for identities beyond the library's algebra.}]
+the stated bound, but there is no proof; or it is zero, and has no value anywhere. The
+verdict says why.}]
 
-A verdict never rests on a guess: points can refute, but they never prove.
+A verdict never rests on a guess: points can refute, but they never prove. What the words
+mean to the letter is said in @secref["what-proved-means"].
 
 @examples[#:eval session #:label #f
 (prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))
 (prove-zero (- (* 1/10 'x 3) (* 3/10 'x)))]
+
+In the first of these decimals were read as fractions, and that is told.
 
 @section[#:tag "kinks"]{Where derivatives do not look}
 

@@ -30,9 +30,12 @@ they are.
 Whether the difference is zero.
 
 What holds for any numbers in place of the flonums in it is proved. What holds just
-for the flonums it has may be due to rounding, and is undecided; write
-@racket[49/5] for @racket[9.8] where that matters. Numbers that meet numbers, as in
-@racket[(* 2 4.9)], are rounded by Racket before anyone can tell.
+for the flonums it has may be due to rounding. Then each of them is read as the simplest
+number within two units of its last place: a fraction, a root of one up to the sixth, a
+root of a quadratic equation with coefficients up to 100, a fraction or square root times a
+power of π or e. If that leads to a proof, @racket[verdict-readings] tells how they were
+read; else the verdict is undecided. Numbers that meet numbers, as in @racket[(* 2 4.9)],
+are rounded by Racket before anyone can tell.
 
 @examples[#:eval session
 (verify-equal (sin (+ 'a 'b))
@@ -84,7 +87,7 @@ the question is whether there are any: whether it satisfies the equations of
 (verdict-status v)
 (proved? v)
 (refuted? v)
-(undecided? (prove-zero (- (* 0.1 'x 3) (* 0.3 'x))))]}
+(undecided? (prove-zero (- (* 0.1234567890123 'x 3) (* 0.3703703670369 'x))))]}
 
 @defproc[(verdict-residual [v verdict?]) value]{
 
@@ -149,6 +152,37 @@ corner
 (verdict-kinks corner)
 (verify-solution (L-free 'm) (lambda (t) (/ (square t) t)))
 (assuming ('(> t 2)) (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))]}
+
+@defproc[(verdict-reason [v verdict?])
+         (or/c #f 'kinks 'nowhere-defined 'too-large 'decimals 'series 'beyond-the-algebra)]{
+
+Why a verdict is undecided, the first of these that is so: derivatives do not see what
+happens at some points; no point was found where the question has a real value and the
+assumptions hold; it is too large to be multiplied out; decimals stand in the way; only the
+first terms of a series were looked at; no rule of the library proves it, and no point
+refutes it. @racket[#f] for other verdicts.
+
+@examples[#:eval session
+(verdict-reason (prove-zero (- (sqrt (+ 'x (* 2 (sqrt (- 'x 1))))) (sqrt (- 'x 1)) 1)))
+(verdict-reason (prove-zero (- (log (- -1 (square 'x))) 1)))]}
+
+@defproc[(verdict-readings [v verdict?]) (listof list?)]{
+
+How decimals were read for the proof: lists of a decimal and an exact expression. There are
+none where it holds for any numbers in their place.
+
+@examples[#:eval session
+(verdict-readings (verify-equal (cos (* 1.4142135623730951 't)) (cos (* (sqrt 2.0) 't))))
+(verdict-readings (verify-equal (* 0.5 'm) (* 1/2 'm)))]}
+
+@defproc[(verdict-remarks [v verdict?]) (listof string?)]{
+
+What makes the answer say less than it seems to: a path that does not depend on the time, a
+symbol @racket['t] that is taken for it, a Lagrangian that depends on nothing, a quantity
+that is a constant. They are printed as notes.
+
+@examples[#:eval session
+(verdict-remarks (verify-solution (L-free 'm) (lambda (t) 'c)))]}
 
 @defproc[(verdict-assumptions [v verdict?]) list?]{
 

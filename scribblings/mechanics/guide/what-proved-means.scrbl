@@ -1,0 +1,104 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt")
+
+@title[#:tag "what-proved-means"]{What @italic{proved} and @italic{refuted} mean}
+
+@(define session (make-session))
+
+A verdict is meant to be relied on, so its words are exact. This page says what they
+mean, with an example for each.
+
+@section{Values are real}
+
+An expression has a value at a point if each of its parts has a real value there. Two
+expressions are equal if they are equal wherever both have values. @italic{Proved} says
+that this is so, and that there is such a point. @italic{Refuted} shows a point where both
+have values, and these differ.
+
+So 1/√x is √(1/x), for where x is negative neither has a value; and of what has a value
+nowhere, nothing is proved:
+
+@examples[#:eval session #:label #f
+(verify-equal (/ 1 (sqrt 'x)) (sqrt (/ 1 'x)))
+(define nothing (- (square (sin 'x)) (- 1 (square (cos 'x)))))
+(prove-zero (* nothing (/ 1 nothing)))]
+
+Numbers that are not real are welcome as such. An expression that holds one, such as
+@racket[(exp (* +i 'omega 't))], has complex values, and then nothing is taken for granted
+about what stands under roots.
+
+@section{The domain is free}
+
+Where √(1 − x) has a value, x is at most 1. Nobody needs to be told, and nothing is assumed
+by using it:
+
+@examples[#:eval session #:label #f
+(sqrt (/ 1 (sqrt (- 1 'x))))
+(verify-equal (log (* (- 'x 'y) 'z)) (+ (log (- 'x 'y)) (log 'z)))]
+
+Radicands are not negative, what logarithms are taken of is positive, and arcsines are
+taken of numbers from −1 to 1. So it is with what no real number can be: cos x is less
+than 2.
+
+@examples[#:eval session #:label #f
+(sqrt (square (- (cos 'x) 2)))]
+
+@section{One reference point}
+
+The root of r² is r or −r. If neither the domain nor what you declared decides, the library
+takes the sign that it has at one point: the @emph{reference point} of the question, at
+which everything asked about has a value and everything declared holds. At the first
+point that is tried all symbols are positive, for that is what lengths and masses are. The
+sign is told below the result:
+
+@examples[#:eval session #:label #f
+(sqrt (square 'r))
+(assuming ('(< (* x y) 0)) (sqrt (* (square 'x) (square 'y))))]
+
+All signs of one answer are taken at one point. So no two of them contradict each other,
+or what was declared, and there are numbers for which all of them hold.
+
+@section{Derivatives pass over kinks}
+
+Wherever it has a second derivative, that of |t − 2| is zero; a free motion it is not. A
+verdict about a motion is not @italic{proved} while such a place is left: see
+@secref["kinks"].
+
+@section{Decimals}
+
+A decimal such as 1.4142135623730951 may be √2 as far as the machine can tell, and may be
+something else. What holds for any number in its place is proved. If something holds for
+this one only, each decimal is read as the simplest number that it may stand for: a
+fraction, a root, a multiple of π; if this leads to a proof, the verdict says how it was
+read.
+
+@examples[#:eval session #:label #f
+(define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(verify-solution (L-harmonic 'm 9.8) (lambda (t) (* 'a (cos (* (sqrt (/ 9.8 'm)) t)))))
+(verify-solution (L-harmonic 1 2) (lambda (t) (cos (* (sqrt 2.0) t))))
+(verify-solution (L-harmonic 1 2) (lambda (t) (cos (* 1.41421356 t))))]
+
+Better write what you mean. @racket[(sqrt 2)] is a number, and Racket has no exact one for
+it; a symbol has all its digits:
+
+@examples[#:eval session #:label #f
+(verify-solution (L-harmonic 1 'k) (lambda (t) (cos (* (sqrt 'k) t))))]
+
+@section{Undecided, and why}
+
+@racket[verdict-reason] names the reason: @racket['decimals] that stand in the way;
+@racket['nowhere-defined], if no point was found where the question has a value;
+@racket['kinks]; @racket['too-large] to be multiplied out; the endless terms of a
+@racket['series]; or @racket['beyond-the-algebra], an identity that the library does not
+know.
+
+@section{Answers that say little}
+
+Some questions answer themselves. The verdict is what it is, and a note says so:
+
+@examples[#:eval session #:label #f
+(verify-solution (L-harmonic 'm 'k) (lambda (t) 0))
+(verify-conserved (L-harmonic 'm 'k) (lambda (local) 'your-answer) (up 't 'q 'v))
+(verify-solution (L-harmonic 'm 0) (lambda (t) (* 't 't)))]
+
+@(close-session session)
