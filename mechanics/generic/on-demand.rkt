@@ -8,9 +8,15 @@
 ;; second provides them, too.  [name here] instead of a name calls it `here`.  A procedure
 ;; with keywords is to be made by `define-plain` (define-plain.rkt says why).
 ;;
-;; A break while modules are being made leaves them half made, and nothing in Racket takes
-;; that up again: `lazy-require` would raise the break at every later call.  So a break
-;; waits until they stand, some hundredths of a second.
+;; Racket never takes up again modules that were left half made.  So a thread of its own
+;; loads them: a break reaches the caller, who waits, at once, and the loading goes on,
+;; even when the caller is killed.  A file whose body fails is not tried again: what it
+;; raised is raised at every call.
+;;
+;;     (require-on-demand #:in-this-thread [file name ...] ...)
+;;
+;; is for libraries that take the thread they are loaded in for their own, as racket/gui
+;; does with its events: the caller loads them, and breaks wait until that is done.
 
 (require (for-syntax racket/base)
          racket/runtime-path)
@@ -23,29 +29,28 @@
 
 ;; A submodule that nobody loads requires the files, so that they are compiled with the
 ;; module that has the form; once in a module, therefore.
-(define-syntax-rule (require-on-demand [file name ...] ...)
+(define-syntax require-on-demand
+  (syntax-rules ()
+    [(_ #:in-this-thread clause ...) (require-clauses load-here clause ...)]
+    [(_ clause ...) (require-clauses load-apart clause ...)]))
+
+(define-syntax-rule (require-clauses load [file name ...] ...)
   (begin (module compiled-too racket/base
            (require (for-label (only-in file) ...)))
-         (require-clause [file name ...]) ...))
+         (require-clause load [file name ...]) ...))
 
 ;; A runtime path, so that an executable has the file.
-(define-syntax-rule (require-clause [file name ...])
+(define-syntax-rule (require-clause load [file name ...])
   (begin
     (define-runtime-module-path-index index 'file)
-    (define (value-of exported) (load-value (#%variable-reference) index exported))
+    (define wanted (source (#%variable-reference) index #f))
+    (define (value-of exported) (load wanted exported))
     (define-on-demand value-of name) ...))
 
 (define-syntax define-on-demand
   (syntax-rules ()
     [(_ value-of [name here]) (define here (called-later 'here (lambda () (value-of 'name))))]
     [(_ value-of name) (define-on-demand value-of [name name])]))
-
-;; In the namespace of the module that asks: several may have the library loaded.
-(define (load-value place index name)
-  (define space (variable-reference->namespace place))
-  (parameterize ([current-namespace space])
-    (parameterize-break #f
-      (namespace-call-with-registry-lock space (lambda () (dynamic-require index name))))))
 
 ;; A procedure named `name`, which is the one that `load` gives.
 (define (called-later name load)
@@ -59,3 +64,57 @@
                  [arguments (apply (it) arguments)]))
   (define (call-with names values . arguments) (keyword-apply (it) names values arguments))
   (procedure-rename (make-keyword-procedure call-with call) name))
+
+;; ---------------------------------------------------------------------------
+;; Loading
+
+;; place : variable reference of the module that asks; failure : what loading raised, or #f
+(struct source (place index [failure #:mutable]))
+
+;; The value of a name, in the namespace of the module that asks: several may have the
+;; library loaded.  The lock is that of everybody who loads into it at run time.
+(define (load-here wanted name [begun void])
+  (define space (variable-reference->namespace (source-place wanted)))
+  (parameterize ([current-namespace space] [loading? #t])
+    (namespace-call-with-registry-lock
+     space
+     (lambda ()
+       (begun)
+       (parameterize-break #f (load-once wanted name))))))
+
+(define (load-once wanted name)
+  (when (source-failure wanted) (raise (source-failure wanted)))
+  (with-handlers ([(lambda (e) (not (exn:break? e)))
+                   (lambda (e)
+                     (set-source-failure! wanted e)
+                     (raise e))])
+    (dynamic-require (source-index wanted) name)))
+
+;; Does a file that is being loaded ask for another?  Its thread has the lock.
+(define loading? (make-parameter #f))
+
+;; As load-here, by a thread that nobody else knows.  If that does not get the lock soon,
+;; the caller may be the one who holds it, and had better load by himself.
+(define (load-apart wanted name)
+  (define begun (make-semaphore))
+  (define outcome #f)
+  (define (load)
+    (set! outcome
+          (with-handlers ([void (lambda (e) (lambda () (raise e)))])
+            (define value (load-here wanted name (lambda () (semaphore-post begun))))
+            (lambda () value))))
+  (unless (loading?)
+    (define loader (start load))
+    (when (sync/timeout patience begun) (sync loader)))
+  (if outcome (outcome) (load-here wanted name)))
+
+(define patience 0.1)            ; seconds
+
+;; Modules live as long as their namespace: so the thread belongs to whoever had this one
+;; loaded, and no limit that is set to a call ends it.
+(define owner (current-custodian))
+
+(define (start thunk)
+  (define custodian (if (custodian-shut-down? owner) (current-custodian) owner))
+  (parameterize ([current-custodian custodian])
+    (parameterize-break #f (thread thunk))))

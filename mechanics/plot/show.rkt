@@ -6,7 +6,7 @@
          "../error/machine.rkt"
          "../generic/on-demand.rkt")
 
-(require-on-demand ["window.rkt" loaded? open-window])
+(require-on-demand #:in-this-thread ["window.rkt" loaded? open-window])
 
 (provide graphics-show)
 

@@ -1,0 +1,96 @@
+#lang racket/base
+;; Files loaded when something of theirs is called: once, whatever happens meanwhile.
+
+(require racket/runtime-path
+         rackunit)
+
+(define-runtime-path asking "../runner/fixture/on-demand/asking.rkt")
+(define-runtime-path here "../runner/fixture/on-demand/here.rkt")
+
+;; (use get space), where (get name) is an export of the fixture, nothing of which is loaded.
+(define (call-with-fixture use [file asking])
+  (define space (make-base-empty-namespace))
+  (define (get name)
+    (parameterize ([current-namespace space]) (dynamic-require file name)))
+  (use get space))
+
+(define (message-of thunk)
+  (with-handlers ([exn:fail? exn-message]) (thunk)))
+
+;; Waits until it is so, or ten seconds.
+(define (wait-until true?)
+  (let loop ([tries 1000])
+    (unless (or (true?) (= tries 0))
+      (sleep 0.01)
+      (loop (- tries 1)))))
+
+(define (check-slow-done get)
+  (check-equal? ((get 'slow-value)) 1)
+  (check-equal? ((get 'events)) '(begun done)))
+
+;; ---------------------------------------------------------------------------
+
+(test-case "a file whose body fails says the same thing every time, and is tried once"
+  (call-with-fixture
+   (lambda (get space)
+     (for ([name '(one one another)])
+       (check-equal? (message-of (get name)) "no such library here"))
+     (check-equal? ((get 'events)) '(tried)))))
+
+(test-case "two threads that ask at once load once"
+  (call-with-fixture
+   (lambda (get space)
+     (define slow (get 'slow-value))
+     (for-each thread-wait (for/list ([i 3]) (thread slow)))
+     (check-slow-done get))))
+
+(test-case "a break reaches the caller while the file is loading, and the loading goes on"
+  (call-with-fixture
+   (lambda (get space)
+     (define slow (get 'slow-value))
+     (define seen #f)
+     (define caller
+       (thread (lambda ()
+                 (with-handlers ([exn:break? (lambda (e) (set! seen ((get 'events))))])
+                   (slow)))))
+     (wait-until (lambda () (pair? ((get 'events)))))
+     (break-thread caller)
+     (thread-wait caller)
+     (check-equal? seen '(begun))
+     (check-slow-done get))))
+
+(test-case "killing the caller does no harm, nor does a limit of time"
+  (define ((killed-by kill) get space)
+    (define slow (get 'slow-value))
+    (kill slow (lambda () (wait-until (lambda () (pair? ((get 'events)))))))
+    (check-slow-done get))
+  (call-with-fixture
+   (killed-by (lambda (slow wait)
+                (define caller (thread slow))
+                (wait)
+                (kill-thread caller))))
+  (call-with-fixture
+   (killed-by (lambda (slow wait)
+                (define limits (make-custodian))
+                (parameterize ([current-custodian limits]) (thread slow))
+                (wait)
+                (custodian-shutdown-all limits)))))
+
+(test-case "a file that is being loaded may ask for another"
+  (call-with-fixture (lambda (get space) (check-equal? ((get 'nested-value)) 2))))
+
+(test-case "who holds the lock of the namespace may ask"
+  (call-with-fixture
+   (lambda (get space)
+     (define slow (get 'slow-value))
+     (check-equal? (namespace-call-with-registry-lock space slow) 1))))
+
+(test-case "a file is loaded into the namespace of the one who asks"
+  (call-with-fixture
+   (lambda (get space)
+     (check-true ((get 'same-namespace?) space)))))
+
+(test-case "what wants the caller's thread is loaded there"
+  (call-with-fixture
+   (lambda (get space) (check-eq? ((get 'loading-thread)) (current-thread)))
+   here))
