@@ -1,0 +1,67 @@
+#lang racket/base
+;; What `make lint` finds, run on files made for it.
+
+(require compiler/find-exe
+         racket/file
+         racket/port
+         racket/runtime-path
+         racket/string
+         rackunit)
+
+(define-runtime-path lint "../../.ci/lint.rkt")
+
+;; files : ((name . text) ...)
+;; -> exit code, lines without the folder
+(define (lint-findings files)
+  (define folder (make-temporary-file "lint-~a" 'directory))
+  (dynamic-wind
+   void
+   (lambda ()
+     (for ([file (in-list files)])
+       (display-to-file (cdr file) (build-path folder (car file))))
+     (run-lint folder))
+   (lambda () (delete-directory/files folder))))
+
+(define (run-lint folder)
+  (define-values (process out in err)
+    (parameterize ([current-subprocess-custodian-mode 'kill])
+      (subprocess #f #f (current-error-port) (find-exe) lint folder)))
+  (close-output-port in)
+  (define lines (port->lines out))
+  (subprocess-wait process)
+  (values (subprocess-status process)
+          (for/list ([line (in-list lines)])
+            (regexp-replace #rx"^[^ ]*/" line ""))))
+
+(define sound "#lang racket/base\n(define x 1)\n")
+(define idle "#lang racket/base\n(require racket/list)\n")
+(define broken "#lang racket/base\n(require racket/no-such-library)\n")
+
+;; ---------------------------------------------------------------------------
+
+(test-case "a clean file has no findings"
+  (define-values (code lines) (lint-findings (list (cons "a.rkt" sound))))
+  (check-equal? code 0)
+  (check-equal? lines '("lint: 1 files, 0 findings")))
+
+(test-case "a file that cannot be expanded is a finding, and hides none in the others"
+  (define-values (code lines)
+    (lint-findings (for/list ([name '("a.rkt" "b.rkt" "c.rkt" "d.rkt" "e.rkt" "f.rkt")]
+                              [text (list broken broken idle idle idle idle)])
+                     (cons name text))))
+  (check-equal? code 1)
+  (for ([name '("a.rkt" "b.rkt")])
+    (check-true (ormap (lambda (line)
+                         (string-prefix? line (string-append name ": its requires cannot")))
+                       lines)
+                name))
+  (for ([name '("c.rkt" "d.rkt" "e.rkt" "f.rkt")])
+    (check-not-false (member (string-append name ": does not need racket/list") lines) name)))
+
+(test-case "lines, tabs and ends are looked at"
+  (define text (string-append "#lang racket/base\n" (make-string 101 #\;) "\n;\t\n; \n\n"))
+  (define-values (code lines) (lint-findings (list (cons "a.rkt" text))))
+  (check-equal? code 1)
+  (check-equal? lines '("a.rkt:2: 101 characters, more than 100" "a.rkt:3: a tab"
+                        "a.rkt:4: spaces at the end" "a.rkt:end: not one line end"
+                        "lint: 1 files, 4 findings")))
