@@ -30,16 +30,18 @@ bare() {
     base=$where/$1.bare
     [ ! -d "$base" ] || return 0
     say "$1: installing a bare system ..."
-    rm -rf "$base.part"
+    rm -rf --one-file-system "$base.part" || give_up "$1: a broken attempt cannot be removed."
     debootstrap --variant=minbase --include=make,ca-certificates "$1" "$base.part" ${MIRROR:-} \
         >"$where/$1.log" 2>&1 || { tail -n 5 "$where/$1.log"; give_up "$1: debootstrap failed."; }
-    mv "$base.part" "$base"
+    mv "$base.part" "$base" || give_up "$1: the bare system cannot be kept."
 }
 
 # checkout ROOT: what is committed, as a stranger gets it.
 checkout() {
-    mkdir -p "$1/mechanics"
-    git archive HEAD | tar -x -C "$1/mechanics"
+    mkdir -p "$1/mechanics" &&
+        git archive -o "$1/mechanics.tar" HEAD &&
+        tar -x -f "$1/mechanics.tar" -C "$1/mechanics" &&
+        rm "$1/mechanics.tar"
 }
 
 # inside ROOT COMMAND: the mounts belong to the command and go with it.
@@ -60,12 +62,14 @@ attempt() {
     return "$code"
 }
 
+# What is asked whether it fails, as try_suite is below, goes on after a command that fails,
+# whatever `set -e` says: so each of them says what then.
 try_suite() {
     bare "$1"
-    rm -rf --one-file-system "${where:?}/$1"
-    cp -a "$where/$1.bare" "$where/$1"
-    cp /etc/resolv.conf "$where/$1/etc/resolv.conf"
-    checkout "$where/$1"
+    rm -rf --one-file-system "${where:?}/$1" || give_up "$1: the last attempt cannot be removed."
+    cp -a "$where/$1.bare" "$where/$1" || give_up "$1: the bare system cannot be copied."
+    cp /etc/resolv.conf "$where/$1/etc/resolv.conf" || give_up "$1: no name server can be set."
+    checkout "$where/$1" || give_up "$1: the checkout failed."
     : >"$where/$1.log"
     attempt "$1" "make demo" && attempt "$1" "make test"
 }
