@@ -2,7 +2,8 @@
 ;; Who requires whom, read off the compiled modules, and what is wrong with it.
 ;;
 ;; A graph is a hash from the name of a file to the names of the files it requires, at any
-;; phase, from any submodule, lazily or not.  A rule gives sentences: what is wrong.
+;; phase, from any submodule; what it loads on demand, a submodule of it requires
+;; (generic/on-demand.rkt).  A rule gives sentences: what is wrong.
 
 (require racket/list
          racket/path
@@ -13,7 +14,7 @@
          "library.rkt"
          "map.rkt")
 
-(provide require-graph imports compiler-complaint
+(provide require-graph imports on-demand-imports compiler-complaint
          unplaced-files upward-requires circles)
 
 ;; What the compiler has to say against a file, or #f.
@@ -29,34 +30,31 @@
 
 ;; Complete paths of the files a file requires.
 (define (imports path)
-  (define (paths code)
-    (append
-     (for*/list ([phase (in-list (module-compiled-imports code))]
-                 [index (in-list (cdr phase))]
-                 [path (in-value (file-of (resolve-module-path-index index path)))]
-                 #:when path)
-       path)
-     (append-map paths (append (module-compiled-submodules code #t)
-                               (module-compiled-submodules code #f)))))
-  (remove-duplicates (append (paths (get-module-code path)) (lazy-imports path))))
+  (remove-duplicates
+   (append-map (lambda (code) (module-imports code path)) (with-submodules (get-module-code path)))))
 
-(define on-demand-forms '(require-on-demand provide-on-demand))
+;; Of those that it loads on demand.
+(define (on-demand-imports path)
+  (for*/list ([code (in-list (with-submodules (get-module-code path)))]
+              #:when (equal? (last-name code) 'compiled-too)
+              [import (in-list (module-imports code path #:phase #f))])
+    import))
 
-;; These leave no trace in the compiled requires.
-(define (lazy-imports path)
-  (define (paths form)
-    (cond [(not (pair? form)) '()]
-          [(and (memq (car form) on-demand-forms) (list? form) (andmap clause? (cdr form)))
-           (for/list ([clause (in-list (cdr form))])
-             (file-of (resolve-module-path (car clause) path)))]
-          [else (append (paths (car form)) (paths (cdr form)))]))
-  (paths (syntax->datum (read-file path))))
+(define (with-submodules code)
+  (cons code (append-map with-submodules (append (module-compiled-submodules code #t)
+                                                 (module-compiled-submodules code #f)))))
 
-;; Is it a clause of such a form, and not of the macro that makes one?
-(define (clause? x)
-  (and (pair? x)
-       (or (string? (car x))
-           (and (symbol? (car x)) (regexp-match? #rx"/" (symbol->string (car x)))))))
+(define (last-name code)
+  (define name (module-compiled-name code))
+  (if (pair? name) (last name) name))
+
+(define (module-imports code path #:phase [wanted 'any])
+  (for*/list ([phase (in-list (module-compiled-imports code))]
+              #:when (memv wanted (list 'any (car phase)))
+              [index (in-list (cdr phase))]
+              [import (in-value (file-of (resolve-module-path-index index path)))]
+              #:when import)
+    import))
 
 (define (file-of resolved)
   (cond [(path? resolved) resolved]
