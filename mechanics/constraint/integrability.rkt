@@ -100,8 +100,6 @@
               #:unless (eqv? slope 0))
     (component i j slope)))
 
-(define (in-indexed xs) (in-parallel xs (in-naturals)))
-
 (define (on-pair slopes X Y)
   (for/fold ([sum 0]) ([c (in-list slopes)])
     (define-values (i j) (values (component-i c) (component-j c)))

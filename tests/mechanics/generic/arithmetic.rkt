@@ -113,8 +113,6 @@
       (and (= (length v) (length w)) (andmap agree? v w))
       (if (and (number? v) (number? w)) (close? v w 1e-12) (eq? v w))))
 
-(define (in-indexed xs) (in-parallel xs (in-naturals)))
-
 (define (inapplicable name)
   (regexp (format "^~a: cannot " (regexp-quote (symbol->string name)))))
 

@@ -126,7 +126,7 @@
   (define (variants e)
     (append (replacements e)
             (if (pair? e)
-                (for*/list ([(part i) (in-indexed-list e)]
+                (for*/list ([(part i) (in-indexed e)]
                             #:when (or (pair? part) (symbol? part))
                             [v (in-list (variants part))])
                   (list-set e i v))
@@ -134,9 +134,6 @@
   (for/list ([body (in-list (variants (caddr program)))]
              #:when (< (size body) (size (caddr program))))
     (list 'lambda '(x) body)))
-
-(define (in-indexed-list xs)
-  (in-parallel (in-list xs) (in-naturals)))
 
 (define (expression? e)
   (or (number? e)
