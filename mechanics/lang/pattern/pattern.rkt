@@ -5,7 +5,7 @@
 
 (require (for-syntax racket/base
                      (only-in racket/list append-map)
-                     "pattern-syntax.rkt")
+                     "miswritten.rkt" "pattern-syntax.rkt")
          "tuple.rkt")
 
 (provide up down
@@ -48,6 +48,7 @@
 ;; A curried head is taken apart from outside in, and every procedure it makes
 ;; bears the name that is defined.
 (define-syntax (define/pattern stx)
+  (check-definition stx)
   (check-head stx)
   (syntax-case stx ()
     [(_ (name . formals) body ...)
@@ -105,13 +106,23 @@
 
   (define (check-formals stx)
     (syntax-case stx ()
-      [(_ formals . _) (check-arguments #'formals stx)]
+      [(_ formals . _)
+       (begin (check-quoted #'formals stx)
+              (check-arguments #'formals stx))]
+      [_ (void)])))
+
+(begin-for-syntax
+  (define (check-cases stx)
+    (syntax-case stx ()
+      [(_ [formals . _] ...)
+       (for ([formals (in-list (syntax->list #'(formals ...)))]) (check-quoted formals stx))]
       [_ (void)])))
 
 (define-syntax lambda/pattern (expand-lambda #'lambda))
 (define-syntax λ/pattern (expand-lambda #'λ))
 
 (define-syntax (case-lambda/pattern stx)
+  (check-cases stx)
   (syntax-case stx ()
     [(_ [formals body ...] ...)
      (ormap has-pattern? (syntax->list #'(formals ...)))

@@ -81,6 +81,13 @@ A tuple may be raised to a positive integer power: repeated multiplication.
 (expt (sqrt 'x) 2)
 (((expt D 2) sin) 'x)]}
 
+@defidform[^]{
+
+No power: whoever writes one is told how. Your own definition of the name is welcome.
+
+@examples[#:eval session
+(eval:error (^ 'x 2))]}
+
 @deftogether[(@defproc[(sqrt [x value]) value]
               @defproc[(exp [x value]) value]
               @defproc*[([(log [x value]) value] [(log [x value] [base value]) value])])]{

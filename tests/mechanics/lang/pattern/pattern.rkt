@@ -20,6 +20,11 @@
         [(pair? datum) (+ (occurrences name (car datum)) (occurrences name (cdr datum)))]
         [else 0]))
 
+;; With the bindings of this file.
+(define (namespaced stx)
+  (parameterize ([current-namespace (namespace-anchor->namespace here)])
+    (namespace-syntax-introduce stx)))
+
 ;; ---------------------------------------------------------------------------
 ;; What is bound
 
@@ -295,3 +300,48 @@
 (test-case "without patterns nothing is added"
   (check-equal? (expanded '(lambda (x) x)) '(#%expression (lambda (x) x)))
   (check-equal? (expanded '(define (f x) x)) '(define-values (f) (lambda (x) x))))
+
+;; ---------------------------------------------------------------------------
+;; Written as elsewhere
+
+(test-case "a name being defined is not quoted"
+  (for ([row '(((define 'm 5) "define: a name being defined is not quoted: (define m 5)")
+               ((define 'm (+ 1 'x)) "define: a name being defined is not quoted: (define m (+ 1 'x))")
+               ((define (f 't) (* 2 't))
+                "define: a name being defined is not quoted: (define (f t) (* 2 't))")
+               ((define ('f t) 1) "define: a name being defined is not quoted: (define (f t) 1)")
+               ((define ((f 'm k) (up t 'q v) [n 'n]) 1 2)
+                "define: a name being defined is not quoted: (define ((f m k) (up t q v) (n 'n)) ...)")
+               ((lambda ('t) 't) "lambda: a name being defined is not quoted: (lambda (t) ...)")
+               ((lambda 't 't) "lambda: a name being defined is not quoted: (lambda t ...)")
+               ((λ (a ['b 1] . rest) a)
+                "λ: a name being defined is not quoted: (λ (a (b 1) . rest) ...)")
+               ((case-lambda [(a) a] [(a 'b) a])
+                "case-lambda: a name being defined is not quoted: (case-lambda (a b) ...)"))])
+    (check-regexp-match (string-append "^" (regexp-quote (cadr row)) "\n") (syntax-message (car row)))))
+
+(test-case "the default of an argument may be quoted, and what is defined may be a symbol"
+  (define (f [t 't]) t)
+  (define ((g #:m [m 'm]) (up t q)) (list m t q))
+  (define s 'm)
+  (check-equal? (list (f) ((g) (up 1 2)) s) '(t (m 1 2) m)))
+
+(test-case "a definition has no sign ="
+  (for ([row '(((define m = 5) "define: a definition is written (define m 5)")
+               ((define f (t) = (+ t 1)) "define: a definition is written (define (f t) (+ t 1))")
+               ((define (f t) = (+ t 1)) "define: a definition is written (define (f t) (+ t 1))")
+               ((define ((f m) t) = 1 2) "define: a definition is written (define ((f m) t) ...)"))])
+    (check-regexp-match (string-append "^" (regexp-quote (cadr row)) "\n") (syntax-message (car row))))
+  (define same =)
+  (define (f) =)
+  (check-eq? same (f)))
+
+(test-case "the name of a function and its arguments are in one pair of parentheses"
+  (define (read-in text)
+    (define port (open-input-string text))
+    (port-count-lines! port)
+    (read-syntax 'text port))
+  (check-regexp-match #rx"define: a definition is written [(]define [(]f t[)] [(][*] 2 t[)][)]\n"
+                      (syntax-message (namespaced (read-in "(define f(t) (* 2 t))"))))
+  (check-regexp-match #rx"multiple expressions"
+                      (syntax-message (namespaced (read-in "(define E (f t) (* 2 t))")))))

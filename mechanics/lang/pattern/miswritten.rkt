@@ -1,0 +1,118 @@
+#lang racket/base
+;; Definitions as a newcomer may write them, refused with how they are written.
+;;
+;; A name is quoted where it is used as a symbol, never where it is defined.  Racket would
+;; take (define 'm 5), which is (define (quote m) 5), for a definition of `quote`, and ('t)
+;; among arguments for an optional argument of that name; and nothing quoted would be what
+;; it was.  Others bring the sign = along, and the name before its arguments, f(t).
+
+(provide check-definition check-quoted)
+
+;; stx : a form that begins with `define`
+(define (check-definition stx)
+  (syntax-case stx ()
+    [(_ head . body)
+     (let ([found (quoted-in-head #'head)])
+       (when found
+         (raise-quoted stx found (list 'define (unquoted-head (datum #'head)) (shown #'body))))
+       (check-equals stx))]
+    [_ (void)]))
+
+;; formals : an argument list of `stx`, a form such as lambda
+(define (check-quoted formals stx)
+  (define found (or (quoted-name formals) (quoted-among formals)))
+  (when found
+    (define clean ((if (quoted-name formals) cadr unquoted-arguments) (datum formals)))
+    (raise-quoted stx found (list (datum (car (syntax-e stx))) clean '...))))
+
+(define (raise-quoted stx found written)
+  (raise-syntax-error #f (format "a name being defined is not quoted: ~a" (text written))
+                      stx found))
+
+;; ---------------------------------------------------------------------------
+;; Quoted names
+
+;; 'x, or #f
+(define (quoted-name stx)
+  (syntax-case stx ()
+    [(q name) (and (eq? (syntax-e #'q) 'quote) (identifier? #'name)) stx]
+    [_ #f]))
+
+(define (quoted-in-head head)
+  (or (quoted-name head)
+      (syntax-case head ()
+        [(inner . formals) (or (quoted-in-head #'inner) (quoted-among #'formals))]
+        [_ #f])))
+
+;; Among arguments, patterns taken apart; the default of one may well be a symbol.
+(define (quoted-among formals)
+  (syntax-case formals ()
+    [(a . more)
+     (or (quoted-name #'a)
+         (syntax-case #'a ()
+           [(up . components) (pattern-head? (syntax-e #'up)) (quoted-among #'components)]
+           [(name default) (quoted-name #'name)]
+           [_ #f])
+         (quoted-among #'more))]
+    [_ #f]))
+
+(define (pattern-head? x) (memq x '(up down)))
+
+;; ---------------------------------------------------------------------------
+;; As it is written, without the quotes
+
+(define datum syntax->datum)
+
+(define (quoted? d) (and (list? d) (= (length d) 2) (eq? (car d) 'quote) (symbol? (cadr d))))
+
+(define (unquoted-head d)
+  (cond [(quoted? d) (cadr d)]
+        [(pair? d) (cons (unquoted-head (car d)) (unquoted-arguments (cdr d)))]
+        [else d]))
+
+(define (unquoted-arguments ds)
+  (if (pair? ds)
+      (cons (unquoted-argument (car ds)) (unquoted-arguments (cdr ds)))
+      ds))
+
+(define (unquoted-argument d)
+  (cond [(quoted? d) (cadr d)]
+        [(and (pair? d) (pattern-head? (car d))) (cons (car d) (unquoted-arguments (cdr d)))]
+        [(pair? d) (cons (unquoted-argument (car d)) (cdr d))]
+        [else d]))
+
+;; A body in a message: itself if it is short.
+(define (shown body)
+  (define forms (datum body))
+  (if (and (list? forms) (= (length forms) 1) (<= (string-length (text (car forms))) 30))
+      (car forms)
+      '...))
+
+(define (text d)
+  (parameterize ([print-reader-abbreviations #t]) (format "~s" d)))
+
+;; ---------------------------------------------------------------------------
+;; The sign =, and f(t)
+
+(define (check-equals stx)
+  (define (fail written)
+    (raise-syntax-error #f (format "a definition is written ~a" (text written)) stx))
+  (syntax-case stx ()
+    [(_ head sign . body)
+     (and (equals? #'sign) (pair? (syntax-e #'body)))
+     (fail (list 'define (datum #'head) (shown #'body)))]
+    [(_ name (argument ...) sign . body)
+     (and (identifier? #'name) (equals? #'sign))
+     (fail (list 'define (datum #'(name argument ...)) (shown #'body)))]
+    [(_ name arguments form . body)
+     (and (identifier? #'name) (pair? (syntax-e #'arguments)) (adjacent? #'name #'arguments))
+     (fail (list 'define (datum #'(name . arguments)) (shown #'(form . body))))]
+    [_ (void)]))
+
+(define (equals? stx) (eq? (syntax-e stx) '=))
+
+;; Is there nothing between the two?
+(define (adjacent? one other)
+  (define-values (start span next)
+    (values (syntax-position one) (syntax-span one) (syntax-position other)))
+  (and start span next (= (+ start span) next)))
