@@ -11,11 +11,12 @@ export RACKET
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
-.PHONY: help demo repl test attack lint elsewhere bench docs clean racket libraries compile
+.PHONY: help demo repl run test attack lint elsewhere bench docs clean racket libraries compile
 
 help:
 	@echo 'make demo    a tour: Lagrange equations, proposed paths, verdicts'
 	@echo 'make repl    a prompt with mechanics loaded'
+	@echo 'make run     run a file            (FILE=my-system.rkt, ARGS="..." for what it is told)'
 	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    unused requires, long lines, tabs'
@@ -30,6 +31,12 @@ demo: compile
 
 repl: compile
 	@$(RACKET) -I mechanics
+
+run: compile
+	@if [ ! -f "$(FILE)" ]; then \
+	    echo 'make run FILE=my-system.rkt runs a file; given: FILE=$(FILE)' >&2; exit 2; \
+	fi
+	@$(RACKET) "$(FILE)" $(ARGS)
 
 test: racket libraries
 	@echo 'Compiling the tests ...'

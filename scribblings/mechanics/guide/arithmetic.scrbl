@@ -50,8 +50,7 @@ value. Their products compose.
 
 @section{Exact and inexact numbers}
 
-Fractions stay exact. An exact result is printed exactly, and only exact
-results can be @italic{proved} to be zero.
+Fractions stay exact, and an exact result is printed exactly.
 
 @examples[#:eval session #:label #f
 (* 1/2 2/3)
@@ -69,8 +68,18 @@ A number with a decimal point is inexact, and it makes inexact what it touches:
 (sin pi)]
 
 The last one is not zero because @racket[pi] is not π but the nearest
-floating-point number. So write @racket[1/2] rather than @racket[0.5] in a
-Lagrangian, and use symbols for what you do not want to round.
+floating-point number. What depends on such digits cannot be @italic{proved}; where
+the decimals cancel whatever they are, as here, it can:
+
+@examples[#:eval session #:label #f
+(define ((L m k) (up t q v))
+  (- (* 0.5 m (square v)) (* 0.5 k (square q))))
+(verify-solution (L 'm 'k)
+                 (lambda (t) (cos (* (sqrt (/ 'k 'm)) t))))
+(prove-zero (- (* 0.1 'x) (/ 'x 10)))]
+
+So write @racket[1/2] rather than @racket[0.5] in a Lagrangian, and use symbols for
+what you do not want to round.
 
 @section{Comparing}
 

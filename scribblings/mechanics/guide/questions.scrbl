@@ -51,7 +51,7 @@ At the prompt it is. Inside a program, @racket[displayln] and
 
 @section{Why “undecided”?}
 
-Because a number with a decimal point came in, or because the identity is beyond
+Perhaps because a number with a decimal point came in, or because the identity is beyond
 the library's algebra. Try exact fractions, or symbols. A symbol for
 @italic{g} is better than 9.8.
 
@@ -73,8 +73,12 @@ from there on. For clashes with other libraries see @secref["clashes"].
 
 @section{Is there graphics, integration of motions, Hamiltonian mechanics?}
 
-Not yet. This version does what its reference lists: variational mechanics with
-literal and proposed paths.
+Graphics, yes: @racket[(require mechanics/plot)] has frames as in the book, on a
+screen or in a file (@secref["pictures"]). Motions, yes: @racket[evolve-trajectory]
+and its kin integrate the equations of any Lagrangian, with events, constraints, and
+as many digits as you like (@secref["numbers"]). Hamiltonian mechanics, chapter 3 of
+the book, not yet: what there is of it are the signatures of Hamiltonians, and
+integration methods that keep areas in phase space.
 
 @(close-session session)
 @(close-session racket-session)

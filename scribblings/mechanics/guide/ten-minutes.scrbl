@@ -7,7 +7,8 @@
 
 We take a pendulum: a mass @italic{m} on a rod of length @italic{l}, swinging in
 a plane. Its one coordinate is the angle @italic{θ} from the lowest point. Start
-a prompt with @exec{racket -I mechanics} and type along.
+a prompt with @exec{make repl} in a checkout, or with @exec{racket -I mechanics} where
+the package is installed (@secref["installation"]), and type along.
 
 @section{Write the Lagrangian}
 
