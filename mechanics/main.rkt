@@ -17,7 +17,7 @@
          (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/Noether.rkt"
          "lagrangian/path.rkt" "lagrangian/state-derivative.rkt"
          "lagrangian/total-derivative.rkt" "lagrangian/variation.rkt"
-         "lang/application.rkt" "lang/mistake/power.rkt" "lang/Scheme.rkt" "lang/session.rkt"
+         "lang/application.rkt" "lang/mistake/caret.rkt" "lang/Scheme.rkt" "lang/session.rkt"
          "lang/redefinition/module.rkt"
          "map/on-demand.rkt"
          "motion/on-demand.rkt"
