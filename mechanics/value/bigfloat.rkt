@@ -20,7 +20,7 @@
          ;; linear systems
          bigfloat-solutions
          ;; to and from those of math/bigfloat
-         wrap unwrap raw-bigfloat)
+         wrap raw-bigfloat)
 
 (define kind:bigfloat
   (make-kind #:rank rank:number

@@ -5,7 +5,7 @@
          "../generic/describe.rkt" "../generic/function.rkt")
 
 (provide compose identity constant-function
-         make-function arity-mask accepts?)
+         make-function accepts?)
 
 ;; ((compose f g h) x ...) is (f (g (h x ...))).
 (define compose

@@ -5,29 +5,25 @@
 ;; result whose total degree would pass the ring's bound raises
 ;; exn:algebra:degree-overflow.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "evaluate.rkt" "gcd.rkt" "inspect.rkt"
-         "meter.rkt" "parts.rkt" "power.rkt" "ring.rkt" "square-free.rkt" "term-list.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "inspect.rkt" "meter.rkt"
+         "parts.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
 
 (provide
  ;; rings
- make-ring ring? ring-size ring-max-degree (struct-out exn:algebra:degree-overflow)
+ make-ring ring-size ring-max-degree (struct-out exn:algebra:degree-overflow)
  ;; what arithmetic costs
  make-meter meter-left meter-charge! meter-allow! meter-allow-all! overspent?
  ;; making
  poly-constant poly-variable poly-monomial
  ;; asking
- poly-zero? poly-constant? poly-constant-value poly=? poly-hash poly-term-count
+ poly-zero? poly-constant? poly-constant-value poly=? poly-term-count
  poly-degree poly-total-degree poly-variables poly-leading-coefficient
- poly-terms poly-term-coefficient poly-term-powers poly-for-each-term
+ poly-terms poly-term-coefficient poly-term-powers
  ;; arithmetic
  poly+ poly- poly-negate poly* poly-scale poly-expt poly-sum poly-divide
  ;; divisors
- poly-gcd poly-gcd* poly-content poly-primitive poly-monomial-content
- poly-square-free poly-parts
+ poly-gcd* poly-content poly-primitive poly-monomial-content poly-parts
  ;; powers, of polynomials or of the variables in a term
  make-power power-base power-exponent product-leading-coefficient
  ;; along one variable
- poly-coefficients poly-from-coefficients poly-derivative poly-substitute
- make-slice slice-degree slice-coefficient
- ;; values
- poly-evaluate poly-evaluate-mod)
+ poly-coefficients poly-from-coefficients make-slice slice-degree slice-coefficient)

@@ -4,6 +4,7 @@
 ;; CPU microseconds a call, best of several rounds, on seeded random operands.
 
 (require "clock.rkt"
+         (only-in mechanics/algebra/polynomial/gcd poly-gcd)
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/fraction)
 

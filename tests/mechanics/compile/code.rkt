@@ -3,14 +3,14 @@
 
 (require racket/flonum
          rackunit
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/compile/code
          mechanics/compile/program
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         "../support/close.rkt" "../support/random.rkt")
+         "../support/close.rkt" "../support/random.rkt"
+         "../support/evaluate.rkt")
 
 (define (refuse e) (raise-argument-error 'program-of "an expression of the inputs" e))
 

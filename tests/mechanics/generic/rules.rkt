@@ -5,7 +5,6 @@
 ;; real line.  A new entry in the table of operations is tested by being there.
 
 (require rackunit
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/expression
          mechanics/generic/arithmetic
@@ -15,6 +14,7 @@
          mechanics/value/structure
          mechanics/calculus/derivative
          "../support/bigfloats.rkt" "../support/close.rkt" "../support/random.rkt"
+         "../support/evaluate.rkt"
          "../support/same.rkt" "../support/skip.rkt")
 
 (define records (append arithmetic-operations elementary-operations rounding-operations))

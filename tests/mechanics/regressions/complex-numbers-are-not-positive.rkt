@@ -8,10 +8,10 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/simplify/declare
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/zero/proof
          mechanics/algebra/expression/flat-graph
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../support/evaluate.rkt")
 
 (define negative-x (declare-relations no-assumptions '((< x 0))))
 

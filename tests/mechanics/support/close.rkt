@@ -11,11 +11,13 @@
  check-close     ; (check-close given expected tolerance) : absolute, of all numbers in them
  exact)          ; real number of any precision -> exact
 
-;; |a - b| <= tolerance max(1, |a|, |b|)
+;; |a - b| <= tolerance max(1, |a|, |b|), of finite numbers; others are close to themselves
 (define (close? a b [tolerance 1e-9])
   (or (eqv? a b)
-      (and (eqv? a +nan.0) (eqv? b +nan.0))
-      (<= (magnitude (- a b)) (* tolerance (max 1 (magnitude a) (magnitude b))))))
+      (and (finite? a) (finite? b)
+           (<= (magnitude (- a b)) (* tolerance (max 1 (magnitude a) (magnitude b)))))))
+
+(define (finite? z) (and (rational? (real-part z)) (rational? (imag-part z))))
 
 (define-check (check-close given expected tolerance)
   (define xs (numbers-in given))

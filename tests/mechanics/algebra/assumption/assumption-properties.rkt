@@ -7,13 +7,13 @@
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/reference
          mechanics/algebra/simplify/declare
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/assumption/relation
          mechanics/algebra/assumption/signs
          mechanics/algebra/simplify/simplify-expression
-         "../../support/close.rkt" "../../support/random.rkt")
+         "../../support/close.rkt" "../../support/random.rkt"
+         "../../support/evaluate.rkt")
 
 (define (choose xs) (list-ref xs (random (length xs))))
 

@@ -5,10 +5,10 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/order
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/substitute
          mechanics/algebra/simplify/simplify-expression
-         mechanics/algebra/zero/zero-test)
+         mechanics/algebra/zero/zero-test
+         "../../support/evaluate.rkt")
 
 ;; step applied n times; each node is used twice, so the tree has 2^n leaves.
 (define (iterate n step start)

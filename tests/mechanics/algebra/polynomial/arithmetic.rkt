@@ -2,6 +2,7 @@
 ;; Sums and products of polynomials are a ring, in few variables and in many.
 
 (require rackunit
+         (only-in mechanics/algebra/polynomial/inspect poly-hash poly-substitute)
          mechanics/algebra/polynomial/polynomial
          "../../support/random.rkt"
          "../../support/laws/law.rkt" "../../support/laws/ring.rkt"

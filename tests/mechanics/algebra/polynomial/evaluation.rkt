@@ -3,6 +3,7 @@
 
 (require rackunit
          mechanics/algebra/polynomial/polynomial
+         "../../support/evaluate-polynomial.rkt"
          "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 

@@ -2,6 +2,7 @@
 ;; Fractions of polynomials are a field, and canonical.
 
 (require rackunit
+         (only-in mechanics/algebra/polynomial/gcd poly-gcd)
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/fraction
          "../../support/random.rkt"

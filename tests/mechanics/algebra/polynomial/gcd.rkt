@@ -3,6 +3,8 @@
 ;; remainder sequences alone, and hard cases.
 
 (require rackunit
+         (only-in mechanics/algebra/polynomial/gcd poly-gcd)
+         (only-in mechanics/algebra/polynomial/square-free poly-square-free)
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/remainder-gcd remainder-gcd)
          "../../support/random.rkt"

@@ -3,6 +3,7 @@
 
 (require racket/fixnum
          rackunit
+         (only-in mechanics/algebra/polynomial/gcd poly-gcd)
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/modular
          mechanics/algebra/polynomial/images

@@ -3,12 +3,12 @@
 ;; each with one thing changed is refuted, at a point where the two sides differ.
 
 (require rackunit
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/evaluate.rkt")
 
 (define (difference u v)
   (make-node op:- (list (datum->expression u) (datum->expression v))))

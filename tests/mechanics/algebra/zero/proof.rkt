@@ -4,7 +4,6 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/zero/abstraction
          mechanics/algebra/zero/in-exponentials
@@ -12,6 +11,7 @@
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/read
+         "../../support/evaluate.rkt"
          "../../support/random.rkt"
          "../../support/random/expression.rkt")
 

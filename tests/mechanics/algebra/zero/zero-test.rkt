@@ -4,13 +4,13 @@
 (require rackunit
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/simplify/declare
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/assumption/relation
          mechanics/algebra/zero/decimals
          mechanics/algebra/zero/zero-test
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/evaluate.rkt")
 
 (define (verdict d) (zero-test (datum->expression d)))
 (define (status d) (zero-test-status (verdict d)))

@@ -10,8 +10,8 @@
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/zero-test
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/read
+         "../evaluate.rkt"
          "value.rkt")
 
 (provide value-kept idempotent

@@ -35,7 +35,6 @@
 (define (sinh: u) (f op:sinh u))
 (define (cosh: u) (f op:cosh u))
 
-(define (headed? e op) (and (node? e) (eq? (node-head e) op)))
 (define (first-arg e) (car (node-args e)))
 (define (second-arg e) (cadr (node-args e)))
 (define (sum? e) (and (headed? e op:+) (pair? (cdr (node-args e)))))

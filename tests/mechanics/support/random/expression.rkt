@@ -4,8 +4,8 @@
 
 (require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/expression/evaluate
-         mechanics/algebra/expression/substitute)
+         mechanics/algebra/expression/substitute
+         "../evaluate.rkt")
 
 (provide random-expression random-lookup value-at
          sound-rewrites unsound-rewrites rewrite)

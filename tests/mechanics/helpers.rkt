@@ -1,9 +1,22 @@
 #lang racket/base
-;; Numbers for expressions.
+;; Helpers of the tests that could be wrong themselves: numbers that are close, values of
+;; expressions.
 
 (require rackunit
-         mechanics/algebra/expression/evaluate
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "support/close.rkt" "support/evaluate.rkt")
+
+(test-case "numbers are close relative to the greater, and to 1"
+  (check-true (close? 1e20 (+ 1e20 1e10)))
+  (check-false (close? 1e20 (+ 1e20 1e12)))
+  (check-true (close? 0 1e-10))
+  (check-true (close? 1.0+2.0i 1.0+2.0000000001i))
+  (check-false (close? 1.0+2.0i 1.0-2.0i)))
+
+(test-case "what is not finite is close to itself alone"
+  (define unlike (list +inf.0 -inf.0 +nan.0 1.0 0 +inf.0+1.0i 1.0+nan.0i))
+  (for* ([a unlike] [b unlike])
+    (check-equal? (close? a b) (eqv? a b) (format "~a ~a" a b))))
 
 (define (value d point)
   (evaluate-expression (datum->expression d)

@@ -1,7 +1,9 @@
 #lang racket/base
 ;; Values of polynomials at points, over any numbers and over prime fields.
 
-(require "modular.rkt" "ring.rkt" "term-list.rkt")
+(require mechanics/algebra/polynomial/modular
+         mechanics/algebra/polynomial/ring
+         mechanics/algebra/polynomial/term-list)
 
 (provide poly-evaluate poly-evaluate-mod)
 

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Numbers for expressions: their values at a point, at the cost of the graph.
 
-(require "expression.rkt" "operation.rkt")
+(require mechanics/algebra/expression/expression
+         mechanics/algebra/expression/operation)
 
 (provide evaluate-expression point-lookup)
 
