@@ -10,6 +10,7 @@
          (only-in "gradient-tape.rkt" tape-inputs finish-tape!) "perturbed.rkt" "recorded.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../numeric/vector-map.rkt"
          "../value/operator.rkt" "../value/structure.rkt"
          "../value/linear/matrix.rkt")
 
@@ -66,9 +67,6 @@
   (define i 0)
   (define (skip! count) (begin0 i (set! i (+ i count))))
   (values (lambda () (skip! 1)) skip!))
-
-(define (vector-map f v)
-  (for/vector #:length (vector-length v) ([e (in-vector v)]) (f e)))
 
 ;; The value of `entry` at the number of each scalar of x, shaped as a derivative
 ;; by x: a tuple of the other orientation; by a matrix, the up tuple of its columns

@@ -13,6 +13,7 @@
          "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
          "../generic/recurrence.rkt"
+         "../numeric/vector-map.rkt"
          "../value/series/coefficients.rkt" "../value/series/operate.rkt"
          "../value/series/series.rkt")
 
@@ -92,9 +93,6 @@
         [else (define new (make-vector n))
               (vector-copy! new 0 v 0 n)
               new]))
-
-(define (vector-map f v)
-  (for/vector #:length (vector-length v) ([x (in-vector v)]) (f x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic

@@ -17,7 +17,8 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../numeric/linear/rows.rkt"
-         "../value/shape.rkt")
+         "../value/shape.rkt"
+         (only-in "../value/structure.rkt" flip))
 
 (provide constraint-values jacobian-rows drifts force-of-multipliers check-count
          positions-and-velocities rows-of-function shaped)
@@ -71,14 +72,7 @@
   (define sums
     (for/vector ([column (in-vector (rows-transpose (list->vector rows)))])
       (for/fold ([sum 0]) ([x (in-list xs)] [g (in-vector column)]) (g:+ sum (g:* x g)))))
-  (scalars->structure (flipped q) (lambda (k) (vector-ref sums k))))
-
-(define (flipped q)
-  (if (tuple? q)
-      (let ([s (adopt q)])
-        (structure (flip-orientation (structure-orientation s))
-                   (structure-elements (structure-map flipped s))))
-      q))
+  (scalars->structure (flip q) (lambda (k) (vector-ref sums k))))
 
 ;; No more constraints than coordinates.
 (define (check-count who count q)

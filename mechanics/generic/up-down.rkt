@@ -9,7 +9,8 @@
 (require racket/flonum
          (submod racket/performance-hint begin-encourage-inline)
          "describe.rkt" "kind.rkt" "scalar.rkt" "value-struct.rkt"
-         "../error/complain.rkt")
+         "../error/complain.rkt"
+         "../numeric/vector-map.rkt")
 
 (provide
  ;; data
@@ -153,24 +154,6 @@
   (define new (make-vector n))
   (vector-copy! new 0 v)
   new)
-
-;; The lengths that mechanics is made of are spelled out, for speed.
-(define (vector-map f v)
-  (define n (vector-length v))
-  (case n
-    [(2) (vector (f (vector-ref v 0)) (f (vector-ref v 1)))]
-    [(3) (vector (f (vector-ref v 0)) (f (vector-ref v 1)) (f (vector-ref v 2)))]
-    [else (build-vector n (lambda (i) (f (vector-ref v i))))]))
-
-(define (vector-map2 f v w)
-  (define n (vector-length v))
-  (case n
-    [(2) (vector (f (vector-ref v 0) (vector-ref w 0))
-                 (f (vector-ref v 1) (vector-ref w 1)))]
-    [(3) (vector (f (vector-ref v 0) (vector-ref w 0))
-                 (f (vector-ref v 1) (vector-ref w 1))
-                 (f (vector-ref v 2) (vector-ref w 2)))]
-    [else (build-vector n (lambda (i) (f (vector-ref v i) (vector-ref w i))))]))
 
 (define (structure-map f s)
   (same-orientation s (vector-map f (structure-elements s))))

@@ -21,7 +21,7 @@
 (provide
  ;; kinds
  expression? symbolic? node? node-head node-args
- make-node expression=? expression-hash
+ make-node headed? expression=? expression-hash
  node-mark set-node-mark!
  ;; forms that were asked for
  requested? requested-assumptions request-form

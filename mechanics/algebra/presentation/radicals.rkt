@@ -62,8 +62,6 @@
         [(eqv? e 1) '()]
         [else (list (cons e sign))]))
 
-(define (headed? e op) (and (node? e) (eq? (node-head e) op)))
-
 ;; ---------------------------------------------------------------------------
 ;; Gathering
 

@@ -126,7 +126,6 @@
         [(sum-within? e) (expression->form (times e powers))]
         [else (expression->form (present F (fraction* R coefficient monomial)))]))
 
-(define (headed? e op) (and (node? e) (eq? (node-head e) op)))
 (define (sum? e) (or (headed? e op:+) (headed? e op:-)))
 
 (define (sum-within? e)

@@ -108,8 +108,6 @@
           (cond [opposite (if (eqv? sign 1) opposite e)]
                 [else (if (eqv? sign 1) e (e:negate e))]))))
 
-(define (headed? e op) (and (node? e) (eq? (node-head e) op)))
-
 (define (negative-expression? e)
   (cond [(number? e) (and (real? e) (negative? e))]
         [(or (headed? e op:*) (headed? e op:/)) (negative-expression? (car (node-args e)))]

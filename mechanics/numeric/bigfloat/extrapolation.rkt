@@ -18,7 +18,7 @@
 
 (require math/bigfloat
          racket/flonum
-         "../fields.rkt")
+         "../fields.rkt" "../vector-map.rkt")
 
 (provide make-integrator guard-bits
          ;; for tests of order
@@ -175,9 +175,6 @@
 ;; y + h v
 (define (moved y h v) (vector-map2 (lambda (a b) (bf+ a (bf* h b))) y v))
 (define (difference v w) (vector-map2 bf- v w))
-
-(define (vector-map2 g v w)
-  (for/vector #:length (vector-length v) ([x (in-vector v)] [y (in-vector w)]) (g x y)))
 
 ;; The greatest |eᵢ| / (1 + |yᵢ|), in units of `one`, as a flonum.
 (define (norm e y one)

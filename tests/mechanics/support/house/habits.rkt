@@ -3,6 +3,7 @@
 ;; file and its module as syntax, and gives sentences: what is wrong, and where.
 
 (require racket/list
+         racket/match
          racket/string
          "library.rkt")
 
@@ -116,15 +117,15 @@
 ;; Rules on all files together
 
 ;; Smaller functions than this, counted in symbols and numbers, may be written twice.
-(define smallest 8)
+(define smallest 7)
 
-;; Functions that are the same but for their names and those of their arguments: a helper
-;; has one home.  forms : ((name . module as syntax) ...)
-(define (twin-definitions forms)
+;; Functions that are the same but for their names and those that they bind: a helper has one
+;; home.  forms : ((name . module as syntax) ...)
+(define (twin-definitions forms [smallest smallest])
   (define homes
     (for*/fold ([homes (hash)]) ([entry (in-list forms)]
                                  [s (in-list (module-body (cdr entry)))]
-                                 [meaning (in-value (nameless (syntax->datum s)))]
+                                 [meaning (in-value (nameless (syntax->datum s) smallest))]
                                  #:when meaning)
       (hash-update homes meaning
                    (lambda (others) (cons (format "~a:~a" (car entry) (syntax-line s)) others))
@@ -136,20 +137,53 @@
 
 (define (sort-places places) (sort places string<?))
 
-;; (define (f x ...) body ...) with f and the x's replaced by their places, or #f if it is
-;; no such definition or a small one.
-(define (nameless form)
-  (and (list? form) (> (length form) 2) (eq? (car form) 'define)
-       (pair? (cadr form)) (list? (cadr form)) (andmap symbol? (cadr form))
+;; (define (f x ...) body ...) with all names that are bound in it replaced by their places,
+;; in the order in which they come; or #f if it is no such definition or a small one.
+(define (nameless form smallest)
+  (and (list? form) (> (length form) 2) (eq? (car form) 'define) (pair? (cadr form))
        (>= (atoms (cddr form)) smallest)
-       (let ([places (for/hasheq ([name (in-list (cadr form))] [i (in-naturals)])
-                       (values name (list 'place i)))])
-         (cons (length (cadr form)) (replace (cddr form) places)))))
+       (let ([bound (remove-duplicates (bound-names form))])
+         (replace (cdr form) (places-in (cdr form) bound)))))
+
+(define (places-in x bound)
+  (define seen
+    (remove-duplicates (filter (lambda (a) (memq a bound)) (filter symbol? (flatten x)))))
+  (for/hasheq ([name (in-list seen)] [i (in-naturals)])
+    (values name (list 'place i))))
 
 (define (replace x places)
   (cond [(pair? x) (cons (replace (car x) places) (replace (cdr x) places))]
         [(symbol? x) (hash-ref places x x)]
         [else x]))
+
+;; Names that a form binds, wherever in it: those of headers, formals and clauses.
+(define (bound-names form)
+  (if (pair? form)
+      (append (bound-here form) (bound-names (car form)) (bound-names (cdr form)))
+      '()))
+
+(define (bound-here form)
+  (match form
+    [(list* (or 'define 'define-values 'lambda) header _) (header-names header)]
+    [(list* 'let (? symbol? loop) clauses _) (cons loop (clause-names clauses))]
+    [(list* (or 'for/fold 'for*/fold) results clauses _)
+     (append (clause-names results) (clause-names clauses))]
+    [(list* (? binder?) (? keyword?) _ clauses _) (clause-names clauses)]
+    [(list* (? binder?) clauses _) (clause-names clauses)]
+    [_ '()]))
+
+(define (binder? x)
+  (and (symbol? x) (regexp-match? #rx"^(let|for)(/|[*]|$|rec|-values)" (symbol->string x))))
+
+;; Optional arguments are (name default), of which the default may name more than it binds.
+(define (header-names header)
+  (filter (lambda (x) (and (symbol? x) (not (eq? x '...)))) (flatten header)))
+
+;; Clauses may follow #:when and its kin; several names stand in a list.
+(define (clause-names clauses)
+  (if (list? clauses)
+      (append-map (lambda (c) (if (pair? c) (header-names (car c)) '())) clauses)
+      '()))
 
 (define (atoms x)
   (cond [(pair? x) (+ (atoms (car x)) (atoms (cdr x)))]
