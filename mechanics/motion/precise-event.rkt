@@ -8,39 +8,57 @@
 
 (require "event.rkt" "precise.rkt"
          "../generic/compare.rkt"
-         (only-in "../numeric/flvector.rkt" finite?))
+         "../numeric/finite.rkt")
 
 (provide crossings)
 
-(define places '(0 1/8 1/4 3/8 1/2 5/8 3/4 7/8 1))
+;; Where a step is looked at, after its beginning.
+(define places '(1/8 1/4 3/8 1/2 5/8 3/4 7/8 1))
 
-;; The times in a step at which the event happens, in their order; (complain t state)
-;; where its function has no real value.
-(define (crossings m s e tolerance complain)
-  (define (value t state)
-    (define x (comparand ((event-f e) state)))
-    (if (finite? x) (inexact->exact x) (complain t state)))
-  (define (time theta)
-    (exact-time m (+ (stretch-from s) (* theta (- (stretch-to s) (stretch-from s))))))
-  (define (at t) (value t (stretch-state m s t)))
-  (define (guess theta)
-    (if (memv theta '(0 1)) (at (time theta)) (value (time theta) (stretch-guess m s theta))))
-  (define (zero a b)
-    (define-values (ga gb) (values (at a) (at b)))
-    (and (crosses? ga gb (event-direction e))
-         (zero-between m at a ga b gb tolerance)))
-  (let loop ([a 0] [ga (guess 0)] [places (cdr places)])
+;; What happens within a step, in order, at times; up to where the event's function has no
+;; real value.
+(define (crossings m s e tolerance)
+  (define (time theta) (time-within m s theta))
+  (let loop ([a 0] [ga (guess m s e 0)] [later places])
     (cond
-      [(null? places) '()]
+      [(not ga) (list (crossing (time a) (undefined e)))]
+      [(null? later) '()]
       [else
-       (define b (car places))
-       (define gb (guess b))
+       (define b (car later))
+       (define gb (guess m s e b))
+       (define (rest) (loop b gb (cdr later)))
        (define found
-         (and (crosses? ga gb (event-direction e))
-              (or (zero (time a) (time b))
-                  (zero (stretch-from s) (stretch-to s))))) ; the guess was not good enough
-       (define more (loop b gb (cdr places)))
-       (if found (cons found more) more)])))
+         (and gb
+              (crosses? ga gb (event-direction e))
+              (or (zero m s e (time a) (time b) tolerance)
+                  ;; the guess was not good enough
+                  (zero m s e (stretch-from s) (stretch-to s) tolerance))))
+       (if found (cons found (rest)) (rest))])))
+
+(define (time-within m s theta)
+  (exact-time m (+ (stretch-from s) (* theta (- (stretch-to s) (stretch-from s))))))
+
+(define (guess m s e theta)
+  (value-of e (if (memv theta '(0 1))
+                  (stretch-state m s (time-within m s theta))
+                  (stretch-guess m s theta))))
+
+;; The value of the event's function, exact; #f where it is not real.
+(define (value-of e state)
+  (define x (comparand ((event-f e) state)))
+  (and (finite? x) (inexact->exact x)))
+
+;; The crossing between two times, or #f; where the function has no real value on the way to
+;; it, that is what is found.
+(define (zero m s e a b tolerance)
+  (let/ec return
+    (define (at t)
+      (or (value-of e (stretch-state m s t)) (return (crossing t (undefined e)))))
+    (define-values (ga gb) (values (at a) (at b)))
+    (define t
+      (and (crosses? ga gb (event-direction e))
+           (zero-between m at a ga b gb tolerance)))
+    (and t (crossing t e))))
 
 ;; #f at a pole, where the values grow.
 (define (zero-between m g a ga b gb tolerance)

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Trajectories in numbers of higher precision, as trajectory.rkt makes them of flonums.
 
-(require "event.rkt" "plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt"
+(require racket/list
+         "event.rkt" "plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt"
          "../numeric/progress.rkt")
 
 (provide follow-precise-trajectory)
@@ -22,16 +23,12 @@
           (lambda (s t) (stretch-state m s t))))
   ;; -> is the motion to go on?
   (define (visit s)
-    (define (end! t) (record-step! r (step s t)))
-    (define (give-up e t state)
-      (raise-undefined e (shown-time m t) state (so-far)))
-    (define (undefined e t state)
-      (end! t)
-      (give-up e t state))
-    (record-crossings! r (happening m s events (plan-bits p) undefined) (stretch-to s) end!
+    (record-crossings! r (happening m s events (plan-bits p)) (stretch-to s)
+                       (lambda (t) (record-step! r (step s t)))
                        #:state (lambda (t) (stretch-state m s t))
                        #:shown (lambda (t) (shown-time m t))
-                       #:give-up give-up))
+                       #:give-up (lambda (e t there)
+                                   (raise-undefined e (shown-time m t) there (so-far)))))
   (define (run note!)
     (define note (noting note! p final))
     (motion-follow m final (lambda (s) (note s) (visit s))))
@@ -39,11 +36,7 @@
   (so-far))
 
 ;; What is within a step, with times, in the order of the motion.
-(define (happening m s events bits undefined)
+(define (happening m s events bits)
   (define tolerance (expt 2 (- bits)))
-  (define all
-    (for*/list ([e (in-list events)]
-                [t (in-list (crossings m s e tolerance
-                                       (lambda (t state) (undefined e t state))))])
-      (crossing t e)))
+  (define all (append-map (lambda (e) (crossings m s e tolerance)) events))
   (sort all (if (< (stretch-to s) (stretch-from s)) > <) #:key crossing-at))

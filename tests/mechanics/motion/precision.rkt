@@ -117,6 +117,18 @@
     (check-equal? (found ended) '(-0.05))
     (check-= (exact (trajectory-end ended)) -1/20 1e-20))
 
+  (test-case "what happened before an event lost its value is not lost"
+    (define ((steady) (up t x)) (up 1 1))
+    (define fading (event (lambda (s) (- (sqrt (- 3/5 (coordinate s))) 1/2)) #:name 'fading))
+    (define passing (event (lambda (s) (- (coordinate s) 3/10)) #:name 'passing))
+    (define later (event (lambda (s) (- (coordinate s) 9/10)) #:name 'later))
+    (define failed
+      (with-handlers ([exn:fail:mechanics:singular? exn:fail:mechanics:singular-where])
+        (evolve-trajectory (steady) (up 0 0) 1 #:precision 80
+                           #:events (list later fading passing))))
+    (check-equal? (map occurrence-event (trajectory-events failed)) (list passing fading))
+    (check-true (< 3/5 (exact (trajectory-end failed)) 9/10)))
+
   (test-case "the period of a pendulum that swings to 1 rad"
     (define (pendulum s) (up 1 (velocity s) (* -98/10 (sin (coordinate s)))))
     (define tr
