@@ -2,7 +2,7 @@
 ;; Where only numbers will do: what the numerical algorithms are given.
 
 (require "../algebra/expression/expression.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt")
 
@@ -15,7 +15,7 @@
         [else
          (complain who "expected a real number; given ~a~a" (describe-with-value x)
                    (if (symbolic? x)
-                       "\n  give its symbols values first: (substitute expression 'm 3 ...)"
+                       (string-append symbols-hint ": (substitute expression 'm 3 ...)")
                        ""))]))
 
 (define (check-function-of-one-variable who f)

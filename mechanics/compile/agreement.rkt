@@ -5,7 +5,7 @@
 ;; program must not go on with numbers, or the user would never hear of it; if what the
 ;; program makes is no number, the generic arithmetic may have complained of a complex one.
 
-(require "../error/refusal.rkt")
+(require "../error/failure.rkt" "../error/refusal.rkt")
 
 (provide agrees?)
 
@@ -14,7 +14,7 @@
 (define (agrees? value made #:same? same? #:numbers? numbers?)
   (define v
     (with-handlers ([no-value? (lambda (e) 'none)]
-                    [failure? (lambda (x) 'failure)])
+                    [raised? (lambda (x) 'failure)])
       (value)))
   (case v
     [(none) #t]

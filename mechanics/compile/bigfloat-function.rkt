@@ -19,11 +19,11 @@
 ;; -> a procedure from vectors of math/bigfloat's numbers to such, in the precision
 ;; in force; the shape of its value; and whether f could be traced
 (define (bigfloat-function who f point)
-  (define (complain x) (raise-not-a-number who x))
-  (define input (structure->bigfloats point complain))
+  (define (fail x) (raise-not-a-number who x))
+  (define input (structure->bigfloats point fail))
   (define (value-at v) (f (bigfloats->structure point v)))
   (define value (value-at input))
-  (define (generic v) (structure->bigfloats (check-shape who value (value-at v)) complain))
+  (define (generic v) (structure->bigfloats (check-shape who value (value-at v)) fail))
   (define-values (p shape) (trace who f point #:constants exact))
   (define run (and (program? p) (runs-on-bigfloats? p) (program->procedure p)))
   (if (and run (agree? run generic input) (agree? run generic (opposite input)))
@@ -65,10 +65,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Structures as vectors
 
-;; (complain scalar) where one is not a real number.
-(define (structure->bigfloats x complain)
+;; (fail scalar) where one is not a real number.
+(define (structure->bigfloats x fail)
   (for/vector ([x (in-list (scalars x))])
-    (raw-bigfloat (if (or (real? x) (other-number? x)) x (complain x)))))
+    (raw-bigfloat (if (or (real? x) (other-number? x)) x (fail x)))))
 
 (define (bigfloats->structure shape v)
   (scalars->structure shape (lambda (k) (wrap (vector-ref v k)))))

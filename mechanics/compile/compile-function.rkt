@@ -8,7 +8,7 @@
 
 (require racket/flonum
          "agreement.rkt" "cache.rkt" "program.rkt" "trace.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/value-struct.rkt"
          "../numeric/constants.rkt" "../numeric/flvector.rkt"
@@ -104,11 +104,11 @@
 (define (evaluate-generically who f example reason)
   (define point (example->flvector who example))
   (define shape (f (flvector->structure example point)))
-  (define (complain x) (raise-not-a-number who "value" x))
-  (define outputs (flvector-length (structure->flvector shape complain)))
+  (define (fail x) (raise-not-a-number who "value" x))
+  (define outputs (flvector-length (structure->flvector shape fail)))
   (define (run input output)
     (define value (value-or-nan f (flvector->structure example input) shape))
-    (define v (structure->flvector value (lambda (x) (if (number? x) +nan.0 (complain x)))))
+    (define v (structure->flvector value (lambda (x) (if (number? x) +nan.0 (fail x)))))
     (unless (= (flvector-length v) outputs)
       (raise-arguments-error who "the function's value has changed its shape"
                              "at the example" shape "now" value))
@@ -133,7 +133,7 @@
 (define (moved to v varying)
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals)])
     (if (< k varying)
-        (to x (+ 0.1 (* 0.3 (- (* k golden-ratio) (floor (* k golden-ratio))))))
+        (to x (+ 0.1 (* 0.3 (- (* k golden-fraction) (floor (* k golden-fraction))))))
         x)))
 (define (opposite x d) (- (* -1.1 x) d))
 (define (nearby x d) (+ x (* 0.1 d (+ 1.0 (abs x)))))

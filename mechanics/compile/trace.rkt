@@ -34,7 +34,7 @@
 
 ;; An error that is not due to the placeholders comes up again when f is run on numbers.
 (define (value-or-reason run)
-  (with-handlers ([failure? (lambda (x) (if (exn? x) (exn-message x) (format "it raises ~e" x)))])
+  (with-handlers ([raised? (lambda (x) (if (exn? x) (exn-message x) (format "it raises ~e" x)))])
     (call-traced (lambda () (box (run)))
                  (lambda (test) (format "it takes a decision by `~a`" test)))))
 

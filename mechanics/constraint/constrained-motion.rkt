@@ -82,7 +82,7 @@
    (let ([xs (list->vector (scalars state))])
      (lambda (k)
        (define x (vector-ref xs k))
-       (define turns (* (+ k 1) golden-ratio))
+       (define turns (* (+ k 1) golden-fraction))
        (+ x (* 1e-3 (+ 1 (abs x)) (- turns (floor turns))))))))
 
 (define (raise-singular-state who cs state)

@@ -7,7 +7,7 @@
 
 (require "words.rkt")
 
-(provide complain complain-of-arity raise-division-by-zero raise-unsupported)
+(provide complain complain-of-arity raise-division-by-zero)
 
 ;; who : what the reader called, a symbol or a text
 (define (complain who text . parts)
@@ -20,7 +20,3 @@
 (define (raise-division-by-zero who [what "division by zero"])
   (raise (exn:fail:contract:divide-by-zero (format "~a: ~a" who what)
                                            (current-continuation-marks))))
-
-;; What this machine has no means for.
-(define (raise-unsupported who what)
-  (raise (exn:fail:unsupported (format "~a: ~a" who what) (current-continuation-marks))))

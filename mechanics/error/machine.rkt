@@ -7,7 +7,7 @@
 (provide raise-unavailable raise-unwritable)
 
 (define (raise-unavailable who text . parts)
-  (raise (exn:fail (message who text parts) (current-continuation-marks))))
+  (raise (exn:fail:unsupported (message who text parts) (current-continuation-marks))))
 
 (define (raise-unwritable who text . parts)
   (raise (exn:fail:filesystem (message who text parts) (current-continuation-marks))))

@@ -8,12 +8,12 @@
 
 (require "failure.rkt")
 
-(provide no-value? refusal? failure?)
+(provide refusal? raised?)
 
 ;; It has no value there, or not for such an argument: so complain Racket's own procedures
 ;; and those of this library.  What a program says by `error` or `raise` is no refusal.
 (define (refusal? e)
   (or (exn:fail:contract? e) (exn:fail:mechanics? e)))
 
-;; Whatever was raised.
-(define (failure? x) (not (exn:break? x)))
+;; Anything but a break.
+(define (raised? x) (not (exn:break? x)))

@@ -9,7 +9,7 @@
          "scalar.rkt"
          "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt"
-         "../error/complain.rkt")
+         "../error/complain.rkt" "../error/hint.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
          g:max g:min g:add1 g:sub1
@@ -102,7 +102,7 @@
         [else (real-comparand who x)]))
 
 (define no-order
-  "an expression that is not a number has no order; give its symbols values first")
+  (string-append "an expression that is not a number has no order; " values-first))
 
 (define (real-comparand who x)
   (define c (comparand x))

@@ -6,7 +6,7 @@
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
-         "../numeric/flvector.rkt"
+         "../numeric/finite.rkt" "../numeric/flvector.rkt"
          "../value/shape.rkt")
 
 (provide
@@ -15,9 +15,7 @@
  ;; procedures
  checked-monitor check-maker takes-state-only? raise-arguments
  ;; states and their derivatives
- state-vector check-derivative check-clock
- ;; what to do about a value with symbols
- symbols-hint)
+ state-vector check-derivative check-clock)
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
@@ -62,8 +60,6 @@
             (cond [(symbolic? x) symbols-hint]
                   [(list? x) (list-hint x)]
                   [else hint])))
-
-(define symbols-hint "\n  give its symbols values first")
 
 ;; ---------------------------------------------------------------------------
 ;; Procedures

@@ -14,7 +14,7 @@
          "check.rkt"
          "../algebra/expression/expression.rkt"
          "../compile/compile-function.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../value/shape.rkt")

@@ -29,8 +29,8 @@
   #:property prop:procedure 0)
 
 ;; positions, velocities : state -> increment of the state, or compiled; or #f
-;; complain : who state -> does not return; the state is not on the manifold
-(struct corrections (positions velocities complain) #:authentic)
+;; refuse : who state -> does not return; the state is not on the manifold
+(struct corrections (positions velocities refuse) #:authentic)
 
 ;; -> a state derivative, and compiled corrections or #f
 (define (prepare-motion who derivative state)
@@ -40,7 +40,7 @@
          (values ready
                  (and c (corrections (code (corrections-positions c))
                                      (code (corrections-velocities c))
-                                     (corrections-complain c))))]
+                                     (corrections-refuse c))))]
         [else (values derivative #f)]))
 
 ;; m, with steps that end on the manifold, if there is one
@@ -54,7 +54,7 @@
   (when c
     (define moved (flvector-copy y))
     (unless (fl<= ((projector c (flvector-length y)) moved) most-off)
-      ((corrections-complain c) who state))))
+      ((corrections-refuse c) who state))))
 
 ;; The state derivative for motions from a state on that may be of higher precision, where
 ;; they can begin there; steps in such numbers are not projected.

@@ -3,10 +3,10 @@
 
 (require racket/flonum
          "check.rkt" "system.rkt"
-         "../error/failure.rkt" "../error/refusal.rkt"
+         "../error/failure.rkt"
          "../generic/describe.rkt"
          "../lagrangian/state-derivative.rkt"
-         "../numeric/flvector.rkt"
+         "../numeric/finite.rkt" "../numeric/flvector.rkt"
          "../numeric/ode/stepper.rkt"
          "../value/shape.rkt")
 

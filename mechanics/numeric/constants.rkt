@@ -3,8 +3,8 @@
 
 (provide pi
          :pi :-pi :pi/2 :2pi          ; as the book's programs spell them
-         golden-ratio golden-part
-         epsilon)
+         golden-fraction golden-part
+         epsilon rounding)
 
 (define pi 3.141592653589793)
 
@@ -15,11 +15,15 @@
 
 ;; (√5 − 1)/2: its multiples, modulo 1, are spread over [0, 1] more evenly than those of
 ;; any other number.
-(define golden-ratio 0.6180339887498949)
+(define golden-fraction 0.6180339887498949)
 
-;; (3 − √5)/2 = 1 − golden-ratio: where the lesser part ends of an interval divided so that
+;; (3 − √5)/2 = 1 − golden-fraction: where the lesser part ends of an interval divided so that
 ;; it is to the greater as the greater to the whole.
 (define golden-part 0.3819660112501051)
 
 ;; From 1 to the next flonum; rounding is at most half of it.
 (define epsilon (expt 2.0 -52))
+
+;; What rounding leaves of a step of an integration, relative to the state: less is not asked
+;; of any.
+(define rounding 4e-16)

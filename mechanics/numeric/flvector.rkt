@@ -1,6 +1,5 @@
 #lang racket/base
-;; Flvectors as points and directions, and whether numbers are finite: what racket/flonum
-;; leaves out.
+;; Flvectors as points and directions: what racket/flonum leaves out.
 ;;
 ;; The inner loops of integration are written with the macros of ode/vectors.rkt, which
 ;; make no new vectors.
@@ -8,16 +7,9 @@
 (require racket/flonum
          racket/unsafe/ops)
 
-(provide finite? flvector-finite?
+(provide flvector-finite?
          flvector->list flvector-copy!
          along difference dot norm greatest distance)
-
-;; Is x, which may be anything, a real number and finite?  Asked of every value that an
-;; integral takes of its integrand: of flonums, `rational?` would answer much more slowly.
-(define (finite? x)
-  (if (flonum? x)
-      (fl< (flabs x) +inf.0)
-      (rational? x)))
 
 (define (flvector-finite? v)
   (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))

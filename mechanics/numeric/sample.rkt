@@ -3,7 +3,7 @@
 ;; interval, a tolerance.  Each is checked here, with a message that says what is
 ;; wrong with it.
 
-(require "flvector.rkt"
+(require "finite.rkt"
          "../error/failure.rkt")
 
 (provide sample check-finite check-interval check-tolerance)

@@ -5,10 +5,10 @@
 ;; left out of the picture: it becomes a NaN.  What is no number is an error.
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
-         (only-in "../numeric/flvector.rkt" finite?))
+         "../numeric/finite.rkt")
 
 (provide coordinate-of plane-point check-number check-function parameters)
 
@@ -27,8 +27,7 @@
          (define symbols (map symbol->string (symbols-in x)))
          (if (null? symbols)
              ""
-             (format "\n  without a number: ~a\n  give its symbols values first"
-                     (joined symbols)))]
+             (format "\n  without a number: ~a~a" (joined symbols) symbols-hint))]
         [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
         [else ""]))
 

@@ -7,7 +7,7 @@
 ;; thread adds is whole if the count is read first.
 
 (require racket/flonum
-         "../numeric/flvector.rkt")
+         "../numeric/finite.rkt" "../numeric/flvector.rkt")
 
 (provide make-points points? add-point!
          (struct-out snapshot) take-snapshot

@@ -47,7 +47,7 @@
 ;; Would the arguments do in the other order?  Asked only when they fail in this; if they
 ;; fail in that one, too, it is the first failure that the user gets to see.
 (define (swapped? L q)
-  (define (works? thunk) (with-handlers ([failure? (lambda (x) #f)]) (thunk) #t))
+  (define (works? thunk) (with-handlers ([raised? (lambda (x) #f)]) (thunk) #t))
   (and (procedure? L) (procedure? q)
        (not (works? (lambda () (q 't))))
        (works? (lambda () ((scalar-valued 'verify-solution q) ((Gamma L) 't))))))

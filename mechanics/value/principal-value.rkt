@@ -2,10 +2,10 @@
 ;; Angles brought back to one turn (SICM 1.7, p. 76).
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/rounding.rkt" "../generic/tracing.rkt" "../generic/up-down.rkt"
-         "../numeric/constants.rkt" (only-in "../numeric/flvector.rkt" finite?))
+         "../numeric/constants.rkt" "../numeric/finite.rkt")
 
 (provide principal-value)
 
@@ -26,4 +26,4 @@
 
 (define (raise-not-an-angle what x)
   (complain 'principal-value "~a\n  given: ~a~a" what (describe-with-value x)
-            (if (symbolic? x) "\n  give its symbols values first" "")))
+            (if (symbolic? x) symbols-hint "")))

@@ -4,7 +4,7 @@
 
 (require (only-in racket/list add-between)
          "../../algebra/expression/write.rkt"
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/describe.rkt"
          (only-in "../../generic/up-down.rkt" structure? structure-orientation structure-elements
                   up? down?))
@@ -88,7 +88,7 @@
 
 ;; What to write in place of the list x.
 (define (tuple-advice x)
-  (format "a list is not a tuple; use ~a" (short-text (list->vector x))))
+  (not-a-tuple (short-text (list->vector x))))
 
 ;; A value within a message: never longer than a few lines.
 (define (short-text x)

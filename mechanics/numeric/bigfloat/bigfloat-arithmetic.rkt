@@ -6,7 +6,7 @@
 ;; system.  Results are rounded to the precision in force, `bf-precision`.
 
 (require math/bigfloat
-         "../../error/complain.rkt")
+         "../../error/machine.rkt")
 
 (provide check-bigfloats
          call-with-bits
@@ -24,7 +24,7 @@
 (define (no-function? e) (and (exn:fail? e) (not (exn:fail:contract? e))))
 
 (define (raise-no-library who)
-  (raise-unsupported
+  (raise-unavailable
    who
    (string-append
     "numbers of higher precision need the library MPFR, which is not installed"

@@ -8,7 +8,7 @@
 ;; So the function must be seen to decay, here and very far away.
 
 (require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
-         "../flvector.rkt"
+         "../finite.rkt" "../flvector.rkt"
          "../search/brent-root.rkt"
          "../../error/failure.rkt")
 

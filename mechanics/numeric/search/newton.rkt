@@ -14,7 +14,7 @@
 ;; where J has an inverse each step squares the error.
 
 (require racket/flonum
-         "../flvector.rkt" "../sample.rkt"
+         "../finite.rkt" "../flvector.rkt" "../sample.rkt"
          "../linear/flonum-systems.rkt" "../linear/rows.rkt"
          "../../error/failure.rkt")
 

@@ -21,7 +21,7 @@
 ;; function; unless what is left to gain, p·g/2, is itself no more than rounding.
 
 (require racket/flonum
-         "../flvector.rkt"
+         "../finite.rkt" "../flvector.rkt"
          "../../error/failure.rkt")
 
 (provide quasi-newton)

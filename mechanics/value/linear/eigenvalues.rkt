@@ -14,7 +14,7 @@
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
-         "../../numeric/flvector.rkt"
+         "../../numeric/finite.rkt" "../../numeric/flvector.rkt"
          "../../numeric/linear/rows.rkt" "../../numeric/linear/unit.rkt")
 
 (provide characteristic-polynomial eigenvalues)

@@ -19,7 +19,7 @@
 (test-case "what is raised says who, and is of the kind it should be"
   (for ([raise-with (list complain complain-of-arity raise-unavailable raise-unwritable)]
         [kind? (list exn:fail:contract? exn:fail:contract:arity?
-                     exn:fail? exn:fail:filesystem?)])
+                     exn:fail:unsupported? exn:fail:filesystem?)])
     (define (check who)
       (check-exn (lambda (e) (and (kind? e) (equal? (exn-message e) "f: 1 and ~a")))
                  (lambda () (raise-with who "~a and ~a" 1 "~a"))))
