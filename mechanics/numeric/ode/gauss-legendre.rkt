@@ -13,12 +13,11 @@
 
 (require racket/flonum
          "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
-         "../fields.rkt" "../flvector.rkt")
+         (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt")
 
 (provide gauss-legendre-2 gauss-legendre-4 gauss-legendre-6)
 
 (define repetitions 100)
-(define rounding 4e-16)
 
 ;; y : the present state; A : rows of coefficients; ks : the slopes, as they are found
 (struct equations (f! n y A ks w new change) #:authentic)

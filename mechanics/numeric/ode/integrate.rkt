@@ -11,7 +11,7 @@
 
 (require racket/flonum
          "step-size.rkt" "stepper.rkt"
-         "../flvector.rkt"
+         (only-in "../constants.rkt" rounding) "../flvector.rkt"
          "../../error/failure.rkt")
 
 (provide integrate integrate-step)
@@ -74,7 +74,7 @@
 
 ;; The errors of many steps add up: each may have a tenth of the tolerance, but
 ;; not less than rounding takes.
-(define (step-tolerance tolerance) (flmax 4e-16 (fl* 0.1 tolerance)))
+(define (step-tolerance tolerance) (flmax rounding (fl* 0.1 tolerance)))
 
 ;; Towards a place beyond which f is not finite, steps are taken that cover a part of
 ;; the rest of the way, after others that failed.  A few tens of them lead to where

@@ -22,13 +22,12 @@
 
 (require racket/flonum
          "differentiated.rkt" "implicit-matrices.rkt" "vectors.rkt"
-         "../fields.rkt" "../flvector.rkt")
+         (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt")
 
 (provide make-equations solve-equations! equations-zs
          solve-real-equation! slope-at! failed-slope?
-         equations-current? equations-rate equations-iterations
-         set-equations-current?! set-equations-rate!
-         c1 c2 fast most-iterations)
+         state-moved! renew-derivatives! converged-fast? equations-iterations
+         root6 c1 c2 most-iterations)
 
 (define root6 (flsqrt 6.0))
 (define c1 (fl/ (fl- 4.0 root6) 10.0))
@@ -60,7 +59,6 @@
     (weighted-sum! n w3 [-0.5028726349457868 z1] [2.571926949855605 z2]
                    [-0.5960392048282249 z3])))
 
-(define rounding 4e-16)
 (define most-iterations 10)
 (define beside-error 1e-3)              ; what may be left of Newton's iteration
 (define fast 1e-3)                      ; the rate of convergence at which J is kept
@@ -91,12 +89,21 @@
 ;; -> was the step solved for?  If not with the J of an earlier state, then with that at y.
 (define (solve-equations! q h guess!)
   (define again? (not (equations-current? q)))
-  (when (and again? (fl> (equations-rate q) fast)) (differentiate! q))
+  (unless (or (equations-current? q) (converged-fast? q)) (differentiate! q))
   (or (and (ready? q h)
            (begin (begin! q guess!)
                   (iterate! q h)))
       (begin (set-equations-rate! q 1.0)
              (and again? (not (equations-current? q)) (solve-equations! q h guess!)))))
+
+;; The state is another: the derivatives are those at an earlier one.
+(define (state-moved! q) (set-equations-current?! q #f))
+
+;; Derivatives at y, unless they are there, before the equations are solved again.
+(define (renew-derivatives! q)
+  (unless (equations-current? q) (set-equations-rate! q 1.0)))
+
+(define (converged-fast? q) (fl<= (equations-rate q) fast))
 
 (define (differentiate! q)
   (define jacobian! (equations-jacobian! q))

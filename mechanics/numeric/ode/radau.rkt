@@ -21,7 +21,6 @@
 
 (provide radau-iia-5)
 
-(define root6 (flsqrt 6.0))
 (define d1 (fl/ (fl- -13.0 (fl* 7.0 root6)) 3.0))
 (define d2 (fl/ (fl+ -13.0 (fl* 7.0 root6)) 3.0))
 (define d3 (fl/ -1.0 3.0))
@@ -90,17 +89,16 @@
   (set-radau-step! r tried)
   (set-radau-cubic! r (make-cubic n y (equations-zs equations)))
   (flvector-copy! y next)
-  (set-equations-current?! equations #f)
+  (state-moved! equations)
   (f! y slope))
 
 ;; A step that was not solved for tells nothing of its error.
 (define (propose r h error)
   (define-fields radau r control equations)
-  (unless (or (fl<= error 1.0) (equations-current? equations))
-    (set-equations-rate! equations 1.0))
+  (unless (fl<= error 1.0) (renew-derivatives! equations))
   (define length
     (if (fl< error too-large) (control h error (equations-iterations equations)) (fl* 0.5 h)))
-  (if (and (fl<= (equations-rate equations) fast)
+  (if (and (converged-fast? equations)
            (fl<= h length)
            (fl<= length (fl* hardly-longer h)))
       h

@@ -204,13 +204,7 @@
         [(= (m:num-cols a) (m:num-rows b)) (matrix-product a b)]
         [else (raise-inapplicable op a b)]))
 
-(define (matrix-product a b)
-  (define columns (rows-transpose (matrix-rows b)))
-  (m:generate (m:num-rows a) (m:num-cols b)
-              (lambda (i j) (dot (vector-ref (matrix-rows a) i) (vector-ref columns j)))))
-
-(define (dot v w)
-  (for/fold ([sum 0]) ([x (in-vector v)] [y (in-vector w)]) (g:+ sum (g:* x y))))
+(define (matrix-product a b) (matrix (rows-product (matrix-rows a) (matrix-rows b))))
 
 (define (power op m n)
   (unless (and (matrix? m) (exact-integer? n)) (raise-inapplicable op m n))
@@ -229,12 +223,12 @@
 (define (matrix-times-tuple op m s)
   (unless (and (up? s) (= (m:num-cols m) (s:length s))) (raise-inapplicable op m s))
   (structure 'up (for/vector ([row (in-vector (matrix-rows m))])
-                   (dot row (tuple-elements s)))))
+                   (sum-of-products row (tuple-elements s)))))
 
 (define (tuple-times-matrix op s m)
   (unless (and (down? s) (= (m:num-rows m) (s:length s))) (raise-inapplicable op s m))
   (structure 'down (for/vector ([j (in-range (m:num-cols m))])
-                     (dot (structure-elements s) (column m j)))))
+                     (sum-of-products (structure-elements s) (column m j)))))
 ;; ---------------------------------------------------------------------------
 ;; Square matrices
 

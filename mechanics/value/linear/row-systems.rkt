@@ -22,7 +22,7 @@
 
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
          rows-rank rows-null-space rows-characteristic rows-diagonal-blocks
-         rows-transpose sum-of-products)
+         rows-product rows-transpose sum-of-products)
 
 (require-on-demand ["../bigfloat.rkt" bigfloat-solutions])
 
