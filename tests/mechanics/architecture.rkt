@@ -16,6 +16,10 @@
 (define-runtime-path fixture "runner/fixture/requiring.rkt")
 
 (define longest-file 500)
+(define longest-function 30)
+
+;; Tables of coefficients, and formulas that are one.
+(define tables '(polynomial take-slopes!))
 
 ;; Rooms that know nothing of others, though those are below them.
 (define strangers
@@ -139,6 +143,12 @@
                        "(define (f v) (for/list ([x v]) (sqrt (+ v x 1))))")
                 0))
 
+(test-case "a function that takes more than so many lines is found"
+  (define text "(define ((f x) y)\n  (g x\n     y))\n(define table\n  '(1\n    2))\n(define (h) 1)")
+  (check-equal? (long-functions "value/a.rkt" (module-of "value/a.rkt" text) 2 '(table))
+                '("value/a.rkt:2: f takes 3 lines"))
+  (check-equal? (long-functions "value/a.rkt" (module-of "value/a.rkt" text) 3 '()) '()))
+
 (test-case "a file name of two concepts is found"
   (check-equal? (twin-names '("value/tape.rkt" "algebra/tape.rkt" "map/on-demand.rkt"
                               "force/on-demand.rkt" "value/up.rkt")
@@ -198,6 +208,13 @@
 
 (test-case "one concept, one file name"
   (check-equal? (twin-names names told-by-the-room) '()))
+
+(test-case "no function is longer than 30 lines"
+  (check-equal? (for*/list ([entry (in-list forms)]
+                            [sentence (in-list (long-functions (car entry) (cdr entry)
+                                                               longest-function tables))])
+                  sentence)
+                '()))
 
 (test-case "no file is longer than 500 lines"
   (for ([name (in-list names)])

@@ -29,30 +29,29 @@
   (define scheme (make-scheme n))
   (define best (T scheme (- rows 1) (- rows 1)))
   (define before (T scheme (- rows 1) (- rows 2)))
-
-  ;; The smoothed midpoint rule: w and u are the last two points.
-  (define (midpoint-rule! h count out)
-    (define sub (fl/ h (->fl count)))
-    (flvector-copy! u y)
-    (combine! n w y sub [1.0 first])
-    (for ([_ (in-range 1 count)])
-      (f! w k)
-      (combine! n u u (fl* 2.0 sub) [1.0 k])
-      (exchange! u w))
-    (f! w k)
-    (combine! n out w 0.5 [1.0 u] [-1.0 w])
-    (combine! n out out (fl* 0.5 sub) [1.0 k]))
-
   (define (try! h)
     (for ([j (in-range rows)])
-      (midpoint-rule! h (substeps j) (T scheme j 0))
+      (midpoint-rule! f! n y first h (substeps j) u w k (T scheme j 0))
       (extrapolate-row! n scheme j))
     (weighted-sum! n e [1.0 best] [-1.0 before])
     (root-mean-square e y best n))
-
   (f! y first)
   (make-stepper y best (lambda () first) try! (by-shorter-steps start f! y)
                 #:accepted (lambda () (f! y first))))
+
+;; The smoothed midpoint rule from y, where the slope is `first`, in so many steps; u and w
+;; are the last two points, k is room for a slope.
+(define (midpoint-rule! f! n y first h count u w k out)
+  (define sub (fl/ h (->fl count)))
+  (flvector-copy! u y)
+  (combine! n w y sub [1.0 first])
+  (for ([_ (in-range 1 count)])
+    (f! w k)
+    (combine! n u u (fl* 2.0 sub) [1.0 k])
+    (exchange! u w))
+  (f! w k)
+  (combine! n out w 0.5 [1.0 u] [-1.0 w])
+  (combine! n out out (fl* 0.5 sub) [1.0 k]))
 
 ;; Rows of flvectors, from T(j, 0) to T(j, j)
 (define (make-scheme n)

@@ -20,36 +20,31 @@
 (define ((start weights) f! y0)
   (define kicks (kicks-between weights))
   (define drifts (apply flvector weights))
-  (define count (flvector-length drifts))
   (define n (flvector-length y0))
   (define q-start (remainder n 2))      ; a clock comes first
   (define p-start (+ q-start (quotient n 2)))
   (define y (flvector-copy y0))
   (define-vectors n z dz)
-
-  (define-syntax-rule (kick! h)
-    (begin
-      (f! z dz)
-      (advance! z dz h p-start n)))
-  (define-syntax-rule (drift! h)
-    (begin
-      (f! z dz)
-      (advance! z dz h 0 p-start)))
-
   (define (try! h)
     (flvector-copy! z y)
-    (let loop ([k 0])
-      (kick! (fl* h (flvector-ref kicks k)))
-      (when (< k count)
-        (drift! (fl* h (flvector-ref drifts k)))
-        (loop (+ k 1))))
+    (kick-and-drift! f! z dz p-start n h kicks drifts)
     (if (flvector-finite? z) 0.0 +nan.0))
-
   (define (slope)
     (f! y dz)
     dz)
-
   (make-stepper y z slope try! (by-shorter-steps (start weights) f! y)))
+
+;; The kicks, with the drifts between them, of a step from z, whose momenta begin at p-start.
+(define (kick-and-drift! f! z dz p-start n h kicks drifts)
+  (define-syntax-rule (move! weights k from to)
+    (begin
+      (f! z dz)
+      (advance! z dz (fl* h (flvector-ref weights k)) from to)))
+  (let loop ([k 0])
+    (move! kicks k p-start n)
+    (when (< k (flvector-length drifts))
+      (move! drifts k 0 p-start)
+      (loop (+ k 1)))))
 
 ;; Half a weight before each drift and after it; two half kicks that meet are one.
 (define (kicks-between weights)

@@ -38,35 +38,40 @@
                       #:argument [argument flvector->list]
                       #:stuck [stuck void]
                       #:name [who 'minimize])
-  (define n (flvector-length start))
-  (define evaluations 0)
-  (define (at x)
-    (set! evaluations (+ evaluations 1))
-    (value-and-gradient x))
-  (define (not-found what x f g p)
-    (raise-no-minimum who what (argument x) (greatest p) f g evaluations))
+  (define I (unit (flvector-length start)))
+  (define-values (at evaluations) (counted value-and-gradient))
   (define-values (f0 g0) (at start))
-  (let loop ([x start] [f f0] [g g0] [H (unit n)] [scale (flabs f0)] [steps 0] [gain +inf.0])
+  (let loop ([x start] [f f0] [g g0] [H I] [scale (flabs f0)] [steps 0] [gain +inf.0])
     (observe x f)
     (define p (negative-product H g))
     (define slope (dot g p))
-    (define noise (+ (* 1e-6 (flabs f)) (* 1e-14 scale)))
+    (define (found) (values x f g (evaluations)))
+    (define (not-found what)
+      (raise-no-minimum who what (argument x) (greatest p) f g (evaluations)))
     (cond
       [(not (and (finite? f) (finite? slope)))
-       (not-found "the function is not finite, or its gradient" x f g p)]
-      [(<= (greatest p) (* tolerance (+ 1.0 (greatest x)))) (values x f g evaluations)]
-      [(>= steps limit) (not-found "too many steps" x f g p)]
+       (not-found "the function is not finite, or its gradient")]
+      [(<= (greatest p) (* tolerance (+ 1.0 (greatest x)))) (found)]
+      [(>= steps limit) (not-found "too many steps")]
       [else
-       (define-values (next f* g*) (line-search at x f g p noise))
+       (define-values (next f* g*) (line-search at x f g p (noise f scale)))
        (cond
          [next (loop next f* g* (corrected H (difference next x) (difference g* g) (= steps 0))
                      (max scale (flabs f*)) (+ steps 1) +inf.0)]
-         ;; H may have gone wrong
-         [(not (unit? H)) (loop x f g (unit n) scale (+ steps 1) (* -0.5 slope))]
-         [(<= (min gain (* -0.5 slope)) (* 1e-14 (+ scale (flabs f)))) (values x f g evaluations)]
-         [else
-          (stuck x)
-          (not-found "the gradient does not vanish, yet nothing near is lower" x f g p)])])))
+         [(not (unit? H)) (loop x f g I scale (+ steps 1) (* -0.5 slope))] ; it may be wrong
+         [(<= (min gain (* -0.5 slope)) (* 1e-14 (+ scale (flabs f)))) (found)]
+         [else (stuck x) (not-found "the gradient does not vanish, yet nothing near is lower")])])))
+
+;; The function, and how often it was called.
+(define (counted value-and-gradient)
+  (define count 0)
+  (define (at x)
+    (set! count (+ count 1))
+    (value-and-gradient x))
+  (values at (lambda () count)))
+
+;; What values near f may differ by.
+(define (noise f scale) (+ (* 1e-6 (flabs f)) (* 1e-14 scale)))
 
 (define (raise-no-minimum who what argument error f g evaluations)
   (raise-not-convergent who (string-append "no minimum found: " what) argument error

@@ -9,7 +9,7 @@
 
 (provide wholesale-provides bare-errors dynamic-requires assigned-exports facade-code
          handmade-raises source-rules
-         twin-definitions twin-names)
+         twin-definitions twin-names long-functions)
 
 ;; ---------------------------------------------------------------------------
 ;; Looking
@@ -189,6 +189,27 @@
   (cond [(pair? x) (+ (atoms (car x)) (atoms (cdr x)))]
         [(null? x) 0]
         [else 1]))
+
+;; Definitions that take more lines than `limit`, but for those that `allowed` names: tables.
+(define (long-functions name form limit allowed)
+  (for*/list ([s (in-list (module-body form))]
+              [defined (in-value (defined-by s))]
+              #:when defined
+              [lines (in-value (- (last-line s) (syntax-line s) -1))]
+              #:when (and (> lines limit) (not (memq defined allowed))))
+    (format "~a:~a: ~a takes ~a lines" name (syntax-line s) defined lines)))
+
+;; The name of the function that a form defines, or #f.
+(define (defined-by s)
+  (define d (syntax->datum s))
+  (and (list? d) (> (length d) 2)
+       (memq (car d) '(define define-plain define-syntax))
+       (let name ([head (cadr d)]) (if (pair? head) (name (car head)) head))))
+
+(define (last-line s)
+  (cond [(syntax? s) (max (or (syntax-line s) 0) (last-line (syntax-e s)))]
+        [(pair? s) (max (last-line (car s)) (last-line (cdr s)))]
+        [else 0]))
 
 ;; One concept, one file name, unless the room makes the difference plain; `allowed` lists
 ;; those names.
