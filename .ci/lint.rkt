@@ -29,8 +29,7 @@
 ;; Kept, though check-requires cannot see what for: programs run in the file's namespace.
 ;; ((file . module) ...)
 (define needed
-  '(("tests/mechanics/exercises.rkt" . "mechanics/book")
-    ("tests/mechanics/plot/figures.rkt" . "mechanics/book")
+  '(("tests/mechanics/plot/figures.rkt" . "mechanics/book")
     ("tests/mechanics/plot/figures.rkt" . "mechanics/plot")))
 
 ;; ---------------------------------------------------------------------------
@@ -155,7 +154,8 @@
   (cond [requires-only?
          (for-each displayln (append-map require-findings modules))]
         [else
-         (define findings (append (excuses-without-file) (append-map check-text files) (check-requires modules)))
+         (define findings
+           (append (excuses-without-file) (append-map check-text files) (check-requires modules)))
          (for-each displayln findings)
          (printf "lint: ~a files, ~a findings\n" (length files) (length findings))
          (exit (if (null? findings) 0 1))]))

@@ -6,7 +6,7 @@
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
-         "../numeric/finite.rkt" "../numeric/flvector.rkt"
+         "../numeric/finite.rkt"
          "../value/shape.rkt")
 
 (provide

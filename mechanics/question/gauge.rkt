@@ -25,7 +25,7 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
-         "../numeric/finite.rkt" "../numeric/flvector.rkt"
+         "../numeric/finite.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 

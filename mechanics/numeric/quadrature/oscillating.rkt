@@ -8,7 +8,7 @@
 ;; So the function must be seen to decay, here and very far away.
 
 (require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
-         "../finite.rkt" "../flvector.rkt"
+         "../finite.rkt"
          "../search/brent-root.rkt"
          "../../error/failure.rkt")
 

@@ -2,7 +2,8 @@
 ;; Degrees, terms, coefficients along a variable, derivatives, substitution.
 
 (require rackunit
-         (only-in mechanics/algebra/polynomial/inspect poly-derivative poly-for-each-term poly-substitute)
+         (only-in mechanics/algebra/polynomial/inspect
+                  poly-derivative poly-for-each-term poly-substitute)
          mechanics/algebra/polynomial/polynomial
          "../../support/random.rkt"
          "../../support/random/polynomial.rkt")

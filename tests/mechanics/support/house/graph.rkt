@@ -31,7 +31,9 @@
 ;; Complete paths of the files a file requires.
 (define (imports path)
   (remove-duplicates
-   (append-map (lambda (code) (module-imports code path)) (with-submodules (get-module-code path)))))
+   (for*/list ([code (in-list (with-submodules (get-module-code path)))]
+               [import (in-list (module-imports code path))])
+     import)))
 
 ;; Of those that it loads on demand.
 (define (on-demand-imports path)
