@@ -4,6 +4,7 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
+         (only-in mechanics/generic/function arity-mask)
          mechanics/generic/up-down
          mechanics/value/compose
          mechanics/calculus/derivative
