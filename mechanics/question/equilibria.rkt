@@ -42,7 +42,7 @@
   (define names (for/list ([_ (in-list (scalars q))]) (string->uninterned-symbol "q")))
   (define anywhere (scalars->structure q (lambda (k) (list-ref names k))))
   (define-values (_ survey)
-    (with-handlers ([failure? (lambda (e) (values #f #f))])
+    (with-handlers ([raised? (lambda (e) (values #f #f))])
       (survey-derivatives
        (lambda () (residual-at-rest 'verify-equilibrium L force t anywhere))
        names

@@ -10,7 +10,7 @@
 ;; each, as in a chain of equal pendulums, the factors come out of the square root.
 
 (require racket/list
-         "../algebra/expression/evaluate.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/assumption/reference.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
@@ -42,7 +42,7 @@
   (let/ec return
     (if (number? e)
         e
-        (evaluate-expression e (lambda (leaf arguments) (return #f))))))
+        (real-value e (lambda (leaf arguments) (return #f))))))
 
 (define (frequencies-of who M K G) (map car (modes-of who M K G)))
 

@@ -42,7 +42,7 @@
 ;; Does f's value have one of the symbols of the state in it?  What f makes of such symbols
 ;; may be beyond it; then nothing is said.
 (define (depends? f state)
-  (define value (with-handlers ([failure? (lambda (e) #f)]) (f state)))
+  (define value (with-handlers ([raised? (lambda (e) #f)]) (f state)))
   (define es (expressions-in value))
   (or (null? es)
       (for*/or ([e (in-list es)] [s (in-list (scalars state))] #:when (symbol? s)) (occurs? s e))))

@@ -38,7 +38,7 @@
 (define (survey-anywhere t local f)
   (define state (scalars->structure local (lambda (k) (string->uninterned-symbol "x"))))
   (define-values (_ survey)
-    (with-handlers ([failure? (lambda (e) (values #f #f))])
+    (with-handlers ([raised? (lambda (e) (values #f #f))])
       (survey-derivatives (lambda () (f state)) (scalars state)
                           #:put (map cons (scalars state) (scalars local))
                           #:solve-for (list t))))

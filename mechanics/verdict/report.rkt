@@ -6,7 +6,7 @@
 ;; may be.
 
 (require racket/list
-         "../algebra/expression/write.rkt"
+         "../algebra/expression/exact-numbers.rkt" "../algebra/expression/write.rkt"
          "../error/words.rkt"
          "../generic/describe.rkt"
          "../value/algebra.rkt")
@@ -122,7 +122,7 @@
 (define (readable x [digits 6])
   (cond [(not (real? x))
          (make-rectangular (readable (real-part x) digits) (readable (imag-part x) digits))]
-        [(and (exact? x) (> (bits x) 64)) (readable (exact->inexact x) digits)]
+        [(and (exact? x) (> (rational-bits x) 64)) (readable (exact->inexact x) digits)]
         [(exact? x) x]
         [else (rounded x digits)]))
 
@@ -146,8 +146,6 @@
          (define place (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10))))))
          (define unit (expt 10 place))
          (exact->inexact (/ (round (* (inexact->exact x) unit)) unit))]))
-
-(define (bits x) (+ (integer-length (numerator x)) (integer-length (denominator x))))
 
 (define (substitutions point)
   (separated (for/list ([entry (in-list point)])

@@ -28,10 +28,6 @@
 ;; Names that two files may have, since the room says of what they are.
 (define told-by-the-room '("on-demand.rkt" "arithmetic.rkt" "factor.rkt"))
 
-;; Files that still hold a helper of another: `headed?`, `arithmetic?`.
-(define second-homes '("algebra/kernel/logarithms.rkt" "algebra/simplify/align.rkt"))
-(define (same-file? name entry) (equal? name (car entry)))
-
 ;; ---------------------------------------------------------------------------
 ;; The rules find made-up violations
 
@@ -204,7 +200,7 @@
                 '()))
 
 (test-case "a helper has one home"
-  (check-equal? (twin-definitions (remove* second-homes forms same-file?)) '()))
+  (check-equal? (twin-definitions forms) '()))
 
 (test-case "one concept, one file name"
   (check-equal? (twin-names names told-by-the-room) '()))

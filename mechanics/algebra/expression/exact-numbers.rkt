@@ -2,7 +2,7 @@
 ;; Numbers as the algebra takes them: exact rationals, and exponents.
 
 (provide exact-constant? rational-part imaginary-part exact-exponent
-         present-number number-factors rational-content)
+         present-number number-factors rational-content rational-bits)
 
 ;; Is x, or each part of a complex x, a rational number?  (NaN and the
 ;; infinities are not.)
@@ -70,3 +70,6 @@
         (let ([x (expt (real->double-flonum n) (/ 1.0 q))])
           (if (rational? x) (inexact->exact (round x)) 0))))
   (and (= (expt r q) n) r))
+
+;; How many bits it takes to write a rational number.
+(define (rational-bits x) (+ (integer-length (numerator x)) (integer-length (denominator x))))

@@ -27,7 +27,7 @@
  requested? requested-assumptions request-form
  ;; constructors
  e:+ e:- e:* e:/ e:expt e:negate e:apply e:application
- integer-power?
+ sum? arithmetic-node? integer-power?
  ;; walks
  expression->datum make-memo node-fold)
 
@@ -238,6 +238,10 @@
               (exact-integer? (cadr (node-args b))))
          (e:expt (car (node-args b)) (* n (cadr (node-args b))))]
         [else (make-node op:expt (list b n))]))
+
+;; A sum, difference, product, quotient or whole power?
+(define (arithmetic-node? n)
+  (or (memq (node-head n) (list op:+ op:- op:* op:/)) (integer-power? n)))
 
 ;; b^n with a whole number n?
 (define (integer-power? n)

@@ -36,8 +36,6 @@
         [else
          (hash-update! (collector-logarithms c) u (lambda (nodes) (cons n nodes)) '())]))
 
-(define (headed? e op) (and (node? e) (eq? (node-head e) op)))
-
 (define (symbolic-power? e)
   (and (headed? e op:expt) (not (number? (cadr (node-args e))))))
 

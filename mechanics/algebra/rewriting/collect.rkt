@@ -126,8 +126,6 @@
         [(sum-within? e) (expression->form (times e powers))]
         [else (expression->form (present F (fraction* R coefficient monomial)))]))
 
-(define (sum? e) (or (headed? e op:+) (headed? e op:-)))
-
 (define (sum-within? e)
   (or (sum? e)
       (and (or (headed? e op:*) (headed? e op:/)) (ormap sum-within? (node-args e)))))

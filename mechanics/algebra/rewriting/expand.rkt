@@ -63,8 +63,6 @@
   (for/list ([op (in-list (list op:sin op:cos op:tan op:sinh op:cosh op:tanh))])
     (cons op (make-literal-head (string->uninterned-symbol (symbol->string (operation-name op)))))))
 
-(define arithmetic (list op:+ op:- op:* op:/))
-
 ;; -> e with veiled functions, their arguments and those of roots simplified, and
 ;; what that assumed.
 (define (veil e A)
@@ -77,7 +75,7 @@
   ;; simple? : is e part of something simplified?
   (define (walk e simple?)
     (cond [(not (node? e)) e]
-          [(arithmetic? e) (memo e (lambda () (rebuilt e simple?)))]
+          [(arithmetic-node? e) (memo e (lambda () (rebuilt e simple?)))]
           [(not simple?) (memo e (lambda () (walk (simplified e) #t)))]
           [(assq (node-head e) veils)
            => (lambda (v) (make-node (cdr v) (node-args e)))]
@@ -87,9 +85,6 @@
     (make-node (node-head e) (for/list ([a (in-list (node-args e))]) (walk a simple?))))
   (define veiled (walk e #f))
   (values veiled assumptions))
-
-(define (arithmetic? e)
-  (or (memq (node-head e) arithmetic) (integer-power? e)))
 
 (define (unveil e)
   (define (operation head)

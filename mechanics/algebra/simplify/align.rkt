@@ -41,13 +41,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Arguments
 
-(define arithmetic (list op:+ op:- op:* op:/ op:up op:down))
 (define by-parts
   (list op:sin op:cos op:tan op:sinh op:cosh op:tanh op:exp op:log op:sqrt op:expt op:abs))
 
 ;; A node whose operands are no arguments.
-(define (arithmetic? n)
-  (or (memq (node-head n) arithmetic) (integer-power? n)))
+(define (transparent? n) (or (arithmetic-node? n) (memq (node-head n) (list op:up op:down))))
 
 ;; The arguments, each once, in which functions occur: others have one form.
 (define (involved-arguments e involved?)
@@ -61,7 +59,7 @@
           [(not (hash-ref seen e #f))
            (hash-set! seen e #t)
            (for ([a (in-list (node-args e))])
-             (visit a (or argument? (not (arithmetic? e)))))]))
+             (visit a (or argument? (not (transparent? e)))))]))
   (map car (sort (hash->list met) < #:key cdr)))
 
 ;; -> expression -> does a function other than an unknown one of symbols occur in it?
@@ -70,7 +68,7 @@
   (define (involved? e)
     (and (node? e)
          (memo e (lambda ()
-                   (or (and (memq (node-head e) by-parts) (not (arithmetic? e)))
+                   (or (and (memq (node-head e) by-parts) (not (transparent? e)))
                        (ormap involved? (node-args e)))))))
   involved?)
 
@@ -80,7 +78,7 @@
   (define (walk e) (if (node? e) (memo e (lambda () (walk-node e))) e))
   (define (walk-node n)
     (define parts? (and (memq (node-head n) by-parts) #t))
-    (rebuilt n (if (arithmetic? n) walk (lambda (a) (argument a parts?)))))
+    (rebuilt n (if (transparent? n) walk (lambda (a) (argument a parts?)))))
   (define (argument a parts?)
     (cond [(not (node? a)) a]
           [(memq (node-head a) (list op:up op:down))

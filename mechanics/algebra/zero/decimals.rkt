@@ -11,7 +11,8 @@
 ;; what it is.  No proof rests on a reading alone: what is read is told (zero-test.rkt).
 
 (require racket/list
-         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/substitute.rkt")
 
 (provide read-decimal decimals-in with-decimals-read (struct-out reading))
@@ -59,7 +60,7 @@
 ;; The root of a fraction.
 (define (read-root x degree most-bits)
   (define f (simplest-near (expt x degree) (* 2 degree unit)))
-  (and (<= (bits f) most-bits)
+  (and (<= (rational-bits f) most-bits)
        (case degree
          [(1) f]
          [(2) (make-node op:sqrt (list f))]
@@ -67,13 +68,12 @@
 
 ;; What was written with few digits, such as 6.674e-11.
 (define (as-written x)
-  (define digits (filter char-numeric? (string->list (car (regexp-match #rx"^[^e]*" (number->string x))))))
+  (define mantissa (car (regexp-match #rx"^[^e]*" (number->string x))))
+  (define digits (filter char-numeric? (string->list mantissa)))
   (and (<= (length digits) most-digits)
        (string->number (string-append "#e" (number->string x)))))
 
 (define most-digits 8)
-
-(define (bits f) (+ (integer-length (numerator f)) (integer-length (denominator f))))
 
 ;; A fraction, or the square root of one, times a power of π or e.
 (define (read-multiple x)

@@ -36,8 +36,6 @@ mean to the letter is said in @secref["what-proved-means"].
 (prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))
 (prove-zero (- (* 1/10 'x 3) (* 3/10 'x)))]
 
-In the first of these decimals were read as fractions, and that is told.
-
 @section[#:tag "kinks"]{Where derivatives do not look}
 
 A ball that is thrown against a wall moves freely before it hits the wall and after. Its

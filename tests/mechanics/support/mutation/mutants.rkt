@@ -81,8 +81,10 @@
    "(for/fold ([product number])"]
   ;; roots
   ["√(u²) = -u" "simplify/radicand.rkt"
-   "(values (e:* joint (e:* (present F (fraction-product R (map whole-part parts))) outer))"
-   "(values (e:* -1 (e:* (present F (fraction-product R (map whole-part parts))) outer))"]
+   "(values (e:* joint
+                  (e:* nested"
+   "(values (e:* -1
+                  (e:* nested"]
   ["a root of a product leaves with the wrong sign" "simplify/radicand.rkt"
    "(if sign (values sign group others) (values 1 '() factors))"
    "(if sign (values 1 group others) (values 1 '() factors))"]

@@ -28,7 +28,8 @@
     (proved (- (sqrt 6) (* (sqrt 2) (sqrt 3))))
     (proved (+ b (- 0 b)))
     (proved (- (* 9.8 (+ a 1)) (* 9.8 a) 9.8))
-    (undecided (- (* 1/2 a) (* 0.5 a)))
+    (proved (- (* 1/2 a) (* 0.5 a)))
+    (undecided (- (cos (* 1.3579246801 a)) (cos (* 1.3579246801000003 a))))
     (proved (- (expt (expt a 2) 3) (expt a 6)))))
 
 ;; Equal, and printed so.
