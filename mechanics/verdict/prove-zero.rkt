@@ -43,7 +43,7 @@
       (for/list ([s (in-list (if (procedure? surveys) (surveys) surveys))])
         (call-with-values (lambda () (survey-kinks s A)) list)))
     (values (remove-duplicates (append-map first found)) (append-map second found)))
-  (make-verdict residual (reverse tests) (assumptions 'declared) endless? kinks (remarks)))
+  (make-verdict residual (reverse tests) (assumptions 'declared) endless? kinks remarks))
 
 (define (check-variables names)
   (unless (and (list? names) (andmap symbol? names))

@@ -28,7 +28,8 @@
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
 ;; find-kinks : -> kinks, grounds; called unless the verdict is a refutation
-(define (make-verdict residual tests given endless? find-kinks [remarks '()])
+;; find-remarks : -> strings; called unless it is undecided
+(define (make-verdict residual tests given endless? find-kinks find-remarks)
   (define statuses (map zero-test-status tests))
   (define refuted? (memq 'refuted statuses))
   (define-values (kinks grounds) (if refuted? (values '() '()) (find-kinks)))
@@ -36,6 +37,7 @@
     (cond [refuted? 'refuted]
           [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
           [else 'proved]))
+  (define remarks (if (eq? status 'undecided) '() (find-remarks)))
   (verdict status residual tests given endless? kinks grounds remarks))
 
 (define (proved? v) (eq? (verdict-status v) 'proved))

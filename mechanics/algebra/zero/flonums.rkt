@@ -12,7 +12,7 @@
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/substitute.rkt")
 
-(provide contains-flonum? vanishes-for-any-flonums?)
+(provide contains-flonum? speaks-of-symbols? vanishes-for-any-flonums?)
 
 ;; Numbers under functions count: they are no better known than others.
 (define (contains-flonum? t)
@@ -22,13 +22,14 @@
 (define (vanishes-for-any-flonums? t A)
   (define unknowns (make-hasheqv))
   (define grounds
-    (and (for/or ([e (in-vector (tape-items t))]) (symbolic-leaf? e))
+    (and (speaks-of-symbols? t)
          (prove-vanishing (expression->tape (generalized t unknowns)) A)))
   (and grounds
        (not (mentions-any? grounds (hash-values unknowns)))))
 
-(define (symbolic-leaf? e)
-  (or (symbol? e) (and (node? e) (null? (node-args e)))))
+(define (speaks-of-symbols? t)
+  (for/or ([e (in-vector (tape-items t))])
+    (or (symbol? e) (and (node? e) (null? (node-args e))))))
 
 ;; The expression on the tape, its flonums replaced.
 (define (generalized t unknowns)

@@ -111,11 +111,14 @@
             z))))
 
 ;; z : what could not be decided with the decimals as they stand.  As they are read there
-;; may be a proof, and it tells how they were read.
+;; may be a proof, and it tells how they were read.  Numbers alone prove nothing.
 (define (test-as-read e A variables t z)
   (define-values (read unread) (partition reading-expression (decimals-in t)))
   (define exact (with-decimals-read e read))
-  (define other (and (pair? read) (test-expression exact A variables (expression->tape exact))))
+  (define other
+    (and (pair? read)
+         (speaks-of-symbols? t)
+         (test-expression exact A variables (expression->tape exact))))
   (if (and other (eq? (zero-test-status other) 'proved))
       (struct-copy zero-test-result other [decimals read])
       (struct-copy zero-test-result z [decimals (append read unread)])))

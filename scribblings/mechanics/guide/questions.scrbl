@@ -76,7 +76,7 @@ from there on. For clashes with other libraries see @secref["clashes"].
 Graphics, yes: @racket[(require mechanics/plot)] has frames as in the book, on a
 screen or in a file (@secref["pictures"]). Motions, yes: @racket[evolve-trajectory]
 and its kin integrate the equations of any Lagrangian, with events, constraints, and
-as many digits as you like (@secref["numbers"]). Hamiltonian mechanics, chapter 3 of
+as many digits as you like (@secref["numbers-guide"]). Hamiltonian mechanics, chapter 3 of
 the book, not yet: what there is of it are the signatures of Hamiltonians, and
 integration methods that keep areas in phase space.
 

@@ -84,7 +84,7 @@
                 '((1.3579246801 #f) (1.3579246801000003 #f)))
   (check-equal? (status '(- (cos (* 1.41421356 a)) (cos (* (sqrt 2) a)))) 'refuted)
   (check-equal? (status '(- (abs (* 9.8 a)) (* 9.8 (abs a)))) 'proved)
-  (check-equal? (status (make-node op:- (list 9.8 9.8))) 'proved))
+  (check-equal? (status (make-node op:- (list 9.8 9.8))) 'undecided))
 
 (test-case "flonums are never refuted within rounding"
   (check-equal? (status '(+ (* 0.1 a) (* 0.2 a) (* -0.3 a))) 'proved)

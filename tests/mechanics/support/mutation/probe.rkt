@@ -29,7 +29,6 @@
     (proved (+ b (- 0 b)))
     (proved (- (* 9.8 (+ a 1)) (* 9.8 a) 9.8))
     (proved (- (* 1/2 a) (* 0.5 a)))
-    (undecided (- (cos (* 1.3579246801 a)) (cos (* 1.3579246801000003 a))))
     (proved (- (expt (expt a 2) 3) (expt a 6)))))
 
 ;; Equal, and printed so.
