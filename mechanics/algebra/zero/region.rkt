@@ -4,7 +4,7 @@
 ;; Numbers are chosen within the bounds that relations set.  All relations that concern an
 ;; expression are checked at a point chosen for it.
 
-(require "approximate.rkt"
+(require "ball-tape.rkt"
          "../assumption/assumption-set.rkt" "../assumption/leaf-bounds.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/symbols.rkt")
@@ -43,23 +43,22 @@
 ;; ---------------------------------------------------------------------------
 ;; Points
 
-;; A simple number within the bounds of the leaf, by the integer n.
+;; A simple number within the bounds of the leaf, by the number n.
 (define (region-place g leaf n)
   (define range (bounds-of (region-ranges g) leaf))
   (define low (bounds-low range))
   (define high (bounds-high range))
   (define size (abs n))
-  (define next (and low (+ (floor low) size)))
+  (define next (and low (+ (if (exact-integer? n) (floor low) low) size)))
   (cond [(and low (or (not high) (< next high))) next]
         [(and low (< (+ (floor low) 1) high)) (+ (floor low) 1)]
         [low (+ low (* (- high low) (/ size (+ size 1))))]
         [high (- (ceiling high) size)]
         [else n]))
 
-;; Do the relations hold where the leaves have these values?
-(define (region-admits? g lookup)
+;; Do the relations certainly hold where the leaves have these values?  p : the precision, in bits
+(define (region-admits? g lookup p)
   (for/and ([c (in-list (region-conditions g))])
-    (define-values (value error) (approximate-tape (car c) lookup))
-    (and (real? value)
-         (or (eqv? error 0) (> (abs value) error))
-         (signs-within? (number-signs value) (cdr c)))))
+    (define value (tape-value (car c) lookup p))
+    (and (not (symbol? value))
+         (signs-within? (value-signs value) (cdr c)))))

@@ -4,16 +4,19 @@
 ;; A witness is for a person to check, so the first points tried give small
 ;; integers to everything and 0 to what stands under a sine, an exponential or
 ;; the like, where the value is then exact.  If the expression vanishes there,
-;; points with integers for all leaves follow, where its value is known to
-;; within rounding; zeros at those are what "undecided" reports.  The points
+;; points with integers for all leaves follow, and then small fractions.  The points
 ;; are always the same.  Where assumptions were made they hold at every point.
 ;;
-;; Points where all is real come first, and among these positive ones: at
-;; √(b² - 4km) a person expects strong damping and masses, not negative ones.
+;; A point counts if each part of the expression has a real value there, and it is a
+;; witness if the value of the expression as it is given is proved not to be 0, by balls.
+;; Where the ball holds 0, smaller ones are tried: at the points that remain
+;; "undecided" reports the greatest.
+;;
+;; Positive points come first: at √(b² - 4km) a person expects strong damping and
+;; masses, not negative ones.
 
-(require "approximate.rkt" "region.rkt"
-         "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt")
+(require "assignment.rkt" "flonums.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
+         "../expression/flat-graph.rkt")
 
 (provide find-witness)
 
@@ -25,162 +28,186 @@
 ;; How many of them have positive numbers only.
 (define positive-points 6)
 
-;; e, residual : tapes of the expression and of a simpler one of the same value,
-;; in whose leaves the point is given, or twice the same.  The value is that of e
-;; itself, so simplification is no part of the evidence; it is given exactly if that of
-;; the residual is exact.
+;; And how many with fractions.
+(define fraction-points 24)
+(define positive-fraction-points 16)
+
+;; Bits of the first balls, of all points that are looked at again, and of two of them.
+(define first-precision 80)
+(define second-precision 160)
+(define further-precisions '(640))
+(define further-points 2)
+
+;; Operations times bits: what looking again may cost.
+(define most-work (expt 2 23))
+
+;; e, residual : tapes of the expression and of a simpler one of the same value
+;; value-of : of a tape, real or complex; certain? : are there no flonums in e?
+(struct question (e residual place value-of certain?) #:authentic)
+
+;; numbers : -> a source of numbers; others : of those for leaves that the residual lacks
+;; zeros : leaves that are to be 0
+(struct try (numbers others zeros) #:authentic)
+
+;; What was found at a point: a table leaf -> (place in the list . number), and the values there.
+(struct finding (leaves of-residual of-e) #:authentic)
+
+;; e, residual : the point is given in the leaves of the residual, or twice the same.  The
+;; value is that of e itself, so simplification is no part of the evidence; it is given exactly
+;; if that of the residual is exact.
 ;; place : region where the point has to be.  Where simplification took signs for
 ;; granted, `positive?`, all integers are that may be.
 ;; -> witness value bound points; witness is #f if none was found.
 (define (find-witness e residual place positive?)
-  (define complex? #f)
-  (define (try refuse!)
-    (define (at k zeros) (integer-point e residual place k zeros refuse!))
-    (define-values (point value) (exact-witness residual at))
-    (if point
-        (values point value 0 0)
-        (search (region-free? place) positive? at)))
-  (define-values (point value bound points) (try (lambda () (set! complex? #t))))
-  (if (or point (not complex?))
-      (values point value bound points)
-      (try #f)))
+  (define q (make-question e residual place))
+  (define found (exact-witness q))
+  (if found
+      (values (listed-point found) (shown found) 0 0)
+      (search q (all-tries (region-free? place) positive?))))
+
+(define (make-question e residual place)
+  (define complex? (contains-complex? e))
+  (define usable? (or complex? (not (contains-complex? residual))))
+  (question e (if usable? residual e) place
+            (if complex? complex-value real-value)
+            (not (or complex? (contains-flonum? e)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Points where transcendental functions have exact values
 
-;; at : as integer-point, of k and zeros
-(define (exact-witness residual at)
-  (define-values (under only-under) (leaves-under-functions residual))
+;; -> finding or #f
+(define (exact-witness q)
+  (define-values (under only-under) (leaves-under-functions (question-residual q)))
   (define more
-    (if (eqv? (hash-count under) (hash-count only-under)) '() (list (cons under 0))))
-  (let loop ([tries (list* (cons only-under 0) (cons only-under 1) more)])
-    (cond [(null? tries) (values #f 0)]
-          [else
-           (define-values (point value error) (at (cdar tries) (caar tries)))
-           (if (and (exact? value) (not (eqv? value 0)) (eqv? error 0))
-               (values point value)
-               (loop (cdr tries)))])))
+    (if (eqv? (hash-count under) (hash-count only-under)) '() (list (integer-try 0 under))))
+  (for/or ([t (in-list (list* (integer-try 0 only-under) (integer-try 1 only-under) more))])
+    (define f (look q t first-precision))
+    (and (finding? f)
+         (exact-number? (finding-of-e f)) (exact-number? (finding-of-residual f))
+         (not-zero? (finding-of-e f))
+         f)))
 
-(define algebraic (list op:+ op:- op:* op:/ op:expt op:sqrt op:abs))
-
-(define (transcendental? head) (not (memq head algebraic)))
-
-;; -> the leaves standing somewhere below a function such as sin, and those that
-;; stand nowhere else.  From the root down every item learns whether it is
-;; outside (bit 1), below (bit 2) or both; a literal application is a leaf.
-(define (leaves-under-functions t)
-  (define items (tape-items t))
-  (define heads (tape-heads t))
-  (define n (vector-length items))
-  (define states (make-vector n 0))
-  (define leaves (make-hash))
-  (vector-set! states (- n 1) 1)
-  (for ([k (in-range (- n 1) -1 -1)])
-    (define head (vector-ref heads k))
-    (define state (vector-ref states k))
-    (cond [(eqv? state 0) (void)]
-          [(operation? head)
-           (define below (if (transcendental? head) 2 state))
-           (for ([j (in-list (vector-ref (tape-operands t) k))])
-             (vector-set! states j (bitwise-ior below (vector-ref states j))))]
-          [(number? (vector-ref items k)) (void)]
-          [else
-           (hash-update! leaves (vector-ref items k) (lambda (old) (bitwise-ior old state)) 0)]))
-  (define (those test)
-    (for/hash ([(leaf state) (in-hash leaves)] #:when (test state)) (values leaf #t)))
-  (values (those (lambda (state) (>= state 2)))
-          (those (lambda (state) (eqv? state 2)))))
+(define (exact-number? v) (and (number? v) (exact? v)))
 
 ;; ---------------------------------------------------------------------------
-;; Points with integers for all leaves
+;; Points with numbers for all leaves
 
-(define (search free? positive? at)
-  (define tries (if free? point-limit point-limit/relations))
-  (let loop ([k 0] [bound 0] [points 0])
+(define (integer-try k zeros) (try-from integers-from k zeros))
+
+(define (try-from source k zeros)
+  (try (lambda () (source k)) (lambda () (integers-from (+ 100 (abs k)))) zeros))
+
+(define (all-tries free? positive?)
+  (define (tries source count positive-count)
+    (for/list ([k (in-range count)])
+      (try-from source (if (or positive? (< k positive-count)) k (- positive-count k 1)) #hash())))
+  (append (tries integers-from (if free? point-limit point-limit/relations) positive-points)
+          (tries fractions-from fraction-points positive-fraction-points)))
+
+;; zeros : ((try . finding) ...), the points that gave no decision, latest first
+(define (search q tries)
+  (let loop ([tries tries] [zeros '()])
     (cond
-      [(or (= k tries) (= points point-limit)) (values #f 0 bound points)]
+      [(or (null? tries) (= (length zeros) point-limit)) (look-again q (reverse zeros))]
       [else
-       (define-values (point value error)
-         (at (if (or positive? (< k positive-points)) k (- positive-points k 1)) #hash()))
-       (cond [(not (decent? value error)) (loop (+ k 1) bound points)]
-             [(> (magnitude value) (* 4 error)) (values point value error points)]
-             [else (loop (+ k 1) (max bound error) (+ points 1))])])))
+       (define f (look-twice q (car tries)))
+       (cond [(symbol? f) (loop (cdr tries) zeros)]
+             [(witness? f) (as-witness q (car tries) f)]
+             [else (loop (cdr tries) (cons (cons (car tries) f) zeros))])])))
 
-(define (decent? value error)
-  (and (rational? (magnitude value)) (rational? error)))
+(define (look-twice q t)
+  (define f (look q t first-precision))
+  (if (eq? f 'unknown) (look q t second-precision) f))
+
+;; The points that gave no decision, with more bits as long as these are of use.
+(define (look-again q zeros)
+  (define open (filter (lambda (z) (not (number? (finding-of-e (cdr z))))) zeros))
+  (define-values (found left) (with-more-bits q open))
+  (if found
+      (as-witness q (car found) (cdr found))
+      (values #f 0 (apply max 0 (map bound left)) (length zeros))))
+
+(define (bound z) (value-bound (finding-of-e (cdr z))))
+
+;; -> a try with its finding, or #f, and the others with what was found at last
+(define (with-more-bits q open)
+  (define (work precision points)
+    (* precision (length points) (tape-length (question-e q))))
+  (let loop ([precisions (cons second-precision further-precisions)] [open open] [done '()])
+    (cond [(or (null? open) (null? precisions) (not (question-certain? q))
+               (> (work (car precisions) open) most-work))
+           (values #f (append open done))]
+          [else
+           (define again
+             (for/list ([z (in-list open)])
+               (define f (look q (car z) (car precisions)))
+               (if (finding? f) (cons (car z) f) z)))
+           (define found (for/first ([z (in-list again)] #:when (witness? (cdr z))) z))
+           (define-values (next rest) (first-few again))
+           (if found
+               (values found '())
+               (loop (cdr precisions) next (append rest done)))])))
+
+(define (first-few zs)
+  (define n (min further-points (length zs)))
+  (values (for/list ([z (in-list zs)] [_ (in-range n)]) z) (list-tail zs n)))
 
 ;; ---------------------------------------------------------------------------
+;; Witnesses
 
-;; Small integers for the leaves of residual, zeros for those of `zeros`; other
-;; leaves get integers of their own.  A literal function has one value for one
-;; argument.
-;; refuse! : #f, or called where something is not real
-;; -> ((leaf . number) ...), the value and the error of e there; not a number
-;; where e is not defined, the point is out of place or refused.
-(define (integer-point e residual place k zeros refuse!)
-  (define seen (make-hash))
-  (define assign (assignment seen place (integers-from k)))
-  (define assign-others (assignment seen place (integers-from (+ 100 (abs k)))))
-  (define listed (make-hash))           ; leaf -> (number . value)
-  (define (assign-and-list leaf arguments)
-    (define value
-      (if (hash-ref zeros leaf #f)
-          (hash-ref! seen (leaf-key leaf arguments) 0)
-          (assign leaf arguments)))
-    (hash-ref! listed leaf (lambda () (cons (hash-count listed) value)))
-    value)
-  (define-values (value error) (value-at residual assign-and-list refuse!))
-  (define-values (value-of-e error-of-e)
-    (if (eq? e residual) (values value error) (value-at e assign-others refuse!)))
-  (if (and (agree? value error value-of-e error-of-e)
-           (admitted? place assign-others))
-      (values (listed-point listed) (best-known value value-of-e error-of-e) error-of-e)
-      (values #f +nan.0 +nan.0)))
+;; Not zero, and neither too great nor too small to be shown.
+(define (witness? f)
+  (and (not-zero? (finding-of-e f))
+       (let ([size (magnitude (shown f))]) (and (rational? size) (< 0 size)))))
 
-;; Integers of `next`, brought to where they may be, for leaves that were not seen.
-(define ((assignment seen place next) leaf arguments)
-  (hash-ref! seen (leaf-key leaf arguments)
-             (lambda () (region-place place leaf (next leaf arguments)))))
-
-;; In the order in which the leaves were met.
-(define (listed-point listed)
-  (for/list ([entry (in-list (sort (hash->list listed) < #:key cadr))])
-    (cons (car entry) (cddr entry))))
+;; With more bits, until the digits are right.
+(define (as-witness q t f)
+  (define best
+    (let loop ([f f] [precisions (cons second-precision further-precisions)])
+      (define more?
+        (and (question-certain? q) (pair? precisions) (not (value-precise? (finding-of-e f)))))
+      (define g (and more? (look q t (car precisions))))
+      (if (and more? (finding? g) (witness? g)) (loop g (cdr precisions)) f)))
+  (values (listed-point best) (shown best) 0 0))
 
 ;; Where the value of e is not zero, the exact value that agrees with it says more: -4 where
 ;; leaves that cancel made it -4.0.
-(define (best-known value value-of-e error-of-e)
-  (define (not-zero? x) (> (magnitude x) (* 4 error-of-e)))
-  (if (and (exact? value) (not-zero? value-of-e) (not-zero? value)) value value-of-e))
+(define (shown f)
+  (define r (finding-of-residual f))
+  (value-shown (if (and (exact-number? r) (not-zero? r)) r (finding-of-e f))))
 
-(define (admitted? place lookup)
-  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
-    (region-admits? place lookup)))
+;; In the order in which the leaves were met.
+(define (listed-point f)
+  (for/list ([entry (in-list (sort (hash->list (finding-leaves f)) < #:key cadr))])
+    (cons (car entry) (cddr entry))))
 
-;; Where e and the residual differ, the point is outside what simplification took
-;; for granted.
-(define (agree? x x-error y y-error)
-  (and (decent? x x-error) (decent? y y-error)
-       (<= (magnitude (- x y)) (* 4 (+ x-error y-error)))))
+;; ---------------------------------------------------------------------------
+;; A look at a point
 
-(define (value-at t lookup refuse!)
-  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) (values +nan.0 +nan.0))])
-    (approximate-tape t lookup refuse!)))
-
-;; A literal function is known by its name, derivative and arguments' values.
-(define (leaf-key leaf arguments)
-  (if (symbol? leaf)
-      leaf
-      (let ([head (node-head leaf)])
-        (list (literal-head-name head) (literal-head-index head) arguments))))
-
-;; The k-th source of small integers, by a linear congruence: positive ones for
-;; k not negative, of either sign for k negative.
-(define (integers-from k)
-  (define n (abs k))
-  (define state (+ 12345 (* 7919 n)))
-  (define range (cond [(< n 2) 3] [(< n 6) 5] [else 11]))
-  (lambda (leaf arguments)
-    (set! state (modulo (+ (* 1103515245 state) 12345) 2147483648))
-    (define size (+ 1 (modulo (quotient state 65536) range)))
-    (if (and (negative? k) (odd? (quotient state 1048576))) (- size) size)))
+;; -> a finding; 'no-value where a part of e or of the residual has none, the point is out of
+;; place, or e and the residual differ, so that it is outside of what simplification took for
+;; granted; 'unknown where p bits do not tell.
+(define (look q t p)
+  (define seen (make-assignment))
+  (define place (question-place q))
+  (define next ((try-numbers t)))
+  (define next-other ((try-others t)))
+  (define listed (make-hash))
+  (define (number-of leaf arguments next)
+    (assigned seen leaf arguments (lambda () (region-place place leaf (next)))))
+  (define (numbers leaf arguments)
+    (define x
+      (if (hash-ref (try-zeros t) leaf #f)
+          (assigned seen leaf arguments (lambda () 0))
+          (number-of leaf arguments next)))
+    (hash-ref! listed leaf (lambda () (cons (hash-count listed) x)))
+    x)
+  (define (other-numbers leaf arguments) (number-of leaf arguments next-other))
+  (define e (question-e q))
+  (define residual (question-residual q))
+  (define value-of (question-value-of q))
+  (define r (value-of residual numbers p))
+  (define v (if (or (symbol? r) (eq? e residual)) r (value-of e other-numbers p)))
+  (cond [(symbol? v) v]
+        [(and (agree? r v) (region-admits? place other-numbers p)) (finding listed r v)]
+        [else 'no-value]))

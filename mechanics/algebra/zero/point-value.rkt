@@ -1,0 +1,62 @@
+#lang racket/base
+;; The value of an expression at a point, with what is known of its error.
+;;
+;; Values are real, exact or certified by balls (ball-tape.rkt).  Only expressions in which a
+;; complex number stands, as in e^(it), have complex values, with bounds to first order on their
+;; rounding (approximate.rkt).
+
+(require "approximate.rkt" "ball.rkt" "ball-tape.rkt"
+         "../expression/flat-graph.rkt")
+
+(provide contains-complex? real-value complex-value
+         not-zero? agree? value-bound value-shown value-precise?)
+
+(define (contains-complex? t)
+  (for/or ([e (in-vector (tape-items t))]) (and (number? e) (not (real? e)))))
+
+;; A complex number within `error`.
+(struct rough (number error) #:authentic)
+
+;; t : tape, lookup : as for tape-value, p : precision in bits
+;; -> a value, or 'no-value or 'unknown
+(define (real-value t lookup p) (tape-value t lookup p))
+
+(define (complex-value t lookup p)
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) no-value)]
+                  [symbol? values])
+    (define-values (x error) (approximate-tape t lookup))
+    (if (and (rational? (magnitude x)) (rational? error)) (rough x error) no-value)))
+
+;; ---------------------------------------------------------------------------
+
+(define (not-zero? v)
+  (if (rough? v)
+      (> (magnitude (rough-number v)) (* 4 (rough-error v)))
+      (value-not-zero? v)))
+
+;; May a and b be one number?
+(define (agree? a b)
+  (if (rough? a)
+      (<= (magnitude (- (rough-number a) (rough-number b)))
+          (* 4 (+ (rough-error a) (rough-error b))))
+      (values-overlap? a b)))
+
+;; How far it may be from 0, as a number of bits or 0 are to be shown.
+(define (value-bound v)
+  (cond [(rough? v) (rough-error v)]
+        [(ball? v) (ball->flonum (ball-upper (ball-abs v)) (ball-scale v))]
+        [else 0]))
+
+(define (ball->flonum m e)
+  (if (< -2000 e 2000) (exact->inexact (* m (expt 2 e))) (if (> e 0) +inf.0 0.0)))
+
+;; The number to be shown, with all digits that it has as a flonum; exact where it is.
+(define (value-shown v)
+  (cond [(rough? v) (rough-number v)]
+        [(ball? v) (ball->flonum (ball-middle v) (ball-scale v))]
+        [else v]))
+
+;; Are the digits of what is shown right?
+(define (value-precise? v)
+  (or (not (ball? v))
+      (<= (+ (integer-length (ball-radius v)) 60) (integer-length (ball-middle v)))))
