@@ -50,19 +50,25 @@
 (define (integers-from k)
   (define n (abs k))
   (define range (cond [(< n 2) 3] [(< n 6) 5] [else 11]))
-  (numbers-from k (lambda (i) (+ 1 (modulo i range)))))
+  (numbers-from k (lambda (i place) (+ 1 (modulo i range)))))
 
-;; The same of small fractions, below 1 for small k: where integers are out of the domain.
+;; The same of small fractions, for where integers are out of the domain: those below 1 for
+;; small k.  The first leaf has each of them in turn.
 (define (fractions-from k)
   (define range (if (< (abs k) below-one) below-one (vector-length fractions)))
-  (numbers-from k (lambda (i) (vector-ref fractions (modulo i range)))))
+  (define (fraction i place)
+    (vector-ref fractions (modulo (if (eqv? place 0) (abs k) i) range)))
+  (numbers-from k fraction))
 
 (define fractions (vector 1/2 3/5 1/3 4/5 1/4 1/10 2/3 7/4 5/2 4/3 1/1000 1000))
 (define below-one 7)
 
+;; number : of a random integer and of how many numbers there were before
 (define (numbers-from k number)
   (define state (+ 12345 (* 7919 (abs k))))
+  (define place -1)
   (lambda ()
     (set! state (modulo (+ (* 1103515245 state) 12345) 2147483648))
-    (define x (number (quotient state 65536)))
+    (set! place (+ place 1))
+    (define x (number (quotient state 65536) place))
     (if (and (negative? k) (odd? (quotient state 1048576))) (- x) x)))

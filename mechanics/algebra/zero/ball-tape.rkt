@@ -23,9 +23,10 @@
   (with-handlers ([symbol? values])
     (define items (tape-items t))
     (define so-far (make-vector (vector-length items) #f))
+    (define met (make-hasheq))
     (for/last ([head (in-vector (tape-heads t))] [ks (in-vector (tape-operands t))]
                [k (in-naturals)])
-      (define v (item-value (vector-ref items k) head (values-of ks so-far) lookup p))
+      (define v (item-value (vector-ref items k) head (values-of ks so-far) lookup p met))
       (vector-set! so-far k v)
       v)))
 
@@ -34,8 +35,8 @@
       '()
       (cons (vector-ref so-far (car ks)) (values-of (cdr ks) so-far))))
 
-(define (item-value e head arguments lookup p)
-  (cond [(operation? head) (apply-operation head arguments p)]
+(define (item-value e head arguments lookup p met)
+  (cond [(operation? head) (apply-operation head arguments p met)]
         [head (lookup e arguments)]
         [(symbol? e) (lookup e '())]
         [else (number->value e p)]))
@@ -87,13 +88,19 @@
 ;; ---------------------------------------------------------------------------
 ;; Operations
 
-(define (apply-operation op arguments p)
+;; met : operation -> table of its values at exact numbers, which large graphs often ask for
+(define (apply-operation op arguments p met)
   (cond [(eq? op op:*) (fold times arguments p)]
         [(eq? op op:+) (fold plus arguments p)]
         [(eq? op op:-) (minus (car arguments) (cadr arguments) p)]
         [(eq? op op:/) (over (car arguments) (cadr arguments) p)]
         [(eq? op op:expt) (power (car arguments) (cadr arguments) p)]
-        [(hash-ref functions op #f) => (lambda (f) (f arguments p))]
+        [(hash-ref functions op #f)
+         => (lambda (f)
+              (define x (car arguments))
+              (if (or (ball? x) (pair? (cdr arguments)))
+                  (f arguments p)
+                  (hash-ref! (hash-ref! met op make-hash) x (lambda () (f arguments p)))))]
         [(memq op (list op:up op:down)) (cons (operation-name op) arguments)]
         [else (raise unknown)]))
 

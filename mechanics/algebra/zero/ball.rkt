@@ -34,10 +34,12 @@
 
 ;; The ball around m of radius r, in units of 2^e, with a middle of no more than p bits.
 (define (make-ball m r e p)
-  (define k (max (- (integer-length m) p) (- (integer-length r) radius-bits)))
-  (cond [(> k 0) (ball (arithmetic-shift m (- k)) (+ 2 (arithmetic-shift r (- k))) (+ e k))]
-        [(< (- most-scale) e most-scale) (ball m r e)]
-        [else (raise unknown)]))
+  (define k (max 0 (- (integer-length m) p) (- (integer-length r) radius-bits)))
+  (define scale (+ e k))
+  (unless (< (- most-scale) scale most-scale) (raise unknown))
+  (if (eqv? k 0)
+      (ball m r scale)
+      (ball (arithmetic-shift m (- k)) (+ 2 (arithmetic-shift r (- k))) scale)))
 
 (define (exact->ball x p)
   (cond [(exact-integer? x) (make-ball x 0 0 p)]
@@ -103,10 +105,13 @@
   (define n (ball-middle b))
   (define room (- (abs n) (ball-radius b)))
   (unless (positive? room) (raise (if (eqv? 0 (+ (abs n) (ball-radius b))) no-value unknown)))
-  (define s (max 0 (- (+ p (integer-length n)) (integer-length m))))
-  (define q (quotient (arithmetic-shift m s) n))
-  (define spread (+ (arithmetic-shift (ball-radius a) s) (* (+ (abs q) 1) (ball-radius b))))
-  (make-ball q (+ 2 (quotient spread room)) (- (ball-scale a) (ball-scale b) s) p))
+  (cond [(eqv? 0 (+ (abs m) (ball-radius a))) a]
+        [else
+         (define s (max 0 (- (+ p (integer-length n)) (integer-length m))))
+         (define q (quotient (arithmetic-shift m s) n))
+         (define spread
+           (+ (arithmetic-shift (ball-radius a) s) (* (+ (abs q) 1) (ball-radius b))))
+         (make-ball q (+ 2 (quotient spread room)) (- (ball-scale a) (ball-scale b) s) p)]))
 
 ;; |√(m + δ) - √m| <= |δ|/√m.
 (define (ball-sqrt a p)

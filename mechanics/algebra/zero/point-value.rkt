@@ -41,7 +41,7 @@
           (* 4 (+ (rough-error a) (rough-error b))))
       (values-overlap? a b)))
 
-;; How far it may be from 0, as a number of bits or 0 are to be shown.
+;; How far it may be from 0.
 (define (value-bound v)
   (cond [(rough? v) (rough-error v)]
         [(ball? v) (ball->flonum (ball-upper (ball-abs v)) (ball-scale v))]
@@ -50,13 +50,30 @@
 (define (ball->flonum m e)
   (if (< -2000 e 2000) (exact->inexact (* m (expt 2 e))) (if (> e 0) +inf.0 0.0)))
 
-;; The number to be shown, with all digits that it has as a flonum; exact where it is.
+;; The number to be shown: exact where it is, else a flonum with no more digits than are certain.
 (define (value-shown v)
   (cond [(rough? v) (rough-number v)]
-        [(ball? v) (ball->flonum (ball-middle v) (ball-scale v))]
+        [(ball? v) (certain-digits v)]
         [else v]))
 
-;; Are the digits of what is shown right?
-(define (value-precise? v)
-  (or (not (ball? v))
-      (<= (+ (integer-length (ball-radius v)) 60) (integer-length (ball-middle v)))))
+(define (certain-digits b)
+  (define x (ball->flonum (ball-middle b) (ball-scale b)))
+  (if (or (>= (certain-bits b) flonum-bits) (not (rational? x)) (zero? x))
+      x
+      (rounded x (max 1 (inexact->exact (floor (* (certain-bits b) bit-digits)))))))
+
+(define flonum-bits 54)
+(define bit-digits (/ (log 2) (log 10)))
+
+;; So many bits of the middle are beyond doubt.
+(define (certain-bits b)
+  (- (integer-length (ball-middle b)) (integer-length (ball-radius b)) 1))
+
+;; x to so many digits
+(define (rounded x digits)
+  (define place (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10))))))
+  (define unit (expt 10 place))
+  (exact->inexact (/ (round (* (inexact->exact x) unit)) unit)))
+
+;; Are as many digits certain as a verdict shows?
+(define (value-precise? v) (or (not (ball? v)) (>= (certain-bits v) 24)))

@@ -16,7 +16,7 @@
 ;; masses, not negative ones.
 
 (require "assignment.rkt" "flonums.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
-         "../expression/flat-graph.rkt")
+         "../expression/flat-graph.rkt" "../expression/operation.rkt")
 
 (provide find-witness)
 
@@ -33,7 +33,8 @@
 (define positive-fraction-points 16)
 
 ;; Bits of the first balls, of all points that are looked at again, and of two of them.
-(define first-precision 80)
+(define (first-precision q) (if (> (tape-length (question-e q)) long) 56 80))
+(define long 2000)
 (define second-precision 160)
 (define further-precisions '(640))
 (define further-points 2)
@@ -81,7 +82,7 @@
   (define more
     (if (eqv? (hash-count under) (hash-count only-under)) '() (list (integer-try 0 under))))
   (for/or ([t (in-list (list* (integer-try 0 only-under) (integer-try 1 only-under) more))])
-    (define f (look q t first-precision))
+    (define f (look q t (first-precision q)))
     (and (finding? f)
          (exact-number? (finding-of-e f)) (exact-number? (finding-of-residual f))
          (not-zero? (finding-of-e f))
@@ -113,19 +114,26 @@
        (define f (look-twice q (car tries)))
        (cond [(symbol? f) (loop (cdr tries) zeros)]
              [(witness? f) (as-witness q (car tries) f)]
+             [(not-zero? (finding-of-e f)) (loop (cdr tries) zeros)]
              [else (loop (cdr tries) (cons (cons (car tries) f) zeros))])])))
 
 (define (look-twice q t)
-  (define f (look q t first-precision))
+  (define f (look q t (first-precision q)))
   (if (eq? f 'unknown) (look q t second-precision) f))
 
 ;; The points that gave no decision, with more bits as long as these are of use.
 (define (look-again q zeros)
-  (define open (filter (lambda (z) (not (number? (finding-of-e (cdr z))))) zeros))
+  (define inexact (filter (lambda (z) (not (number? (finding-of-e (cdr z))))) zeros))
+  (define open (if (and (pair? inexact) (constant? (question-e q))) (list (car inexact)) inexact))
   (define-values (found left) (with-more-bits q open))
   (if found
       (as-witness q (car found) (cdr found))
       (values #f 0 (apply max 0 (map bound left)) (length zeros))))
+
+;; Without leaves, so that one point is like another?
+(define (constant? t)
+  (for/and ([x (in-vector (tape-items t))] [head (in-vector (tape-heads t))])
+    (or (number? x) (operation? head))))
 
 (define (bound z) (value-bound (finding-of-e (cdr z))))
 
@@ -160,7 +168,7 @@
   (and (not-zero? (finding-of-e f))
        (let ([size (magnitude (shown f))]) (and (rational? size) (< 0 size)))))
 
-;; With more bits, until the digits are right.
+;; With more bits, until enough digits are right.
 (define (as-witness q t f)
   (define best
     (let loop ([f f] [precisions (cons second-precision further-precisions)])

@@ -2,8 +2,8 @@
 ;; Is an expression zero?  Proved, refuted, or undecided.
 ;;
 ;; *Proved* rests on the canonical form being 0, whatever numbers stand in place of
-;; the flonums (flonums.rkt).  *Refuted* rests on a point where the value is farther
-;; from zero than rounding can explain: small integers for the symbols and for the
+;; the flonums (flonums.rkt).  *Refuted* rests on a point where the value is proved not
+;; to be zero (witness.rkt): small integers, or fractions, for the symbols and for the
 ;; literal functions applied, which a person can put in by hand; all assumptions hold
 ;; there.  Otherwise the test is *undecided* and says at how many points it found zero,
 ;; and to what bound.  The points are always the same.
