@@ -78,7 +78,7 @@
 
 ;; s : simplifier, used only if there are relations
 ;; -> known
-(define (infer-signs A s e)
+(define (infer-signs A s e [limits (fresh-limits)])
   (node-fold e
              (lambda (leaf)
                (cond [(symbol? leaf) (look-up A (list (cons 1 leaf)))]
@@ -86,7 +86,7 @@
                      [else not-real]))
              (lambda (n parts)
                (define k (if (memq not-real parts) (part-not-real n) (structural n parts)))
-               (if (or (eq? k not-real) (no-relations? A)) k (from-table A s n k)))))
+               (if (or (eq? k not-real) (no-relations? A)) k (from-table A s n k limits)))))
 
 ;; What is known of numbers that are not real, of roots and logarithms of what is
 ;; negative, and of what they occur in: nothing.
@@ -145,6 +145,22 @@
 (define (sgn x) (if (negative? x) -1 1))
 
 ;; ---------------------------------------------------------------------------
+;; Limits
+
+;; depth : so many relations are added up, one upon the other
+;; left : box of how many looks at the table one question may take
+(struct limits (depth left) #:authentic)
+
+(define (fresh-limits) (limits 2 (box 300)))
+
+(define (deeper l) (limits (- (limits-depth l) 1) (limits-left l)))
+
+(define (spend! l)
+  (define b (limits-left l))
+  (set-box! b (- (unbox b) 1))
+  (positive? (unbox b)))
+
+;; ---------------------------------------------------------------------------
 ;; The table
 
 ;; -> the terms divided by the first coefficient, exact; and that coefficient.
@@ -162,19 +178,19 @@
 (define (terms-of s n)
   (if (memq (node-head n) arithmetic) (simplifier-terms s n) (list (cons 1 n))))
 
-(define (from-table A s n k)
+(define (from-table A s n k limits)
   (define ts (terms-of s n))
   (define (or-else k more) (if (decided? k) k (meet k (more))))
-  (if (and (pair? ts) (andmap real-term? ts))
+  (if (and (spend! limits) (pair? ts) (andmap real-term? ts))
       (let* ([k (meet k (look-up A ts))]
-             [k (or-else k (lambda () (from-sums A s ts)))])
-        (or-else k (lambda () (from-factors A s ts n))))
+             [k (or-else k (lambda () (from-sums A s ts limits)))])
+        (or-else k (lambda () (from-factors A s ts n limits))))
       k))
 
 (define (real-term? t) (and (rational? (car t)) (not (eqv? (car t) 0))))
 
 ;; By the factors of a sum, if there are several.
-(define (from-factors A s ts n)
+(define (from-factors A s ts n limits)
   (define-values (number factors)
     (if (null? (cdr ts)) (values 1 '()) (simplifier-irreducible-factors s n)))
   (if (single? factors)
@@ -182,39 +198,38 @@
       (scaled number
               (known-product
                (for/list ([f (in-list factors)])
-                 (known-power (infer-signs A s (car f)) (cdr f)))))))
+                 (known-power (infer-signs A s (car f) limits) (cdr f)))))))
 
 ;; No factors, or one to the first power?
 (define (single? factors)
   (or (null? factors)
       (and (null? (cdr factors)) (eqv? 1 (cdar factors)))))
 
-;; What is not decided may be as a multiple of a relation and a rest; so many
-;; relations are added up.
-(define depth-limit 2)
-
-(define (from-sums A s ts [depth depth-limit])
+;; What is not decided may be as a multiple of a relation and a rest.
+(define (from-sums A s ts limits)
   (define (add-up sum t)
     (define own (coefficient (cdr t) sum))
-    (define k (if own (by-sum A s ts sum (/ (inexact->exact (car t)) own) depth) unknown))
+    (define k (if own (by-sum A s ts sum (/ (inexact->exact (car t)) own) limits)
+                  unknown))
     (and (decided? k) k))
-  (or (and (> depth 0)
+  (or (and (> (limits-depth limits) 0)
            (pair? (cdr ts))
            (for*/or ([sum (in-list (assumptions-sums A))] [t (in-list ts)]) (add-up sum t)))
       unknown))
 
 ;; The terms are c · sum and a rest.
-(define (by-sum A s ts sum c depth)
+(define (by-sum A s ts sum c limits)
   (define rest (subtract ts sum c))
   (define k
     (known-sum
      (cons (because-of zero)
-           (for/list ([t (in-list rest)]) (scaled (car t) (infer-signs A s (cdr t)))))))
+           (for/list ([t (in-list rest)])
+             (scaled (car t) (infer-signs A s (cdr t) (deeper limits)))))))
   (derive signs-sum
           (scaled c (look-up A sum))
           (if (or (decided? k) (null? rest))
               k
-              (meet (meet k (look-up A rest)) (from-sums A s rest (- depth 1))))))
+              (meet (meet k (look-up A rest)) (from-sums A s rest (deeper limits))))))
 
 ;; ts - c · sum, the terms in the order of ts.
 (define (subtract ts sum c)
