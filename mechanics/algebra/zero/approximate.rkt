@@ -1,6 +1,7 @@
 #lang racket/base
-;; Numeric values with a bound on their rounding error.
+;; Complex values with a bound, to first order, on their rounding error.
 ;;
+;; Of expressions in which a complex number stands; values of others are certified by balls.
 ;; A value is a pair (number . error), the true value being within `error` of
 ;; the number: exact arithmetic has error 0, a flonum that was given may be the
 ;; result of a few operations on others, such as (square (sqrt 2)), and is taken
@@ -19,26 +20,20 @@
 (define bit-limit 2000)
 
 ;; lookup : as for evaluate-expression, giving plain numbers.
-;; refuse! : #f, or called if a value is not real, which ends the evaluation
-;; -> number and error; the number is not finite where e is not defined or refused.
+;; -> number and error; the number is not finite where e is not defined.
 ;; Raises exn:fail:contract:divide-by-zero as the operations on numbers do.
-(define (approximate-tape t lookup [refuse! #f])
+(define (approximate-tape t lookup)
   (define items (tape-items t))
-  (define n (vector-length items))
-  (define values-so-far (make-vector n #f))
+  (define values-so-far (make-vector (vector-length items) #f))
   (define (values-of ks)
-    (if (null? ks)
-        '()
-        (cons (vector-ref values-so-far (car ks)) (values-of (cdr ks)))))
+    (for/list ([k (in-list ks)]) (vector-ref values-so-far k)))
   (define result
-    (for/fold ([v #f]) ([head (in-vector (tape-heads t))] [ks (in-vector (tape-operands t))]
-                        [k (in-naturals)]
-                        #:break (and refuse! v (not-real? (car v))))
+    (for/last ([head (in-vector (tape-heads t))] [ks (in-vector (tape-operands t))]
+               [k (in-naturals)])
       (define new (item-value (vector-ref items k) head (values-of ks) lookup))
       (vector-set! values-so-far k new)
       new))
-  (cond [(and refuse! (not-real? (car result))) (refuse!) (values +nan.0 0)]
-        [else (values (car result) (cdr result))]))
+  (values (car result) (cdr result)))
 
 (define (not-real? x) (and (number? x) (not (real? x))))
 

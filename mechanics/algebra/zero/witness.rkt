@@ -15,7 +15,7 @@
 ;; Positive points come first: at √(b² - 4km) a person expects strong damping and
 ;; masses, not negative ones.
 
-(require "assignment.rkt" "flonums.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
+(require "finding.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
          "../expression/flat-graph.rkt" "../expression/operation.rkt")
 
 (provide find-witness)
@@ -42,17 +42,6 @@
 ;; Operations times bits: what looking again may cost.
 (define most-work (expt 2 23))
 
-;; e, residual : tapes of the expression and of a simpler one of the same value
-;; value-of : of a tape, real or complex; certain? : are there no flonums in e?
-(struct question (e residual place value-of certain?) #:authentic)
-
-;; numbers : -> a source of numbers; others : of those for leaves that the residual lacks
-;; zeros : leaves that are to be 0
-(struct try (numbers others zeros) #:authentic)
-
-;; What was found at a point: a table leaf -> (place in the list . number), and the values there.
-(struct finding (leaves of-residual of-e) #:authentic)
-
 ;; e, residual : the point is given in the leaves of the residual, or twice the same.  The
 ;; value is that of e itself, so simplification is no part of the evidence; it is given exactly
 ;; if that of the residual is exact.
@@ -66,13 +55,6 @@
       (values (listed-point found) (shown found) 0 0)
       (search q (all-tries (region-free? place) positive?))))
 
-(define (make-question e residual place)
-  (define complex? (contains-complex? e))
-  (define usable? (or complex? (not (contains-complex? residual))))
-  (question e (if usable? residual e) place
-            (if complex? complex-value real-value)
-            (not (or complex? (contains-flonum? e)))))
-
 ;; ---------------------------------------------------------------------------
 ;; Points where transcendental functions have exact values
 
@@ -83,27 +65,17 @@
     (if (eqv? (hash-count under) (hash-count only-under)) '() (list (integer-try 0 under))))
   (for/or ([t (in-list (list* (integer-try 0 only-under) (integer-try 1 only-under) more))])
     (define f (look q t (first-precision q)))
-    (and (finding? f)
-         (exact-number? (finding-of-e f)) (exact-number? (finding-of-residual f))
-         (not-zero? (finding-of-e f))
-         f)))
-
-(define (exact-number? v) (and (number? v) (exact? v)))
+    (and (finding? f) (exactly-not-zero? f) f)))
 
 ;; ---------------------------------------------------------------------------
 ;; Points with numbers for all leaves
 
-(define (integer-try k zeros) (try-from integers-from k zeros))
-
-(define (try-from source k zeros)
-  (try (lambda () (source k)) (lambda () (integers-from (+ 100 (abs k)))) zeros))
-
 (define (all-tries free? positive?)
-  (define (tries source count positive-count)
+  (define (tries make count positive-count)
     (for/list ([k (in-range count)])
-      (try-from source (if (or positive? (< k positive-count)) k (- positive-count k 1)) #hash())))
-  (append (tries integers-from (if free? point-limit point-limit/relations) positive-points)
-          (tries fractions-from fraction-points positive-fraction-points)))
+      (make (if (or positive? (< k positive-count)) k (- positive-count k 1)) #hash())))
+  (append (tries integer-try (if free? point-limit point-limit/relations) positive-points)
+          (tries fraction-try fraction-points positive-fraction-points)))
 
 ;; zeros : ((try . finding) ...), the points that gave no decision, latest first
 (define (search q tries)
@@ -163,11 +135,6 @@
 ;; ---------------------------------------------------------------------------
 ;; Witnesses
 
-;; Not zero, and neither too great nor too small to be shown.
-(define (witness? f)
-  (and (not-zero? (finding-of-e f))
-       (let ([size (magnitude (shown f))]) (and (rational? size) (< 0 size)))))
-
 ;; With more bits, until enough digits are right.
 (define (as-witness q t f)
   (define best
@@ -177,45 +144,3 @@
       (define g (and more? (look q t (car precisions))))
       (if (and more? (finding? g) (witness? g)) (loop g (cdr precisions)) f)))
   (values (listed-point best) (shown best) 0 0))
-
-;; Where the value of e is not zero, the exact value that agrees with it says more: -4 where
-;; leaves that cancel made it -4.0.
-(define (shown f)
-  (define r (finding-of-residual f))
-  (value-shown (if (and (exact-number? r) (not-zero? r)) r (finding-of-e f))))
-
-;; In the order in which the leaves were met.
-(define (listed-point f)
-  (for/list ([entry (in-list (sort (hash->list (finding-leaves f)) < #:key cadr))])
-    (cons (car entry) (cddr entry))))
-
-;; ---------------------------------------------------------------------------
-;; A look at a point
-
-;; -> a finding; 'no-value where a part of e or of the residual has none, the point is out of
-;; place, or e and the residual differ, so that it is outside of what simplification took for
-;; granted; 'unknown where p bits do not tell.
-(define (look q t p)
-  (define seen (make-assignment))
-  (define place (question-place q))
-  (define next ((try-numbers t)))
-  (define next-other ((try-others t)))
-  (define listed (make-hash))
-  (define (number-of leaf arguments next)
-    (assigned seen leaf arguments (lambda () (region-place place leaf (next)))))
-  (define (numbers leaf arguments)
-    (define x
-      (if (hash-ref (try-zeros t) leaf #f)
-          (assigned seen leaf arguments (lambda () 0))
-          (number-of leaf arguments next)))
-    (hash-ref! listed leaf (lambda () (cons (hash-count listed) x)))
-    x)
-  (define (other-numbers leaf arguments) (number-of leaf arguments next-other))
-  (define e (question-e q))
-  (define residual (question-residual q))
-  (define value-of (question-value-of q))
-  (define r (value-of residual numbers p))
-  (define v (if (or (symbol? r) (eq? e residual)) r (value-of e other-numbers p)))
-  (cond [(symbol? v) v]
-        [(and (agree? r v) (region-admits? place other-numbers p)) (finding listed r v)]
-        [else 'no-value]))

@@ -4,7 +4,7 @@
 
 (require rackunit mechanics)
 
-(define-syntax-rule (status relation x) (verdict-status (assuming relation (prove-zero x))))
+(define-syntax-rule (status relation x) (verdict-status (assuming (relation) (prove-zero x))))
 
 (test-case "what has no real value where assumptions hold is not refuted there"
   (check-not-eq? (status '(< x 0) (- (/ 1 (sqrt 'x)) (sqrt (/ 1 'x)))) 'refuted)

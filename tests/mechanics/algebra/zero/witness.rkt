@@ -2,10 +2,8 @@
 ;; Witnesses: points that certify that an expression is not zero.
 
 (require rackunit
-         mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/relation
          mechanics/algebra/expression/evaluate
-         mechanics/algebra/expression/expression
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read
          mechanics/algebra/zero/region
@@ -48,8 +46,8 @@
   (check-eqv? (value '(- (* 3 x) (* 1/2 x))) 5/2)
   (check-eqv? (value '(+ (* 1/2 x) (sin t))) 1/2)
   (check-= (value '(- (sqrt (+ (expt 10 40) x)) (expt 10 20))) 5e-21 1e-33)
-  (check-eqv? (value '(- (exp 1) (+ 2 (sqrt 1/2)))) 0.011175047272497552)
-  (check-eqv? (value '(- 0.3 (* x 0.3001))) -0.3002))
+  (check-eqv? (value '(- (exp 1) (+ 2 (sqrt 1/2)))) 0.01117504727249771)
+  (check-eqv? (value '(- 0.3 (* x 0.3001))) -0.0001))
 
 (test-case "what no flonum can tell from 0 is told by balls"
   (check-true (refuted? '(- (sqrt (+ (expt x 2) (expt 10 -60))) x)))

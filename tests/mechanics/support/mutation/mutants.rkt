@@ -173,8 +173,14 @@
    "(cond [witness (make-zero-test 'refuted "
    "(cond [witness (make-zero-test 'proved "]
   ["a witness has another value" "zero/witness.rkt"
-   "(values (listed-point listed) (best-known value value-of-e error-of-e) error-of-e)"
-   "(values (listed-point listed) (- (best-known value value-of-e error-of-e)) error-of-e)"]
+   "(values (listed-point best) (shown best) 0 0)"
+   "(values (listed-point best) (- (shown best)) 0 0)"]
+  ["quotients of balls are sharper than they are" "zero/ball.rkt"
+   "(make-ball q (+ 2 (quotient spread room))"
+   "(make-ball q 0"]
+  ["a sign is known where a ball holds 0" "zero/ball.rkt"
+   "(define (ball-positive? b) (> (ball-middle b) (ball-radius b)))"
+   "(define (ball-positive? b) (> (ball-middle b) 0))"]
   ["flonums are proved" "zero/flonums.rkt"
    "(and (number? e) (not (exact? e)))"
    "#f"]

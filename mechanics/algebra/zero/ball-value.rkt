@@ -1,0 +1,184 @@
+#lang racket/base
+;; Operations on values that are exact rationals or balls.
+;;
+;; What has exact values keeps them, as long as they are short; a function has one at a single
+;; point, as log at 1, if at all.
+
+(require "ball.rkt" "ball-elementary.rkt" "ball-functions.rkt"
+         "../assumption/signs.rkt"
+         "../expression/operation.rkt")
+
+(provide number->value apply-operation
+         value-not-zero? value-signs values-overlap?)
+
+;; Exact numbers of more bits become balls.
+(define most-exact-bits 512)
+
+(define (number->value x p)
+  (cond [(and (real? x) (exact? x)) (shortened x p)]
+        [(and (real? x) (rational? x)) (flonum->ball x p)]
+        [else (raise no-value)]))
+
+(define (shortened x p)
+  (if (or (fixnum? x)
+          (<= (+ (integer-length (numerator x)) (integer-length (denominator x)))
+              most-exact-bits))
+      x
+      (exact->ball x p)))
+
+(define (value->ball x p) (if (ball? x) x (exact->ball x p)))
+
+;; ---------------------------------------------------------------------------
+;; What is known of a value
+
+;; The signs that it may have.
+(define (value-signs v)
+  (cond [(not (ball? v)) (number-signs v)]
+        [(ball-positive? v) positive]
+        [(ball-negative? v) negative]
+        [else
+         (bitwise-ior zero
+                      (if (> (ball-upper v) 0) positive 0)
+                      (if (< (ball-lower v) 0) negative 0))]))
+
+(define (value-not-zero? v) (not (signs-within? zero (value-signs v))))
+
+;; May both be the same?  Values of tuples are lists of their names and components.
+(define (values-overlap? a b)
+  (cond [(and (pair? a) (pair? b))
+         (and (eq? (car a) (car b))
+              (eqv? (length a) (length b))
+              (andmap values-overlap? (cdr a) (cdr b)))]
+        [(or (ball? a) (ball? b)) (and (real-value? a) (real-value? b) (balls-overlap? a b))]
+        [else (equal? a b)]))
+
+(define (real-value? v) (or (ball? v) (and (rational? v) (exact? v))))
+
+(define (balls-overlap? a b)
+  (define p 4096)
+  (not (value-not-zero? (ball- (value->ball a p) (value->ball b p) p))))
+
+;; ---------------------------------------------------------------------------
+;; Operations
+
+;; met : operation -> table of its values at exact numbers, which large graphs often ask for
+(define (apply-operation op arguments p met)
+  (cond [(eq? op op:*) (fold times arguments p)]
+        [(eq? op op:+) (fold plus arguments p)]
+        [(eq? op op:-) (minus (car arguments) (cadr arguments) p)]
+        [(eq? op op:/) (over (car arguments) (cadr arguments) p)]
+        [(eq? op op:expt) (power (car arguments) (cadr arguments) p)]
+        [(hash-ref functions op #f)
+         => (lambda (f)
+              (define x (car arguments))
+              (if (or (ball? x) (pair? (cdr arguments)))
+                  (f arguments p)
+                  (hash-ref! (hash-ref! met op make-hash) x (lambda () (f arguments p)))))]
+        [(memq op (list op:up op:down)) (cons (operation-name op) arguments)]
+        [else (raise unknown)]))
+
+(define (fold f arguments p)
+  (for/fold ([v (car arguments)]) ([a (in-list (cdr arguments))]) (f v a p)))
+
+(define-syntax-rule (define-arithmetic (name a b p) exact-case exact on-balls)
+  (define (name a b p)
+    (cond exact-case
+          [(or (ball? a) (ball? b)) (on-balls (value->ball a p) (value->ball b p) p)]
+          [else (shortened (exact a b) p)])))
+
+(define-arithmetic (plus a b p)
+  [(eqv? a 0) b] + ball+)
+(define-arithmetic (minus a b p)
+  [(eqv? b 0) a] - ball-)
+(define-arithmetic (times a b p)
+  [(or (eqv? a 0) (eqv? b 0)) 0] * ball*)
+(define-arithmetic (over a b p)
+  [(eqv? b 0) (raise no-value)] / ball/)
+
+;; op -> (arguments p -> value)
+(define functions
+  (let ()
+    ;; f, but at this point its exact value
+    (define ((function f [point #f] [value #f]) arguments p)
+      (define x (car arguments))
+      (if (and point (eqv? x point)) value (f (value->ball x p) p)))
+    (hasheq op:sqrt (lambda (arguments p) (root (car arguments) p))
+            op:exp (function ball-exp 0 1)
+            op:log (function ball-log 1 0)
+            op:sin (function ball-sin 0 0)
+            op:cos (function ball-cos 0 1)
+            op:tan (function ball-tan 0 0)
+            op:asin (function ball-asin 0 0)
+            op:acos (function ball-acos 1 0)
+            op:atan (lambda (arguments p)
+                      (if (null? (cdr arguments))
+                          ((function ball-atan 0 0) arguments p)
+                          (angle (car arguments) (cadr arguments) p)))
+            op:sinh (function ball-sinh 0 0)
+            op:cosh (function ball-cosh 0 1)
+            op:tanh (function ball-tanh 0 0)
+            op:asinh (function ball-asinh 0 0)
+            op:acosh (function ball-acosh 1 0)
+            op:atanh (function ball-atanh 0 0)
+            op:abs (lambda (arguments p)
+                     (define x (car arguments))
+                     (if (ball? x) (ball-abs x) (abs x)))
+            op:sgn (lambda (arguments p) (sign-of (car arguments))))))
+
+(define (angle y x p)
+  (cond [(and (eqv? y 0) (eqv? x 0)) (raise no-value)]
+        [(and (eqv? y 0) (not (ball? x)) (> x 0)) 0]
+        [else (ball-angle (value->ball y p) (value->ball x p) p)]))
+
+(define (sign-of x)
+  (cond [(not (ball? x)) (cond [(> x 0) 1] [(< x 0) -1] [else 0])]
+        [(ball-positive? x) 1]
+        [(ball-negative? x) -1]
+        [else (raise unknown)]))
+
+(define (root x p)
+  (cond [(ball? x) (ball-sqrt x p)]
+        [(< x 0) (raise no-value)]
+        [else (or (exact-root x) (ball-sqrt (exact->ball x (+ p 4)) p))]))
+
+(define (exact-root x)
+  (define-values (n n-rest) (integer-sqrt/remainder (numerator x)))
+  (and (eqv? 0 n-rest)
+       (let-values ([(d d-rest) (integer-sqrt/remainder (denominator x))])
+         (and (eqv? 0 d-rest) (/ n d)))))
+
+;; ---------------------------------------------------------------------------
+;; Powers, real ones
+
+(define (power x n p)
+  (cond [(eqv? n 0) 1]
+        [(exact-integer? n) (integer-power x n p)]
+        [(ball? x) (power-of-ball x n p)]
+        [(< x 0) (raise (if (ball? n) unknown no-value))]
+        [(eqv? x 0) (power-of-0 n)]
+        [(eqv? x 1) 1]
+        [else (power-of-ball x n p)]))
+
+(define (integer-power x n p)
+  (cond [(ball? x) (ball-integer-power x n p)]
+        [(eqv? x 0) (if (> n 0) 0 (raise no-value))]
+        [(memv x '(1 -1)) (expt x n)]
+        [(<= (* (abs n) (+ (integer-length (numerator x)) (integer-length (denominator x))))
+             most-exact-bits)
+         (expt x n)]
+        [else (ball-integer-power (exact->ball x (+ p 32)) n (+ p 32))]))
+
+;; x^(k/2) has a simpler way.
+(define (power-of-ball x n p)
+  (if (and (not (ball? n)) (eqv? 2 (denominator n)))
+      (integer-power (root x (+ p 8)) (numerator n) p)
+      (let ([b (value->ball x (+ p 32))])
+        (unless (or (ball-positive? b) (not (ball? n))) (raise unknown))
+        (ball-power b (value->ball n (+ p 32)) p))))
+
+(define (power-of-0 n)
+  (cond [(sign-is? n 1) 0]
+        [(sign-is? n -1) (raise no-value)]
+        [else (raise unknown)]))
+
+(define (sign-is? x s) (eqv? s (sign-of x)))
