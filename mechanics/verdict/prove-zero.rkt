@@ -5,7 +5,7 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
-         "fresh-name.rkt" "smoothness.rkt" "verdict.rkt"
+         "fresh-name.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/words.rkt"
@@ -31,30 +31,37 @@
   (define tests '())
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
-  (define residual
-    (map-leaves (lambda (leaf)
-                  (define z (judge leaf A (hash-keys variables)))
-                  (set! tests (cons z tests))
-                  (zero-test-residual z))
-                (at-symbolic-arguments x '() variables (lambda () (set! endless? #t)))))
-  (for ([z (in-list tests)]) (note-used! (zero-test-assumptions z)))
   (define (kinks)
     (define found
       (for/list ([s (in-list (if (procedure? surveys) (surveys) surveys))])
         (call-with-values (lambda () (survey-kinks s A)) list)))
     (values (remove-duplicates (append-map first found)) (append-map second found)))
+  (define residual
+    (map-leaves (lambda (leaf)
+                  (define z (judge leaf A (hash-keys variables) kinks))
+                  (set! tests (cons z tests))
+                  (zero-test-residual z))
+                (at-symbolic-arguments x '() variables (lambda () (set! endless? #t)))))
+  (for ([z (in-list tests)]) (note-used! (zero-test-assumptions z)))
   (make-verdict residual (reverse tests) (assumptions 'declared) endless? kinks remarks))
 
 (define (check-variables names)
   (unless (and (list? names) (andmap symbol? names))
     (raise-argument-error 'prove-zero "the variables, a list of symbols" names)))
 
-(define (judge leaf A variables)
+;; find-kinks : -> kinks and grounds
+(define (judge leaf A variables find-kinks)
   (unless (expression? leaf)
     (complain 'prove-zero
               "expected a number, an expression, a tuple of them, or a function; given ~a"
               (describe-with-value leaf)))
-  (zero-test leaf A variables))
+  (define z (zero-test leaf A variables))
+  (define-values (kinks _)
+    (if (and (eq? (zero-test-status z) 'refuted) (looks-at-jumps? leaf))
+        (find-kinks)
+        (values '() '())))
+  (define elsewhere (assumptions-off-kinks A kinks (or (zero-test-witness z) '())))
+  (if elsewhere (zero-test leaf elsewhere variables) z))
 
 (define (verify-equal a b) (prove-zero (difference a b)))
 

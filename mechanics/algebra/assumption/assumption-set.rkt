@@ -151,7 +151,7 @@
 ;; left : box of how many looks at the table one question may take
 (struct limits (depth left) #:authentic)
 
-(define (fresh-limits) (limits 2 (box 300)))
+(define (fresh-limits) (limits 2 (box 100)))
 
 (define (deeper l) (limits (- (limits-depth l) 1) (limits-left l)))
 

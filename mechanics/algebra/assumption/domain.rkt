@@ -15,7 +15,7 @@
 (define (domain-relations e)
   (define found '())
   (define (need! signs u)
-    (unless (number? u) (set! found (cons (relation #f u signs) found))))
+    (unless (or (number? u) (square? u)) (set! found (cons (relation #f u signs) found))))
   (define all-real?
     (node-fold e
                (lambda (leaf) (or (symbol? leaf) (real? leaf)))
@@ -23,6 +23,15 @@
                  (conditions-of n need!)
                  (andmap values parts))))
   (if all-real? (reverse found) '()))
+
+;; Of a square there is nothing to say.
+(define (square? e)
+  (and (node? e)
+       (let ([args (node-args e)])
+         (cond [(eq? (node-head e) op:*) (and (= (length args) 2) (equal? (car args) (cadr args)))]
+               [(eq? (node-head e) op:expt)
+                (and (exact-integer? (cadr args)) (even? (cadr args)))]
+               [else #f]))))
 
 (define (conditions-of n need!)
   (define head (node-head n))

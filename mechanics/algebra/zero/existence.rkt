@@ -5,22 +5,20 @@
 ;; log(-1 - x²).  So a proof asks for a point where every part of the expression as it was
 ;; given has a value, and where what was declared holds.
 
-(require "approximate.rkt"
-         "../assumption/reference.rkt"
+(require "assignment.rkt" "point-value.rkt"
+         (only-in "../assumption/reference.rkt" find-reference)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt")
 
-(provide somewhere-defined?)
+(provide somewhere-defined? everywhere-defined?)
 
 ;; t : tape; A : assumptions
 (define (somewhere-defined? t A)
   (or (everywhere-defined? t)
-      (let ([real? (andmap real-or-symbolic? (vector->list (tape-items t)))])
+      (let ([value (if (contains-complex? t) complex-value real-value)])
         (and (find-reference (list (tape->expression t)) A
-                             (lambda (lookup) (defined? t lookup real?)))
+                             (lambda (lookup) (defined? t lookup value)))
              #t))))
-
-(define (real-or-symbolic? e) (or (not (number? e)) (real? e)))
 
 ;; Polynomials in sines, exponentials and the like.
 (define (everywhere-defined? t)
@@ -36,8 +34,11 @@
 (define (integer-power-above-0? e)
   (and (eq? (node-head e) op:expt) (exact-nonnegative-integer? (cadr (node-args e)))))
 
-;; Is each part of it a finite number there, and a real one where that is asked for?
-(define (defined? t lookup real?)
-  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
-    (define-values (value error) (approximate-tape t lookup (and real? void)))
-    (and (rational? (magnitude value)) (rational? error))))
+;; Has each part of it a value there?  Literal functions have one for equal arguments.
+(define (defined? t lookup value)
+  (define seen (make-assignment))
+  (define (number leaf arguments)
+    (assigned seen leaf arguments (lambda () (inexact->exact (lookup leaf '())))))
+  (not (symbol? (value t number precision))))
+
+(define precision 80)

@@ -4,7 +4,8 @@
 ;; A try is where the numbers for leaves come from, and a finding what came of it: the values
 ;; of the expression as it is given, and of a simpler one that should agree.
 
-(require "assignment.rkt" "flonums.rkt" "point-value.rkt" "region.rkt")
+(require "assignment.rkt" "existence.rkt" "flonums.rkt" "point-value.rkt" "region.rkt"
+         "../expression/flat-graph.rkt")
 
 (provide make-question question-e question-residual question-certain?
          integer-try fraction-try
@@ -61,10 +62,20 @@
   (define residual (question-residual q))
   (define value-of (question-value-of q))
   (define r (value-of residual numbers p))
-  (define v (if (or (symbol? r) (eq? e residual)) r (value-of e other-numbers p)))
+  (define v
+    (if (or (symbol? r) (eq? e residual))
+        r
+        (value-of e (if (told-by-constant? e residual) numbers other-numbers) p)))
   (cond [(symbol? v) v]
         [(and (agree? r v) (region-admits? place other-numbers p)) (finding listed r v)]
         [else 'no-value]))
+
+;; A residual that is a number names no point; where e has no value everywhere, that of e is
+;; named.
+(define (told-by-constant? e residual)
+  (and (eqv? 1 (tape-length residual))
+       (number? (vector-ref (tape-items residual) 0))
+       (not (everywhere-defined? e))))
 
 ;; ---------------------------------------------------------------------------
 ;; What a finding says

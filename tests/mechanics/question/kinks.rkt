@@ -128,3 +128,12 @@
   (check-equal? (format "~s" (verdict-kinks
                               (verify-solution L-free (lambda (t) (* t (sgn (- t 't)))))))
                 "((jump (sgn (- t1 t)) (= t1 t)))"))
+
+(test-case "a point on a kink refutes nothing"
+  (define (L-harmonic s) (- (* 1/2 (square (velocity s))) (* 1/2 (square (coordinate s)))))
+  (define v (verify-solution L-harmonic (lambda (t) (cos (* t (sgn t))))))
+  (check-true (undecided? v))
+  (check-equal? (format "~s" (verdict-kinks v)) "((jump (sgn t) (= t 0)))")
+  (define w (verify-solution L-harmonic (lambda (t) (* 2 t (sgn t)))))
+  (check-true (refuted? w))
+  (check-not-equal? (cdr (assq 't (verdict-witness w))) 0))
