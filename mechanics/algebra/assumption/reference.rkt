@@ -8,13 +8,13 @@
 ;;
 ;; The first point tried gives numbers between 1 and π/2 to all symbols, the first of the
 ;; alphabet the greatest: lengths and masses are positive there, and sines and cosines of
-;; angles.  Then come others, positive ones first, always the same.
+;; angles.  Then come others, positive ones first, always the same ones.
 
 (require "assumption-set.rkt" "leaf-bounds.rkt" "signs.rkt"
          "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/symbols.rkt")
 
-(provide find-reference reference-sign real-value)
+(provide find-reference reference-sign holds-at? real-value)
 
 ;; expressions : those of the question; A : assumptions
 ;; value? : lookup -> does the question have a value there?
@@ -24,7 +24,7 @@
   (define relations (concerning leaves (assumptions-relations A)))
   (define table (bounds-from relations))
   (define (there? lookup)
-    (and (for/and ([r (in-list relations)]) (holds? r lookup))
+    (and (for/and ([r (in-list relations)]) (holds-at? r lookup))
          (value? lookup)))
   (for/or ([k (in-range most-points)])
     (define lookup (make-lookup leaves table k))
@@ -45,7 +45,7 @@
 
 (define distinct 1e-9)
 
-(define (holds? r lookup)
+(define (holds-at? r lookup)
   (define x (real-value (relation-expression r) lookup))
   (and x (signs-within? (number-signs x) (relation-signs r))))
 
@@ -140,9 +140,16 @@
       (let* ([a (scattered (+ (* 1009 k) (* 31 i)))]
              [b (scattered (+ 17 (* 2003 k) (* 57 i)))]
              [size (exp (* (spread k) (- (* 2.0 a) 1.0)))])
-        (if (and (> k last-positive) (< b 0.5)) (- size) size))))
+        (if (negative-there? k i b) (- size) size))))
 
-(define last-positive 80)
+;; All are positive first, then all but every sixth, then it is a matter of chance.
+(define (negative-there? k i chance)
+  (cond [(<= k last-positive) #f]
+        [(<= k last-mostly-positive) (eqv? (remainder k 6) (remainder i 6))]
+        [else (< chance 0.5)]))
+
+(define last-positive 60)
+(define last-mostly-positive 108)
 
 ;; How far from 1, as a logarithm, the numbers of the k-th point may be.
 (define (spread k)

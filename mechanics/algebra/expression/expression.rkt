@@ -205,8 +205,28 @@
         [(exact-zero? b) a]
         [(exact-zero? a) (e:negate b)]
         [(number? b) (e:+ (- b) a)]
-        [(expression=? a b) 0]
+        [(and (expression=? a b) (plainly-defined? a)) 0]
         [else (make-node op:- (list a b))]))
+
+;; Has it a value wherever its symbols have?  A root or a logarithm may have none anywhere,
+;; and then a - a is not 0.  Of a large one the first nodes tell.
+(define (plainly-defined? e)
+  (let look ([es (list e)] [n 0])
+    (cond [(or (null? es) (eqv? n most-nodes)) #t]
+          [(not (node? (car es))) (look (cdr es) n)]
+          [(partial? (car es)) #f]
+          [else (look (append (node-args (car es)) (cdr es)) (+ n 1))])))
+
+(define most-nodes 40)
+
+(define (partial? n)
+  (define head (node-head n))
+  (or (memq head (list op:sqrt op:log op:asin op:acos op:acosh op:atanh))
+      (and (eq? head op:/) (sum? (cadr (node-args n))))
+      (and (eq? head op:expt)
+           (let ([k (cadr (node-args n))])
+             (and (number? k)
+                  (or (not (integer? k)) (and (negative? k) (sum? (car (node-args n))))))))))
 
 (define (e:negate a) (e:* -1 a))
 
@@ -218,7 +238,7 @@
                [(number? a) (/ a b)]
                [else (make-node op:/ (list a b))])]
         [(exact-zero? a) 0]
-        [(and (expression=? a b) (not (sum? b))) 1]
+        [(and (expression=? a b) (not (sum? b)) (plainly-defined? b)) 1]
         [else (make-node op:/ (list a b))]))
 
 ;; Of a sum it takes simplification to see that it is not 0, however it is written.

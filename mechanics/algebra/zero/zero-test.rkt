@@ -15,9 +15,10 @@
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
 (require racket/list
-         "condition.rkt" "decimals.rkt" "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt" "region.rkt"
-         "witness.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/relation.rkt"
+         "condition.rkt" "decimals.rkt" "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt"
+         "region.rkt" "witness.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
+         "../assumption/relation.rkt"
          (only-in "../assumption/signs.rkt" signs-within? zero)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt"
@@ -167,11 +168,19 @@
   (and witness
        (make-zero-test 'refuted witness value bound points #f '() (later e A variables))))
 
-;; -> a proof, or #f
+;; -> a proof, or #f.  It may rest on another expression, of which a sign was taken elsewhere:
+;; what it takes for granted must hold at the reference point of this one.
 (define (prove-indirectly t A)
   (define grounds (prove-vanishing t A))
   (and grounds
+       (hold-at-reference? (taken-relations A grounds) t A)
        (vanishing-test t (form 0 1 0 '() grounds) A)))
+
+(define (hold-at-reference? relations t A)
+  (or (null? relations)
+      (let ([lookup (find-reference (list (tape->expression t)) A)])
+        (and lookup
+             (for/and ([r (in-list relations)]) (holds-at? r lookup))))))
 
 ;; Of flonums only what holds whatever they are is proved, and nothing of what has no value.
 (define (vanishing-test t f A)
