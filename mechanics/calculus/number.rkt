@@ -3,7 +3,7 @@
 
 (require "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt")
 
 (provide number check-function-of-one-variable)

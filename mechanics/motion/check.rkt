@@ -4,7 +4,7 @@
 (require racket/flonum
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
          "../numeric/finite.rkt"
          "../value/shape.rkt")

@@ -6,7 +6,7 @@
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
          "../numeric/finite.rkt")
 

@@ -31,7 +31,8 @@
   (define equations (kink-equations k))
   (and (pair? equations)
        (not (kink-family? k))
-       (e:- (datum->expression (cadr (car equations))) (datum->expression (caddr (car equations))))))
+       (e:- (datum->expression (cadr (car equations)))
+            (datum->expression (caddr (car equations))))))
 
 (define (vanishes-at? u witness)
   (define x (substitute-expression u witness))

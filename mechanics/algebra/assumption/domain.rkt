@@ -10,8 +10,8 @@
 
 (provide domain-relations)
 
-;; e : an expression; -> relations, inner ones first; none where e holds a number that is not real, for
-;; then its values are complex
+;; e : an expression; -> relations, inner ones first; none where e holds a number that is not
+;; real, for then its values are complex
 (define (domain-relations e)
   (define found '())
   (define (need! signs u)

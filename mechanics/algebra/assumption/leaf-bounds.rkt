@@ -63,4 +63,3 @@
         [(and (eq? head op:*) (number? (car (node-args e))) (null? (cddr (node-args e))))
          (scale (car (node-args e)) (affine-terms (cadr (node-args e))))]
         [else #f]))
-

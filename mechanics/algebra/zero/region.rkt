@@ -5,7 +5,8 @@
 ;; expression are checked at a point chosen for it.
 
 (require "ball-tape.rkt" "ball-value.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/leaf-bounds.rkt" "../assumption/signs.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/leaf-bounds.rkt"
+         "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/symbols.rkt")
 

@@ -82,7 +82,8 @@
   (check-equal? (last-line (prove-zero 1.234e-15))
                 "  evidence: at one point, zero to within 1.3e-15")
   (check-regexp-match #px"\n  evidence: at 12 points, zero to within [0-9]([.][0-9])?e-[0-9]+\n"
-                      (format "~a" (verify-equal (g:* 0.12345678901 'x) (g:* 0.12345678901000001 'x)))))
+                      (format "~a" (verify-equal (g:* 0.12345678901 'x)
+                                                 (g:* 0.12345678901000001 'x)))))
 
 (test-case "several conditions stand on one line, and none speaks of the time"
   (define v (prove-zero (lambda (t) (g:+ (g:* (g:- 'a 'b) (g:sin t))

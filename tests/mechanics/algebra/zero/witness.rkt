@@ -3,12 +3,12 @@
 
 (require rackunit
          mechanics/algebra/assumption/relation
-         mechanics/algebra/expression/evaluate
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read
          mechanics/algebra/zero/region
          mechanics/algebra/zero/witness
-         "../../support/random.rkt")
+         "../../support/random.rkt"
+         "../../support/evaluate.rkt")
 
 ;; The expression alone is looked at, without a simpler form of it.
 ;; -> witness value bound points
