@@ -10,7 +10,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/write.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
-         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/kind.rkt" "../generic/recurrence.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt"
          "../value/signature.rkt"

@@ -5,7 +5,7 @@
 ;; number nor a symbol: to ask is to look inside.  A number of higher precision than
 ;; Racket's is an inexact one.
 
-(require "compare.rkt" "kind.rkt" "naming.rkt" "tracing.rkt")
+(require "kind.rkt" "naming.rkt" "tracing.rkt")
 
 (provide g:number? g:real? g:rational? g:integer? g:exact? g:inexact? g:symbol?
          g:equal? g:eqv? g:memv g:member g:case)

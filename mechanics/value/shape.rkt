@@ -2,7 +2,7 @@
 ;; Structures as flvectors: their scalars in a row, and back.
 
 (require racket/flonum
-         "../generic/compare.rkt" "../generic/kind.rkt" "../generic/up-down.rkt")
+         "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide scalars shape-length scalars->structure structure->flvector flvector->structure)
 

@@ -6,7 +6,6 @@
          (only-in mechanics bigfloat D partial)
          mechanics/calculus/dual
          mechanics/calculus/perturbed
-         mechanics/generic/compare
          mechanics/generic/kind
          "../support/bigfloats.rkt" "../support/random.rkt" "../support/skip.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt" "../support/laws/ring.rkt"
