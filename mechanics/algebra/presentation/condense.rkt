@@ -15,7 +15,10 @@
 (provide sum-of sum->term)
 
 ;; -> the form of the sum
-(define (sum-of F terms) (terms-form F (turn-sine F (condense F terms))))
+(define (sum-of F terms)
+  (if (null? terms)
+      (sum-form '())
+      (terms-form F (turn-sine F (condense F terms)))))
 
 ;; -> one term equal to the sum
 (define (sum->term F terms) (one-term F (condense F terms)))

@@ -136,12 +136,16 @@
 ;; At least one summand, in order.  One positive and one negative make a
 ;; difference; a sum does not begin with a negative term if it can be helped.
 (define (sum-form forms)
-  (cond [(null? (cdr forms)) (car forms)]
+  (cond [(null? forms) zero-form]
+        [(null? (cdr forms)) (car forms)]
         [else
          (define difference (difference? forms))
          (form (for/fold ([size (if difference 0 1)]) ([f (in-list forms)]) (+ size (form-size f)))
                1
                (lambda (sign) (signed sign (if difference (subtract forms) (add forms)))))]))
+
+;; Nothing is left where decimals of one value, written differently, cancel.
+(define zero-form (form 1 1 (lambda (sign) 0)))
 
 (define (signed sign e) (if (eqv? sign 1) e (e:negate e)))
 
