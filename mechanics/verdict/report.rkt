@@ -11,7 +11,7 @@
          "../generic/describe.rkt"
          "../value/algebra.rkt")
 
-(provide verdict-report kink-lines report->text)
+(provide verdict-report readings kink-lines report->text)
 
 ;; status : as a whole.  tests : the zero-test of each scalar, in order.
 ;; labels : what the scalars are called; none for one that stands alone.
@@ -34,16 +34,17 @@
        (list (list 1 "zero if:" (equations shared)))
        '())
    (kink-lines kinks)
-   (decimals-read tests)
+   (map reading-line (readings tests))
    (grounds used given)))
 
 ;; How decimals were read for the proofs that rest on it.
-(define (decimals-read tests)
-  (define read
-    (append-map zero-test-decimals
-                (filter (lambda (z) (eq? (zero-test-status z) 'proved)) tests)))
-  (for/list ([r (in-list (remove-duplicates read))])
-    (list 1 "reading:" (list (reading-decimal r) "as" (short-datum (reading-expression r))))))
+(define (readings tests)
+  (remove-duplicates
+   (append-map zero-test-decimals
+               (filter (lambda (z) (eq? (zero-test-status z) 'proved)) tests))))
+
+(define (reading-line r)
+  (list 1 "reading:" (list (reading-decimal r) "as" (short-datum (reading-expression r)))))
 
 ;; What was declared and used, then what was assumed.
 (define (grounds all given)
@@ -124,7 +125,7 @@
          (make-rectangular (readable (real-part x) digits) (readable (imag-part x) digits))]
         [(and (exact? x) (> (rational-bits x) 64)) (readable (exact->inexact x) digits)]
         [(exact? x) x]
-        [else (rounded x digits)]))
+        [else (to-digits x digits)]))
 
 ;; Flonums to fewer digits than they have: 9.81 - 9.8 is 0.009999999999999787, of
 ;; which all but 0.01 is rounding.  Pairs that are shared stay so: written out there may be
@@ -137,15 +138,8 @@
                (let ([short (cons (shorten (car d)) (shorten (cdr d)))])
                  (hash-set! shortened d short)
                  short))]
-          [(and (flonum? d) (rational? d)) (rounded d 12)]
+          [(and (flonum? d) (rational? d)) (to-digits d 12)]
           [else d])))
-
-(define (rounded x digits)
-  (cond [(or (not (rational? x)) (zero? x)) x]
-        [else
-         (define place (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10))))))
-         (define unit (expt 10 place))
-         (exact->inexact (/ (round (* (inexact->exact x) unit)) unit))]))
 
 (define (substitutions point)
   (separated (for/list ([entry (in-list point)])

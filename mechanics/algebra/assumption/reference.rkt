@@ -56,21 +56,17 @@
 (define (real-value e lookup)
   (let/ec return
     (define (real x) (if (and (real? x) (rational? x)) x (return #f)))
-    (define (value-of-node n parts)
-      (define f (operation-numeric (node-head n)))
-      (if f (real (apply f parts)) (cons (operation-name (node-head n)) parts)))
+    (define (leaf-value leaf)
+      (cond [(symbol? leaf) (lookup leaf '())]
+            [(exact-integer? leaf) leaf]
+            [else (real->double-flonum (real leaf))]))
+    (define (node-value n parts)
+      (define head (node-head n))
+      (cond [(literal-head? head) (lookup n parts)]
+            [(operation-numeric head) => (lambda (f) (real (apply f parts)))]
+            [else (cons (operation-name head) parts)]))
     (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
-      (exact->inexact
-       (evaluate e
-                 (lambda (x) (if (exact-integer? x) x (real->double-flonum (real x))))
-                 value-of-node
-                 lookup)))))
-
-(define (evaluate e number value-of-node lookup)
-  (node-fold e
-             (lambda (leaf) (if (symbol? leaf) (lookup leaf '()) (number leaf)))
-             (lambda (n parts)
-               (if (literal-head? (node-head n)) (lookup n parts) (value-of-node n parts)))))
+      (exact->inexact (node-fold e leaf-value node-value)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Points

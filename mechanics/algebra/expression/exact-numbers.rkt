@@ -2,7 +2,7 @@
 ;; Numbers as the algebra takes them: exact rationals, and exponents.
 
 (provide exact-constant? rational-part imaginary-part exact-exponent
-         present-number number-factors rational-content rational-bits)
+         present-number number-factors rational-content rational-bits to-digits)
 
 ;; Is x, or each part of a complex x, a rational number?  (NaN and the
 ;; infinities are not.)
@@ -73,3 +73,11 @@
 
 ;; How many bits it takes to write a rational number.
 (define (rational-bits x) (+ (integer-length (numerator x)) (integer-length (denominator x))))
+
+;; x as a flonum of so many decimal digits; what has none, as 0 and infinities, stays.
+(define (to-digits x digits)
+  (cond [(or (not (rational? x)) (zero? x)) x]
+        [else
+         (define place (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10))))))
+         (define unit (expt 10 place))
+         (exact->inexact (/ (round (* (inexact->exact x) unit)) unit))]))

@@ -9,11 +9,10 @@
 ;; first order and adds its own rounding.  So "not zero" can be told from
 ;; "zero within rounding".
 
-(require "../expression/flat-graph.rkt" "../expression/operation.rkt")
+(require "../expression/flat-graph.rkt" "../expression/operation.rkt"
+         "../../numeric/constants.rkt")
 
 (provide approximate-tape)
-
-(define unit (expt 2.0 -52))
 
 ;; Exact numbers of more bits than these become flonums: what powers of powers
 ;; come to would not fit into memory.
@@ -44,7 +43,7 @@
         [else (constant e)]))
 
 (define (plain x) (cons x 0))
-(define (constant x) (cons x (if (exact? x) 0 (* 4.0 unit (magnitude x)))))
+(define (constant x) (cons x (if (exact? x) 0 (* 4.0 epsilon (magnitude x)))))
 
 ;; Of the angle of a point whose coordinates are not real.
 (define undefined (cons +nan.0 +nan.0))
@@ -55,11 +54,11 @@
 
 (define (rounded x error)
   (cond [(fixnum? x) (cons x error)]
-        [(not (exact? x)) (cons x (+ error (* unit (magnitude x))))]
+        [(not (exact? x)) (cons x (+ error (* epsilon (magnitude x))))]
         [(<= (bits x) bit-limit) (cons x error)]
         [else
          (define y (exact->inexact x))
-         (cons y (+ error (* unit (magnitude y))))]))
+         (cons y (+ error (* epsilon (magnitude y))))]))
 
 (define (bits x)
   (if (real? x)

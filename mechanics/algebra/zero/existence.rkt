@@ -5,7 +5,7 @@
 ;; log(-1 - x²).  So a proof asks for a point where every part of the expression as it was
 ;; given has a value, and where what was declared holds.
 
-(require "assignment.rkt" "point-value.rkt"
+(require "assignment.rkt" "ball-tape.rkt" "point-value.rkt"
          (only-in "../assumption/reference.rkt" find-reference)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt")
@@ -15,7 +15,7 @@
 ;; t : tape; A : assumptions
 (define (somewhere-defined? t A)
   (or (everywhere-defined? t)
-      (let ([value (if (contains-complex? t) complex-value real-value)])
+      (let ([value (if (contains-complex? t) complex-value tape-value)])
         (and (find-reference (list (tape->expression t)) A
                              (lambda (lookup) (defined? t lookup value)))
              #t))))

@@ -4,7 +4,8 @@
 ;; A try is where the numbers for leaves come from, and a finding what came of it: the values
 ;; of the expression as it is given, and of a simpler one that should agree.
 
-(require "assignment.rkt" "existence.rkt" "flonums.rkt" "point-value.rkt" "region.rkt"
+(require "assignment.rkt" "ball-tape.rkt" "existence.rkt" "flonums.rkt" "point-value.rkt"
+         "region.rkt"
          "../expression/flat-graph.rkt")
 
 (provide make-question question-e question-residual question-certain?
@@ -27,7 +28,7 @@
   (define complex? (contains-complex? e))
   (define usable? (or complex? (not (contains-complex? residual))))
   (question e (if usable? residual e) place
-            (if complex? complex-value real-value)
+            (if complex? complex-value tape-value)
             (not (or complex? (contains-flonum? e)))))
 
 (define (integer-try k zeros) (try-from integers-from k zeros))

@@ -6,9 +6,9 @@
 ;; rounding (approximate.rkt).
 
 (require "approximate.rkt" "ball.rkt" "ball-tape.rkt" "ball-value.rkt"
-         "../expression/flat-graph.rkt")
+         "../expression/exact-numbers.rkt" "../expression/flat-graph.rkt")
 
-(provide contains-complex? real-value complex-value
+(provide contains-complex? complex-value
          not-zero? agree? value-bound value-shown value-precise?)
 
 (define (contains-complex? t)
@@ -17,10 +17,7 @@
 ;; A complex number within `error`.
 (struct rough (number error) #:authentic)
 
-;; t : tape, lookup : as for tape-value, p : precision in bits
-;; -> a value, or 'no-value or 'unknown
-(define (real-value t lookup p) (tape-value t lookup p))
-
+;; As tape-value, in complex numbers: t : tape, lookup : of its leaves, p : not used.
 (define (complex-value t lookup p)
   (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) no-value)]
                   [symbol? values])
@@ -58,9 +55,9 @@
 
 (define (certain-digits b)
   (define x (ball->flonum (ball-middle b) (ball-scale b)))
-  (if (or (>= (certain-bits b) flonum-bits) (not (rational? x)) (zero? x))
+  (if (>= (certain-bits b) flonum-bits)
       x
-      (rounded x (max 1 (inexact->exact (floor (* (certain-bits b) bit-digits)))))))
+      (to-digits x (max 1 (inexact->exact (floor (* (certain-bits b) bit-digits)))))))
 
 (define flonum-bits 54)
 (define bit-digits (/ (log 2) (log 10)))
@@ -68,12 +65,6 @@
 ;; So many bits of the middle are beyond doubt.
 (define (certain-bits b)
   (- (integer-length (ball-middle b)) (integer-length (ball-radius b)) 1))
-
-;; x to so many digits
-(define (rounded x digits)
-  (define place (- digits 1 (inexact->exact (floor (/ (log (abs x)) (log 10))))))
-  (define unit (expt 10 place))
-  (exact->inexact (/ (round (* (inexact->exact x) unit)) unit)))
 
 ;; Are as many digits certain as a verdict shows?
 (define (value-precise? v) (or (not (ball? v)) (>= (certain-bits v) 24)))
