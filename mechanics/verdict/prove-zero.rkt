@@ -5,6 +5,7 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
+         racket/promise
          "fresh-name.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
@@ -31,11 +32,7 @@
   (define tests '())
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
-  (define (kinks)
-    (define found
-      (for/list ([s (in-list (if (procedure? surveys) (surveys) surveys))])
-        (call-with-values (lambda () (survey-kinks s A)) list)))
-    (values (remove-duplicates (append-map first found)) (append-map second found)))
+  (define kinks (delay (kinks-of (if (procedure? surveys) (surveys) surveys) A)))
   (define residual
     (map-leaves (lambda (leaf)
                   (define z (judge leaf A (hash-keys variables) kinks))
@@ -45,12 +42,18 @@
   (for ([z (in-list tests)]) (note-used! (zero-test-assumptions z)))
   (make-verdict residual (reverse tests) (assumptions 'declared) endless? kinks remarks))
 
+;; -> the kinks of all surveys, and what it rests on that there are not more
+(define (kinks-of surveys A)
+  (define found
+    (for/list ([s (in-list surveys)]) (call-with-values (lambda () (survey-kinks s A)) list)))
+  (values (remove-duplicates (append-map first found)) (append-map second found)))
+
 (define (check-variables names)
   (unless (and (list? names) (andmap symbol? names))
     (raise-argument-error 'prove-zero "the variables, a list of symbols" names)))
 
-;; find-kinks : -> kinks and grounds
-(define (judge leaf A variables find-kinks)
+;; kinks-found : promise of kinks and grounds
+(define (judge leaf A variables kinks-found)
   (unless (expression? leaf)
     (complain 'prove-zero
               "expected a number, an expression, a tuple of them, or a function; given ~a"
@@ -58,7 +61,7 @@
   (define z (zero-test leaf A variables))
   (define-values (kinks _)
     (if (and (eq? (zero-test-status z) 'refuted) (looks-at-jumps? leaf))
-        (find-kinks)
+        (force kinks-found)
         (values '() '())))
   (define elsewhere (assumptions-off-kinks A kinks (or (zero-test-witness z) '())))
   (if elsewhere (zero-test leaf elsewhere variables) z))

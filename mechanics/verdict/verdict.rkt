@@ -2,6 +2,7 @@
 ;; Verdicts: `proved`, `refuted` or `undecided`, with the evidence.
 
 (require racket/list
+         racket/promise
          "report.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/algebra.rkt"
@@ -27,12 +28,12 @@
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
-;; find-kinks : -> kinks, grounds; called unless the verdict is a refutation
+;; kinks-found : promise of kinks and grounds, asked for unless the verdict is a refutation
 ;; find-remarks : -> strings; called unless it is undecided
-(define (make-verdict residual tests given endless? find-kinks find-remarks)
+(define (make-verdict residual tests given endless? kinks-found find-remarks)
   (define statuses (map zero-test-status tests))
   (define refuted? (memq 'refuted statuses))
-  (define-values (kinks grounds) (if refuted? (values '() '()) (find-kinks)))
+  (define-values (kinks grounds) (if refuted? (values '() '()) (force kinks-found)))
   (define status
     (cond [refuted? 'refuted]
           [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
@@ -40,9 +41,15 @@
   (define remarks (if (eq? status 'undecided) '() (find-remarks)))
   (verdict status residual tests given endless? kinks grounds remarks))
 
-(define (proved? v) (eq? (verdict-status v) 'proved))
-(define (refuted? v) (eq? (verdict-status v) 'refuted))
-(define (undecided? v) (eq? (verdict-status v) 'undecided))
+;; A procedure of a verdict: what else it is given is complained of in its own name.
+(define-syntax-rule (define-of-verdict (name v) body ...)
+  (define (name v)
+    (unless (verdict? v) (raise-argument-error 'name "verdict?" v))
+    body ...))
+
+(define-of-verdict (proved? v) (eq? (verdict-status v) 'proved))
+(define-of-verdict (refuted? v) (eq? (verdict-status v) 'refuted))
+(define-of-verdict (undecided? v) (eq? (verdict-status v) 'undecided))
 
 ;; ---------------------------------------------------------------------------
 ;; Evidence
@@ -52,43 +59,40 @@
 
 ;; Substitutions ((expression . number) ...) at which the residual is not zero,
 ;; and its value there; #f unless refuted.
-(define (verdict-witness v)
+(define-of-verdict (verdict-witness v)
   (define z (first-refuted v))
   (and z (zero-test-witness z)))
-(define (verdict-value v)
+(define-of-verdict (verdict-value v)
   (define z (first-refuted v))
   (and z (zero-test-value z)))
 
 ;; What the verdict rests on, declared or not.
-(define (verdict-assumptions v)
+(define-of-verdict (verdict-assumptions v)
   (remove-duplicates
    (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
 
 ;; Equations, each of which makes a scalar of the residual vanish.
-(define (verdict-conditions v)
+(define-of-verdict (verdict-conditions v)
   (remove-duplicates (append-map zero-test-conditions (verdict-tests v))))
 
 ;; ((factor . core) ...) of the scalars that are not zero.
-(define (verdict-factored v)
+(define-of-verdict (verdict-factored v)
   (for/list ([z (in-list (verdict-tests v))] #:when (zero-test-core z))
     (cons (zero-test-factor z) (zero-test-core z))))
 
 ;; (sort expression equation ...) for each place that keeps it from being proved, sort being
 ;; kink, jump or no-value.
-(define (verdict-kinks v)
+(define-of-verdict (verdict-kinks v)
   (for/list ([k (in-list (verdict-kinks-found v))])
     (list* (kink-sort k) (kink-expression k) (kink-equations k))))
 
 ;; ((decimal expression) ...): how decimals were read for the proofs that rest on it.
-(define (verdict-readings v)
-  (for/list ([r (in-list (remove-duplicates (append-map proof-readings (verdict-tests v))))])
+(define-of-verdict (verdict-readings v)
+  (for/list ([r (in-list (readings (verdict-tests v)))])
     (list (reading-decimal r) (reading-expression r))))
 
-(define (proof-readings z)
-  (if (eq? (zero-test-status z) 'proved) (zero-test-decimals z) '()))
-
 ;; Why it is undecided, the first of these that is so; or #f.
-(define (verdict-reason v)
+(define-of-verdict (verdict-reason v)
   (define open
     (filter (lambda (z) (eq? (zero-test-status z) 'undecided)) (verdict-tests v)))
   (define (some? test) (ormap test open))
@@ -104,7 +108,7 @@
 ;; In words
 
 ;; The lines of its report (report.rkt).
-(define (verdict-lines v)
+(define-of-verdict (verdict-lines v)
   (append
    (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))
                    (verdict-given v) (verdict-assumptions v) (verdict-kinks-found v))

@@ -12,7 +12,8 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/verdict/prove-zero
-         mechanics/verdict/verdict)
+         mechanics/verdict/verdict
+         (only-in "../support/messages.rkt" check-message))
 
 (define V (literal-function 'V))
 (define F (literal-function 'F (-> (X Real Real) Real)))
@@ -94,3 +95,12 @@
 (test-case "a value of many digits is shown to six"
   (check-equal? (last-line (prove-zero (g:* (expt 10 60) 'm))) "  value: 1e+60")
   (check-equal? (last-line (prove-zero (g:/ 1 3))) "  value: 1/3"))
+
+(test-case "what is no verdict is refused by the name that was called"
+  (for ([f (in-list (list proved? refuted? undecided? verdict-status verdict-residual
+                          verdict-witness verdict-value verdict-assumptions verdict-conditions
+                          verdict-factored verdict-kinks verdict-readings verdict-reason
+                          verdict-remarks))])
+    (check-message (format "~a: contract violation\n  expected: verdict?\n  given: 5"
+                           (object-name f))
+                   (f 5))))
