@@ -4,10 +4,11 @@
 
 (require rackunit
          mechanics
-         (only-in mechanics/book L-free-particle L-harmonic))
+         (only-in mechanics/book L-free-particle L-harmonic)
+         (only-in "../support/systems.rkt" L-on-a-line))
 
 (define L-free (L-free-particle 'm))
-(define ((L-with V) local) (- (* 1/2 'm (square (velocity local))) (V (coordinate local))))
+(define (L-with V) (L-on-a-line 'm V))
 (define line (up 't 'x 'v))
 (define (step local) (sgn (coordinate local)))
 

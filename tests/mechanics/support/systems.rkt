@@ -3,8 +3,11 @@
 
 (require mechanics)
 
-(provide L-orbital L-planar L-double-pendulum L-chain
+(provide L-on-a-line L-orbital L-planar L-double-pendulum L-chain
          straight-line literal-plane-path)
+
+;; 1/2 m v² - V(x)
+(define ((L-on-a-line m V) (up t x v)) (- (* 1/2 m (square v)) (V x)))
 
 ;; 1/2 m v² - U(x, y)
 (define ((L-planar m U) (up t (up x y) v)) (- (* 1/2 m (square v)) (U x y)))
