@@ -4,8 +4,9 @@
 ;;
 ;; These relations hold wherever there is anything to say of the expression at all.  So
 ;; they may be used without being told: in √(1 - x) x is at most 1.  They have no datum.
+;; What holds everywhere, as x² + y² ≥ 0 does, says nothing, and is left out.
 
-(require "assumption-set.rkt" "signs.rkt"
+(require "assumption-set.rkt" "range.rkt" "signs.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt")
 
 (provide domain-relations)
@@ -15,40 +16,34 @@
 (define (domain-relations e)
   (define found '())
   (define (need! signs u)
-    (unless (or (number? u) (square? u)) (set! found (cons (relation #f u signs) found))))
-  (define all-real?
-    (node-fold e
-               (lambda (leaf) (or (symbol? leaf) (real? leaf)))
-               (lambda (n parts)
-                 (conditions-of n need!)
-                 (andmap values parts))))
+    (unless (number? u) (set! found (cons (relation #f u signs) found))))
+  (define all-real? #t)
+  (node-fold e
+             (lambda (leaf)
+               (unless (or (symbol? leaf) (real? leaf)) (set! all-real? #f))
+               (leaf-range leaf))
+             (lambda (n ranges)
+               (conditions-of n need! (and (pair? ranges) (interval-signs (car ranges))))
+               (node-range n ranges)))
   (if all-real? (reverse found) '()))
 
-;; Of a square there is nothing to say.
-(define (square? e)
-  (and (node? e)
-       (let ([args (node-args e)])
-         (cond [(eq? (node-head e) op:*) (and (= (length args) 2) (equal? (car args) (cadr args)))]
-               [(eq? (node-head e) op:expt)
-                (and (exact-integer? (cadr args)) (even? (cadr args)))]
-               [else #f]))))
-
-(define (conditions-of n need!)
+;; known : the signs that its first argument has in any case
+(define (conditions-of n need! known)
   (define head (node-head n))
   (define u (and (pair? (node-args n)) (car (node-args n))))
-  (define (within low high)
-    (need! nonnegative (e:- u low))
-    (need! nonnegative (e:- high u)))
-  (cond [(eq? head op:sqrt) (need! nonnegative u)]
-        [(eq? head op:log) (need! positive u)]
-        [(eq? head op:expt) (power-conditions u (cadr (node-args n)) need!)]
-        [(memq head (list op:asin op:acos)) (within -1 1)]
+  (define (need-signs! signs) (unless (signs-within? known signs) (need! signs u)))
+  (define (need-size! most)
+    (need! nonnegative (e:- u (- most)))
+    (need! nonnegative (e:- most u)))
+  (cond [(eq? head op:sqrt) (need-signs! nonnegative)]
+        [(eq? head op:log) (need-signs! positive)]
+        [(eq? head op:expt) (power-conditions (cadr (node-args n)) need-signs!)]
+        [(memq head (list op:asin op:acos op:atanh)) (need-size! 1)]
         [(eq? head op:acosh) (need! nonnegative (e:- u 1))]
-        [(eq? head op:atanh) (within -1 1)]
         [else (void)]))
 
 ;; Of a symbolic power nothing: (-2)³ is real.
-(define (power-conditions u n need!)
+(define (power-conditions n need-signs!)
   (cond [(or (not (rational? n)) (integer? n)) (void)]
-        [(negative? n) (need! positive u)]
-        [else (need! nonnegative u)]))
+        [(negative? n) (need-signs! positive)]
+        [else (need-signs! nonnegative)]))

@@ -9,11 +9,13 @@
          "signs.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt")
 
-(provide range-signs)
+(provide range-signs
+         leaf-range node-range interval-signs)   ; the same, step by step
 
 ;; -> the signs that values of e may have
-(define (range-signs e)
-  (define r (range e))
+(define (range-signs e) (interval-signs (node-fold e leaf-range node-range)))
+
+(define (interval-signs r)
   (cond [(positive? (interval-low r)) positive]
         [(negative? (interval-high r)) negative]
         [(>= (interval-low r) 0) nonnegative]
@@ -27,16 +29,15 @@
 (define unit (interval -1 1))
 (define quarter-turn 11/7)              ; a little more than π/2
 
-(define (range e)
-  (node-fold e
-             (lambda (leaf)
-               (if (and (rational? leaf) (exact? leaf)) (interval leaf leaf) everything))
-             range-of-node))
+(define (leaf-range leaf)
+  (if (and (rational? leaf) (exact? leaf)) (interval leaf leaf) everything))
 
-(define (range-of-node n parts)
+;; parts : the ranges of its arguments
+(define (node-range n parts)
   (define head (node-head n))
   (cond [(eq? head op:+) (for/fold ([s (car parts)]) ([r (in-list (cdr parts))]) (sum s r))]
         [(eq? head op:-) (sum (car parts) (product (interval -1 -1) (cadr parts)))]
+        [(square? n) (power (car parts) 2)]
         [(eq? head op:*) (for/fold ([p (car parts)]) ([r (in-list (cdr parts))]) (product p r))]
         [(eq? head op:/) (quotient-range (car parts) (cadr parts))]
         [(eq? head op:expt) (power (car parts) (cadr (node-args n)))]
@@ -54,6 +55,11 @@
           'acos (interval 0 (* 2 quarter-turn))))
 
 ;; ---------------------------------------------------------------------------
+
+;; Is it x x?
+(define (square? n)
+  (define args (node-args n))
+  (and (eq? (node-head n) op:*) (= (length args) 2) (equal? (car args) (cadr args))))
 
 (define (sum r s)
   (interval (+ (interval-low r) (interval-low s)) (+ (interval-high r) (interval-high s))))
