@@ -22,8 +22,7 @@
 ;; Operations
 
 (define functions
-  (for/hasheq ([o (in-list (list op:sqrt op:exp op:log op:sin op:cos op:tan op:asin op:acos op:atan
-                                 op:sinh op:cosh op:tanh op:abs op:up op:down))])
+  (for/hasheq ([o (in-list (list* op:up op:down operations))])
     (values (operation-name o) o)))
 
 ;; -> an expression, or #f if the head is no operation's name
