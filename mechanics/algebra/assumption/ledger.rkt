@@ -19,7 +19,7 @@
          "../expression/expression.rkt" "../expression/simplifier.rkt")
 
 (provide make-ledger (struct-out question)
-         decided-sign sign-or-assumed sign-or-left-open taken-not-negative? known-real?
+         decided-sign strict-sign sign-or-assumed sign-or-left-open taken-not-negative? known-real?
          simplifier-grounds simplifier-revision)
 
 ;; What is asked about.
@@ -55,26 +55,38 @@
 ;; Signs: 1 of what is not negative, -1 of what is not positive
 
 ;; -> 1, -1 or, if it is not known, #f
-(define (decided-sign s e)
-  (or (sign-under (declared s) s e)
-      (and (known-real? s e) (decided-branch (range-signs e)))
-      (sign-in-domain s e)))
+(define (decided-sign s e) (known-branch s e decided-branch))
+
+;; -> 1, -1 or 0, the sign of e wherever it has a value, or #f
+(define (strict-sign s e) (known-branch s e strict-branch))
+
+;; branch-of : signs -> what they decide, or #f
+(define (known-branch s e branch-of)
+  (or (branch-under (declared s) s e branch-of)
+      (and (known-real? s e) (branch-of (range-signs e)))
+      (branch-in-domain s e branch-of)))
 
 ;; As the assumptions decide it; what that rests on is noted.
-(define (sign-under A s e)
+(define (branch-under A s e branch-of)
   (define k (infer-signs A s e))
-  (define branch (decided-branch (known-signs k)))
+  (define branch (branch-of (known-signs k)))
   (when branch
     (for ([d (in-list (known-because k))]) (note! (simplifier-ledger s) d)))
   branch)
 
-(define (sign-in-domain s e)
+(define (branch-in-domain s e branch-of)
   (define A (force (ledger-domain (simplifier-ledger s))))
-  (and A (sign-under A s e)))
+  (and A (branch-under A s e branch-of)))
 
 (define (decided-branch signs)
   (cond [(signs-within? signs nonnegative) 1]
         [(signs-within? signs nonpositive) -1]
+        [else #f]))
+
+(define (strict-branch signs)
+  (cond [(signs-within? signs positive) 1]
+        [(signs-within? signs negative) -1]
+        [(signs-within? signs zero) 0]
         [else #f]))
 
 ;; The same, or that at the reference point.

@@ -11,6 +11,7 @@
 
 (require racket/list
          "angles.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "logarithms.rkt"
+         (only-in "../assumption/ledger.rkt" strict-sign)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/simplifier.rkt"
          "../expression/size.rkt")
@@ -76,6 +77,7 @@
         [(eq? head op:exp) (visit-exponential! c n)]
         [(eq? head op:log) (visit-logarithm! c n)]
         [(eq? head op:abs) (visit-modulus! c n)]
+        [(eq? head op:sgn) (visit-sign! c n)]
         [else (visit-function! c n)]))
 
 (define arithmetic (list op:+ op:- op:* op:/))
@@ -96,6 +98,12 @@
 
 (define (visit-kernel! c n)
   (resolve! c n (intern-kernel! c (simplify-arguments c n))))
+
+;; sgn u is a number where the sign of u is known.
+(define (visit-sign! c n)
+  (define s (collector-simplifier c))
+  (define sign (strict-sign s (simplifier-simplify s (car (node-args n)))))
+  (if sign (resolve-alias! c n sign) (visit-function! c n)))
 
 (define (visit-function! c n)
   (define simple (simplify-arguments c n))

@@ -146,3 +146,14 @@
 (test-case "dividing by what is zero leaves the division standing"
   (check-forms
    [(+ a (/ b (- (expt (+ x 1) 2) (+ (* x x) (* 2 x) 1)))) (+ a (/ b 0))]))
+
+;; ---------------------------------------------------------------------------
+;; Signs
+
+(test-case "the sign of what has one is a number"
+  (check-forms
+   [(sgn (- (cos x) 2)) -1]
+   [(* x (sgn (exp y))) x]
+   [(sgn (- (expt (+ x 1) 2) (+ (* x x) (* 2 x) 1))) 0]
+   [(sgn (sqrt (+ 1 x))) (sgn (sqrt (+ 1 x)))]
+   [(sgn (expt x 2)) (sgn (expt x 2))]))
