@@ -4,6 +4,7 @@
 (require (for-syntax racket/base)
          "printer.rkt"
          "mistake/unbound.rkt"
+         "redefinition/prompt.rkt"
          (only-in "../numeric/progress.rkt" current-reporter terminal-reporter))
 
 (provide (rename-out [top-interaction #%top-interaction])
@@ -14,7 +15,7 @@
   (syntax-case stx ()
     [(_ . form)
      (eq? (syntax-local-context) 'top-level)
-     #'(begin (#%plain-app install-session!) form)]
+     #'(begin (#%plain-app install-session!) (at-prompt form))]
     [_ (raise-syntax-error #f "not at top level" stx)]))
 
 (define (install-session!)

@@ -5,13 +5,13 @@
 
 (provide make-definitions
          defined? add-variable! add-macro!
-         defining-occurrence used-early? mark-variable)
+         defining-occurrence definition-header-and-line used-early? mark-variable)
 
 ;; shown : symbol -> names that the text of the module defines; repeated : those
 ;; it defines more than once; early : those it uses before; met : symbol ->
-;; definitions expanded so far.  A name is an identifier as its definition binds
-;; it, without the scopes of the expansion that goes on.
-(struct definitions (shown repeated early met))
+;; definitions expanded so far; headers : symbol -> how its definition begins.  A name is
+;; an identifier as its definition binds it, without the scopes of the expansion that goes on.
+(struct definitions (shown repeated early met headers))
 
 (struct definition (name macro?))
 
@@ -19,7 +19,8 @@
   (definitions (by-symbol (map plain (survey-defined s)))
                (map plain (survey-repeated s))
                (map plain (all-early s))
-               (make-hasheq)))
+               (make-hasheq)
+               (survey-headers s)))
 
 (define (by-symbol names)
   (for/fold ([table (hasheq)]) ([name (in-list names)])
@@ -71,6 +72,12 @@
   (define others (hash-ref (definitions-shown ds) (syntax-e id) '()))
   (define name (and (pair? others) (findf (same-name? (plain id)) others)))
   (and name (syntax-local-introduce name)))
+
+;; -> how it is called, by what the text says of it; and its line or #f
+(define (definition-header-and-line ds id)
+  (define before (definition-of ds (plain id)))
+  (values (hash-ref (definitions-headers ds) (syntax-e id) (syntax-e id))
+          (and before (syntax-line (definition-name before)))))
 
 ;; Is it used before its definition?
 (define (used-early? ds id)

@@ -6,7 +6,7 @@
          (for-template racket/base (prefix-in pattern: "../pattern/pattern.rkt")))
 
 (provide among? definition-forms procedure-forms let-forms sequential-let-forms
-         defined-by-define run-by-definition?)
+         defined-by-define definition-header run-by-definition?)
 
 (define (among? id ids)
   (and (identifier? id)
@@ -24,6 +24,14 @@
      (among? #'keyword definition-forms)
      (head-name #'head)]
     [_ #f]))
+
+;; How what a `define` defines is called, as a datum: (L m k) where ((L m k) local) is
+;; defined, and the name of what is no procedure.
+(define (definition-header form)
+  (syntax-case form ()
+    [(_ head . _)
+     (let inner ([d (syntax->datum #'head)])
+       (if (and (pair? d) (pair? (car d))) (inner (car d)) d))]))
 
 ;; Of a definition (define id expression): is the expression more than a procedure
 ;; that is written out?

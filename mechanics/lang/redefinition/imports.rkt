@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Names that a module both imports and defines.
 
-(require (only-in racket/list append-map)
+(require (only-in racket/list append-map partition)
          racket/require-transform
-         "definitions.rkt"
+         "clash.rkt" "definitions.rkt"
          (for-template racket/base
                        "start-with.rkt"))
 
@@ -27,9 +27,10 @@
 ;; ---------------------------------------------------------------------------
 ;; By `require`
 
-;; Forms for a `require` of names that the module defines: they are not imported,
-;; but those used or defined before get the values that would be.  #f for all
-;; other forms.
+;; Forms for a `require` of names that the module defines: they are not imported, but
+;; those used before get the values that would be, and so do those that were defined before
+;; and are asked for by name.  Others that were defined before stay, which is told.  #f for
+;; all other forms.
 (define (require-without-clashes ds form)
   (syntax-case form ()
     [(keyword spec ...)
@@ -55,13 +56,25 @@
 
 ;; keyword : `require` as it was written, for editors
 (define (without-clashes ds keyword spec ids)
-  (define wanted (filter (lambda (id) (or (used-early? ds id) (defined? ds id))) ids))
+  (define by-name (named-by spec))
+  (define-values (staying open)
+    (partition (lambda (id) (and (defined? ds id) (not (memq (syntax-e id) by-name)))) ids))
+  (tell-clashes ds spec staying)
+  (define wanted (filter (lambda (id) (or (used-early? ds id) (defined? ds id))) open))
   (define hidden (for/list ([id (in-list wanted)]) (datum->syntax #'here (syntax-e id))))
   (append
    (list (if (null? ids) #`(#,keyword #,spec) #`(#,keyword (except-in #,spec #,@ids))))
    (if (null? wanted) '() (list #`(#,keyword (only-in #,spec #,@(map list wanted hidden)))))
    (for/list ([id (in-list wanted)] [h (in-list hidden)])
      #`(start-with #,(defining-occurrence ds id) #,(as-if-written h)))))
+
+;; On the way to the expanded module, so once for each time it is compiled.
+(define (tell-clashes ds spec ids)
+  (unless (null? ids)
+    (tell-clash (syntax->datum spec)
+                (for/list ([id (in-list ids)])
+                  (define-values (header line) (definition-header-and-line ds id))
+                  (clash (syntax-e id) header line)))))
 
 ;; For editors, which tell a library that is not used by what is written.
 (define (as-if-written id)

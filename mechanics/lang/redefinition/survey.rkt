@@ -17,14 +17,22 @@
 
 ;; defined : the identifiers that `define` and `define-values` define, each where
 ;; it is defined first; repeated : those of them that are defined again; early :
-;; for each form those that it uses before their definition.
-(struct survey (defined repeated early))
+;; for each form those that it uses before their definition; headers : symbol -> how the
+;; first definition of it begins, as a datum.
+(struct survey (defined repeated early headers))
 
 (define (survey-forms forms)
   (define pieces (for/list ([form (in-list forms)]) (read-pieces form)))
   (define-values (defined repeated)
     (first-and-repeated (append-map variables (append* pieces))))
-  (survey defined repeated (early-uses pieces defined)))
+  (survey defined repeated (early-uses pieces defined) (headers forms)))
+
+;; Of forms at the top, not of those within `begin`.
+(define (headers forms)
+  (for*/fold ([table (hasheq)]) ([form (in-list forms)]
+                                 [id (in-value (defined-by-define form))]
+                                 #:when (and id (not (hash-ref table (syntax-e id) #f))))
+    (hash-set table (syntax-e id) (definition-header form))))
 
 ;; All identifiers that are used early, in the order of their definitions.
 (define (all-early s)

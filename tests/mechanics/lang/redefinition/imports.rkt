@@ -70,13 +70,43 @@
   (check-regexp-match #rx"^example:2:9: cannot open module file"
                       (refusal "(require racket/no-such)" "(define first 1)")))
 
-(test-case "what is required after a definition replaces it"
-  (check-equal? (prints "(define (first x) 'mine)"
-                        "(define (f) (first '(1 2)))"
-                        "(f)"
-                        "(require racket/list)"
-                        "(f)")
-                (lines "mine" "1")))
+;; ---------------------------------------------------------------------------
+;; What is required below a definition
+
+;; What is said while it is compiled.
+(define (said . text)
+  (define port (open-output-string))
+  (parameterize ([current-error-port port]) (apply prints text))
+  (get-output-string port))
+
+(test-case "a definition is not replaced by what is required below, and that is said"
+  (define program
+    '("(define ((first x) y) 'mine)"
+      "(define (f) ((first '(1 2)) 0))"
+      "(define last 5)"
+      "(f)"
+      "(require racket/list)"
+      "(list (f) ((first 0) 0) last (second '(1 2)))"))
+  (check-equal? (apply prints program) (lines "mine" "'(mine mine 5 2)"))
+  (check-equal? (apply said program)
+                (lines "; racket/list: your own definitions stay"
+                       ";   (first x), defined on line 2"
+                       ";   last, defined on line 4"
+                       ";   the library's: (require (prefix-in its: racket/list)), then its:first")))
+
+(test-case "what is asked for by name replaces it, without a word"
+  (define program
+    '("(define (first x) 'mine)"
+      "(define (f) (first '(1 2)))"
+      "(f)"
+      "(require (only-in racket/list first))"
+      "(f)"))
+  (check-equal? (apply prints program) (lines "mine" "1"))
+  (check-equal? (apply said program) ""))
+
+(test-case "a definition below what is required is nobody's mistake"
+  (check-equal? (said "(require racket/list)" "(define (first x) 'mine)" "(first 1)") ""))
+
 
 (test-case "a macro of the language or of a library may give way to a function"
   (check-equal? (prints "(match 1 [x (list x)])" "(define (match x) 'mine)" "(match 2)")

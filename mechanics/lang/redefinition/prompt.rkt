@@ -1,0 +1,92 @@
+#lang racket/base
+;; Definitions and `require` at the prompt.
+;;
+;; Racket lets a `require` replace what was defined before, without a word; here what the
+;; reader defined stays, and that is said.  Racket also compiles a procedure that names what is
+;; unknown to look for a variable of that name, which no `require` makes: here it does, so that
+;; such a procedure need not be defined again.
+
+(require (for-syntax racket/base
+                     racket/require-transform
+                     "forms.rkt")
+         (only-in racket/list partition)
+         "../imported.rkt" "clash.rkt")
+
+(provide at-prompt)
+
+;; A form as it is to be evaluated at the prompt.
+(define-syntax (at-prompt stx)
+  (syntax-case stx (require)
+    [(_ (require spec ...))
+     #`(begin #,@(for/list ([spec (in-list (syntax->list #'(spec ...)))])
+                   (required spec (cadr (syntax->list stx)))))]
+    [(_ form)
+     (let ([id (defined-by-define #'form)])
+       (if id
+           #`(begin form (note-header! '#,id '#,(definition-header #'form)))
+           #'form))]))
+
+(begin-for-syntax
+  ;; Where the specification is wrong, `require` itself says so.
+  (define (required spec form)
+    (define names (names-imported spec))
+    (if names
+        #`(require-beside! #'#,spec '#,names)
+        (datum->syntax form (list (car (syntax-e form)) spec) form)))
+
+  ;; -> identifiers, or #f
+  (define (names-imported spec)
+    (with-handlers ([exn:fail:syntax? (lambda (e) #f)] [exn:fail:filesystem? (lambda (e) #f)])
+      (define-values (imports sources) (expand-import spec))
+      (for/list ([i (in-list imports)] #:when (eqv? 0 (import-mode i))) (import-local-id i)))))
+
+;; ---------------------------------------------------------------------------
+
+;; What the specification imports, these names, but for those that the reader defined and it
+;; does not list one by one.
+(define (require-beside! spec names)
+  (define by-name (named-by spec))
+  (define-values (staying others)
+    (partition (lambda (name) (and (own-definition? name) (not (memq name by-name)))) names))
+  (eval (if (null? staying)
+            #`(require #,spec)
+            #`(require (except-in #,spec #,@(for/list ([n (in-list staying)])
+                                              (datum->syntax spec n))))))
+  (unless (null? staying) (tell-clashes (syntax->datum spec) staying))
+  (show-to-procedures! others))
+
+;; Defined at the prompt, or by the module that the prompt belongs to?
+(define (own-definition? name)
+  (define id (namespace-symbol->identifier name))
+  (if (identifier-binding id)
+      (not (imported? id))
+      (known? (variable-value name #f))))
+
+;; namespace -> table: name -> how its definition begins
+(define headers (make-weak-hasheq))
+
+(define (note-header! name header)
+  (hash-set! (hash-ref! headers (current-namespace) make-hasheq) name header))
+
+(define (tell-clashes library names)
+  (define table (hash-ref headers (current-namespace) hasheq))
+  (tell-clash library
+              (for/list ([name (in-list names)]) (clash name (hash-ref table name name) #f))))
+
+;; Procedures that were defined before find these names, as variables of the namespace.
+(define (show-to-procedures! names)
+  (for ([name (in-list names)] #:unless (known? (variable-value name #f)))
+    (define x (variable-value name #t))
+    (define value (if (known? x) x (value-of-syntax name)))
+    (when (known? value) (namespace-set-variable-value! name value #f))))
+
+(define unknown (string->uninterned-symbol "unknown"))
+(define (known? x) (not (eq? x unknown)))
+
+(define (variable-value name mapped?)
+  (namespace-variable-value name mapped? (lambda () unknown)))
+
+;; That of a procedure with keywords, which is syntax.
+(define (value-of-syntax name)
+  (with-handlers ([exn:fail:syntax? (lambda (e) unknown)])
+    (call-with-values (lambda () (eval name)) (case-lambda [(x) x] [_ unknown]))))

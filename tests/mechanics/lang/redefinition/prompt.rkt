@@ -1,0 +1,66 @@
+#lang racket/base
+;; `require` at the prompt, after definitions.
+
+(require racket/string
+         rackunit
+         "../../support/run-text.rkt")
+
+;; The output and the errors of a session, each a list of lines.
+(define (talk . input)
+  (define-values (output errors) (apply session '("-I" "mechanics") input))
+  (values output (string-split errors "\n")))
+
+(test-case "a definition is not replaced, and that is said with its signature"
+  (define-values (output errors)
+    (talk "(define ((L-pendulum m l g) local) (list 'mine m l g))"
+          "(require mechanics/book)"
+          "((L-pendulum 1 2 3) 'local)"
+          "L-harmonic"))
+  (check-equal? output '("'(mine 1 2 3)" "L-harmonic"))
+  (check-equal? errors
+                '("; mechanics/book: your own definitions stay"
+                  ";   (L-pendulum m l g)"
+                  ";   the library's: (require (prefix-in its: mechanics/book)), then its:L-pendulum")))
+
+(test-case "nor is one in the module that the prompt belongs to"
+  (define-values (output errors)
+    (session '("-l" "racket/base" "-l" "racket/enter" "-i")
+             "(module m mechanics (define (first x) (list 'mine x)))"
+             "(enter! 'm)"
+             "(require racket/list)"
+             "(list (first 1) (second '(1 2)))"))
+  (check-equal? output '("'((mine 1) 2)"))
+  (check-equal? errors
+                (lines "; racket/list: your own definitions stay"
+                       ";   first"
+                       ";   the library's: (require (prefix-in its: racket/list)), then its:first")))
+
+(test-case "what is asked for by name replaces it"
+  (define-values (output errors)
+    (talk "(define (first x) 'mine)" "(require (only-in racket/list first))" "(first '(1 2))"))
+  (check-equal? output '("1"))
+  (check-equal? errors '()))
+
+(test-case "a definition after a require is the reader's, and stays so at the next"
+  (define-values (output errors)
+    (talk "(require racket/list)" "(define (first x) 'mine)" "(first '(1 2))"
+          "(require (only-in racket/list second) racket/list)" "(first '(1 2))" "(second '(1 2))"))
+  (check-equal? output '("mine" "mine" "2"))
+  (check-equal? (length errors) 3))
+
+(test-case "a procedure finds what is required after it, with keywords or without"
+  (define-values (output errors)
+    (talk "(define (draw) (plot-point (frame 0 1 0 1) 1/2 1/2))"
+          "(define (line) (plot-function (frame 0 1 0 1) sin 0 1 #:samples 3))"
+          "(require mechanics/plot)"
+          "(void (draw))"
+          "'drawn"))
+  (check-equal? output '("drawn"))
+  (check-equal? errors '()))
+
+(test-case "what cannot be required is told as ever, and the rest is required"
+  (define-values (output errors)
+    (talk "(require 5)" "(require (only-in racket/list first) no-such-library)" "(first '(1 2))"))
+  (check-equal? output '("1"))
+  (check-regexp-match #rx"bad syntax for require sub-form" (string-join errors "\n"))
+  (check-regexp-match #rx"collection not found" (string-join errors "\n")))
