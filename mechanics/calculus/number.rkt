@@ -1,17 +1,19 @@
 #lang racket/base
 ;; Where only numbers will do: what the numerical algorithms are given.
 
-(require "../algebra/expression/expression.rkt"
+(require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt")
 
 (provide number check-function-of-one-variable)
 
-;; x, known to be a real number; one of higher precision as one of Racket's, exact.
+;; x, known to be a real number; one of higher precision as one of Racket's, exact; one that
+;; π is in as a flonum.
 (define (number who x)
   (cond [(real? x) x]
         [(other-number? x) (comparand x)]
+        [(and (symbolic? x) (constant-value x))]
         [else
          (complain who "expected a real number; given ~a~a" (describe-with-value x)
                    (if (symbolic? x)

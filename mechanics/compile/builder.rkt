@@ -6,10 +6,11 @@
 ;; subtractions or to meet others; opposite terms cancel.
 
 (require "instruction.rkt"
-         "../algebra/expression/constant-range.rkt")
+         "../algebra/expression/constant-range.rkt"
+         "../numeric/constants.rkt")
 
 (provide make-builder written
-         do! write! add! subtract! multiply! divide! power!)
+         do! write! add! subtract! multiply! divide! power! pi-times!)
 
 ;; inputs : how many; as-constant : real -> what stands for it in an instruction
 ;; places : instruction -> place; instructions : index -> instruction
@@ -160,6 +161,12 @@
   (cond [(number? x) (and (number? y) (< x y))]
         [(number? y) #f]
         [else (< (place-index x) (place-index y))]))
+
+;; m π, which more digits than those of flonums are asked of only if they are kept.
+(define (pi-times! b m)
+  (if (flonum? ((builder-as-constant b) 1))
+      (* m pi)
+      (multiply! b m (do! b 'acos -1))))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers: whole and half exponents by multiplication and square roots.

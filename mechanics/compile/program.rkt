@@ -10,7 +10,7 @@
 
 (require "builder.rkt" "instruction.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
-         "../algebra/expression/operation.rkt")
+         "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt")
 
 (provide
  ;; the program
@@ -51,9 +51,13 @@
   (for ([e (in-vector items 0 last)] [k (in-naturals)])
     (vector-set! operands k
                  (cond [(number? e) (real-or-fail e e fail)]
-                       [(symbol? e) (or (hash-ref leaves e #f) (fail e))]
+                       [(symbol? e) (or (hash-ref leaves e #f) (symbol-value! b e fail))]
                        [else (apply-head! b e (operands-of k) fail)])))
   (operands-of last))
+
+(define (symbol-value! b e fail)
+  (define m (pi-multiple e))
+  (if m (pi-times! b m) (fail e)))
 
 (define (real-or-fail x e fail) (if (real? x) x (fail e)))
 

@@ -3,12 +3,13 @@
 ;;
 ;; Numbers compare as numbers.  Equality of expressions is structural, which is
 ;; equality at a generic point; an order between values that are not constant
-;; does not exist, and asking for it is an error that names the value.
+;; does not exist, and asking for it is an error that names the value.  Multiples of π are
+;; ordered by their values.
 
 (require "arithmetic.rkt" "describe.rkt" "kind.rkt" "kinks-met.rkt" "naming.rkt"
          "scalar.rkt"
          "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
-         "../algebra/expression/expression.rkt"
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt")
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
@@ -92,7 +93,8 @@
 (define (ordered who a b x)
   (define u (comparand a))
   (define v (comparand b))
-  (cond [(and (symbolic? (comparand x)) (expression? u) (expression? v))
+  (cond [(and (symbolic? (comparand x)) (expression? u) (expression? v)
+              (not (constant-value (comparand x))))
          (look-inside who)
          (raise-with-value
           who
@@ -106,7 +108,9 @@
 
 (define (real-comparand who x)
   (define c (comparand x))
-  (if (real? c) c (raise-no-order who c)))
+  (cond [(real? c) c]
+        [(and (symbolic? c) (constant-value c))]
+        [else (raise-no-order who c)]))
 
 (define (raise-no-order who x)
   (when (symbolic? x) (look-inside who))

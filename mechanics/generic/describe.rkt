@@ -2,7 +2,8 @@
 ;; What a value prints as, how messages name it, and how to reach its scalars.
 
 (require "kind.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/write.rkt")
+         "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
+         "../algebra/expression/write.rkt")
 
 (provide value->datum value->text write-value describe describe-with-value
          map-leaves procedure-datum)
@@ -44,7 +45,7 @@
 ;; "the number 3", "the procedure `-`", "(up x y), an up tuple of 2".
 (define (describe-with-value x)
   (cond [(number? x) (format "the number ~a" x)]
-        [(symbol? x) (format "the symbol ~a" x)]
+        [(symbol? x) (format (if (pi-symbol? x) "the number ~a" "the symbol ~a") x)]
         [(and (procedure? x) (not (has-kind? x)))
          (if (eq? (procedure-datum x) '<function>)
              "a function without a name"

@@ -8,16 +8,17 @@
 
 (require "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "elementary.rkt" "kind.rkt" "naming.rkt"
          "record.rkt" "singular-derivative.rkt" "up-down.rkt"
-         "../algebra/expression/expression.rkt")
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt")
 
 (provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude
          rounding-operations)
 
-;; A symbol stands for an inexact number as well as for an exact one.
+;; A symbol stands for an inexact number as well as for an exact one, but what is made of
+;; numbers and π alone has a value.
 (define-named g:exact->inexact exact->inexact
   (lambda (x)
     (cond [(number? x) (exact->inexact x)]
-          [(expression? x) x]
+          [(expression? x) (or (constant-value x) x)]
           [(tuple? x) (structure-map g:exact->inexact (adopt x))]
           [else (dispatch-unary generic:exact->inexact x)])))
 

@@ -15,7 +15,7 @@
   (define names (scalars local))
   (define odd-one
     (for/first ([x (in-list names)] [i (in-naturals)]
-                #:unless (and (symbol? x) (not (memq x (list-tail names (add1 i))))))
+                #:unless (and (free-symbol? x) (not (memq x (list-tail names (add1 i))))))
       x))
   (when odd-one
     (complain who
@@ -23,7 +23,7 @@
                              "to stand for any state"
                              "\n  given: ~a"
                              "\n  ~a: ~a")
-              (value->text local) (if (symbol? odd-one) "more than once" "no symbol")
+              (value->text local) (if (free-symbol? odd-one) "more than once" "no symbol")
               (value->text odd-one))))
 
 ;; Of functions of (t, q, v), some of them #f, none of which has a parameter that is there.

@@ -2,7 +2,8 @@
 ;; What integration is asked, checked once, at the edge.
 
 (require racket/flonum
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
@@ -20,8 +21,12 @@
 ;; ---------------------------------------------------------------------------
 ;; Numbers
 
-;; x, if it is a number of higher precision than flonums as one of Racket's, exact.
-(define (real-number x) (if (other-number? x) (comparand x) x))
+;; x, if it is a number of higher precision than flonums as one of Racket's, exact; if it is
+;; one that π is in, as a flonum.
+(define (real-number x)
+  (cond [(other-number? x) (comparand x)]
+        [(symbolic? x) (or (constant-value x) x)]
+        [else x]))
 
 (define (check-real who what x)
   (define r (real-number x))
@@ -146,7 +151,7 @@
                     [(pointwise? slope) (parameters-hint derivative)]
                     [else ""])))
   (for ([x (in-list (scalars slope))])
-    (unless (or (number? x) (other-number? x)) (raise-no-derivative who slope x)))
+    (unless (number? (real-number x)) (raise-no-derivative who slope x)))
   slope)
 
 (define (raise-no-derivative who slope x)

@@ -4,7 +4,8 @@
 ;; What has no place in the plane, as the logarithm of a negative number has none, is
 ;; left out of the picture: it becomes a NaN.  What is no number is an error.
 
-(require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+(require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt"
@@ -18,6 +19,7 @@
         [(real? x) (real->double-flonum x)]
         [(number? x) +nan.0]
         [(other-number? x) (real->double-flonum (comparand x))]
+        [(and (symbolic? x) (constant-value x))]
         [else
          (complain who "~a is no number\n  given: ~a~a"
                    (what) (describe-with-value x) (advice x))]))

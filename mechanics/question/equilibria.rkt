@@ -6,7 +6,7 @@
 
 (require racket/list
          "equilibrium.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/rewriting/solve.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
@@ -52,8 +52,8 @@
 
 (define (symbols-of e) (if (expression? e) (symbols-in e) '()))
 
-;; q with multiples of acos 0 in place of flonums that are those of π/2, rounded or made of
-;; the flonum pi; #f if there are none.
+;; q with exact multiples of π/2 in place of flonums that are these, rounded or made of the
+;; flonum pi; #f if there are none.
 (define (with-exact-angles q)
   (define exact (map exact-angle (scalars q)))
   (and (ormap values exact)
@@ -64,11 +64,8 @@
   (and turns
        (not (zero? turns))
        (or (= x (* turns (/ pi 2)))
-           (= x (exact->inexact (* (inexact->exact turns) half-pi))))
-       (e:* (inexact->exact turns) (make-node op:acos '(0)))))
-
-;; π/2 to 50 digits
-(define half-pi (/ 314159265358979323846264338327950288419716939937510 (* 2 (expt 10 50))))
+           (= x (exact->inexact (* (inexact->exact turns) 1/2 pi-digits))))
+       (e:* (* 1/2 (inexact->exact turns)) exact-pi)))
 
 ;; A list of them, by formulas in the parameters.
 (define (equilibria L local #:force [force #f])

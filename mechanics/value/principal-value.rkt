@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Angles brought back to one turn (SICM 1.7, p. 76).
 
-(require "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+(require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/rounding.rkt" "../generic/tracing.rkt" "../generic/up-down.rkt"
@@ -19,6 +20,7 @@
     (cond [(real? x) (wrap x low cut :2pi)]
           [(tuple? x) (structure-map principal (adopt x))]
           [(and (being-traced?) (open-leaf? x)) (make-node op:wrapped (list x low cut :2pi))]
+          [(and (symbolic? x) (constant-value x)) => principal]
           [(symbolic? x) (raise-not-an-angle "expected an angle that is a real number" x)]
           [else (g:- x (g:* :2pi (g:floor (g:/ (g:- x low) :2pi))))]))
   (unary-function (lambda () (list 'principal-value cut)) (x)

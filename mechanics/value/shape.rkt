@@ -2,6 +2,7 @@
 ;; Structures as flvectors: their scalars in a row, and back.
 
 (require racket/flonum
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide scalars shape-length scalars->structure structure->flvector flvector->structure)
@@ -27,11 +28,14 @@
 (define (flvector->structure shape v)
   (scalars->structure shape (lambda (k) (flvector-ref v k))))
 
-;; (complain scalar) where one is not a real number.
+;; (complain scalar) where one is not a real number; multiples of π are.
 (define (structure->flvector x complain)
   (define xs (scalars x))
   (define v (make-flvector (length xs)))
   (for ([x (in-list xs)] [k (in-naturals)])
-    (define r (if (other-number? x) (comparand x) x))
+    (define r
+      (cond [(other-number? x) (comparand x)]
+            [(symbolic? x) (constant-value x)]
+            [else x]))
     (flvector-set! v k (if (real? r) (real->double-flonum r) (complain x))))
   v)

@@ -12,7 +12,7 @@
 (require racket/list
          "signs.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/simplifier.rkt")
+         "../expression/operation.rkt" "../expression/pi.rkt" "../expression/simplifier.rkt")
 
 (provide
  ;; sets
@@ -81,7 +81,8 @@
 (define (infer-signs A s e [limits (fresh-limits)])
   (node-fold e
              (lambda (leaf)
-               (cond [(symbol? leaf) (look-up A (list (cons 1 leaf)))]
+               (cond [(pi-multiple leaf) => (lambda (k) (because-of (number-signs k)))]
+                     [(symbol? leaf) (look-up A (list (cons 1 leaf)))]
                      [(real? leaf) (because-of (number-signs leaf))]
                      [else not-real]))
              (lambda (n parts)

@@ -6,7 +6,8 @@
 
 (require racket/list
          "assumption-set.rkt" "signs.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
+         "../expression/symbols.rkt")
 
 (provide bounds-from bounds-of (struct-out bounds))
 
@@ -36,6 +37,9 @@
         [(signs-within? side nonpositive) (bounds (bounds-low b) (closer min (bounds-high b)))]
         [else b]))
 
+;; Bounds are a guide, and a point is shown to people.
+(define about-pi 355/113)
+
 ;; e as a · leaf + b with exact numbers, or #f #f #f.
 (define (affine e)
   (define terms (affine-terms e))
@@ -55,6 +59,7 @@
     (and terms (for/list ([t (in-list terms)]) (cons (car t) (* c (cdr t))))))
   (define (join parts) (and (andmap values parts) (append* parts)))
   (cond [(number? e) (and (rational? e) (list (cons #f e)))]
+        [(pi-multiple e) => (lambda (k) (list (cons #f (* k about-pi))))]
         [(unknown? e) (list (cons e 1))]
         [(eq? head op:+) (join (map affine-terms (node-args e)))]
         [(eq? head op:-)

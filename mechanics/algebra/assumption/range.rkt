@@ -7,7 +7,7 @@
 
 (require racket/math
          "signs.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt")
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt")
 
 (provide range-signs
          leaf-range node-range interval-signs)   ; the same, step by step
@@ -27,10 +27,13 @@
 (define everything (interval -inf.0 +inf.0))
 (define not-negative (interval 0 +inf.0))
 (define unit (interval -1 1))
+(define around-pi (interval pi-digits (+ pi-digits (expt 10 -50))))
 (define quarter-turn 11/7)              ; a little more than π/2
 
 (define (leaf-range leaf)
-  (if (and (rational? leaf) (exact? leaf)) (interval leaf leaf) everything))
+  (cond [(pi-multiple leaf) => (lambda (k) (product (interval k k) around-pi))]
+        [(and (rational? leaf) (exact? leaf)) (interval leaf leaf)]
+        [else everything]))
 
 ;; parts : the ranges of its arguments
 (define (node-range n parts)

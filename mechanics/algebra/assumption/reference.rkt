@@ -12,7 +12,8 @@
 
 (require "assumption-set.rkt" "leaf-bounds.rkt" "signs.rkt"
          "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/order.rkt" "../expression/symbols.rkt")
+         "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
+         "../expression/symbols.rkt")
 
 (provide find-reference reference-sign holds-at? real-value)
 
@@ -57,7 +58,8 @@
   (let/ec return
     (define (real x) (if (and (real? x) (rational? x)) x (return #f)))
     (define (leaf-value leaf)
-      (cond [(symbol? leaf) (lookup leaf '())]
+      (cond [(unknown? leaf) (lookup leaf '())]
+            [(symbol? leaf) (pi-flonum leaf)]
             [(exact-integer? leaf) leaf]
             [else (real->double-flonum (real leaf))]))
     (define (node-value n parts)
@@ -77,7 +79,7 @@
   (define found (make-hash))
   (for ([e (in-list expressions)])
     (node-fold e
-               (lambda (leaf) (when (symbol? leaf) (hash-set! found leaf #t)))
+               (lambda (leaf) (when (unknown? leaf) (hash-set! found leaf #t)))
                (lambda (n parts) (when (unknown? n) (hash-set! found n #t)))))
   (for/hash ([leaf (in-list (sort (hash-keys found) (lambda (a b) (< (compare a b) 0))))]
              [i (in-naturals)])

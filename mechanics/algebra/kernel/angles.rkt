@@ -9,8 +9,10 @@
 ;;
 ;;     sin(asin u) = u,  cos(asin u) = √(1 - u²),  sin(atan(y, x)) = y/√(x² + y²),
 ;;     cosh(log u) = (u + 1/u)/2 ...
+;;
+;; and so do multiples of π (turns.rkt).
 
-(require "circle.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "lattice.rkt"
+(require "circle.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "lattice.rkt" "turns.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/simplifier.rkt")
 
@@ -24,6 +26,7 @@
   (define terms (simplifier-linear-parts (collector-simplifier c) (car (node-args n))))
   (define inverse (and circular? (for/first ([t (in-list terms)] #:when (inverse-term? t)) t)))
   (cond [inverse (resolve-alias! c n (unfold head inverse terms))]
+        [(and circular? (turned head terms)) => (lambda (e) (resolve-alias! c n e))]
         [(and (not circular?) (ormap logarithm-term? terms)) (hyperbolic->exponential! c n)]
         [else
          (resolve! c n

@@ -6,13 +6,13 @@
 ;; are products of integer powers.  (A basis made of e^(a + b), where neither e^a nor
 ;; e^b occurs, would be smaller; but then 1/(1 + e^a e^-b) and 1/(1 + e^(a - b)), reduced,
 ;; would differ.)  A rational multiple of a logarithm in an exponent is a power:
-;; e^(2 log b) = b².
+;; e^(2 log b) = b².  So is one of i π: it turns (turns.rkt).
 ;;
 ;; Hyperbolic functions stay as they are unless their arguments depend on those
 ;; of exponentials; then they are written as exponentials.
 
 (require racket/list
-         "circle.rkt" "collector.rkt" "kernel.rkt" "lattice.rkt"
+         "circle.rkt" "collector.rkt" "kernel.rkt" "lattice.rkt" "turns.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/simplifier.rkt")
 
@@ -22,7 +22,9 @@
 
 ;; (exp u)
 (define (visit-exponential! c n)
-  (visit-terms! c n (simplifier-linear-parts (collector-simplifier c) (car (node-args n)))))
+  (define terms (simplifier-linear-parts (collector-simplifier c) (car (node-args n))))
+  (define other (turned-exponential terms))
+  (if other (resolve-alias! c n other) (visit-terms! c n terms)))
 
 ;; base^k, k not a rational number
 (define (visit-symbolic-power! c n base k)

@@ -10,11 +10,11 @@
 ;; Arguments of kernels are simplified first, by the simplifier above.
 
 (require racket/list
-         "angles.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "logarithms.rkt"
+         "angles.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "logarithms.rkt" "turns.rkt"
          (only-in "../assumption/ledger.rkt" strict-sign)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/order.rkt" "../expression/simplifier.rkt"
-         "../expression/size.rkt")
+         "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
+         "../expression/simplifier.rkt" "../expression/size.rkt")
 
 (provide (struct-out atlas) collect-kernels imaginary-unit
          (struct-out circular) (struct-out surd) (struct-out exponential-power)
@@ -52,12 +52,16 @@
 (define (visit! c e)
   (cond [(number? e) (visit-number! c e)]
         [(hash-ref (collector-resolutions c) e #f) (void)]
+        [(pi-alias? e) (resolve-alias! c e (pi-expression e))]
         [(symbol? e) (resolve! c e (intern-kernel! c e))]
         [else
          (resolve! c e #t)
          (if (memq e (collector-blocked c))
              (visit-blocked! c e)
              (visit-node! c e))]))
+
+;; What :2pi and the like stand for.
+(define (pi-expression s) (e:* (pi-multiple s) exact-pi))
 
 (define (visit-number! c e)
   (cond [(exact-constant? e)
@@ -81,6 +85,7 @@
         [else (visit-function! c n)]))
 
 (define arithmetic (list op:+ op:- op:* op:/))
+(define inverse (list op:asin op:acos op:atan))
 (define angular (list op:sin op:cos op:tan op:sinh op:cosh op:tanh))
 
 ;; What a blocked node simplifies to stands for it; a sum as one kernel.
@@ -107,7 +112,10 @@
 
 (define (visit-function! c n)
   (define simple (simplify-arguments c n))
-  (define x (exact-value simple))
+  (define x
+    (or (exact-value simple)
+        (and (memq (node-head simple) inverse)
+             (inverse-multiple (collector-simplifier c) simple))))
   (if x
       (resolve-alias! c n x)
       (resolve! c n (intern-kernel! c simple))))
@@ -132,7 +140,8 @@
   (if (andmap eq? args simple) n (make-node (node-head n) simple)))
 
 (define (simplify-argument c a)
-  (cond [(not (node? a)) a]
+  (cond [(pi-alias? a) (pi-expression a)]
+        [(not (node? a)) a]
         [(memq (node-head a) (list op:up op:down)) (simplify-arguments c a)]
         [else (simplifier-simplify (collector-simplifier c) a)]))
 

@@ -6,17 +6,16 @@
 ;; A factor is solved if it is linear in an unknown, with a coefficient in which no
 ;; unknown occurs; and, if there is one unknown only, when it is a quadratic
 ;; polynomial, or one of degree 1 in the sine and the cosine of one angle a x + b.
-;; Of angles one solution in each turn is given.
+;; Of angles one solution in each turn is given, exactly: multiples of :pi are.
 ;;
 ;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
 ;; solutions to be real are kept with them.
 
 (require racket/list
          "factor.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt"
-         "../expression/substitute.rkt" "../expression/symbols.rkt"
-         "../simplify/simplify-expression.rkt"
-         "../../numeric/constants.rkt")
+         "../expression/constant-value.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/pi.rkt" "../expression/substitute.rkt" "../expression/symbols.rkt"
+         "../simplify/simplify-expression.rkt")
 
 (provide solve-equations expression-factors)
 
@@ -68,12 +67,15 @@
                 (simplify-expression (put (cdr entry) (root-x r) (root-value r)) A)))))
 
 ;; Factors of what has flonums are of whole numbers: in the end, a quotient of these is a
-;; flonum.
+;; flonum, and so is an angle of which that is the cosine.
 (define (in-order found unknowns flonums?)
   (define (presented e)
-    (if (and flonums? (real? e) (exact? e) (not (integer? e))) (exact->inexact e) e))
+    (if (and flonums? (not (integer? e)) (not (pi-turns? e))) (or (constant-value e) e) e))
   (for*/list ([x (in-list unknowns)] [entry (in-value (assq x found))] #:when entry)
     (cons x (presented (cdr entry)))))
+
+;; Is e a rational multiple of π?
+(define (pi-turns? e) (and (symbolic? e) (number? (simplify-expression (e:/ e exact-pi)))))
 
 (define (flonum-in? e)
   (node-fold e flonum? (lambda (n found) (ormap values found))))
@@ -216,23 +218,29 @@
 ;; -> a list of turns where A cos u + B sin u + C is 0, or #f
 (define (angles-where coefficients A)
   (define-values (a b c) (apply values coefficients))
-  (define (inverse op x) (simplify-expression (e:apply op x) A))
-  (cond [(and (eqv? a 0) (eqv? c 0)) (list (turn 0 1 0 '()) (turn pi -1 0 '()))]
+  (define (inverse op x)
+    (simplify-expression (if (flonum? x) (e:apply op x) (make-node op (list x))) A))
+  (cond [(and (eqv? a 0) (eqv? c 0)) (list (turn 0 1 0 '()) (turn exact-pi -1 0 '()))]
         [(and (eqv? b 0) (eqv? c 0))
-         (list (turn (/ pi 2) 0 1 '()) (turn (/ pi -2) 0 -1 '()))]
+         (list (turn (e:* 1/2 exact-pi) 0 1 '()) (turn (e:* -1/2 exact-pi) 0 -1 '()))]
         [(eqv? b 0)
          (define x (quotient-of (e:negate c) a A))
-         (for/list ([sign (in-list (if (within-one? x) '(1 -1) '()))])
+         (for/list ([sign (in-list (either x 1 -1))])
            (turn (e:* sign (inverse op:acos x)) x #f (bound-on x)))]
         [(eqv? a 0)
          (define x (quotient-of (e:negate c) b A))
          (define u (inverse op:asin x))
-         (for/list ([angle (in-list (if (within-one? x) (list u (e:- pi u)) '()))])
+         (for/list ([angle (in-list (either x u (e:- exact-pi u)))])
            (turn angle #f x (bound-on x)))]
         [(eqv? c 0)
          (define u (inverse op:atan (quotient-of (e:negate a) b A)))
-         (list (turn u #f #f '()) (turn (e:+ pi u) #f #f '()))]
+         (list (turn u #f #f '()) (turn (e:+ exact-pi u) #f #f '()))]
         [else #f]))
 
-(define (within-one? x) (or (not (real? x)) (<= -1 x 1)))
+;; The two of a sine or cosine x, that are one at the ends.
+(define (either x a b)
+  (cond [(not (real? x)) (list a b)]
+        [(< -1 x 1) (list a b)]
+        [(= 1 (abs x)) (list a)]
+        [else '()]))
 (define (bound-on x) (if (real? x) '() (list (list '<= -1 x 1))))

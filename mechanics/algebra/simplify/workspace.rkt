@@ -7,7 +7,7 @@
 (require racket/list
          "align.rkt" "normalize.rkt" "radicand.rkt" "settle.rkt"
          (only-in "../assumption/assumption-set.rkt" plainly-real?) "../assumption/ledger.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/simplifier.rkt" "../expression/size.rkt"
          "../field/bounds.rkt" "../field/field.rkt"
          "../kernel/find-kernels.rkt"
@@ -88,25 +88,28 @@
 (define (small? e) (< (expression-size e) 60))
 
 ;; Nothing to do?
-(define (plain? e) (or (not (node? e)) (simple-application? e)))
+(define (plain? e)
+  (if (node? e) (simple-application? e) (not (pi-alias? e))))
 
 ;; A literal function of symbols and exact numbers.
 (define (simple-application? e)
   (and (node? e)
        (literal-head? (node-head e))
        (for/and ([a (in-list (node-args e))])
-         (or (symbol? a) (and (number? a) (exact? a))))))
+         (or (settled-symbol? a) (and (number? a) (exact? a))))))
+
+(define (settled-symbol? e) (and (symbol? e) (not (pi-alias? e))))
 
 ;; ---------------------------------------------------------------------------
 ;; Terms and factors
 
 (define (terms w e)
-  (if (or (symbol? e) (simple-application? e))
+  (if (or (settled-symbol? e) (simple-application? e))
       (list (cons 1 e))
       (hash-ref! (workspace-term-lists w) e (lambda () (with-normal w e linear-terms)))))
 
 (define (parts w e)
-  (if (or (symbol? e) (simple-application? e))
+  (if (or (settled-symbol? e) (simple-application? e))
       (list (cons 1 e))
       (hash-ref! (workspace-part-lists w) e (lambda () (with-normal w e linear-parts)))))
 

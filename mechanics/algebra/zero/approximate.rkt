@@ -9,7 +9,7 @@
 ;; first order and adds its own rounding.  So "not zero" can be told from
 ;; "zero within rounding".
 
-(require "../expression/flat-graph.rkt" "../expression/operation.rkt"
+(require "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../../numeric/constants.rkt")
 
 (provide approximate-tape)
@@ -39,6 +39,7 @@
 (define (item-value e head args lookup)
   (cond [(operation? head) (approximate head args)]
         [head (plain (lookup e (map bare args)))]
+        [(pi-symbol? e) (constant (pi-flonum e))]
         [(symbol? e) (plain (lookup e '()))]
         [else (constant e)]))
 

@@ -3,7 +3,7 @@
 ;; items has.
 
 (require "ball-value.rkt"
-         "../expression/flat-graph.rkt" "../expression/operation.rkt")
+         "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt")
 
 (provide tape-value)
 
@@ -30,5 +30,6 @@
 (define (item-value e head arguments lookup p met)
   (cond [(operation? head) (apply-operation head arguments p met)]
         [head (lookup e arguments)]
+        [(pi-multiple e) => (lambda (k) (pi->value k p))]
         [(symbol? e) (lookup e '())]
         [else (number->value e p)]))

@@ -4,11 +4,11 @@
 ;; What has exact values keeps them, as long as they are short; a function has one at a single
 ;; point, as log at 1, if at all.
 
-(require "ball.rkt" "ball-elementary.rkt" "ball-functions.rkt"
+(require "ball.rkt" "ball-elementary.rkt" "ball-functions.rkt" "fixed-point.rkt"
          "../assumption/signs.rkt"
          "../expression/operation.rkt")
 
-(provide number->value apply-operation
+(provide number->value pi->value apply-operation
          value-not-zero? value-signs values-overlap?)
 
 ;; Exact numbers of more bits become balls.
@@ -18,6 +18,11 @@
   (cond [(and (real? x) (exact? x)) (shortened x p)]
         [(and (real? x) (rational? x)) (flonum->ball x p)]
         [else (raise no-value)]))
+
+;; k π
+(define (pi->value k p)
+  (define w (+ p 8))
+  (times k (make-ball (pi-fixed w) constant-error (- w) p) p))
 
 (define (shortened x p)
   (if (or (fixnum? x)

@@ -11,7 +11,7 @@
 
 (require racket/list
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/read.rkt"
-         "../expression/size.rkt" "../expression/substitute.rkt"
+         "../expression/size.rkt" "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
@@ -174,7 +174,7 @@
       (define e (kernel-at F i))
       (and (node? e) (not (constant-expression? e (list s))))))
   (for/list ([i (in-list is)]
-             #:when (and (symbol? (kernel-at F i)) (not (elsewhere? (kernel-at F i)))))
+             #:when (and (free-symbol? (kernel-at F i)) (not (elsewhere? (kernel-at F i)))))
     i))
 
 ;; p solved for a power of variable i, if no other power of it occurs and its

@@ -13,12 +13,11 @@
 (require racket/list
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/flat-graph.rkt"
-         "../expression/operation.rkt" "../expression/substitute.rkt")
+         "../expression/operation.rkt" "../expression/pi.rkt" "../expression/substitute.rkt")
 
 (provide read-decimal decimals-in with-decimals-read (struct-out reading))
 
-;; What is exactly π and e, for the algebra.
-(define exact-pi (make-node op:acos '(-1)))
+;; What is exactly e, for the algebra.
 (define exact-e (make-node op:exp '(1)))
 
 (define unit (expt 2 -52))
@@ -84,7 +83,6 @@
       (or (read-root rest 1 multiple-bits) (read-root rest 2 multiple-bits)))
     (and factor (e:* factor (e:expt (car constant) n)))))
 
-(define pi-digits 31415926535897932384626433832795028842/10000000000000000000000000000000000000)
 (define e-digits 27182818284590452353602874713526624978/10000000000000000000000000000000000000)
 
 ;; ---------------------------------------------------------------------------

@@ -26,11 +26,12 @@
 ;; therefore *proves* that e is not zero: exponentials are algebraically
 ;; independent where their exponents are linearly independent.  Roots have
 ;; signs of their own, and logarithms and the like are taken for unknown
-;; functions; there a residue other than 0 only suggests.
+;; functions; there a residue other than 0 only suggests.  So it does where there is π, some
+;; residue here: that its sine is 0 is not seen.
 
 (require racket/fixnum
          "residues.rkt"
-         "../expression/flat-graph.rkt" "../expression/operation.rkt")
+         "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt")
 
 (provide fingerprint tape-fingerprint fingerprint-points
          tape-classes vanishes-with-cuts?)
@@ -113,7 +114,7 @@
              sure?]
             [head
              (and (spread-levels! levels k head (vector-ref (tape-operands t) k) items) sure?)]
-            [else sure?])))
+            [else (and sure? (not (pi-symbol? (vector-ref items k))))])))
   (values (and (for/and ([e (in-vector items)]) (or (not (number? e)) (rational? e)))
                (plan t levels (number-heads heads) cuts))
           sure?))
@@ -219,4 +220,6 @@
         [head (site-application s (hash-ref (plan-heads plan) head) operands)]
         [else
          (define leaf (vector-ref items k))
-         (if (symbol? leaf) (site-symbol s k) (site-number s leaf))]))
+         (cond [(pi-multiple leaf) => (lambda (m) (site-pi s m))]
+               [(symbol? leaf) (site-symbol s k)]
+               [else (site-number s leaf)])]))

@@ -10,7 +10,7 @@
 
 (require "proof.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/substitute.rkt")
+         "../expression/substitute.rkt" "../expression/symbols.rkt")
 
 (provide contains-flonum? speaks-of-symbols? vanishes-for-any-flonums?)
 
@@ -29,7 +29,7 @@
 
 (define (speaks-of-symbols? t)
   (for/or ([e (in-vector (tape-items t))])
-    (or (symbol? e) (and (node? e) (null? (node-args e))))))
+    (or (free-symbol? e) (and (node? e) (null? (node-args e))))))
 
 ;; The expression on the tape, its flonums replaced.
 (define (generalized t unknowns)

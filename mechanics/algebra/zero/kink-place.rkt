@@ -1,7 +1,7 @@
 #lang racket/base
 ;; At which values of an unknown does an expression vanish, in a form that can be read?
 
-(require "../expression/expression.rkt" "../expression/operation.rkt"
+(require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/size.rkt" "../expression/symbols.rkt"
          "../rewriting/solve.rkt")
 
@@ -35,13 +35,12 @@
         [(not (wave? f)) f]
         [else
          (define turn (if (eq? (node-head f) op:sin) 'n (e:+ 'n 1/2)))
-         (e:- (car (node-args f)) (e:* 'pi turn))]))
+         (e:- (car (node-args f)) (e:* exact-pi turn))]))
 
 (define (wave? f)
   (and (node? f)
        (memq (node-head f) (list op:sin op:cos))
-       (not (occurs? 'n f))
-       (not (occurs? 'pi f))))
+       (not (occurs? 'n f))))
 
 ;; Is x within the argument of a function that satisfies the predicate of heads?
 (define ((within-head? head?) x e)

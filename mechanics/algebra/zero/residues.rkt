@@ -10,7 +10,7 @@
          "../polynomial/modular.rkt")
 
 (provide (struct-out site) make-site mix
-         site-symbol site-number site-application site-operation)
+         site-symbol site-pi site-number site-application site-operation)
 
 ;; prime, values : of this level, values by places on the tape
 ;; seed : of the random residues; squares? : are those squares?
@@ -51,6 +51,10 @@
   (if (site-squares? s) (mod* r r p) r))
 
 (define (site-symbol s k) (random-residue s (mix (site-seed s) k)))
+
+;; m π, for a rational m: a residue that no place has
+(define (site-pi s m)
+  (mod* (residue m (site-prime s)) (site-symbol s -2) (site-prime s)))
 
 (define (site-application s head operands)
   (random-residue s (mix-values s head operands)))

@@ -2,7 +2,8 @@
 ;; What stands under a sine, an exponential or the like: where these leaves are 0, the
 ;; functions have exact values.
 
-(require "../expression/flat-graph.rkt" "../expression/operation.rkt")
+(require "../expression/flat-graph.rkt" "../expression/operation.rkt"
+         "../expression/symbols.rkt")
 
 (provide leaves-under-functions)
 
@@ -28,7 +29,7 @@
            (define below (if (transcendental? head) 2 state))
            (for ([j (in-list (vector-ref (tape-operands t) k))])
              (vector-set! states j (bitwise-ior below (vector-ref states j))))]
-          [(number? (vector-ref items k)) (void)]
+          [(not (unknown? (vector-ref items k))) (void)]
           [else
            (hash-update! leaves (vector-ref items k) (lambda (old) (bitwise-ior old state)) 0)]))
   (define (those test)

@@ -16,7 +16,7 @@
 ;; masses, not negative ones.
 
 (require "finding.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
-         "../expression/flat-graph.rkt" "../expression/operation.rkt")
+         "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")
 
 (provide find-witness)
 
@@ -105,7 +105,7 @@
 ;; Without leaves, so that one point is like another?
 (define (constant? t)
   (for/and ([x (in-vector (tape-items t))] [head (in-vector (tape-heads t))])
-    (or (number? x) (operation? head))))
+    (or (operation? head) (not (unknown? x)))))
 
 (define (bound z) (value-bound (finding-of-e (cdr z))))
 

@@ -40,10 +40,10 @@
 (test-case "a bead on a turning ring: at the bottom, at the top, and beside if it turns fast"
   (define all (equilibria (L-ring 'm 'R 'g 'omega) line))
   (check-equal? (found (L-ring 'm 'R 'g 'omega) line)
-                (list 0
-                      pi
-                      '(acos (/ g (* R (expt omega 2))))
-                      '(* -1 (acos (/ g (* R (expt omega 2)))))))
+                '(0
+                  :pi
+                  (acos (/ g (* R (expt omega 2))))
+                  (* -1 (acos (/ g (* R (expt omega 2)))))))
   (check-equal? (for/list ([e all]) (expression (equilibrium-conditions e)))
                 '(()
                   ()
@@ -70,7 +70,7 @@
 (test-case "two pendulums hang and stand in four ways, one of them stable"
   (define local (up 't (up 'a 'b) (up 'va 'vb)))
   (check-equal? (found (L-pendulums 'm_1 'm_2 'l 'g) local)
-                (list '(up 0 0) `(up 0 ,pi) `(up ,pi 0) `(up ,pi ,pi)))
+                '((up 0 0) (up 0 :pi) (up :pi 0) (up :pi :pi)))
   (assuming ('(> m_1 0) '(> m_2 0) '(> l 0) '(> g 0))
     (check-equal? (kinds (L-pendulums 'm_1 'm_2 'l 'g) local)
                   '(stable unstable unstable unstable))))

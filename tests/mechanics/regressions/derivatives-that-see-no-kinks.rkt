@@ -29,7 +29,7 @@
   (check-path sgn "jump: (sgn t) at t = 0")
   (check-path abs "kink: (abs t) at t = 0")
   (check-path (lambda (t) (atan (tan t)))
-              "no value: (tan t) at t = (+ (* n pi) (* 1/2 pi)) for integers n")
+              "no value: (tan t) at t = (+ (* :pi n) (* 1/2 :pi)) for integers n")
   (check-path (lambda (t) (acosh (cosh t))) "kink: (acosh (cosh t)) at t = 0")
   (check-path (lambda (t) +nan.0) "no value: +nan.0 everywhere"))
 
@@ -57,18 +57,18 @@
   (check-kinks (verify-solution L-free (lambda (t) (sqrt (square t))))
                '(kink (sqrt (expt t 2)) (= t 0)))
   (check-kinks (verify-solution L-free (lambda (t) (acos (cos t))))
-               '(kink (acos (cos t)) (= t (* n pi))))
+               '(kink (acos (cos t)) (= t (* :pi n))))
   (check-kinks (verify-solution L-free (lambda (t) (asin (sin t))))
-               '(kink (asin (sin t)) (= t (+ (* n pi) (* 1/2 pi)))))
+               '(kink (asin (sin t)) (= t (+ (* :pi n) (* 1/2 :pi)))))
   (check-kinks (verify-solution L-free (lambda (t) (expt (expt t 3) 1/3)))
                '(no-value (expt (expt t 3) 1/3) (= t 0))))
 
 (test-case "|sin t| solves the oscillator between its kinks"
   (check-open (verify-solution (L-harmonic 'm 'm) (lambda (t) (abs (sin t))))
-              '("kink: (abs (sin t)) at t = (* n pi) for integers n"))
+              '("kink: (abs (sin t)) at t = (* :pi n) for integers n"))
   (check-open (verify-solution (L-harmonic 'm (* 'm (square 'w)))
                                (lambda (t) (abs (sin (* 'w t)))))
-              '("kink: (abs (sin (* t w))) at t = (/ (* n pi) w) for integers n")))
+              '("kink: (abs (sin (* t w))) at t = (/ (* :pi n) w) for integers n")))
 
 (test-case "a jump is no conserved quantity"
   (define L (L-with (lambda (x) (* 'k x))))

@@ -2,7 +2,8 @@
 ;; Numbers for expressions: their values at a point, at the cost of the graph.
 
 (require mechanics/algebra/expression/expression
-         mechanics/algebra/expression/operation)
+         mechanics/algebra/expression/operation
+         mechanics/algebra/expression/pi)
 
 (provide evaluate-expression point-lookup)
 
@@ -11,7 +12,10 @@
 ;; its arguments (a tuple's value is its head and its components' values).
 (define (evaluate-expression e lookup)
   (node-fold e
-             (lambda (leaf) (if (symbol? leaf) (lookup leaf '()) leaf))
+             (lambda (leaf)
+               (cond [(pi-symbol? leaf) (pi-flonum leaf)]
+                     [(symbol? leaf) (lookup leaf '())]
+                     [else leaf]))
              (lambda (n values)
                (define head (node-head n))
                (cond [(literal-head? head) (lookup n values)]

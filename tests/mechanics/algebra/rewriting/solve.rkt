@@ -3,7 +3,7 @@
 
 (require rackunit
          (only-in mechanics
-                  + - * / expt square sin cos expression simplify
+                  + - * / expt square sin cos acos asin pi expression simplify
 
 
                                substitute proved? prove-zero)
@@ -37,14 +37,27 @@
                 '((((x 0.1)))))
   (check-equal? (solutions (list (* 2.0 'x (- 'x 0.1))) '(x)) '((((x 0))) (((x 0.1)))))
   (check-equal? (solutions (list (- (* 4 (cos 'x) (sin 'x)) (* 9.8 (sin 'x)))) '(x))
-                '((((x 0))) (((x 3.141592653589793))))))
+                '((((x 0))) (((x :pi))))))
 
 (test-case "sines and cosines of one angle, once each turn"
   (check-equal? (solutions (list (cos (* 2 'x))) '(x))
-                '((((x 0.7853981633974483))) (((x -0.7853981633974483)))))
+                '((((x (* 1/4 :pi)))) (((x (* -1/4 :pi))))))
   (check-equal? (solutions (list (- (* 2 (sin 'x)) 3)) '(x)) '())
   (check-equal? (solutions (list (- (* 'a (sin 'x)) (* 'b (cos 'x)))) '(x))
-                '((((x (atan (/ b a))))) (((x (+ 3.141592653589793 (atan (/ b a)))))))))
+                '((((x (atan (/ b a))))) (((x (+ :pi (atan (/ b a)))))))))
+
+(test-case "angles are exact where their sines are, and where the equations are"
+  (define (angles e) (map cadaar (solutions (list e) '(x))))
+  (check-equal? (angles (- (* 2 (cos 'x)) 1)) '((* 1/3 :pi) (* -1/3 :pi)))
+  (check-equal? (angles (+ (* 2 (sin 'x)) 1)) '((* -1/6 :pi) (* 7/6 :pi)))
+  (check-equal? (angles (+ (sin 'x) 1)) '((* -1/2 :pi)))
+  (check-equal? (angles (+ (cos 'x) 1)) '(:pi))
+  (check-equal? (angles (- (sin 'x) (cos 'x))) '((* 1/4 :pi) (* 5/4 :pi)))
+  (check-equal? (angles (- (* 3 (cos 'x)) 1)) '((acos 1/3) (* -1 (acos 1/3))))
+  (check-equal? (angles (sin (+ (* 2 'x) 'a))) '((* -1/2 a) (* 1/2 (- :pi a))))
+  (check-equal? (angles (- (* 2.0 (cos 'x)) 1.0)) '((* 1/3 :pi) (* -1/3 :pi)))
+  (check-equal? (angles (- (* 2.0 (cos 'x)) 0.3)) (list (acos 0.15) (- (acos 0.15))))
+  (check-equal? (angles (- (* 2.0 (sin 'x)) 0.3)) (list (asin 0.15) (- pi (asin 0.15)))))
 
 (test-case "several unknowns"
   (check-equal? (solutions (list (* 'x 'y) (- (+ 'x 'y) 1)) '(x y))

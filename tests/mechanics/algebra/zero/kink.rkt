@@ -46,8 +46,8 @@
          [(sgn (cosh x))]))
 
 (test-case "waves vanish once a half-turn"
-  (finds [(abs (sin x)) (kink (= x (* n pi)))]
-         [(abs (cos (* 2 x))) (kink (= x (+ (* 1/2 n pi) (* 1/4 pi))))]
+  (finds [(abs (sin x)) (kink (= x (* :pi n)))]
+         [(abs (cos (* 2 x))) (kink (= x (+ (* 1/2 :pi n) (* 1/4 :pi))))]
          [(abs (- (sin x) 1/2)) (kink (= (- (* 2 (sin x)) 1) 0))]
          [(abs (- (sin x) 2))]
          [(abs (sinh x)) (kink (= x 0))]))
@@ -62,7 +62,7 @@
          [(expt (expt x 2) 3/2) (kink (= x 0))]
          [(expt (expt x 4) 1/4) (kink (= x 0))]
          [(expt (expt x 2) 0.5) (kink (= x 0))]
-         [(sqrt (- 1 (expt (sin x) 2))) (kink (= x (+ (* n pi) (* 1/2 pi))))]))
+         [(sqrt (- 1 (expt (sin x) 2))) (kink (= x (+ (* :pi n) (* 1/2 :pi))))]))
 
 (test-case "distances are none"
   (finds [(sqrt (+ (expt x 2) (expt y 2)))]
@@ -71,11 +71,11 @@
          [(sqrt (+ (expt x 2) (* 2 x) 1)) (kink (= x -1))]))
 
 (test-case "inverses of what is periodic, or even"
-  (finds [(asin (sin x)) (kink (= x (+ (* n pi) (* 1/2 pi))))]
-         [(acos (cos x)) (kink (= x (* n pi)))]
+  (finds [(asin (sin x)) (kink (= x (+ (* :pi n) (* 1/2 :pi))))]
+         [(acos (cos x)) (kink (= x (* :pi n)))]
          [(asin (/ (* 2 x) (+ 1 (expt x 2)))) (kink (= x 1) (= x -1))]
          [(acosh (cosh x)) (kink (= x 0))]
-         [(atan (tan x)) (jump (= x (+ (* n pi) (* 1/2 pi))))]
+         [(atan (tan x)) (jump (= x (+ (* :pi n) (* 1/2 :pi))))]
          [(atan (/ 1 x)) (jump (= x 0))]
          [(atan (/ 1 (expt x 2)))]
          [(asin x)]
@@ -89,7 +89,7 @@
   (finds-in-path [(/ 1 (- x 2)) (no-value (= x 2))]
                  [(log x) (no-value (= x 0))]
                  [(log (+ 1 (expt x 2)))]
-                 [(tan x) (no-value (= x (+ (* n pi) (* 1/2 pi))))]
+                 [(tan x) (no-value (= x (+ (* :pi n) (* 1/2 :pi))))]
                  [(expt x -2) (no-value (= x 0))]
                  [(expt x 1/3) (no-value (= x 0))]
                  [(expt x a) (no-value (= x 0))]

@@ -1,0 +1,20 @@
+#lang racket/base
+;; The number that an expression stands for by itself, as 2 π does.
+
+(require "expression.rkt" "operation.rkt" "pi.rkt")
+
+(provide constant-value)
+
+;; -> a flonum, or #f where there are unknowns or no real value
+(define (constant-value e)
+  (let/ec return
+    (define (real x) (if (and (real? x) (rational? x)) x (return #f)))
+    (define (leaf-value leaf)
+      (cond [(number? leaf) (real leaf)]
+            [(pi-symbol? leaf) (pi-flonum leaf)]
+            [else (return #f)]))
+    (define (node-value n parts)
+      (define f (and (operation? (node-head n)) (operation-numeric (node-head n))))
+      (if f (real (apply f parts)) (return #f)))
+    (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+      (exact->inexact (node-fold e leaf-value node-value)))))
