@@ -7,6 +7,7 @@
 ;; arithmetic, as for flonums.
 
 (require "agreement.rkt" "program.rkt" "trace.rkt"
+         "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
@@ -68,7 +69,14 @@
 ;; (fail scalar) where one is not a real number.
 (define (structure->bigfloats x fail)
   (for/vector ([x (in-list (scalars x))])
-    (raw-bigfloat (if (or (real? x) (other-number? x)) x (fail x)))))
+    (cond [(or (real? x) (other-number? x)) (raw-bigfloat x)]
+          [(symbolic? x) (constant->bigfloat x fail)]
+          [else (fail x)])))
+
+;; What holds no unknowns, as multiples of π do, by a program without inputs.
+(define (constant->bigfloat x fail)
+  (define p (expressions->program '() (list x) (lambda (e) (fail x)) #:constants exact))
+  (vector-ref ((program->procedure p) (vector)) 0))
 
 (define (bigfloats->structure shape v)
   (scalars->structure shape (lambda (k) (wrap (vector-ref v k)))))

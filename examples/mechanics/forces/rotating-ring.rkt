@@ -34,7 +34,7 @@
 ;; Frequencies of small oscillations about each.  That at the top is never real; of the
 ;; others one is when the other is not, so they exchange stability at ω² = g/R.
 (small-oscillation-frequencies L 0)
-(small-oscillation-frequencies L pi)
+(small-oscillation-frequencies L ':pi)
 (small-oscillation-frequencies L aside)
 
 ;; In numbers, with R = 1 and g = 9.8, the bead is let go from rest.
@@ -79,7 +79,7 @@
   (test-case "the squares of the frequencies"
     (define (squared q) (square (car (small-oscillation-frequencies L q))))
     (check-same (squared 0) (- (/ 'g 'R) (square 'omega)))
-    (check-same (squared pi) (- (+ (/ 'g 'R) (square 'omega))))
+    (check-same (squared ':pi) (- (+ (/ 'g 'R) (square 'omega))))
     (check-same (squared aside)
                 (- (square 'omega) (square (/ 'g (* 'R 'omega))))))
   (test-case "periods of small oscillations, on both sides"

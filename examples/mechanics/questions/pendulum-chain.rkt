@@ -22,7 +22,7 @@
 ;; Three of them, by numbers but for the common factor.
 (normal-modes (L-chain 'm 'l 'g) (up 0 0 0))
 (assuming ('(> m 0) '(> l 0) '(> g 0))
-  (equilibrium-stability (L-chain 'm 'l 'g) (up 0 pi 0)))
+  (equilibrium-stability (L-chain 'm 'l 'g) (up 0 ':pi 0)))
 
 (module+ test
   (require rackunit)

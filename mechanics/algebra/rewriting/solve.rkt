@@ -14,7 +14,8 @@
 (require racket/list
          "factor.rkt"
          "../expression/constant-value.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/pi.rkt" "../expression/substitute.rkt" "../expression/symbols.rkt"
+         "../expression/operation.rkt" "../expression/pi.rkt" "../expression/substitute.rkt"
+         "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
 
 (provide solve-equations expression-factors)

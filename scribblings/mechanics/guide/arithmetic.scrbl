@@ -79,7 +79,12 @@ the decimals cancel whatever they are, as here, it can:
 (prove-zero (- (* 0.1 'x) (/ 'x 10)))]
 
 So write @racket[1/2] rather than @racket[0.5] in a Lagrangian, and use symbols for
-what you do not want to round.
+what you do not want to round. One of them is known: @racket[':pi], quoted, is π itself.
+
+@examples[#:eval session #:label #f
+(sin ':pi)
+(cos (+ 'x ':pi))
+(exact->inexact (* 2 ':pi))]
 
 @section{Comparing}
 

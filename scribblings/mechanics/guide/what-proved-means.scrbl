@@ -79,10 +79,11 @@ read.
 (verify-solution (L-harmonic 1 2) (lambda (t) (cos (* 1.41421356 t))))]
 
 Better write what you mean. @racket[(sqrt 2)] is a number, and Racket has no exact one for
-it; a symbol has all its digits:
+it; a symbol has all its digits, and so has @racket[':pi], which is π:
 
 @examples[#:eval session #:label #f
-(verify-solution (L-harmonic 1 'k) (lambda (t) (cos (* (sqrt 'k) t))))]
+(verify-solution (L-harmonic 1 'k) (lambda (t) (cos (* (sqrt 'k) t))))
+(verify-solution (L-harmonic 1 (square ':2pi)) (lambda (t) (cos (* ':2pi t))))]
 
 @section{Undecided, and why}
 

@@ -182,6 +182,22 @@ say.
 (cos :pi)
 (sin :2pi)]
 
+Quoted, @racket[':pi] is π itself, and so are the others what they say: numbers, not
+symbols that may stand for anything. Sines, cosines and tangents of their multiples have
+exact values, in closed form at multiples of π/8, π/10 and π/12; what is computed exactly
+has angles such as @racket[(* 2/3 ':pi)], and prints them so. Where a floating-point
+number is needed, in a motion, a compiled function or a picture, one is made;
+@racket[exact->inexact] makes one of what holds no symbols.
+
+@examples[#:eval session
+(sin (* 1/3 ':pi))
+(cos (+ 'x ':pi/2))
+(sqrt (square (- 3 ':pi)))
+((D (lambda (t) (sin (* ':2pi t)))) 't)
+(exact->inexact (* 2/3 ':pi))
+(prove-zero (- (+ (cos 'x) (cos (+ 'x (* 2/3 ':pi)))) (cos (+ 'x (* 1/3 ':pi)))))
+(prove-zero (- ':pi 355/113))]
+
 @sicm{1.4, p. 21, note}}
 
 @defproc[((principal-value [cut real?]) [x value]) value]{

@@ -204,7 +204,7 @@ directions without inertia leave it undetermined.
 The coordinates at which a system that rests stays at rest, by formulas in the
 parameters, those that always exist first. Each comes with conditions for it to be real.
 A coordinate that may be anything is its own symbol; of angles there is one in each
-turn.
+turn, exactly if the parameters are exact: @racket[':pi] is π.
 
 The equations are factored and solved one after the other: factors that are linear in
 an unknown, and those in one unknown that are quadratic, or of degree 1 in its sine and
@@ -242,10 +242,11 @@ The parts of an equilibrium. Conditions are lists @racket[(<= -1 e 1)] or
          verdict?]{
 
 Whether a system at rest at the coordinates q stays there: the verdict is on the residual
-of the constant path. In a proof, @racket[pi] and other flonums that are multiples of a
-right angle, as near as can be, stand for these angles.
+of the constant path. π is @racket[':pi]; in a proof, @racket[pi] and other flonums that
+are multiples of a right angle, as near as can be, stand for these angles.
 
 @examples[#:eval session
+(verify-equilibrium (L-ring 'm 'R 'g 'omega) ':pi)
 (verify-equilibrium (L-ring 'm 'R 'g 'omega) pi)
 (verify-equilibrium (L-ring 'm 'R 'g 'omega) (acos (/ 'h (square 'omega))))]}
 
@@ -281,7 +282,7 @@ turning systems of two coordinates are judged, and by numbers those of more.
 (assuming ('(> m 0) '(> R 0) '(> g 0))
   (equilibrium-stability (L-ring 'm 'R 'g 'omega) 0))
 (assuming ('(> m 0) '(> R 0) '(> g 0))
-  (equilibrium-stability (L-ring 'm 'R 'g 'omega) pi))
+  (equilibrium-stability (L-ring 'm 'R 'g 'omega) ':pi))
 (define ((L-plate k Omega) (up t (up x y) (up vx vy)))
   (+ (* 1/2 (+ (square (- vx (* Omega y))) (square (+ vy (* Omega x)))))
      (* 1/2 k (- (square x) (square y)))))

@@ -134,7 +134,7 @@ What keeps a residual that is zero from being proved so: places where a function
 was differentiated has a kink or a jump, which its derivative does not see, or where a
 path has no value. Each is a list of @racket['kink], @racket['jump] or
 @racket['no-value], an expression, and equations that hold there; an @racketidfont{n}
-in a series of places stands for any integer. The list is empty for a refutation, and
+in a series of places stands for any integer, and @racketidfont{:pi} is π. The list is empty for a refutation, and
 where the sign of what would have to vanish is known: by its form, as that of
 @racket[(+ 1 (square t))], or because it was declared.
 
@@ -151,6 +151,7 @@ to be none, and parameters are taken not to be 0.
 corner
 (verdict-kinks corner)
 (verify-solution (L-free 'm) (lambda (t) (/ (square t) t)))
+(verify-solution (L-free 'm) tan)
 (assuming ('(> t 2)) (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))]}
 
 @defproc[(verdict-reason [v verdict?])
@@ -173,6 +174,7 @@ none where it holds for any numbers in their place.
 
 @examples[#:eval session
 (verdict-readings (verify-equal (cos (* 1.4142135623730951 't)) (cos (* (sqrt 2.0) 't))))
+(verdict-readings (verify-equal (sin (+ 'x (* 2 pi))) (sin 'x)))
 (verdict-readings (verify-equal (* 0.5 'm) (* 1/2 'm)))]}
 
 @defproc[(verdict-remarks [v verdict?]) (listof string?)]{

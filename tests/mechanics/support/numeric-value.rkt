@@ -11,13 +11,17 @@
 ;; derivatives known: each brings down its factor a or b.
 
 (require mechanics/algebra/expression/expression
-         mechanics/algebra/expression/operation)
+         mechanics/algebra/expression/operation
+         mechanics/algebra/expression/pi)
 
 (provide numeric-value symbol-value)
 
 (define (numeric-value e point)
   (node-fold e
-             (lambda (leaf) (if (number? leaf) leaf (symbol-value leaf point)))
+             (lambda (leaf)
+               (cond [(number? leaf) leaf]
+                     [(pi-symbol? leaf) (pi-flonum leaf)]
+                     [else (symbol-value leaf point)]))
              (lambda (n args)
                (define head (node-head n))
                (cond [(literal-head? head) (literal-value head args point)]

@@ -4,7 +4,6 @@
 (require rackunit
          racket/math
          mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/assumption/narrowing
          mechanics/algebra/expression/constant-value
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/read
@@ -67,7 +66,8 @@
    [(sin (+ x (* 1/2 :pi))) (cos x)] [(cos (+ x (* 1/2 :pi))) (* -1 (sin x))]
    [(cos (- (* 1/2 :pi) x)) (sin x)] [(sin (- :pi x)) (sin x)]
    [(tan (+ x :pi)) (/ (sin x) (cos x))]
-   [(tan (+ x :pi/2)) (/ (* -1 (cos x)) (sin x))]    [(f :2pi) (f (* 2 :pi))] [(cos (+ x :2pi)) (cos x)]
+   [(tan (+ x :pi/2)) (/ (* -1 (cos x)) (sin x))]
+   [(f :2pi) (f (* 2 :pi))] [(cos (+ x :2pi)) (cos x)]
    [(sin (* 3/7 :pi)) (cos (* 1/14 :pi))] [(sin (* 1/7 :pi)) (sin (* 1/7 :pi))]
    [(cos (* 9/7 :pi)) (* -1 (sin (* 3/14 :pi)))]))
 
@@ -100,6 +100,11 @@
                   '())
     (check-= (evaluate-expression (datum->expression d) (point-lookup (zero-test-witness z)))
              (zero-test-value z) 1e-6)))
+
+(test-case "no condition is put on what is a number"
+  (check-equal? (zero-test-conditions (test '(* (- x 1) (- :pi 22/7)))) '((= x 1)))
+  (check-equal? (zero-test-conditions (test '(- :pi 22/7))) '())
+  (check-equal? (zero-test-conditions (test '(- m (* 2 :pi)))) '((= m (* 2 :pi)))))
 
 (test-case "residues take π for a number that is algebraic in nothing, and are no proof"
   (check-eq? (fingerprint (datum->expression '(- (* 2 :pi/2) :pi))) 'zero)

@@ -26,7 +26,8 @@
     (evaluate e where A)))
 
 (define (evaluate e where A)
-  (cond [(symbol? e) (or ((point-symbols where) e) (fail-unknown))]
+  (cond [(eq? e ':pi) (half-turn A)]
+        [(symbol? e) (or ((point-symbols where) e) (fail-unknown))]
         [(flonum? e) ((point-decimal where) e A)]
         [(number? e) (if (and (real? e) (exact? e)) e (fail-outside))]
         [(interval? e) e]

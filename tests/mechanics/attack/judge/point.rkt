@@ -46,11 +46,12 @@
 ;; ---------------------------------------------------------------------------
 ;; Symbols and numbers for them
 
-;; Symbols of several S-expressions, without heads.
+;; Symbols of several S-expressions, without heads; :pi is a number.
 (define (symbols-of . es)
   (define found (make-hasheq))
   (let walk ([e es])
-    (cond [(symbol? e) (hash-set! found e #t)]
+    (cond [(eq? e ':pi) (void)]
+          [(symbol? e) (hash-set! found e #t)]
           [(pair? e) (for-each walk (if (eq? e es) e (cdr e)))]))
   (sort (hash-keys found) symbol<?))
 

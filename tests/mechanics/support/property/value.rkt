@@ -178,7 +178,10 @@
   (let/ec return
     (parameterize ([undefined return])
       (node-fold e
-                 (lambda (leaf) (if (symbol? leaf) (symbol leaf) (constant leaf)))
+                 (lambda (leaf)
+                   (cond [(eq? leaf ':pi) (product (constant 4) (function 'atan (constant 1)))]
+                         [(symbol? leaf) (symbol leaf)]
+                         [else (constant leaf)]))
                  (lambda (n args)
                    (define head (node-head n))
                    (if (literal-head? head)
