@@ -151,7 +151,6 @@ to be none, and parameters are taken not to be 0.
 corner
 (verdict-kinks corner)
 (verify-solution (L-free 'm) (lambda (t) (/ (square t) t)))
-(verify-solution (L-free 'm) tan)
 (assuming ('(> t 2)) (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))]}
 
 @defproc[(verdict-reason [v verdict?])
