@@ -134,7 +134,8 @@ What keeps a residual that is zero from being proved so: places where a function
 was differentiated has a kink or a jump, which its derivative does not see, or where a
 path has no value. Each is a list of @racket['kink], @racket['jump] or
 @racket['no-value], an expression, and equations that hold there; an @racketidfont{n}
-in a series of places stands for any integer, and @racketidfont{:pi} is π. The list is empty for a refutation, and
+in a series of places stands for any integer, and
+@racketidfont{:pi} is π. The list is empty for a refutation, and
 where the sign of what would have to vanish is known: by its form, as that of
 @racket[(+ 1 (square t))], or because it was declared.
 
