@@ -22,7 +22,7 @@
                                     exn:algebra:contradiction-because]
  ["../algebra/simplify/simplify-expression.rkt" simplify-expression
                                                 simplify-expression/assumptions]
- ["../algebra/zero/decimals.rkt" reading-decimal reading-expression]
+ ["../algebra/zero/decimals.rkt" too-many-to-read? reading-decimal reading-expression]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations kink-solved?
                              kink-family?]
  ["../algebra/zero/vanishing.rkt" vanishes?]

@@ -173,12 +173,18 @@
              (append (add-between (for/list ([r (in-list all)] [_ (in-range most-decimals)])
                                     (reading-decimal r))
                                   ",")
-                     (list "stand in the way; exact numbers would tell")
+                     (in-the-way (length all))
                      (if r
                          (list "," (short-datum (reading-expression r)) "for" (reading-decimal r))
                          '())))))
 
 (define most-decimals 4)
+
+(define (in-the-way count)
+  (append (if (> count most-decimals) (list (format "and ~a more" (- count most-decimals))) '())
+          (list (if (too-many-to-read? count)
+                    "stand in the way, too many to be read as exact numbers, which would tell"
+                    "stand in the way; exact numbers would tell"))))
 
 (define (points->text n) (if (eqv? n 1) "one point" (counted n "point")))
 

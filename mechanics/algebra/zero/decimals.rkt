@@ -9,13 +9,21 @@
 ;; A number is simple if it takes so few bits to write that meeting it by chance among the
 ;; flonums is out of the question: of 52 bits, less than two thirds.  So 1.41421356 stays
 ;; what it is.  No proof rests on a reading alone: what is read is told (zero-test.rkt).
+;;
+;; Numbers written differently were meant to be different: 0.3 and 0.30000000000000004, two
+;; decimals of one question, are not both 3/10.  A decimal beside an exact number may be
+;; that number; this is what it is read for.
+;;
+;; Reading takes milliseconds, a thousand times what a flonum costs elsewhere, and where many
+;; stand in one question they were measured or computed, not written.  So only few are read.
 
 (require racket/list
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/pi.rkt" "../expression/substitute.rkt")
 
-(provide read-decimal decimals-in with-decimals-read (struct-out reading))
+(provide read-decimal decimals-in read-decimals too-many-to-read?
+         with-decimals-read all-different? (struct-out reading))
 
 ;; What is exactly e, for the algebra.
 (define exact-e (make-node op:exp '(1)))
@@ -25,13 +33,27 @@
 ;; decimal : a flonum; expression : what it is read as, or #f
 (struct reading (decimal expression) #:transparent)
 
-;; The flonums on a tape, each once, and what each is read as.
+;; The flonums on a tape, each once.
 (define (decimals-in t)
-  (for/list ([x (in-list (remove-duplicates
-                          (for/list ([e (in-vector (tape-items t))] #:when (flonum-in? e)) e)))])
-    (reading x (read-decimal x))))
+  (remove-duplicates
+   (for/list ([e (in-vector (tape-items t))] #:when (and (number? e) (not (exact? e)))) e)))
 
-(define (flonum-in? e) (and (number? e) (not (exact? e))))
+;; What each is read as; nothing where there are too many.
+(define (read-decimals xs)
+  (define few? (not (too-many-to-read? (length xs))))
+  (for/list ([x (in-list xs)]) (reading x (and few? (read-decimal x)))))
+
+(define (too-many-to-read? count) (> count most-decimals-read))
+
+(define most-decimals-read 24)
+
+;; Is what decimals of different size are read as different, too?
+(define (all-different? readings)
+  (define sizes (make-hash))
+  (for/and ([r (in-list readings)])
+    (define size (magnitude (reading-decimal r)))
+    (define e (reading-expression r))
+    (eqv? size (hash-ref! sizes (if (negative? (reading-decimal r)) (e:negate e) e) size))))
 
 ;; e with decimals as they are read
 (define (with-decimals-read e readings)

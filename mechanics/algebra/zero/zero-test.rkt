@@ -112,13 +112,15 @@
             z))))
 
 ;; z : what could not be decided with the decimals as they stand.  As they are read there
-;; may be a proof, and it tells how they were read.  Numbers alone prove nothing.
+;; may be a proof, and it tells how they were read.  Numbers alone prove nothing, nor do
+;; readings that make different decimals one.
 (define (test-as-read e A variables t z)
-  (define-values (read unread) (partition reading-expression (decimals-in t)))
+  (define-values (read unread) (partition reading-expression (read-decimals (decimals-in t))))
   (define exact (with-decimals-read e read))
   (define other
     (and (pair? read)
          (speaks-of-symbols? t)
+         (all-different? read)
          (test-expression exact A variables (expression->tape exact))))
   (if (and other (eq? (zero-test-status other) 'proved))
       (struct-copy zero-test-result other [decimals read])

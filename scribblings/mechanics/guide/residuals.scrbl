@@ -32,6 +32,9 @@ verdict says why.}]
 A verdict never rests on a guess: points can refute, but they never prove. What the words
 mean to the letter is said in @secref["what-proved-means"].
 
+Three times 0.1 is 0.30000000000000004 to a machine, and whether that or 0.3 was meant no
+proof can tell; exact numbers leave no doubt:
+
 @examples[#:eval session #:label #f
 (prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))
 (prove-zero (- (* 1/10 'x 3) (* 3/10 'x)))]

@@ -70,7 +70,8 @@ A decimal such as 1.4142135623730951 may be √2 as far as the machine can tell,
 something else. What holds for any number in its place is proved. If something holds for
 this one only, each decimal is read as the simplest number that it may stand for: a
 fraction, a root, a multiple of π; if this leads to a proof, the verdict says how it was
-read.
+read. Two decimals that you wrote differently are never read as one number, and where there
+are more than two dozen none is read.
 
 @examples[#:eval session #:label #f
 (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))

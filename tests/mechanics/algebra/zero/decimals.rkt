@@ -1,0 +1,50 @@
+#lang racket/base
+;; What decimals are read as, and when they are not read.
+
+(require rackunit
+         mechanics/algebra/expression/expression
+         mechanics/algebra/expression/read
+         mechanics/algebra/zero/decimals
+         mechanics/algebra/zero/zero-test)
+
+(define (read-as x) (let ([e (read-decimal x)]) (and e (expression->datum e))))
+
+(test-case "decimals are fractions, roots, solutions of quadratic equations, multiples of π"
+  (for ([entry (in-list '((0.30000000000000004 3/10) (1.4142135623730951 (sqrt 2)) (-0.5 -1/2)
+                          (6.674e-11 3337/50000000000000)
+                          (1.618033988749895 (* 1/2 (+ 1 (sqrt 5))))))])
+    (check-equal? (read-as (car entry)) (cadr entry)))
+  (check-equal? (read-as 1.41421356) #f)
+  (check-equal? (read-as 1.3579246801) #f)
+  (check-equal? (read-as 1.3579246801000003) #f))
+
+(define (different? . xs) (all-different? (read-decimals xs)))
+
+(test-case "decimals of different size are not one number"
+  (check-false (different? 0.3 0.30000000000000004))
+  (check-false (different? 2.0 1.5 -2.0000000000000004))
+  (check-true (different? 0.3 -0.3 0.1 1.4142135623730951)))
+
+(define (status d) (zero-test-status (zero-test (datum->expression d))))
+
+(test-case "no proof takes decimals that were written differently for one"
+  (check-equal? (status '(- (* 2.0000000000000004 x) (* 2.0 x))) 'undecided)
+  (check-equal? (status '(+ (* 0.1 x) (* -0.10000000000000002 x))) 'undecided)
+  (check-equal? (status '(- (cos (* 0.3 x)) (cos (* 0.30000000000000004 x)))) 'undecided))
+
+(test-case "but a decimal may be the exact number beside it"
+  (check-equal? (status '(- (* 2.0000000000000004 x) (* 2 x))) 'proved)
+  (check-equal? (status '(- (* 0.5 x) (/ x 2))) 'proved)
+  (check-equal? (status '(- (cos (* 1.4142135623730951 x)) (cos (* (sqrt 2) x)))) 'proved))
+
+;; A sum of n terms that vanishes only if each of its decimals is read.
+(define (sum-of n)
+  (cons '+ (for/list ([k (in-range 1 (+ n 1))])
+             `(- (cos (* ,(/ k 128.0) x)) (cos (* ,(/ k 128) x))))))
+
+(test-case "where there are many decimals none is read"
+  (check-equal? (status (sum-of 24)) 'proved)
+  (define z (zero-test (datum->expression (sum-of 25))))
+  (check-equal? (zero-test-status z) 'undecided)
+  (check-equal? (length (zero-test-decimals z)) 25)
+  (check-false (ormap reading-expression (zero-test-decimals z))))
