@@ -159,15 +159,19 @@
        r))
 
 ;; ((base . exponent) ...), bases being numbers and polynomials.  A number that
-;; came from a flonum is split only if nothing is left.
+;; came from a flonum is split only if nothing is left, and if it is no mere scale: without
+;; its 2⁻⁵⁴, 0.6 - 0.2 y would have integers of 16 digits, exact in looks and rounded in truth.
 (define (number-parts x q inexact?)
   (define factors
     (for/list ([f (in-list (number-factors (abs x)))]) (cons (car f) (/ (cdr f) q))))
   (define sign (if (negative? x) (list (cons -1 (/ 1 q))) '()))
   (cond [(eqv? x 1) '()]
-        [(and inexact? (not (andmap (lambda (f) (integer? (cdr f))) factors)))
+        [(and inexact? (or (> (denominator x) most-scale)
+                           (not (andmap (lambda (f) (integer? (cdr f))) factors))))
          (list (cons x (/ 1 q)))]
         [else (append factors sign)]))
+
+(define most-scale (expt 2 20))
 
 ;; Numbers keep a positive exponent below the root, polynomials their sign.
 (define (whole-part part)
