@@ -5,8 +5,7 @@
 ;; of the expression as it is given, and of a simpler one that should agree.
 
 (require "assignment.rkt" "ball-tape.rkt" "existence.rkt" "flonums.rkt" "point-value.rkt"
-         "region.rkt"
-         "../expression/flat-graph.rkt")
+         "region.rkt")
 
 (provide make-question question-e question-residual question-certain?
          integer-try fraction-try
@@ -15,7 +14,8 @@
 
 ;; e, residual : tapes of the expression and of a simpler one of the same value
 ;; value-of : of a tape, real or complex; certain? : are there no flonums in e?
-(struct question (e residual place value-of certain?) #:authentic)
+;; decisive : the leaves on which it depends whether e has a value, as a table
+(struct question (e residual place value-of certain? decisive) #:authentic)
 
 ;; numbers : -> a source of numbers; others : of those for leaves that the residual lacks
 ;; zeros : leaves that are to be 0
@@ -29,7 +29,8 @@
   (define usable? (or complex? (not (contains-complex? residual))))
   (question e (if usable? residual e) place
             (if complex? complex-value tape-value)
-            (not (or complex? (contains-flonum? e)))))
+            (not (or complex? (contains-flonum? e)))
+            (if (eq? e residual) (hash) (decisive-leaves e))))
 
 (define (integer-try k zeros) (try-from integers-from k zeros))
 (define (fraction-try k zeros) (try-from fractions-from k zeros))
@@ -66,17 +67,18 @@
   (define v
     (if (or (symbol? r) (eq? e residual))
         r
-        (value-of e (if (told-by-constant? e residual) numbers other-numbers) p)))
+        (value-of e (naming (question-decisive q) numbers other-numbers) p)))
   (cond [(symbol? v) v]
         [(and (agree? r v) (region-admits? place other-numbers p)) (finding listed r v)]
         [else 'no-value]))
 
-;; A residual that is a number names no point; where e has no value everywhere, that of e is
-;; named.
-(define (told-by-constant? e residual)
-  (and (eqv? 1 (tape-length residual))
-       (number? (vector-ref (tape-items residual) 0))
-       (not (everywhere-defined? e))))
+;; What the residual lacks is named as well if e may have no value for another number in its
+;; place: (y - y)/√x is refuted by no point that does not say what x is.
+(define (naming decisive numbers other-numbers)
+  (if (hash-empty? decisive)
+      other-numbers
+      (lambda (leaf arguments)
+        ((if (hash-ref decisive leaf #f) numbers other-numbers) leaf arguments))))
 
 ;; ---------------------------------------------------------------------------
 ;; What a finding says

@@ -196,4 +196,17 @@
    "[(exact-zero? a) b]"]
   ["(x^m)^n = x^(m + n)" "expression/expression.rkt"
    "(e:expt (car (node-args b)) (* n (cadr (node-args b))))"
-   "(e:expt (car (node-args b)) (+ n (cadr (node-args b))))"])
+   "(e:expt (car (node-args b)) (+ n (cadr (node-args b))))"]
+  ;; decimals, and what witnesses name
+  ["different decimals are read as one number" "zero/decimals.rkt"
+   "(eqv? size (hash-ref! sizes"
+   "(real? (hash-ref! sizes"]
+  ["a witness is silent on what cancels" "zero/existence.rkt"
+   "(if (and decides? (unknown? e)) (hash-set leaves e #t) leaves)"
+   "leaves"]
+  ["a numerator decides whether there is a value, not a denominator" "zero/existence.rkt"
+   "(and (eq? (node-head n) op:/) (eqv? i 0))"
+   "(and (eq? (node-head n) op:/) (eqv? i 1))"]
+  ["the scale of a decimal is taken out of a root" "simplify/radicand.rkt"
+   "(> (denominator x) most-scale)"
+   "#f"])

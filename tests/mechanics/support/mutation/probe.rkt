@@ -6,6 +6,7 @@
          mechanics/algebra/zero/zero-test
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/expression/read
+         (only-in mechanics/algebra/expression/expression expression->datum)
          "../property/property.rkt" "../property/run.rkt")
 
 (provide probe)
@@ -45,6 +46,21 @@
     (/ 1 (expt (+ 1 (sqrt a)) 2))
     (/ c (- (expt x 3) (+ a b 1)))))
 
+;; Neither proved nor refuted.
+(define open
+  '((- (* 2.0000000000000004 x) (* 2.0 x))
+    (- (cos (* 1.4142135623730958 x)) (cos (* (sqrt 2) x)))
+    (- (expt (sqrt (- -1 (* x x))) 2) (- -1 (* x x)))))
+
+;; What their witnesses name.
+(define named
+  '(((+ a (- (log b) (log b))) (a b))
+    ((+ a (/ (- (* 2 x) x x) b)) (a b))))
+
+;; Simplified, these are so.
+(define shown
+  '(((sqrt (* 0.2 (- 3 x))) (sqrt (- 0.6000000000000001 (* 0.2 x))))))
+
 (define (probe)
   (or (for/or ([entry (in-list known)])
         (with-handlers ([exn:fail? exn-message])
@@ -52,10 +68,21 @@
       (for/or ([pair (in-list alike)])
         (same-by-print (datum->expression (car pair)) (datum->expression (cadr pair))))
       (for/or ([d (in-list kept)]) (value-kept (datum->expression d)))
+      (for/or ([d (in-list open)])
+        (unlike d 'undecided (zero-test-status (zero-test (datum->expression d)))))
+      (for/or ([entry (in-list named)])
+        (unlike (car entry) (cadr entry)
+                (map car (zero-test-witness (zero-test (datum->expression (car entry)))))))
+      (for/or ([entry (in-list shown)])
+        (unlike (car entry) (cadr entry)
+                (expression->datum (simplify-expression (datum->expression (car entry))))))
       (for/or ([seed (in-range 1 201)])
         (with-handlers ([exn:fail? exn-message])
           (define failures (run-seed seed #:shrink? #f))
           (and (pair? failures) (failure->string (car failures)))))))
+
+(define (unlike d expected told)
+  (and (not (equal? expected told)) (format "of ~a: ~a" d told)))
 
 (define (wrong entry)
   (define e (datum->expression (cadr entry)))
