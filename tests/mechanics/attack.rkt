@@ -105,6 +105,12 @@
     (check-equal? (proof '(V (+ x x)) '(V x)) 'values-differ)
     (check-false (proof '(V (+ x x)) '(V (* 2 x))))))
 
+(test-case "relations that hold together at few points are not taken for none"
+  (for ([seed (in-range 1 9)])
+    (with-seed seed
+      (check-false (form '(sqrt (square (* y a))) '(* a y)
+                         '((<= (+ y z) 0) (< x 0) (< (- a 1) 0)) '((>= y 0) (>= a 0)))))))
+
 (test-case "right and wrong refutations are told apart"
   (with-seed 1
     (check-false (refutation '(sqrt x) '(- (sqrt x)) '((x . 2))))

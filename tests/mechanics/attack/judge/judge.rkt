@@ -6,7 +6,7 @@
 ;; and that these do not differ at any.  Flonums look first; what they find is confirmed,
 ;; and what they cannot see is sought, with many digits.
 
-(require "boxes.rkt" "evaluate.rkt" "fault.rkt" "fixed.rkt" "flonum.rkt" "interval.rkt"
+(require "boxes.rkt" "climb.rkt" "evaluate.rkt" "fault.rkt" "fixed.rkt" "flonum.rkt" "interval.rkt"
          "point.rkt" "relation.rkt")
 
 (provide judge-proof judge-simplified both-nonzero?)
@@ -40,9 +40,14 @@
   (define all (append sides (relation-sides (append given assumed))))
   (define symbols (apply symbols-of all))
   (define constants (apply constants-of all))
-  (let loop ([k (- (length hints))] [used '()] [in-domain 0])
+  (define (point-of numbers) (make-point numbers 0 decimal))
+  (let loop ([k (- (length hints))] [used '()] [in-domain 0] [start #f])
     (define limit (if (null? used) more-tries tries))
     (cond
+      [(and (= k limit) (null? used) start)
+       (define found (climb start (holding sides given assumed point-of) (length assumed)))
+       (when found (visit found (point-of found)))
+       (survey (if found (list found) '()) in-domain)]
       [(or (= k limit) (= (length used) enough)) (survey used in-domain)]
       [else
        (define numbers
@@ -50,10 +55,17 @@
              (completed (list-ref hints (+ k (length hints))) symbols)
              (random-numbers symbols k constants)))
        (define where (make-point numbers (modulo k 5) decimal))
-       (cond [(not (in-question? sides given where)) (loop (+ k 1) used in-domain)]
-             [(not (all-hold? assumed where flonum-intervals)) (loop (+ k 1) used (+ in-domain 1))]
+       (cond [(not (in-question? sides given where)) (loop (+ k 1) used in-domain start)]
+             [(not (all-hold? assumed where flonum-intervals))
+              (loop (+ k 1) used (+ in-domain 1) numbers)]
              [(visit numbers where) (survey (cons numbers used) (+ in-domain 1))]
-             [else (loop (+ k 1) (cons numbers used) (+ in-domain 1))])])))
+             [else (loop (+ k 1) (cons numbers used) (+ in-domain 1) start)])])))
+
+;; -> numbers -> how many of the assumed relations hold there, #f outside of the question
+(define ((holding sides given assumed point-of) numbers)
+  (define where (point-of numbers))
+  (and (in-question? sides given where)
+       (for/sum ([r (in-list assumed)]) (if (all-hold? (list r) where flonum-intervals) 1 0))))
 
 (define (in-question? sides given where)
   (and (for/and ([e (in-list sides)]) (value? (value-at e where flonum-intervals)))
