@@ -20,8 +20,8 @@
  ["../algebra/simplify/declare.rkt" declare-relations declared-relations without-relations
                                     exn:algebra:contradiction?
                                     exn:algebra:contradiction-because]
- ["../algebra/simplify/simplify-expression.rkt" simplify-expression
-                                                simplify-expression/assumptions]
+ ["../algebra/simplify/needed.rkt" simplify-expression/needed]
+ ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
  ["../algebra/zero/decimals.rkt" too-many-to-read? reading-decimal reading-expression]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations kink-solved?
                              kink-family?]

@@ -106,7 +106,7 @@
 (define (settle-expression e A)
   (cond [(requested? e) e]
         [else
-         (define-values (simple notes) (simplify-expression/assumptions e A))
+         (define-values (simple notes) (simplify-expression/needed e A))
          (note-used! notes)
          (request-form simple notes)]))
 

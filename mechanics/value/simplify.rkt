@@ -23,7 +23,7 @@
   (map-expressions (lambda (e) (simplified e A)) x))
 
 (define (simplified e A)
-  (define-values (simple grounds) (simplify-expression/assumptions e A))
+  (define-values (simple grounds) (simplify-expression/needed e A))
   (note-used! grounds)
   (values simple grounds))
 

@@ -25,7 +25,7 @@
          "../field/bounds.rkt" (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../polynomial/fraction.rkt"
-         "../simplify/simplify-expression.rkt")
+         "../simplify/needed.rkt" "../simplify/simplify-expression.rkt")
 
 (provide zero-test
          zero-test-status zero-test-residual zero-test-witness zero-test-value
@@ -75,7 +75,8 @@
       (make-form-of-finite e A variables)))
 
 (define (make-form-of-finite e A variables)
-  (define-values (F f simple notes) (normal-form+simplified e A))
+  (define-values (F f simple all-notes) (normal-form+simplified e A))
+  (define notes (needed-grounds e (if (fraction-zero? f) 0 simple) A all-notes))
   (cond [(fraction-zero? f) (form 0 1 0 '() notes)]
         [(and (readable? f) (andmap assumption? notes) (holds-sum? simple))
          (define-values (factor core conditions)

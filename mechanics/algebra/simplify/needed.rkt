@@ -1,0 +1,79 @@
+#lang racket/base
+;; Of what was taken for granted on the way, what the result needs.
+;;
+;; √((x + a/b)² + y²) is √(…)/|b| on the way, where the sign of b is taken, and comes out as it
+;; was.  That is right with the other sign of b as well, and what is right with either sign is
+;; so without an assumption on it; of several, with every choice of signs.
+;;
+;; A point with the other sign, at which the result is not what was asked about, tells at once
+;; that the assumption is needed, as of √(r²) = r.  If there is none, the difference of both is
+;; simplified with that sign: it is to be 0.  Of what is large nothing is asked.
+
+(require "declare.rkt" "simplify-expression.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
+         "../assumption/relation.rkt"
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../polynomial/fraction.rkt")
+
+(provide needed-grounds simplify-expression/needed)
+
+;; -> the simplified expression and what it needs, as datums
+(define (simplify-expression/needed e A)
+  (define-values (simple grounds) (simplify-expression/assumptions e A))
+  (values simple (needed-grounds e simple A grounds)))
+
+;; Nodes of what was asked about, and assumptions looked at: each doubles the work.
+(define most-nodes 400)
+(define most-taken 3)
+
+;; simple : what e results in under A and the grounds, datums such as (>= R 0)
+;; -> those of the grounds that it needs
+(define (needed-grounds e simple A grounds)
+  (define declared (map relation-datum (assumptions-relations A)))
+  (define (taken? d) (and (not (eq? (car d) 'left-unexpanded)) (not (member d declared))))
+  (define taken (filter taken? grounds))
+  (if (or (null? taken)
+          (> (length taken) most-taken)
+          (> (tape-length (expression->plain-tape e)) most-nodes))
+      grounds
+      (let ([idle (idle-grounds e simple A taken)])
+        (filter (lambda (d) (not (member d idle))) grounds))))
+
+;; Those that may all be left out.
+(define (idle-grounds e simple A taken)
+  (for/fold ([idle '()]) ([d (in-list taken)])
+    (if (and (not (wrong-beyond? e simple A d taken))
+             (for/and ([signs (in-list (choices idle))])
+               (same-under? e simple A (append (cons (opposite d) signs)
+                                               (remove* (cons d idle) taken)))))
+        (cons d idle)
+        idle)))
+
+;; All lists of the relations or their opposites, one for each.
+(define (choices data)
+  (for/fold ([lists '(())]) ([d (in-list data)])
+    (for*/list ([l (in-list lists)] [c (in-list (list d (opposite d)))]) (cons c l))))
+
+(define (opposite d)
+  (cons (cdr (assq (car d) opposites)) (cdr d)))
+
+(define opposites '((>= . <) (<= . >)))
+
+;; Is there a point where d does not hold, the others do, and the result is wrong?
+(define (wrong-beyond? e simple A d taken)
+  (define others (map read-relation (cons (opposite d) (remove d taken))))
+  (define there
+    (struct-copy assumptions A [relations (append (assumptions-relations A) others)]))
+  (define lookup (find-reference (list e) there))
+  (define-values (x y)
+    (if lookup
+        (values (real-value e lookup) (real-value simple lookup))
+        (values #f #f)))
+  (and x y (> (abs (- x y)) (* 1e-9 (+ 1.0 (abs x))))))
+
+;; Nothing is taken for granted here; what cannot hold says nothing.
+(define (same-under? e simple A data)
+  (with-handlers ([exn:algebra:contradiction? (lambda (x) #t)])
+    (define-values (F f grounds)
+      (normal-form (e:- e simple) (declare-relations (with-automatic-assumptions A #f) data)))
+    (fraction-zero? f)))
