@@ -82,7 +82,7 @@
  ;; verdicts
  prove-zero verify-equal
  verdict? verdict-status verdict-residual verdict-witness verdict-value
- verdict-assumptions verdict-conditions verdict-factored verdict-kinks
+ verdict-assumptions verdict-conditions verdict-alternatives verdict-factored verdict-kinks
  verdict-readings verdict-reason verdict-remarks proved? refuted? undecided?
  ;; failures
  exn:fail:mechanics exn:fail:mechanics?

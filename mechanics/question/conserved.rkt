@@ -14,7 +14,7 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "remarks.rkt"
+(require "meaning.rkt" "remarks.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
@@ -39,7 +39,8 @@
     (survey-derivatives (lambda () ((rate 'verify-conserved L Q force) state)) (scalars state)))
   (define v (prove-zero change #:variables (scalars local)
                         #:surveys (list (survey-of-values (Q state)) survey)
-                        #:remarks (lambda () (remarks-on-quantity Q state))))
+                        #:remarks (lambda () (remarks-on-quantity Q state))
+                        #:meaning (lambda () (meaning-of-quantity L Q state force))))
   (when (refuted? v) (check-accelerations L force state))
   v)
 

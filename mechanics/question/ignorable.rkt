@@ -3,6 +3,7 @@
 ;; momenta ∂₂L that belong to them are conserved (SICM 1.8, p. 79).
 
 (require racket/list
+         "meaning.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
@@ -27,7 +28,8 @@
     (survey-derivatives
      (lambda () ((by-coordinate (scalar-valued who L)) ((clip-state 3) local)))
      (scalars local)))
-  (prove-zero slope #:variables (scalars local) #:surveys (list survey)))
+  (prove-zero slope #:variables (scalars local) #:surveys (list survey)
+              #:meaning (lambda () (meaning-of-Lagrangian L ((clip-state 3) local)))))
 
 ;; The symbols of all coordinates for which that is proved.
 (define (ignorable-coordinates L local)

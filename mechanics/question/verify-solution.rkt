@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
-(require "remarks.rkt" "surveys.rkt"
+(require "meaning.rkt" "remarks.rkt" "surveys.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
@@ -29,7 +29,8 @@
             [else ((Lagrange-equations L #:force outside #:order n) q)]))
     (prove-zero residual
                 #:remarks (lambda () (remarks-on-solution L q n))
-                #:surveys (lambda () (surveys-of-solution L q n outside constraints residual)))))
+                #:surveys (lambda () (surveys-of-solution L q n outside constraints residual))
+                #:meaning (lambda () (meaning-of-solution L q n outside)))))
 
 (define (check-constrained n constraints)
   (unless constraints

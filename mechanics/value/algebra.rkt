@@ -22,12 +22,15 @@
                                     exn:algebra:contradiction-because]
  ["../algebra/simplify/needed.rkt" simplify-expression/needed]
  ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
+ ["../algebra/zero/alternatives.rkt" same-equations? symbol-alone?]
  ["../algebra/zero/decimals.rkt" too-many-to-read? reading-decimal reading-expression]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations kink-solved?
                              kink-family?]
+ ["../algebra/zero/meaning.rkt" make-meaning meaning-values meaning-matrix meaning-moving
+                                meaning-variables meaningful? independent-equations]
  ["../algebra/zero/vanishing.rkt" vanishes?]
  ["../algebra/zero/zero-test.rkt"
   zero-test zero-test-status zero-test-residual zero-test-witness zero-test-value
   zero-test-bound zero-test-points zero-test-reason zero-test-decimals
   zero-test-factor zero-test-core
-  zero-test-conditions zero-test-assumptions zero-test-left-unexpanded])
+  zero-test-conditions zero-test-ways zero-test-assumptions zero-test-left-unexpanded])

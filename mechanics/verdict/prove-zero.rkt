@@ -6,7 +6,7 @@
 
 (require racket/list
          racket/promise
-         "fresh-name.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt"
+         "fresh-name.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt" "ways.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/words.rkt"
@@ -25,8 +25,10 @@
 ;; surveys : what was met by the derivatives x was made with; if that leaves places where
 ;; they do not tell, x is not proved.  A procedure that gives the list is called if needed.
 ;; remarks : -> strings, on what the verdict does not say
+;; meaning : #f, or a procedure that gives the meaning that the question has to keep under
+;; the conditions that are told (ways.rkt)
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
-                    #:remarks [remarks (lambda () '())])
+                    #:remarks [remarks (lambda () '())] #:meaning [meaning #f])
   (check-variables names)
   (define A (assumptions-in-force))
   (define tests '())
@@ -36,11 +38,26 @@
   (define residual
     (map-leaves (lambda (leaf)
                   (define z (judge leaf A (hash-keys variables) kinks))
-                  (set! tests (cons z tests))
+                  (set! tests (cons (cons leaf z) tests))
                   (zero-test-residual z))
                 (at-symbolic-arguments x '() variables (lambda () (set! endless? #t)))))
-  (for ([z (in-list tests)]) (note-used! (zero-test-assumptions z)))
-  (make-verdict residual (reverse tests) (assumptions 'declared) endless? kinks remarks))
+  (for ([t (in-list tests)]) (note-used! (zero-test-assumptions (cdr t))))
+  (define-values (ways all) (ways-told (reverse tests) meaning A))
+  (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks remarks
+                ways all))
+
+;; tests : ((expression . test) ...); find-meaning : #f or -> meaning, called if needed
+;; -> for each the ways to make it zero, and those for all of them
+(define (ways-told tests find-meaning A)
+  (define (open? t) (not (eq? (zero-test-status (cdr t)) 'proved)))
+  (define any? (for/or ([t (in-list tests)]) (and (open? t) (pair? (zero-test-ways (cdr t))))))
+  (define given (and any? find-meaning (find-meaning)))
+  (define ways
+    (for/list ([t (in-list tests)])
+      (if (and any? (open? t)) (sensible-ways (cdr t) (car t) given A) '())))
+  (values ways
+          (ways-for-all (for/list ([w (in-list ways)] [t (in-list tests)] #:when (open? t)) w)
+                        given A)))
 
 ;; -> the kinks of all surveys, and what it rests on that there are not more
 (define (kinks-of surveys A)

@@ -17,25 +17,42 @@
 ;; labels : what the scalars are called; none for one that stands alone.
 ;; given : the assumptions that were declared.  used : those it rests on, declared or not.
 ;; kinks : places of which derivatives do not tell.
-(define (verdict-report status tests labels given used kinks)
+;; ways : of each scalar the lists of equations that make it zero; alternatives : those that
+;; make all of them zero
+(define (verdict-report status tests labels given used kinks ways alternatives)
   (define open (for/list ([z (in-list tests)]
                           [label (in-list (if (null? labels) '(#f) labels))]
+                          [w (in-list ways)]
                           #:unless (eq? (zero-test-status z) 'proved))
-                 (cons label z)))
-  (define shared (shared-conditions open))
+                 (scalar label z w)))
   (append
    (list (list 0 (headline status (and (null? open) (pair? kinks))) #f))
-   (if (null? labels)
-       (append-map (lambda (entry) (evidence (cdr entry) 1 #t)) open)
-       (append-map (lambda (entry)
-                     (cons (list 1 (car entry) #f) (evidence (cdr entry) 2 (null? shared))))
-                   open))
-   (if (and (pair? shared) (pair? labels))
-       (list (list 1 "zero if:" (equations shared)))
-       '())
+   (append-map (lambda (s) (scalar-report s alternatives)) open)
+   (if (null? labels) '() (ways-for-all open alternatives))
    (kink-lines kinks)
    (map reading-line (readings tests))
    (grounds used given)))
+
+;; One that is not proved zero: what it is called, or #f; its test; the ways to make it zero.
+(struct scalar (label test ways))
+
+;; What makes all zero is told of all.
+(define (scalar-report s alternatives)
+  (define label (scalar-label s))
+  (cond [label
+         (cons (list 1 label #f)
+               (evidence (scalar-test s) 2 (remove* alternatives (scalar-ways s))))]
+        [else (evidence (scalar-test s) 1 (scalar-ways s))]))
+
+(define (ways-to-vanish depth ways [first-label "zero if:"])
+  (for/list ([way (in-list ways)] [i (in-naturals)])
+    (list depth (if (eqv? i 0) first-label "or if:") (equations way))))
+
+;; What each scalar alone is zero with may have been told of it before.
+(define (ways-for-all scalars alternatives)
+  (define shared?
+    (for*/and ([way (in-list alternatives)] [s (in-list scalars)]) (member way (scalar-ways s))))
+  (ways-to-vanish 1 alternatives (if shared? "zero if:" "all zero if:")))
 
 ;; How decimals were read for the proofs that rest on it.
 (define (readings tests)
@@ -73,24 +90,14 @@
                `(,(short-datum (kink-expression k)) ,(if (kink-solved? k) "at" "where") ,@where
                  ,@(if (kink-family? k) '("for integers" n) '()))])))
 
-;; The conditions that all components that are not zero have in common, if they have
-;; the same.
-(define (shared-conditions open)
-  (define conditions (map (lambda (entry) (zero-test-conditions (cdr entry))) open))
-  (if (and (pair? conditions) (null? (cdr (remove-duplicates conditions))))
-      (car conditions)
-      '()))
-
-(define (evidence z depth with-conditions?)
+(define (evidence z depth ways)
   (define (line label . content) (list (list depth label content)))
   (append
    (line "residual:" (short-datum (zero-test-residual z)))
    (for/list ([d (in-list (zero-test-left-unexpanded z))])
      (list depth "left unexpanded:" (list (datum->brief-text d))))
    (factors z line)
-   (if (and with-conditions? (pair? (zero-test-conditions z)))
-       (list (list depth "zero if:" (equations (zero-test-conditions z))))
-       '())
+   (ways-to-vanish depth ways)
    (cond [(not-a-number? (zero-test-residual z)) (line "evidence:" "it is not a number")]
          [(eq? (zero-test-status z) 'refuted) (witness z line)]
          [else (append (bound z line) (decimals-in-the-way z line))])))

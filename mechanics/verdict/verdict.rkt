@@ -12,7 +12,8 @@
 (provide make-verdict verdict?
          verdict-status proved? refuted? undecided?
          verdict-residual verdict-witness verdict-value
-         verdict-assumptions verdict-conditions verdict-factored verdict-kinks
+         verdict-assumptions verdict-conditions verdict-alternatives verdict-factored
+         verdict-kinks
          verdict-readings verdict-reason verdict-remarks
          verdict-lines kinks->text)
 
@@ -23,14 +24,17 @@
 ;; kinks-found : places of which derivatives do not tell (algebra/zero/kink.rkt)
 ;; grounds     : datums of assumptions on which it rests that there are not more
 ;; remarks     : strings: what the question itself makes of the answer
-(value-struct verdict (status residual tests given endless? kinks-found grounds remarks)
+;; ways        : for each scalar the lists of equations that make it zero
+;; alternatives : those that make all of it zero
+(value-struct verdict
+              (status residual tests given endless? kinks-found grounds remarks ways alternatives)
   #:text (lambda (v) (report->text (verdict-lines v))))
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
 ;; kinks-found : promise of kinks and grounds, asked for unless the verdict is a refutation
 ;; find-remarks : -> strings; called unless it is undecided
-(define (make-verdict residual tests given endless? kinks-found find-remarks)
+(define (make-verdict residual tests given endless? kinks-found find-remarks ways alternatives)
   (define statuses (map zero-test-status tests))
   (define refuted? (memq 'refuted statuses))
   (define-values (kinks grounds) (if refuted? (values '() '()) (force kinks-found)))
@@ -39,7 +43,7 @@
           [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
           [else 'proved]))
   (define remarks (if (eq? status 'undecided) '() (find-remarks)))
-  (verdict status residual tests given endless? kinks grounds remarks))
+  (verdict status residual tests given endless? kinks grounds remarks ways alternatives))
 
 ;; A procedure of a verdict: what else it is given is complained of in its own name.
 (define-syntax-rule (define-of-verdict (name v) body ...)
@@ -71,9 +75,10 @@
   (remove-duplicates
    (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
 
-;; Equations, each of which makes a scalar of the residual vanish.
+;; The equations of the first way to make each scalar of the residual zero.
 (define-of-verdict (verdict-conditions v)
-  (remove-duplicates (append-map zero-test-conditions (verdict-tests v))))
+  (remove-duplicates
+   (append* (for/list ([ways (in-list (verdict-ways v))] #:when (pair? ways)) (car ways)))))
 
 ;; ((factor . core) ...) of the scalars that are not zero.
 (define-of-verdict (verdict-factored v)
@@ -111,7 +116,8 @@
 (define-of-verdict (verdict-lines v)
   (append
    (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))
-                   (verdict-given v) (verdict-assumptions v) (verdict-kinks-found v))
+                   (verdict-given v) (verdict-assumptions v) (verdict-kinks-found v)
+                   (verdict-ways v) (verdict-alternatives v))
    (for/list ([r (in-list (verdict-remarks v))]) (list 1 "note:" (list r)))
    (if (verdict-endless? v)
        (list (list 1 "examined:" (list (format "terms up to order ~a of a series that does not end"

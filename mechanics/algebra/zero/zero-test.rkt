@@ -14,8 +14,9 @@
 ;; none be found, the test is undecided, with a bound of 0 at those points.  The
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
-(require racket/list
-         "condition.rkt" "decimals.rkt" "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt"
+(require racket/list racket/promise
+         "alternatives.rkt" "condition.rkt" "decimals.rkt" "equation.rkt"
+         "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt"
          "region.rkt" "witness.rkt"
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../assumption/relation.rkt"
@@ -31,7 +32,7 @@
          zero-test-status zero-test-residual zero-test-witness zero-test-value
          zero-test-bound zero-test-points zero-test-reason zero-test-decimals
          zero-test-factor zero-test-core
-         zero-test-conditions zero-test-assumptions zero-test-left-unexpanded)
+         zero-test-conditions zero-test-ways zero-test-assumptions zero-test-left-unexpanded)
 
 ;; status : 'proved, 'refuted or 'undecided
 ;; witness : #f or ((expression . number) ...)  value : the residual's there
@@ -48,14 +49,16 @@
 
 ;; residual : expression, simplified             factor, core : residual = factor · core
 ;; conditions : equations, as data, for which core = 0
+;; ways : promise of lists of equations, each of which makes the residual 0
 ;; notes : datums, such as (>= R 0) for what the residual rests on and
 ;; (left-unexpanded e) for what would have grown too large
-(struct form (residual factor core conditions notes) #:authentic)
+(struct form (residual factor core conditions ways notes) #:authentic)
 
 (define (zero-test-residual z) (form-residual (settled-form z)))
 (define (zero-test-factor z) (form-factor (settled-form z)))
 (define (zero-test-core z) (form-core (settled-form z)))
 (define (zero-test-conditions z) (form-conditions (settled-form z)))
+(define (zero-test-ways z) (force (form-ways (settled-form z))))
 (define (zero-test-assumptions z) (filter assumption? (form-notes (settled-form z))))
 (define (zero-test-left-unexpanded z)
   (for/list ([note (in-list (form-notes (settled-form z)))] #:unless (assumption? note))
@@ -71,18 +74,30 @@
 
 (define (make-form e A variables)
   (if (and (number? e) (not (rational? (magnitude e))))
-      (form e 1 e '() '())
+      (form e 1 e '() '() '())
       (make-form-of-finite e A variables)))
 
 (define (make-form-of-finite e A variables)
   (define-values (F f simple all-notes) (normal-form+simplified e A))
   (define notes (needed-grounds e (if (fraction-zero? f) 0 simple) A all-notes))
-  (cond [(fraction-zero? f) (form 0 1 0 '() notes)]
-        [(and (readable? f) (andmap assumption? notes) (holds-sum? simple))
+  (cond [(fraction-zero? f) (form 0 1 0 '() '() notes)]
+        [(and (readable? f) (andmap assumption? notes))
+         (define (may-be-0? p) (may-vanish? A F p))
          (define-values (factor core conditions)
-           (factor-and-core F f variables (lambda (p) (may-vanish? A F p))))
-         (form simple factor core conditions notes)]
-        [else (form simple 1 simple '() notes)]))
+           (if (holds-sum? simple)
+               (factor-and-core F f variables may-be-0?)
+               (values 1 simple '())))
+         (form simple factor core conditions
+               (delay (with-first conditions
+                        (ways-to-vanish F f (lambda (e) (constant-expression? e variables))
+                                        may-be-0?)))
+               notes)]
+        [else (form simple 1 simple '() '() notes)]))
+
+(define (with-first way ways)
+  (if (null? way)
+      ways
+      (cons way (remove way ways same-equations?))))
 
 ;; Has a product or quotient a sum among its factors?  Else, as in -5 b sin 3t, there
 ;; is no core.
@@ -177,7 +192,7 @@
   (define grounds (prove-vanishing t A))
   (and grounds
        (hold-at-reference? (taken-relations A grounds) t A)
-       (vanishing-test t (form 0 1 0 '() grounds) A)))
+       (vanishing-test t (form 0 1 0 '() '() grounds) A)))
 
 (define (hold-at-reference? relations t A)
   (or (null? relations)

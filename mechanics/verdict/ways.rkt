@@ -1,0 +1,42 @@
+#lang racket/base
+;; The choices of parameters that a verdict tells: for each scalar of a residual, and for all.
+;;
+;; One is told if the question keeps its meaning.  That a single symbol is zero is told only
+;; where it is known what the question is about: of a residual alone nobody knows which of
+;; its symbols are masses.
+
+(require racket/list
+         "../value/algebra.rkt")
+
+(provide sensible-ways ways-for-all)
+
+;; z : test of the expression e; given : #f or what the question is about; A : assumptions
+;; -> lists of equations, each of which makes e zero
+(define (sensible-ways z e given A)
+  (define m
+    (if given
+        (make-meaning (cons e (meaning-values given)) (meaning-matrix given)
+                      (meaning-moving given) (meaning-variables given))
+        (make-meaning (list e) '() '() '())))
+  (define (known? way) (or given (not (ormap symbol-alone? way))))
+  (filter (lambda (way) (and (known? way) (meaningful? m way A))) (zero-test-ways z)))
+
+;; ways : those of each scalar that is not zero
+;; -> those that make all of them zero: what they share, or else the first ones together
+(define (ways-for-all ways given A)
+  (define shared
+    (for/list ([way (in-list (if (null? ways) '() (car ways)))]
+               #:when (for/and ([others (in-list ways)])
+                        (memf (lambda (w) (same-equations? w way)) others)))
+      way))
+  (cond [(pair? shared) shared]
+        [(and (pair? ways) (andmap pair? ways))
+         (define together (independent-equations (append-map car ways)))
+         (if (and together
+                  (<= (length together) most-equations)
+                  (meaningful? (or given (make-meaning '() '() '() '())) together A))
+             (list together)
+             '())]
+        [else '()]))
+
+(define most-equations 4)
