@@ -3,7 +3,7 @@
 ;; momenta ∂₂L that belong to them are conserved (SICM 1.8, p. 79).
 
 (require racket/list
-         "meaning.rkt"
+         "what-is-asked.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"

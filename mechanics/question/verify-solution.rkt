@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
-(require "meaning.rkt" "remarks.rkt" "surveys.rkt"
+(require "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"

@@ -9,7 +9,7 @@
 ;; An equation that cannot be solved for anything is taken to be harmless.
 
 (require racket/list
-         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
+         "../assumption/reference.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/read.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
@@ -90,21 +90,19 @@
 
 ;; A factor of left to the first power, by the others; else a power by its root.
 (define (solved-for left right)
-  (define factors (if (head? left op:*) (node-args left) (list left)))
+  (define factors (if (headed? left op:*) (node-args left) (list left)))
   (define (free? e)
     (and (not (number? e))
          (not (ormap (lambda (o) (shares? e o)) (cons right (remq e factors))))))
   (define (others e) (for/fold ([p 1]) ([f (in-list (remq e factors))]) (e:* p f)))
   (define s (findf (lambda (e) (and (symbol? e) (free? e))) factors))
-  (define power (findf (lambda (e) (and (head? e op:expt) (free? e))) factors))
+  (define power (findf (lambda (e) (and (headed? e op:expt) (free? e))) factors))
   (cond [s (cons s (e:/ right (others s)))]
         [power
          (cons (car (node-args power))
                (e:expt (e:/ right (others power)) (e:/ 1 (cadr (node-args power)))))]
         [(and (eqv? right 0) (node? left)) (cons left 0)]
         [else #f]))
-
-(define (head? e head) (and (node? e) (eq? (node-head e) head)))
 
 (define (shares? a b)
   (for/or ([s (in-list (symbols-in a))]) (occurs? s b)))
@@ -133,7 +131,8 @@
     (for/list ([row (in-list matrix)]) (for/list ([e (in-list row)]) (real-value e lookup))))
   (define size (for*/fold ([s 0]) ([row (in-list rows)] [x (in-list row)]) (max s (abs x))))
   (let loop ([rows rows] [rank 0])
-    (define pivot-row (and (pair? rows) (pair? (car rows)) (argmax (lambda (r) (abs (car r))) rows)))
+    (define pivot-row
+      (and (pair? rows) (pair? (car rows)) (argmax (lambda (r) (abs (car r))) rows)))
     (cond [(not pivot-row) rank]
           [(<= (abs (car pivot-row)) (* 1e-9 size)) (loop (map cdr rows) rank)]
           [else

@@ -98,6 +98,16 @@ Do what the condition says, and ask again:
 @examples[#:eval session #:label #f
 (verify-solution (L-harmonic 'm (* 'm (square 'omega))) proposed)]
 
+A product is zero with any of its factors. A verdict about a system tells every choice of
+parameters that leaves the question a meaning. That the mass or the amplitude be zero is not
+among them:
+
+@examples[#:eval session #:label #f
+(define (momentum local) (* 'm (velocity local)))
+(define ((L-rotating m Omega) (up t r rdot))
+  (* 1/2 m (+ (square rdot) (square (* r Omega)))))
+(verify-conserved (L-rotating 'm 'Omega) momentum (up 't 'r 'rdot))]
+
 @section{Several components}
 
 The residual of a path in several dimensions is a structure. It is proved when

@@ -86,6 +86,24 @@ it; a symbol has all its digits, and so has @racket[':pi], which is π:
 (verify-solution (L-harmonic 1 'k) (lambda (t) (cos (* (sqrt 'k) t))))
 (verify-solution (L-harmonic 1 (square ':2pi)) (lambda (t) (cos (* ':2pi t))))]
 
+@section{Refuted, but zero if}
+
+A refutation tells under which conditions the residual would be zero. Each is tried in the
+question: the Lagrangian, the path, or the quantity must keep a value, the mass matrix its
+rank, the path must not stand still nor the quantity become a constant. What is not zero by
+declaration is not told.
+
+@examples[#:eval session #:label #f
+(define ((L-Foucault m k Omega beta) (up t (up x y) (up vx vy)))
+  (+ (* 1/2 m (+ (square vx) (square vy)))
+     (* m Omega (sin beta) (- (* x vy) (* y vx)))
+     (* -1/2 k (+ (square x) (square y)))))
+(define (angular-momentum (up t (up x y) (up vx vy))) (- (* x vy) (* y vx)))
+(define plane (up 't (up 'x 'y) (up 'vx 'vy)))
+(verify-conserved (L-Foucault 'm 'k 'Omega 'beta) angular-momentum plane)
+(define (swing t) (* 'a (cos (* 'w t)) (up (cos (* 'p t)) (sin (* 'p t)))))
+(verdict-alternatives (verify-solution (L-Foucault 'm 'k 'Omega 'beta) swing))]
+
 @section{Undecided, and why}
 
 @racket[verdict-reason] names the reason: @racket['decimals] that stand in the way;

@@ -109,7 +109,7 @@ an expression and a number, and the value there. The pairs can be given to
 @defproc[(verdict-conditions [v verdict?]) list?]{
 
 Equations between parameters, as lists @racket[(= left right)], for which the scalars of
-the residual vanish. There are none where no short equation would do, and none that
+the residual vanish: of each scalar the first of the ways that are printed. There are none where no short equation would do, and none that
 speak of the arguments of a function: a residual that varies with the time has to
 vanish at all times, for which several equations may be needed.
 
@@ -121,6 +121,27 @@ vanish at all times, for which several equations may be needed.
  (verify-solution (L-damped 'm 'k)
                   (lambda (t) (* (exp (* -1 'gamma t)) (cos (* 'omega t))))
                   #:force (lambda (local) (* -1 'b (velocity local)))))]}
+
+@defproc[(verdict-alternatives [v verdict?]) (listof list?)]{
+
+Every choice of parameters that is known to make all of the residual zero: each a list of
+equations that hold together. Of a product any factor will do. No choice is told with which
+the question would lose its meaning: a mass is not zero, nor what the path is divided by, and
+a path still moves. That a single symbol is zero is told by verdicts about a system, as of
+@racket[verify-solution] and @racket[verify-conserved]; of a residual alone nobody knows
+which symbols are masses.
+
+@examples[#:eval session
+(define ((L-rotating m Omega) (up t (up r phi) (up rdot phidot)))
+  (* 1/2 m (+ (square rdot) (square (* r (+ phidot Omega))))))
+(define w
+  (verify-conserved (L-rotating 'm 'Omega)
+                    (lambda (local)
+                      (* (square (ref (coordinate local) 0)) (ref (velocity local) 1)))
+                    (up 't (up 'r 'phi) (up 'rdot 'phidot))))
+w
+(verdict-alternatives w)
+(verdict-alternatives (prove-zero (* 'c (- 'k 'm) (- 'a 'b))))]}
 
 @defproc[(verdict-factored [v verdict?]) (listof pair?)]{
 

@@ -7,7 +7,6 @@
          "../calculus/derivative.rkt"
          "../error/refusal.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
-         "../lagrangian/total-derivative.rkt"
          "../value/algebra.rkt" "../value/shape.rkt")
 
 (provide meaning-of-solution meaning-of-quantity meaning-of-Lagrangian)
