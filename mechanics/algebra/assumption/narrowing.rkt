@@ -10,7 +10,7 @@
 (require "assumption-set.rkt" "range.rkt" "signs.rkt"
          "../expression/simplifier.rkt")
 
-(provide add-relations (struct-out exn:algebra:contradiction))
+(provide add-relations raise-contradiction (struct-out exn:algebra:contradiction))
 
 ;; The relations with these datums cannot all hold.
 (struct exn:algebra:contradiction exn:fail (because))
@@ -34,6 +34,9 @@
     (define next (for/fold ([table table]) ([r (in-list relations)]) (impose table r)))
     (if (equal? next table) (with-table table) (loop next))))
 
+(define (raise-contradiction because)
+  (raise (exn:algebra:contradiction "contradiction" (current-continuation-marks) because)))
+
 (define (key-of terms)
   (define-values (key c) (normalized terms))
   key)
@@ -42,8 +45,7 @@
 (define (narrow A s e k)
   (define now (meet (meet (infer-signs A s e) (by-range e)) k))
   (when (eqv? 0 (known-signs now))
-    (raise (exn:algebra:contradiction "contradiction" (current-continuation-marks)
-                                      (known-because now))))
+    (raise-contradiction (known-because now)))
   (if (number? e)
       (assumptions-table A)
       (narrow-parts A s e now)))

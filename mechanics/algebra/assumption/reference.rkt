@@ -15,7 +15,7 @@
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt")
 
-(provide find-reference reference-sign holds-at? real-value)
+(provide find-reference reference-sign holds-at? real-value leaves-of concerning)
 
 ;; expressions : those of the question; A : assumptions
 ;; value? : lookup -> does the question have a value there?

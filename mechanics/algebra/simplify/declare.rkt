@@ -6,7 +6,8 @@
 ;; else in the new set are added in that form too.
 
 (require "question.rkt" "simplify-expression.rkt" "workspace.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/narrowing.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/emptiness.rkt"
+         "../assumption/narrowing.rkt"
          "../assumption/relation.rkt")
 
 (provide declare-relations declared-relations without-relations
@@ -20,6 +21,8 @@
     (for/list ([d (in-list data)])
       (simplified (read-relation d (rejection d)) no-assumptions)))
   (define extended (add A new))
+  (define impossible (impossible-among (assumptions-relations extended) new))
+  (when impossible (raise-contradiction impossible))
   (add extended
        (for*/list ([r (in-list (assumptions-relations extended))]
                    [s (in-value (simplified r extended))]

@@ -1,0 +1,48 @@
+#lang racket/base
+;; Intervals hold the values of functions within them.
+
+(require rackunit
+         racket/math
+         mechanics/algebra/assumption/interval
+         mechanics/algebra/assumption/polynomial-range
+         mechanics/algebra/assumption/range
+         mechanics/algebra/expression/read)
+
+(define (ends r) (list (interval-low r) (interval-high r)))
+(define (of name low high) (ends (interval-of-operation name (interval low high))))
+
+(define (inside? y r)
+  (define slack (* 1e-12 (+ 1 (abs y))))
+  (and (<= (interval-low r) (+ y slack)) (<= (- y slack) (interval-high r))))
+
+(test-case "exact ends stay exact"
+  (check-equal? (of 'exp 0 +inf.0) '(1 +inf.0))
+  (check-equal? (of 'log 1 +inf.0) '(0 +inf.0))
+  (check-equal? (of 'sqrt 1/4 4) '(1/2 2))
+  (check-equal? (car (of 'sin 0 1)) 0))
+
+(test-case "a sine reaches 1 where it does"
+  (check-equal? (cadr (of 'sin 1 2)) 1)
+  (check-true (< (cadr (of 'sin 2 3)) 91/100))
+  (check-equal? (of 'cos -1000 0) '(-1 1))
+  (check-equal? (of 'sin 0 +inf.0) '(-1 1)))
+
+(test-case "values at random points are inside"
+  (define functions (hasheq 'exp exp 'sqrt sqrt 'log log 'sinh sinh 'tanh tanh 'atan atan
+                            'cosh cosh 'sin sin 'cos cos))
+  (parameterize ([current-pseudo-random-generator (make-pseudo-random-generator)])
+    (random-seed 11)
+    (for* ([(name f) (in-hash functions)] [_ (in-range 500)])
+      (define a (/ (- (random 400) (if (memq name '(sqrt log)) 0 200)) (+ 1 (random 90))))
+      (define b (+ a (/ (random 300) (+ 1 (random 90)))))
+      (define x (+ a (* (random) (- b a))))
+      (when (or (> x 0) (not (memq name '(sqrt log))))
+        (check-true (inside? (f x) (interval-of-operation name (interval a b)))
+                    (format "~a on ~a ~a at ~a" name a b x))))))
+
+(test-case "a polynomial in one unknown knows that its terms are of one number"
+  (define e (datum->expression '(+ (square x) (* -2 x) 2)))
+  (define (places leaf) (interval 2 +inf.0))
+  (check-equal? (ends (polynomial-range e places)) '(2 +inf.0))
+  (check-equal? (ends (range-over e places)) '(-inf.0 +inf.0))
+  (check-false (polynomial-range (datum->expression '(+ x y)) places)))
