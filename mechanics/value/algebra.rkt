@@ -7,6 +7,7 @@
 (require "../generic/on-demand.rkt")
 
 (provide-on-demand
+ ["../algebra/assumption/reference.rkt" at-common-reference]
  ["../algebra/linear/characteristic.rkt" characteristic-coefficients characteristic-determinant
                                          adjugate-times]
  ["../algebra/linear/elimination.rkt" eliminated-determinant eliminated-solutions

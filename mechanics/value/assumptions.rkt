@@ -15,7 +15,7 @@
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions
          ;; for those who call the algebra
-         assumptions-in-force note-used! undeclared)
+         assumptions-in-force common-assumptions note-used! undeclared)
 
 ;; ---------------------------------------------------------------------------
 ;; The state
@@ -31,6 +31,15 @@
 
 (define (assumptions-in-force)
   (with-automatic-assumptions (current-declared) (automatic-assumptions)))
+
+;; A for the scalars of x, which take open signs at one point.
+(define (common-assumptions A x)
+  (define found '())
+  (map-leaves (lambda (leaf)
+                (when (node? leaf) (set! found (cons leaf found)))
+                leaf)
+              x)
+  (if (or (null? found) (null? (cdr found))) A (at-common-reference A (reverse found))))
 
 ;; More than these are not remembered.
 (define used-limit 1000)
@@ -99,9 +108,10 @@
 
 ;; A series is asked for its terms later, so the set is not read again.
 (define (settle x A)
-  (if (list? x)
-      (map (lambda (e) (settle e A)) x)
-      (map-leaves (lambda (e) (if (symbolic? e) (settle-expression e A) e)) x)))
+  (cond [(list? x) (map (lambda (e) (settle e A)) x)]
+        [else
+         (define B (common-assumptions A x))
+         (map-leaves (lambda (e) (if (symbolic? e) (settle-expression e B) e)) x)]))
 
 (define (settle-expression e A)
   (cond [(requested? e) e]

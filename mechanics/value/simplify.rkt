@@ -20,7 +20,8 @@
 ;; The simplified value, and what that assumed without being declared.
 (define (simplify/assumptions x)
   (define A (assumptions-in-force))
-  (map-expressions (lambda (e) (simplified e A)) x))
+  (define B (common-assumptions A x))
+  (map-expressions (lambda (e) (simplified e B)) x))
 
 (define (simplified e A)
   (define-values (simple grounds) (simplify-expression/needed e A))
@@ -30,7 +31,7 @@
 ;; The value as a result is shown, and what getting there assumed: simplified,
 ;; but for scalars in a form that was asked for.
 (define (as-shown x)
-  (define A (assumptions-in-force))
+  (define A (common-assumptions (assumptions-in-force) x))
   (map-expressions (lambda (e)
                      (if (requested? e)
                          (values e (requested-assumptions e))

@@ -30,17 +30,19 @@
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
                     #:remarks [remarks (lambda () '())] #:meaning [meaning #f])
   (check-variables names)
-  (define A (assumptions-in-force))
   (define tests '())
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
-  (define kinks (delay (kinks-of (if (procedure? surveys) (surveys) surveys) A)))
+  (define judged (at-symbolic-arguments x '() variables (lambda () (set! endless? #t))))
+  (define A (common-assumptions (assumptions-in-force) judged))
+  (define kinks
+    (delay (kinks-of (if (procedure? surveys) (surveys) surveys) (assumptions-in-force))))
   (define residual
     (map-leaves (lambda (leaf)
                   (define z (judge leaf A (hash-keys variables) kinks))
                   (set! tests (cons (cons leaf z) tests))
                   (zero-test-residual z))
-                (at-symbolic-arguments x '() variables (lambda () (set! endless? #t)))))
+                judged))
   (for ([t (in-list tests)]) (note-used! (zero-test-assumptions (cdr t))))
   (define-values (ways all) (ways-told (reverse tests) meaning A))
   (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks remarks

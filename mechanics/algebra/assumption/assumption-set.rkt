@@ -16,7 +16,7 @@
 
 (provide
  ;; sets
- no-assumptions (struct-out assumptions) with-automatic-assumptions
+ no-assumptions (struct-out assumptions) with-automatic-assumptions with-reference
  (struct-out relation)
  ;; what is known
  (struct-out known) unknown single?
@@ -33,12 +33,15 @@
 ;; relations : in the order of declaration    table : normalized terms -> known
 ;; sums : keys of the table that have several terms, from relations
 ;; automatic? : may simplification assume more by itself?
-(struct assumptions (relations table sums automatic?) #:authentic)
+;; reference : #f, or a promise of the point at which it does so (reference.rkt), or of #f
+(struct assumptions (relations table sums automatic? reference) #:authentic)
 
-(define no-assumptions (assumptions '() (hash) '() #t))
+(define no-assumptions (assumptions '() (hash) '() #t #f))
 
 (define (with-automatic-assumptions A automatic?)
   (struct-copy assumptions A [automatic? automatic?]))
+
+(define (with-reference A point) (struct-copy assumptions A [reference point]))
 
 ;; ---------------------------------------------------------------------------
 ;; What is known

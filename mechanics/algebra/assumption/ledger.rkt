@@ -37,8 +37,13 @@
 (define (make-ledger A q)
   (ledger A
           (question-domain q)
-          (delay (find-reference (question-expressions q) A))
+          (delay (or (common-point A) (find-reference (question-expressions q) A)))
           (make-hash) '() '() '()))
+
+;; That of a question of which this is a part.
+(define (common-point A)
+  (define point (assumptions-reference A))
+  (and point (force point)))
 
 ;; What all rests on, as datums such as (>= R 0), in the order they were needed.
 (define (simplifier-grounds s) (reverse (ledger-grounds (simplifier-ledger s))))

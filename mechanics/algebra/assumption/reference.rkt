@@ -10,12 +10,14 @@
 ;; alphabet the greatest: lengths and masses are positive there, and sines and cosines of
 ;; angles.  Then come others, positive ones first, always the same ones.
 
-(require "assumption-set.rkt" "leaf-bounds.rkt" "signs.rkt"
+(require racket/promise
+         "assumption-set.rkt" "leaf-bounds.rkt" "signs.rkt"
          "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt")
 
-(provide find-reference reference-sign holds-at? real-value leaves-of concerning)
+(provide find-reference at-common-reference
+         reference-sign holds-at? real-value leaves-of concerning)
 
 ;; expressions : those of the question; A : assumptions
 ;; value? : lookup -> does the question have a value there?
@@ -30,6 +32,11 @@
   (for/or ([k (in-range most-points)])
     (define lookup (make-lookup leaves table k))
     (and (there? lookup) lookup)))
+
+;; A for each of several expressions that are asked about together, so that their signs are
+;; taken at one point, if there is one where all have a value.
+(define (at-common-reference A expressions)
+  (with-reference A (delay (find-reference expressions A))))
 
 (define (all-real? expressions lookup)
   (for/and ([e (in-list expressions)]) (real-value e lookup)))

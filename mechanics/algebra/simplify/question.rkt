@@ -58,4 +58,5 @@
                               (lambda (k) (meet k (known (relation-signs r) '())))
                               unknown))
                '()
-               (assumptions-automatic? A)))
+               (assumptions-automatic? A)
+               (assumptions-reference A)))
