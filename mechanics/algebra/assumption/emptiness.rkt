@@ -8,7 +8,7 @@
 
 (require racket/list
          "assumption-set.rkt" "interval.rkt" "leaf-bounds.rkt" "polynomial-range.rkt"
-         "range.rkt" "reference.rkt" "signs.rkt")
+         "range.rkt" "reference.rkt")
 
 (provide impossible-among)
 

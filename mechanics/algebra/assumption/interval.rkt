@@ -5,8 +5,7 @@
 ;; An interval may be too wide, never too narrow.  Flonums are within 4·10⁻¹⁵ of the values
 ;; of elementary functions, by which they are moved outwards.
 
-(require racket/math
-         "../expression/operation.rkt")
+(require racket/math)
 
 (provide (struct-out interval) everything point-interval
          interval-sum interval-product interval-quotient interval-power interval-magnitude
@@ -23,7 +22,8 @@
 
 ;; Of two intervals that overlap.
 (define (intersection r s)
-  (interval (greatest (interval-low r) (interval-low s)) (least (interval-high r) (interval-high s))))
+  (interval (greatest (interval-low r) (interval-low s))
+            (least (interval-high r) (interval-high s))))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic

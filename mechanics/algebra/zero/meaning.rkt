@@ -9,7 +9,7 @@
 ;; An equation that cannot be solved for anything is taken to be harmless.
 
 (require racket/list
-         "../assumption/reference.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/read.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
@@ -48,11 +48,15 @@
   (define (finite? e lookup)
     (define x (real-value e lookup))
     (and x (< (abs x) too-great)))
+  (define free-symbols
+    (if (null? (assumptions-relations A)) (remove-duplicates (append-map symbols-in all)) '()))
   (find-reference all A (lambda (lookup)
-                          (for/and ([e (in-list all)]) (finite? e lookup)))))
+                          (and (for/and ([s (in-list free-symbols)]) (< (abs (lookup s '())) 4))
+                               (for/and ([e (in-list all)]) (finite? e lookup))))))
 
-;; Beyond this it is a quotient by what only rounding keeps from being zero.
-(define too-great 1e10)
+;; Of moderate numbers, what is beyond this is a quotient by what only rounding keeps from
+;; being zero.
+(define too-great 1e8)
 
 ;; ---------------------------------------------------------------------------
 ;; Equations solved

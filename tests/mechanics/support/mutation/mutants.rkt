@@ -97,9 +97,18 @@
   ["a sign that is looked up is the other" "assumption/reference.rkt"
    "[(> x distinct) 1]"
    "[(> x distinct) -1]"]
-  ["a sine is less than one half" "assumption/range.rkt"
+  ["a sine is less than one half" "assumption/interval.rkt"
    "(define unit (interval -1 1))"
    "(define unit (interval -1/2 1/2))"]
+  ["a box that is not looked at is empty" "assumption/emptiness.rkt"
+   "[(or (eqv? left 0) (null? relations)) #f]"
+   "[(or (eqv? left 0) (null? relations)) #t]"]
+  ["a condition may leave the mass matrix singular" "zero/meaning.rkt"
+   "(= (rank (meaning-matrix n) after) (rank (meaning-matrix m) before))"
+   "#t"]
+  ["of several equations that must hold one is enough" "zero/alternatives.rkt"
+   "(map remove-duplicates (apply cartesian-product options))"
+   "(map list (append* options))"]
   ["what is nowhere defined is proved" "zero/existence.rkt"
    "(not (symbol? (value t number precision))))"
    "#t)"]
