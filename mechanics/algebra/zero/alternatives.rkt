@@ -9,7 +9,7 @@
 ;; Which of them make sense is another matter (meaning.rkt).
 
 (require racket/list
-         "equation.rkt"
+         "equation.rkt" "meaning.rkt"
          "../expression/expression.rkt"
          "../field/field.rkt"
          "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
@@ -52,11 +52,17 @@
 (define (ways-of-factor F g parameter? may-vanish?)
   (define options
     (for/list ([c (in-list (moving-coefficients F g parameter?))])
-      (telling (filter values (map (lambda (h) (equation-for F h)) (factors F c may-vanish?))))))
-  (define how-many (apply * (map length options)))
-  (if (<= 1 how-many most-ways)
-      (filter (lambda (way) (<= (length way) most-equations))
-              (map remove-duplicates (apply cartesian-product options)))
+      (filter values (map (lambda (h) (equation-for F h)) (factors F c may-vanish?)))))
+  (define short (choices (map telling options)))
+  (if (null? short) (choices options) short))
+
+;; One equation of each, in all ways in which they can hold together.
+(define (choices options)
+  (if (<= 1 (apply * (map length options)) most-ways)
+      (for*/list ([choice (in-list (apply cartesian-product options))]
+                  [way (in-value (independent-equations choice))]
+                  #:when (and way (<= (length way) most-equations)))
+        way)
       '()))
 
 ;; A coefficient ω (b − 2 γ m) is told to vanish with b = 2 γ m alone.

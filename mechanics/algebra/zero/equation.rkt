@@ -37,7 +37,8 @@
            (or (two-sides F p)
                (solve monomial? first-power?)
                (and (mixed-signs? F p) (solve monomial? higher-power?))
-               (solve short? first-power?)))))
+               (solve short? first-power?)))
+      (solve monomial? first-power?)))
 
 (define (monomial? p) (eqv? (poly-term-count p) 1))
 (define (short? p) (<= (poly-term-count p) 4))

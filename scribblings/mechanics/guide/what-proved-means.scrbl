@@ -55,8 +55,21 @@ sign is told below the result:
 (sqrt (square 'r))
 (assuming ('(< (* x y) 0)) (sqrt (* (square 'x) (square 'y))))]
 
-All signs of one answer are taken at one point. So no two of them contradict each other,
-or what was declared, and there are numbers for which all of them hold.
+All signs of one answer are taken at one point, those of all components of a tuple, too. So
+no two of them contradict each other, or what was declared, and there are numbers for which
+all of them hold: the last component here has a value only where x and y have different
+signs.
+
+@examples[#:eval session #:label #f
+(up (sqrt (square 'y)) (sqrt (square 'x)) (* (sqrt (square 'y)) (sqrt (- -1 (* 'x 'y)))))]
+
+What is declared must hold somewhere. Relations are refused if the signs of their parts show
+that they cannot, or if all numbers, cut into boxes, are seen to be excluded. What is not
+found out in some milliseconds is accepted.
+
+@examples[#:eval session #:label #f
+(eval:error (assuming ('(> x 3) '(> y 4) '(< (* x y) 12)) 'x))
+(eval:error (assuming ('(< 0 theta 1) '(< (sin theta) 0)) 'theta))]
 
 @section{Derivatives pass over kinks}
 

@@ -4,7 +4,9 @@
 (require rackunit
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/read
+         mechanics/algebra/expression/substitute
          mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/alternatives
          mechanics/algebra/zero/meaning
          mechanics/algebra/zero/zero-test)
@@ -13,6 +15,14 @@
   (zero-test-ways (zero-test (datum->expression d)
                              (declare-relations no-assumptions relations)
                              variables)))
+
+;; Is it zero where the equations hold that give symbols, and where sines do?
+(define (zero-with? d way)
+  (define replaced
+    (for/fold ([e (datum->expression d)]) ([q (in-list way)])
+      (substitute-expression e (list (cons (datum->expression (cadr q))
+                                           (datum->expression (caddr q)))))))
+  (eqv? 0 (simplify-expression replaced)))
 
 (define (same? a b) (and (= (length a) (length b)) (andmap same-equations? a b)))
 
@@ -23,6 +33,17 @@
   (check-true (same? (ways '(* m (- (* w w x) g)) '(x)) '(((= m 0)) ((= w 0) (= g 0)))))
   (check-true (same? (ways '(+ (* w (- b c) (sin t)) (* k (cos t))) '(t))
                      '(((= b c) (= k 0))))))
+
+(test-case "random sums of products are zero with each of their ways"
+  (random-seed 3)
+  (define (any . xs) (list-ref xs (random (length xs))))
+  (define (parameter) (any 'a 'b 'c 'k 'm '(sin a)))
+  (define (factor) (any (parameter) `(- ,(parameter) ,(parameter)) 't
+                        `(+ (* ,(parameter) t) (* ,(parameter) (- ,(parameter) 1)))))
+  (for ([_ (in-range 100)])
+    (define d `(* ,(factor) ,(factor) ,(factor)))
+    (for ([way (in-list (ways d '(t)))])
+      (check-true (zero-with? d way) (format "~s ~s" d way)))))
 
 (test-case "nothing is told of variables, nor of what has a sign"
   (check-equal? (ways '(* x y) '(x y)) '())

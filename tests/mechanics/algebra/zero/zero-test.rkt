@@ -114,6 +114,10 @@
                 '((= (expt w 2) (+ (/ k m1) (/ k m2)))))
   (check-equal? (conditions '(- g (* R w w (cos theta)))) '((= g (* R (expt w 2) (cos theta))))))
 
+(test-case "an equation that is linear in a symbol is solved for it"
+  (check-equal? (conditions '(- (* p (cos beta)) (* W (sin beta))))
+                '((= W (/ (* p (cos beta)) (sin beta))))))
+
 (test-case "there is no condition where nothing real could meet it, nor one in circles"
   (check-equal? (conditions '(+ (* a a) (* b b))) '())
   (check-equal? (conditions '(+ (* a a) 1)) '())

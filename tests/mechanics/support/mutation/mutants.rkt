@@ -107,7 +107,7 @@
    "(= (rank (meaning-matrix n) after) (rank (meaning-matrix m) before))"
    "#t"]
   ["of several equations that must hold one is enough" "zero/alternatives.rkt"
-   "(map remove-duplicates (apply cartesian-product options))"
+   "(in-list (apply cartesian-product options))"
    "(map list (append* options))"]
   ["what is nowhere defined is proved" "zero/existence.rkt"
    "(not (symbol? (value t number precision))))"
