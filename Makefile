@@ -77,7 +77,7 @@ compile: racket
 	    echo 'Compiling mechanics (the first time only) ...'; \
 	    $(RACO) make -j $(JOBS) $(wildcard mechanics/*/*.rkt mechanics/*/*/*.rkt) mechanics/main.rkt; \
 	else \
-	    $(RACO) make mechanics/main.rkt; \
+	    $(RACO) make mechanics/main.rkt mechanics/lang/help/table.rkt; \
 	fi
 
 racket:

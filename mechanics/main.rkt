@@ -17,7 +17,8 @@
          (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/Noether.rkt"
          "lagrangian/path.rkt" "lagrangian/state-derivative.rkt"
          "lagrangian/total-derivative.rkt" "lagrangian/variation.rkt"
-         "lang/application.rkt" "lang/mistake/caret.rkt" "lang/Scheme.rkt" "lang/session.rkt"
+         "lang/application.rkt" "lang/help/help.rkt" "lang/mistake/caret.rkt" "lang/Scheme.rkt"
+         "lang/session.rkt"
          "lang/redefinition/module.rkt"
          "map/on-demand.rkt"
          "motion/on-demand.rkt"
@@ -30,7 +31,7 @@
 (provide
  (all-from-out racket/base racket/match "base.rkt")
  ;; the language
- #%app #%top #%module-begin #%top-interaction ^
+ #%app #%top #%module-begin #%top-interaction ^ help
  ;; names of MIT Scheme
  1+ -1+ iota write-line pp runtime show-time
  ;; local tuples

@@ -1,41 +1,65 @@
 #lang racket/base
-;; Calls that a procedure with keywords does not take.  Racket's message names the procedure
-;; and the keyword it does not know; of a number of arguments it says no more than that
-;; another is expected, where several are.  If the prompt knows a procedure of that name,
-;; what it takes is told.
+;; Calls that a procedure does not take.  Racket's message names the procedure and the
+;; keyword it does not know; of a number of arguments it says no more than that another is
+;; expected, where several are.  A procedure of the library is known by its entry in the
+;; manual (signature-hint.rkt).  Of another that the prompt knows, what it takes is told.
 
 (require "spelling.rkt"
-         "../../generic/function.rkt")
+         "../../generic/function.rkt" "../../generic/on-demand.rkt")
+
+(require-on-demand ["signature-hint.rkt" count-hint keyword-names constraint-hint])
 
 (provide hint-for-call)
 
-;; -> lines to add to the message, or #f
-(define (hint-for-call message)
-  (or (hint-for-keyword message) (hint-for-arity message)))
+;; e : what was raised, with this message  -> lines to add, or #f
+(define (hint-for-call message e)
+  (or (hint-for-keyword message)
+      (and (about-number? message e)
+           (or (count-hint message) (hint-for-arity message)))
+      (and (about-constraint? message) (constraint-hint message))))
+
+(define (about-number? message e)
+  (or (exn:fail:contract:arity? e) (regexp-match? no-case message)))
+
+(define (about-constraint? message)
+  (regexp-match? #rx"^[^ \n]+: contract violation\n.*\n  given: [(](non)?holonomic " message))
 
 ;; ---------------------------------------------------------------------------
 ;; Keywords
 
 (define unknown-keyword
-  (regexp
-   (string-append "^application: procedure does not expect an argument with given keyword\n"
-                  "  procedure: ([^ \n]+)\n  given keyword: #:([^ \n]+)")))
+  (list
+   (regexp
+    (string-append "^application: procedure does not expect an argument with given keyword\n"
+                   "  procedure: ([^ \n]+)\n  given keyword: #:([^ \n]+)"))
+   #rx"^([^ \n]+): there is no keyword #:([^ \n]+) here"))
 
 (define (hint-for-keyword message)
-  (define found (regexp-match unknown-keyword message))
-  (define known (if found (keywords-of (procedure-called (cadr found))) '()))
-  (and (pair? known) (keyword-hint (caddr found) known)))
+  (define found (for/or ([p (in-list unknown-keyword)]) (regexp-match p message)))
+  (define known (if found (keywords-of (cadr found)) '()))
+  (and (pair? known)
+       (keyword-hint (caddr found) known (regexp-match? #rx"its keywords: " message))))
 
-;; In the order of the alphabet.
-(define (keywords-of f)
+;; In the order of the alphabet, if the prompt knows the procedure.
+(define (keywords-of name)
+  (define f (procedure-called name))
   (define-values (required known) (if f (procedure-keywords f) (values '() '())))
-  (or known '()))
+  (if (pair? known)
+      known
+      (map (lambda (k) (string->keyword (substring (symbol->string k) 2)))
+           (keyword-names (string->symbol name)))))
 
-(define (keyword-hint given known)
+;; told? : does the message name them already
+(define (keyword-hint given known told?)
   (define likely (likely-names (string->symbol given) (map bare known)))
-  (if (null? likely)
-      (format "\n  its keywords: ~s" known)
-      (format "\n  did you mean ~a?" (alternatives (map dressed likely)))))
+  (define beginning
+    (filter (lambda (k) (regexp-match? (regexp (string-append "^" (regexp-quote given)))
+                                       (symbol->string k)))
+            (map bare known)))
+  (define meant (if (null? likely) beginning likely))
+  (cond [(pair? meant) (format "\n  did you mean ~a?" (alternatives (map dressed meant)))]
+        [told? #f]
+        [else (format "\n  its keywords: ~s" known)]))
 
 (define (bare k) (string->symbol (keyword->string k)))
 (define (dressed name) (string->symbol (format "#:~a" name)))

@@ -3,7 +3,7 @@
 ;; A library is asked for its exports when a name turns out to be unknown, which loads its
 ;; declaration and runs nothing.
 
-(provide library-of)
+(provide library-of exports)
 
 (define libraries '(mechanics/plot mechanics/book))
 

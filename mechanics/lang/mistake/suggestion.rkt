@@ -1,8 +1,11 @@
 #lang racket/base
-;; What an unknown name was meant for: one that another library of the package
-;; defines, or a known one that is spelt nearly so.
+;; What an unknown name was meant for: one that another library of the package defines, one
+;; of the book that is not there yet, or a known one that is spelt nearly so.
 
-(require "elsewhere.rkt" "spelling.rkt")
+(require "elsewhere.rkt" "spelling.rkt"
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["../help/later.rkt" later-sentence])
 
 (provide suggestion)
 
@@ -10,7 +13,9 @@
 ;; -> text or #f
 (define (suggestion name known [stop ""])
   (define library (library-of name))
-  (define names (if library '() (likely-names name known)))
+  (define later (and (not library) (later-sentence name)))
+  (define names (if (or library later) '() (likely-names name known)))
   (cond [library (format "(require ~a) defines it~a" library stop)]
+        [later (string-append later stop)]
         [(pair? names) (format "did you mean ~a?" (alternatives names))]
         [else #f]))

@@ -64,7 +64,7 @@
                 (hint-for-unknown id message)]
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
                [else #f])]
-        [(exn:fail:contract? e) (hint-for-call message)]
+        [(exn:fail:contract? e) (hint-for-call message e)]
         [else #f]))
 
 ;; Names that the prompt knows nothing of, not those that a module uses too

@@ -1,0 +1,102 @@
+#lang racket/base
+;; What `help` prints: the card of a name, cards that a text finds, or what can be asked.
+
+(require racket/list
+         racket/string
+         "card-lines.rkt" "card.rkt" "cards.rkt" "later.rkt" "search.rkt"
+         "../mistake/spelling.rkt"
+         (only-in "../mistake/elsewhere.rkt" exports))
+
+(provide help-about help-lines)
+
+;; Width of a terminal as it always was.
+(define columns 80)
+
+;; about : symbol, string or #f; prints
+(define (help-about about)
+  (for ([line (in-list (help-lines about))])
+    (write-string line)
+    (newline)))
+
+;; -> lines
+(define (help-lines about)
+  (cond [(not about) what-can-be-asked]
+        [(symbol? about) (about-name about)]
+        [(string=? (string-trim about) "") what-can-be-asked]
+        [else (about-text (string-trim about))]))
+
+(define what-can-be-asked
+  '("(help name)       the card of a name: (help verify-solution)"
+    "(help \"words\")    names that have to do with them: (help \"constraint\")"
+    ""
+    "Where to begin: (help Lagrange-equations), (help verify-solution), (help D),"
+    "(help literal-function), (help up), (help assume), (help evolve-trajectory)."))
+
+;; ---------------------------------------------------------------------------
+;; A name
+
+(define (about-name name)
+  (cond [(card-of name) => (lambda (c) (card-lines c columns))]
+        [(later-sentence name) => (lambda (sentence) (list (format "~s: ~a." name sentence)))]
+        [(rackets? name)
+         (list (format "~s is Racket's own, and means here what it means there." name)
+               (format "  https://docs.racket-lang.org/search/?q=~s" name))]
+        [else (about-unknown name)]))
+
+(define (about-unknown name)
+  (define near (likely-names name (append (own-names) later-names)))
+  (define found (found-cards (symbol->string name) (all-cards)))
+  (cons (format "~s is not a name of mechanics.~a" name
+                (if (null? near) "" (format "  Did you mean ~a?" (alternatives near))))
+        (if (and (null? near) (pair? found))
+            (found-lines found)
+            '())))
+
+(define (rackets? name)
+  (for/or ([library (in-list '(racket/base racket/match))])
+    (and (memq name (exports library)) #t)))
+
+;; ---------------------------------------------------------------------------
+;; A text
+
+;; A text that is a name asks for its card as well.
+(define (about-text text)
+  (define found (found-cards text (all-cards)))
+  (define later (later-found text))
+  (cond [(and (null? found) (null? later))
+         (list (format "Nothing is found for ~s; (help) tells what can be asked." text))]
+        [else (append (found-lines found)
+                      (if (null? later) '() (list (later-line later))))]))
+
+(define (later-found text)
+  (filter (lambda (name)
+            (string-contains? (string-downcase (symbol->string name)) (string-downcase text)))
+          later-names))
+
+(define (later-line names)
+  (string-join (cons "Of chapters to come:" (map symbol->string (shortest names)))
+               " "))
+
+(define (shortest names) (take names (min 6 (length names))))
+
+(define most-found 24)
+
+;; name, then as much of the sentence as a line has room for
+(define (found-lines cards)
+  (define shown (take cards (min most-found (length cards))))
+  (define room (apply max 0 (map (lambda (c) (string-length (card-name->text c))) shown)))
+  (append
+   (for/list ([c (in-list shown)])
+     (define name (card-name->text c))
+     (define margin (make-string (- (min room 30) (min 30 (string-length name))) #\space))
+     (shortened (string-append name margin "  " (or (card-sentence c) ""))))
+   (if (> (length cards) most-found)
+       (list (format "... and ~a more; another word finds fewer." (- (length cards) most-found)))
+       '())))
+
+(define (card-name->text c) (symbol->string (card-name c)))
+
+(define (shortened line)
+  (if (> (string-length line) columns)
+      (string-append (string-trim (substring line 0 (- columns 2)) #:left? #f) " …")
+      line))

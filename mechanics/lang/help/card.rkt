@@ -1,0 +1,34 @@
+#lang racket/base
+;; What is known of a name: an entry of the manual, without its typography.  Prefab, so that
+;; a table of cards can be written into compiled code.
+
+(provide (struct-out card) (struct-out signature) (struct-out argument) (struct-out example)
+         takes?)
+
+;; name : symbol; library : the module that exports it; page : its page of the manual
+;; signatures : of one entry, or of all that the manual has for the name
+;; sentence : text or #f; demonstration : example or #f
+;; place : text, such as "1.5, p. 33", or #f; also : symbols of related cards
+(struct card (name library page signatures sentence demonstration place also) #:prefab)
+
+;; kind : 'procedure, 'form, 'value or 'parameter
+;; call : texts between which there may be a line break: "(evolve" "f" "[#:step h])"
+;; result : text or #f
+;; needed, optional, keywords : arguments; rest : text such as "f ...", or #f
+;; parameters : of ((f m k) local), how many there are in each inner call: (2)
+(struct signature (kind call result needed optional keywords rest parameters) #:prefab)
+
+;; name : text; what : text, "Lagrangian"; default : text or #f; keyword : symbol or #f
+(struct argument (name what default keyword) #:prefab)
+
+;; libraries : modules that the program requires; definitions : texts of what the
+;; expressions stand on; expressions : texts; run : texts of what is evaluated in their
+;; place
+(struct example (libraries definitions expressions run) #:prefab)
+
+;; Does a signature take n arguments without keywords?
+(define (takes? s n)
+  (define least (length (signature-needed s)))
+  (and (>= n least)
+       (or (and (signature-rest s) #t)
+           (<= n (+ least (length (signature-optional s)))))))

@@ -1,0 +1,89 @@
+#lang racket/base
+;; Which example of the manual a card shows.  It stands by itself: with the definitions that
+;; it needs, of those that were typed before it on the page.
+;;
+;; Of the lines of an entry it is the first expression that mentions the name or stands on a
+;; definition that does; failing that, one of another entry, of the same page if there is one;
+;; failing that an error of the entry's, and in the end its first expression: names that are
+;; explained together are shown together.
+
+(require racket/list
+         "card.rkt" "page.rkt"
+         "../redefinition/forms.rkt" "../redefinition/names-used.rkt")
+
+(provide choose-example)
+
+;; p : the page of the entry e; context : syntax in whose context forms are read
+;; -> example or #f
+(define (choose-example name e p pages context)
+  (or (first-example (entry-lines e) (lambda (l) (about? l name p context)) p context)
+      (for/or ([other (in-list (cons p pages))])
+        (first-example (page-lines other) (lambda (l) (mentions? l name)) other context))
+      (let ([l (findf (lambda (l) (mentions? l name)) (entry-lines e))])
+        (and l (make-example l '() p context)))
+      (first-example (entry-lines e) void p context)))
+
+(define (first-example lines fits? p context)
+  (define from (memf (lambda (l) (and (shows? l context) (fits? l))) lines))
+  (and from (make-example (car from) from p context)))
+
+(define (shows? l context) (not (or (line-error? l) (defined l context))))
+
+(define (about? l name p context)
+  (or (mentions? l name)
+      (ormap (lambda (d) (mentions? d name)) (needed-by (list l) p context))))
+
+(define (mentions? l name)
+  (let look ([d (line-form l)])
+    (cond [(pair? d) (and (not (eq? (car d) 'quote)) (or (look (car d)) (look (cdr d))))]
+          [else (eq? d name)])))
+
+;; Drawing shows nothing until the frame is shown: all lines up to that belong to it.
+(define (make-example chosen following p context)
+  (define shown (if (draws? chosen) (up-to-frame chosen following) (list chosen)))
+  (example (page-requires p)
+           (map line-text (needed-by shown p context))
+           (map line-text shown)
+           (map (lambda (l) (if (equal? (line-run l) (line-form l))
+                                (line-text l)
+                                (format "~s" (line-run l))))
+                shown)))
+
+(define (draws? l)
+  (and (pair? (line-form l))
+       (regexp-match? #rx"^(plot-|graphics-)" (format "~s" (car (line-form l))))))
+
+(define (up-to-frame chosen following)
+  (define fine (filter (lambda (l) (not (line-error? l))) following))
+  (define-values (drawn rest) (splitf-at fine (lambda (l) (pair? (line-form l)))))
+  (if (null? rest) (list chosen) (append drawn (list (car rest)))))
+
+;; ---------------------------------------------------------------------------
+;; What an expression needs
+
+;; The definitions of the page that the lines stand on, in the order of the page: of each
+;; name the last before it is used.
+(define (needed-by lines p context)
+  (define needed
+    (for/fold ([needed '()]) ([l (in-list lines)]) (add-needs l needed p context)))
+  (filter (lambda (l) (memq l needed)) (remq* lines (page-lines p))))
+
+(define (add-needs l needed p context)
+  (define before (definitions-before l p context))
+  (for/fold ([needed needed]) ([name (in-list (names-in (in-context l context) before))])
+    (define d (hash-ref before name))
+    (if (memq d needed) needed (add-needs d (cons d needed) p context))))
+
+;; name -> line
+(define (definitions-before l p context)
+  (for*/hasheq ([other (in-list (takef (page-lines p) (lambda (other) (not (eq? other l)))))]
+                [name (in-value (defined other context))]
+                #:when name)
+    (values name other)))
+
+;; The name that a line defines, or #f.
+(define (defined l context)
+  (define id (defined-by-define (in-context l context)))
+  (and id (syntax-e id)))
+
+(define (in-context l context) (datum->syntax context (line-form l)))

@@ -1,0 +1,62 @@
+#lang racket/base
+;; The example of a card, run when the card is shown, at a prompt like those of the manual:
+;; the language, its printer, and nothing defined.  So the result is what this library, as
+;; it is, answers; no table of results could be out of date.  Most examples take a few
+;; milliseconds, and a break ends one that takes longer.
+
+(require racket/port
+         racket/string
+         "card.rkt"
+         "../../display/result.rkt")
+
+(provide (struct-out answer) demonstrate)
+
+;; What is typed, and what is answered: texts, the latter "" where there is nothing to say.
+(struct answer (typed printed))
+
+;; -> answers
+(define (demonstrate e width)
+  (define space (fresh-prompt (example-libraries e)))
+  (in-own-thread
+   (lambda ()
+     (parameterize ([current-namespace space])
+       (eval '(forget-assumptions))
+       (for ([d (in-list (example-definitions e))]) (eval (read-form d)))
+       (for/list ([typed (in-list (example-expressions e))]
+                  [run (in-list (example-run e))])
+         (answer typed (printed (read-form run) width)))))))
+
+;; It shares the modules that are loaded.  Breaks wait while others are being loaded.
+(define (fresh-prompt libraries)
+  (define space (variable-reference->empty-namespace (#%variable-reference)))
+  (parameterize ([current-namespace space])
+    (parameterize-break #f
+      (for-each namespace-require (cons 'mechanics libraries))))
+  space)
+
+(define (read-form text) (read (open-input-string text)))
+
+;; What is printed by the evaluation, and of its values.  An example may be there to fail.
+(define (printed form width)
+  (string-trim
+   #:left? #f
+   (with-output-to-string
+     (lambda ()
+       (with-handlers ([exn:fail? (lambda (e) (display (exn-message e)))])
+         (call-with-values (lambda () (eval form))
+                           (lambda results
+                             (for ([x (in-list results)] #:unless (void? x))
+                               (println (simplified-result x width))))))))))
+
+;; What an example declares or sets is the thread's; when the caller is broken off, so is it.
+(define (in-own-thread thunk)
+  (define outcome #f)
+  (define worker
+    (thread (lambda ()
+              (set! outcome (with-handlers ([void (lambda (e) (lambda () (raise e)))])
+                              (define result (thunk))
+                              (lambda () result))))))
+  (dynamic-wind void
+                (lambda () (sync worker))
+                (lambda () (kill-thread worker)))
+  (outcome))

@@ -1,0 +1,21 @@
+#lang racket/base
+;; (help name), (help "words") and (help): what the manual says of a name, where one is.
+;;
+;; A macro, so that the name need not be quoted, nor have a value; quoted, it is the same.
+;; What it prints, and the table it is taken from, are loaded when help is first asked for.
+
+(require (for-syntax racket/base)
+         "../../generic/on-demand.rkt")
+
+(provide help)
+
+(require-on-demand ["answer.rkt" help-about])
+
+(define-syntax (help stx)
+  (syntax-case stx (quote)
+    [(_) #'(#%plain-app help-about '#f)]
+    [(_ 'name) (identifier? #'name) #'(#%plain-app help-about 'name)]
+    [(_ about) (or (identifier? #'about) (string? (syntax-e #'about)))
+               #'(#%plain-app help-about 'about)]
+    [_ (raise-syntax-error
+        #f "ask (help), (help verify-solution) or (help \"constraint\")" stx)]))

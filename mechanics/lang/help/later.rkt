@@ -1,0 +1,98 @@
+#lang racket/base
+;; Names of the book, and of the programs that go with it, that this library does not have
+;; yet: in which section each is met, and on which page where it is printed.
+;;
+;; Names that are letters of physics before they are procedures (omega, W, H0) are left out.
+;; A chapter that is added takes its names out of here; a test watches that.
+
+(provide later-names later-sentence)
+
+;; (section subject name-or-(name page) ...) ...
+(define chapters
+  '(("2.2" "rigid bodies: rotating vectors and matrices"
+     (M->omega 126) (M->omega-body 126) (M-of-q->omega-of-t 126) (M-of-q->omega-body-of-t 126)
+     (antisymmetric->column-matrix 126) 3vector-components->antisymmetric m:antisymmetric?
+     rotate-x rotate-y rotate-z rotate-x-tuple rotate-x-matrix)
+    ("2.3" "rigid bodies: moments of inertia" (T-body 134) (L-body 137) (L-space 137))
+    ("2.7" "rigid bodies: Euler angles"
+     (Rx-matrix 139) (Rz-matrix 139) Ry-matrix (Euler->M 139) M->Euler Euler->omega
+     Euler->omega-body (Euler-state->omega-body 140) (T-body-Euler 141) (L-body-Euler 141)
+     (L-space-Euler 141) T-rigid-body Euler-state->L-body Euler-state->L-space)
+    ("2.8" "motion of a free rigid body"
+     (rigid-sysder 145) (monitor-errors 145) (relative-error 145))
+    ("2.10" "axisymmetric tops" (L-axisymmetric-top 229) V_eff)
+    ("2.12" "quaternions"
+     (angle-axis->rotation-matrix 184) angle&axis->rotation-matrix (quaternion->angle-axis 184)
+     (quaternion->RM 184) (quaternion->rotation-matrix 185) (quaternion-state->omega-body 186)
+     quaternion-state->omega-space (qw-sysder 189) (qw-state->L-space 190) qw-state->L-body
+     (make-quaternion 183) (quaternion->vector 183) (quaternion->3vector 183)
+     (rotation-matrix->quaternion 183) (quaternion 187) (quaternion-ref 185)
+     (quaternion->real-part 184) (q:i 186) (q:j 186) (q:k 186))
+    ("3.1" "Hamilton's equations"
+     (Hamilton-equations 203) (Hamiltonian->state-derivative 204) phase-space-derivative
+     (qp->H-state-path 204) (H-rectangular 204) (Legendre-transform 212)
+     (Lagrangian->Hamiltonian 213) (Hamiltonian->Lagrangian 213) (L-rectangular 213)
+     (momentum 204) (momenta 204) ->H-state H-state? state->p literal-Hamiltonian-state
+     Lstate->Hstate Hstate->Lstate H-state->matrix matrix->H-state make-Hamiltonian)
+    ("3.2" "Poisson brackets" (Poisson-bracket 218))
+    ("3.4" "phase space reduction"
+     Lagrangian->Routhian Routh-equations Routhian->acceleration Routhian->state-derivative
+     Lagrangian-state->Routhian-state Routhian-state->Lagrangian-state)
+    ("3.5" "phase space evolution" (H-pend-sysder 237) (monitor-p-theta 238))
+    ("3.6" "surfaces of section"
+     (driven-pendulum-map 247) (explore-map 248) display-map (HHmap 261) (section->state 261)
+     (HHHam 261) (HHpotential 261) (HHsysder 261) (find-next-crossing 261)
+     (refine-crossing 261) (make-advance 261))
+    ("3.9" "the standard map" (standard-map 278) standard-map-inverse)
+    ("4.3" "homoclinic tangles"
+     (unstable-manifold 308) (cylinder-near? 309) plane-near? fixed-point-eigen (make-point 308)
+     (abscissa 308) (ordinate 308) (close-enuf? 308) (floor->exact 308) (*machine-epsilon* 308))
+    ("4.5" "the Poincaré–Birkhoff theorem" (radially-mapping-points 321))
+    ("4.6" "invariant curves"
+     (find-invariant-curve 326) (which-way? 327) (golden-ratio 328) circle-map orbit-stream
+     position-stream compare-streams)
+    ("5.1" "point transformations"
+     (F->CH 339) F->CT (H-central 339) (F->K 340) (translating 340) (H-free 340) (H-prime 341))
+    ("5.2" "general canonical transformations"
+     (canonical? 344) (polar-canonical 345) polar-canonical-inverse (H-harmonic 345)
+     (T-func 347) (D-phase-space 347) (canonical-H? 348) (canonical-K? 348) (rotating 348)
+     (C-rotating 348) (H-arbitrary 348) (J-func 351) (canonical-transform? 351)
+     (a-non-canonical-transform 352) (J-matrix 353) (C-general 354) (C-simple-time 354)
+     (qp-submatrix 355) (D-as-matrix 355) (symplectic-matrix? 355) (symplectic-unit 355)
+     (symplectic-transform? 355) symplectic? qp-canonical? compositional-canonical?
+     time-independent-canonical? linear-function->multiplier transpose-function
+     multiplicative-transpose two-particle-center-of-mass two-particle-center-of-mass-canonical)
+    ("5.3" "invariants of canonical transformations" symplectic-two-form)
+    ("5.4" "generating functions" F2->C-inv F1-flip F2-identity)
+    ("6.2" "time evolution is canonical" (C->Cp 429) (shift-t 429) (H->Hp 429))
+    ("6.4" "Lie series"
+     (Lie-derivative 448) (Lie-transform 448) (Lie-derivative-procedure 448)
+     (H-central-polar 449) flow-derivative flow-transform)
+    ("6.7" "symplectic integration" (HH-collector 456))
+    ("7.2" "the pendulum as a perturbed rotor"
+     (H-pendulum-series 462) (C-inv 462) (solution0 462) Hpendulum pendulum-sysder
+     pendulum-Hamiltonian pendulum-frequency pendulum-oscillating-frequency
+     pendulum-circulating-frequency pendulum-oscillating-angle
+     pendulum-oscillating-angular-momentum pendulum-oscillating-action
+     pendulum-circulating-angle pendulum-circulating-action pendulum-separatrix-angle
+     pendulum-separatrix-action pendulum-advance pendulum-integration pendulum-solution-series
+     gudermannian inverse-gudermannian)
+    ("9" "our notation" (helix 521) (derivative-of-sine 511))))
+
+;; section, subject : texts; page : number or #f
+(struct place (section subject page))
+
+(define places
+  (for*/hasheq ([chapter (in-list chapters)] [entry (in-list (cddr chapter))])
+    (define named (if (pair? entry) entry (list entry #f)))
+    (values (car named) (place (car chapter) (cadr chapter) (cadr named)))))
+
+(define later-names (sort (hash-keys places) symbol<?))
+
+;; "it belongs to section 3.2 of the book (Poisson brackets, p. 218), which is not here yet",
+;; or #f
+(define (later-sentence name)
+  (define p (hash-ref places name #f))
+  (and p (format "it belongs to section ~a of the book (~a~a), which is not here yet"
+                 (place-section p) (place-subject p)
+                 (if (place-page p) (format ", p. ~a" (place-page p)) ""))))

@@ -1,0 +1,71 @@
+#lang racket/base
+;; Cards of all names that the manual has an entry for.  This runs while the table is
+;; compiled.
+
+(require racket/list
+         "card.rkt" "choose-example.rkt" "page.rkt" "prose.rkt")
+
+(provide manual-cards)
+
+;; pages of the manual's reference; context : syntax of the language of the examples
+;; -> cards, one for each name, in the manual's order
+(define (manual-cards pages context)
+  (define all
+    (for*/list ([p (in-list pages)] [e (in-list (page-entries p))]
+                [name (in-list (remove-duplicates (map car (entry-names e))))])
+      (make-card name e p pages context)))
+  (define known (for/hasheq ([c (in-list all)]) (values (card-name c) #t)))
+  (define joined (map join (group-by card-name all)))
+  (for/list ([c (in-list joined)] [i (in-naturals)])
+    (with-relations c joined i known)))
+
+(define (make-card name e p pages context)
+  (define body (entry-body e))
+  (card name (page-library p) (page-title p)
+        (for/list ([n (in-list (entry-names e))] #:when (eq? (car n) name)) (cdr n))
+        (first-sentence body)
+        (choose-example name e p pages context)
+        (place-in-the-book body)
+        (append (map car (entry-names e)) (names-mentioned body))))
+
+;; Several entries of one name: what the first says, and the signatures of all.
+(define (join same)
+  (define c (car same))
+  (struct-copy card c
+               [signatures (append-map card-signatures same)]
+               [also (append-map card-also same)]))
+
+;; Names that are explained or mentioned together, then the neighbours on the page.
+(define (with-relations c all i known)
+  (define near
+    (for/list ([j (in-list (list (add1 i) (sub1 i)))]
+               #:when (< -1 j (length all))
+               [other (in-value (list-ref all j))]
+               #:when (equal? (card-page other) (card-page c)))
+      (card-name other)))
+  (define-values (failures others) (partition failure? (append (card-also c) near)))
+  (define names
+    (for/list ([n (in-list (remove-duplicates (append others failures)))]
+               #:when (and (hash-ref known n #f) (telling? n) (not (eq? n (card-name c)))))
+      n))
+  (struct-copy card c [also (take names (min most-related (length names)))]))
+
+(define most-related 5)
+
+(define (failure? name) (regexp-match? #rx"^exn:" (symbol->string name)))
+
+;; Arithmetic stands in every program.
+(define (telling? name) (not (memq name '(+ - * / = expt square up down define lambda sqrt sin))))
+
+;; The text of the first @sicm{...}, or #f.
+(define (place-in-the-book body)
+  (define found (findf (lambda (part) (and (pair? part) (eq? (car part) 'sicm))) body))
+  (and found (plain-text (cdr found))))
+
+;; Names in the code of a text, but not of its examples.
+(define (names-mentioned parts)
+  (for*/list ([part (in-list parts)]
+              #:when (and (pair? part) (memq (car part) '(racket racketblock itemlist)))
+              [name (in-list (flatten part))]
+              #:when (symbol? name))
+    name))

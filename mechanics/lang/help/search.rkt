@@ -1,0 +1,34 @@
+#lang racket/base
+;; Cards that a text is about.  All its words must occur, each in the name, in the sentence or
+;; in the name of an argument; those with all of them in the name come first.
+
+(require racket/list
+         racket/string
+         "card.rkt")
+
+(provide found-cards)
+
+;; -> cards, the likeliest first, else in the order of the manual
+(define (found-cards text cards)
+  (define words (map stem (string-split (string-downcase text))))
+  (define-values (in-name elsewhere)
+    (partition (lambda (c) (all-in? words (name-text c)))
+               (filter (lambda (c) (all-in? words (all-text c))) cards)))
+  (append in-name elsewhere))
+
+;; Plurals find what is said in the singular, and the other way round.
+(define (stem word)
+  (if (> (string-length word) 4) (regexp-replace #rx"(ies|y|es|s)$" word "") word))
+
+(define (all-in? words text)
+  (for/and ([w (in-list words)]) (string-contains? text w)))
+
+(define (name-text c) (string-downcase (symbol->string (card-name c))))
+
+(define (all-text c)
+  (string-downcase
+   (string-join
+    (list* (name-text c)
+           (or (card-sentence c) "")
+           (card-page c)
+           (append-map signature-call (card-signatures c))))))
