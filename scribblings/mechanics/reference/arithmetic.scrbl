@@ -15,7 +15,7 @@ described under @racket[make-operator].
               @defproc[(- [x value] [y value] ...) value]
               @defproc[(negate [x value]) value])]{
 
-Tuples are added component by component and must have the same orientation and
+Sum and difference. Tuples are added component by component and must have the same orientation and
 length; otherwise the message describes both. The number 0 can be added to
 anything. @racket[(negate x)] is @racket[(- x)].
 
@@ -23,13 +23,14 @@ anything. @racket[(negate x)] is @racket[(- x)].
 (+ 1 'x 2)
 (- (up 'a 'b) (up 1 1))
 ((+ sin 1) 'x)
+(negate (up 'a 'b))
 (eval:error (+ 'a (down 1 2)))]
 
 @sicm{9, p. 513}}
 
 @defproc[(* [x value] ...) value]{
 
-Two tuples of opposite orientation and equal length contract, to the sum of the
+The product. Two tuples of opposite orientation and equal length contract, to the sum of the
 products of their components. Any other two give the outer product: each
 component of the right one is multiplied by the left one. See
 @secref["contraction"].
@@ -44,8 +45,8 @@ component of the right one is multiplied by the left one. See
 @deftogether[(@defproc[(/ [x value] [y value] ...) value]
               @defproc[(invert [x value]) value])]{
 
-A tuple can be divided by a scalar, and nothing by a tuple. Division by a matrix
-multiplies by its inverse. @racket[(invert x)] is @racket[(/ 1 x)].
+Quotient and reciprocal. A tuple can be divided by a scalar, and nothing by a tuple.
+Division by a matrix multiplies by its inverse. @racket[(invert x)] is @racket[(/ 1 x)].
 
 @examples[#:eval session
 (/ (up 'x 'y) 2)
@@ -62,7 +63,8 @@ scalar. @racket[sqr] is another name for it.
 
 @examples[#:eval session
 (square 'x)
-(square (up 'x 'y))]
+(square (up 'x 'y))
+(sqr 'x)]
 
 @sicm{9, p. 519}}
 
@@ -74,7 +76,7 @@ The third power.
 
 @defproc[(expt [base value] [exponent value]) value]{
 
-A tuple may be raised to a positive integer power: repeated multiplication.
+The power of a base. A tuple may be raised to a positive integer power: repeated multiplication.
 
 @examples[#:eval session
 (expt 'x 1/2)
@@ -92,7 +94,7 @@ No power: whoever writes one is told how. Your own definition of the name is wel
               @defproc[(exp [x value]) value]
               @defproc*[([(log [x value]) value] [(log [x value] [base value]) value])])]{
 
-Roots of exact squares are exact. @racket[log] is the natural logarithm unless a
+Square root, exponential and logarithm. Roots of exact squares are exact. @racket[log] is the natural logarithm unless a
 base is given.
 
 @examples[#:eval session
@@ -127,21 +129,25 @@ Angles are in radians.
               @defproc[(csc [x value]) value]
               @defproc[(cot [x value]) value])]{
 
+The trigonometric functions; the last three are reciprocals of cosine, sine and tangent.
+
 @examples[#:eval session
 (sin 0)
 ((D tan) 'x)
-(* (sec 'x) (cos 'x))]}
+(* (sec 'x) (cos 'x))
+(up (csc 'x) (cot 'x))]}
 
 @deftogether[(@defproc[(asin [x value]) value]
               @defproc[(acos [x value]) value]
               @defproc*[([(atan [y value]) value] [(atan [y value] [x value]) value])])]{
 
-With two arguments, @racket[atan] is the angle of the point (x, y), from the
+The inverse functions. With two arguments, @racket[atan] is the angle of the point (x, y), from the
 positive first axis; the second coordinate comes first.
 
 @examples[#:eval session
 (atan 1.0 -1.0)
 ((D asin) 'x)
+(acos 0)
 ((D atan) 'y)]}
 
 @deftogether[(@defproc[(sinh [x value]) value]
@@ -151,10 +157,13 @@ positive first axis; the second coordinate comes first.
               @defproc[(csch [x value]) value]
               @defproc[(coth [x value]) value])]{
 
+The hyperbolic functions; the last three are reciprocals of the first.
+
 @examples[#:eval session
 (- (square (cosh 'x)) (square (sinh 'x)))
 ((D tanh) 0)
-((D sech) 'x)]}
+((D sech) 'x)
+(up (csch 1.0) (coth 1.0))]}
 
 @deftogether[(@defproc[(asinh [x value]) value]
               @defproc[(acosh [x value]) value]
@@ -165,6 +174,7 @@ accurate to the last places near 0.
 
 @examples[#:eval session
 (asinh 1)
+(acosh 1)
 ((D asinh) 'x)
 ((D atanh) 1/2)]}
 
@@ -180,7 +190,8 @@ say.
 @examples[#:eval session
 :pi
 (cos :pi)
-(sin :2pi)]
+(sin :2pi)
+(list :-pi pi :pi/2)]
 
 Quoted, @racket[':pi] is π itself, and so are the others what they say: numbers, not
 symbols that may stand for anything. Sines, cosines and tangents of their multiples have
@@ -229,11 +240,13 @@ through.
               @defproc[(truncate [x value]) value]
               @defproc[(round [x value]) value])]{
 
-Of real numbers only. The derivative is 0 between the jumps. Their values are plain
+The integer below, above, towards 0, and the nearest one. Of real numbers only; the
+derivative is 0 between the jumps. Their values are plain
 numbers within a derivative too, so that they may count and index.
 
 @examples[#:eval session
 (floor 2.5)
+(list (ceiling 2.5) (truncate -2.5) (round 3.5))
 ((D floor) 2.5)
 (eval:error ((D floor) 2))
 (eval:error (floor 'x))]}
@@ -250,7 +263,7 @@ That of a complex number; of anything else @racket[(abs x)].
 
 @defproc[(= [x value] [y value] ...) boolean?]{
 
-Numbers are compared as numbers, expressions by their form as it was computed,
+Whether all are equal. Numbers are compared as numbers, expressions by their form as it was computed,
 without simplification; @racket[verify-equal] does more. Tuples are compared
 component by component.
 
@@ -265,11 +278,12 @@ component by component.
               @defproc[(<= [x scalar] [y scalar] ...) boolean?]
               @defproc[(>= [x scalar] [y scalar] ...) boolean?])]{
 
-Real numbers only. An expression that is not a number raises an error that shows
-it.
+The order of real numbers. An expression that is not a number raises an error that
+shows it.
 
 @examples[#:eval session
 (< 1 2 3)
+(list (> 1 2) (<= 1 1) (>= 2 1))
 (eval:error (>= 'r 0))]}
 
 @deftogether[(@defproc[(zero? [x value]) boolean?]
@@ -289,18 +303,22 @@ form: a symbol is not zero. A tuple is zero when all its components are.
               @defproc[(max [x scalar] [y scalar] ...) scalar]
               @defproc[(min [x scalar] [y scalar] ...) scalar])]{
 
-Real numbers only, like @racket[<]. Where two arguments of @racket[max] or
+The sign, the greatest and the least of real numbers. Where two arguments of @racket[max] or
 @racket[min] are equal there is no derivative, unless they have the same one.
 
 @examples[#:eval session
 (negative? -1/2)
+(positive? 0)
 (max 1 3 2)
+(min 1 3 2)
 (eval:error (max 'a 1))
 ((D (lambda (x) (max x (square x)))) 3)
 (eval:error ((D (lambda (x) (max x (square x)))) 1))]}
 
 @deftogether[(@defproc[(add1 [x value]) value]
               @defproc[(sub1 [x value]) value])]{
+
+x + 1 and x − 1.
 
 @examples[#:eval session
 (add1 'n)
@@ -327,6 +345,11 @@ that they are asked about a number that is not known yet.
 
 @examples[#:eval session
 (number? 'm)
-(equal? (up 1 (+ 'a 'b)) (up 1 (+ 'b 'a)))]}
+(list (symbol? 'm) (real? 1/2) (rational? 1/2) (integer? 1/2))
+(list (exact? 0.5) (inexact? 0.5))
+(equal? (up 1 (+ 'a 'b)) (up 1 (+ 'b 'a)))
+(eqv? 0.5 1/2)
+(list (memv 2 '(1 2 3)) (member (up 'a) (list (up 'a))))
+(case 3 [(1 2) 'few] [else 'many])]}
 
 @(close-session session)

@@ -64,6 +64,7 @@ does a call take, and if it is not that simple, for what reason does the generic
 arithmetic do it?
 
 @examples[#:eval session
+(compiled-function? f)
 (compiled-function-operations f)
 (compiled-function-reason f)]}
 

@@ -45,7 +45,9 @@ a(t, q) v + b(t, q). Whether they are is found out where the constraint is used.
 
 @defproc[(constraint? [x any/c]) boolean?]{
 
-Is @racket[x] what @racket[holonomic] or @racket[nonholonomic] made?}
+Is @racket[x] what @racket[holonomic] or @racket[nonholonomic] made?
+
+@examples[#:eval session (constraint? (holonomic (lambda (t q) (- (square q) 1))))]}
 
 @section{Equations}
 
@@ -55,7 +57,8 @@ Is @racket[x] what @racket[holonomic] or @racket[nonholonomic] made?}
           [#:force force (or/c #f procedure?) #f])
          procedure?]{
 
-A function of a path and of multipliers, functions of time as well; then
+The equations of motion with the forces of constraints. It is a function of a path and of
+multipliers, functions of time as well; then
 @racket[(((constrained-Lagrange-equations L constraints) q lambda) t)] is an
 @racket[up] of the residual of Lagrange's equations with the forces of the constraints,
 d/dt ∂@subscript{2}L − ∂@subscript{1}L − Q − Σ λ ∂@subscript{1}G, where a nonholonomic
@@ -277,6 +280,8 @@ equations with multipliers of the constraints kept.
                           (nonholonomic blade) along-blade
                           (up 't (up 'x 'y 'theta) (up 'vx 'vy 'omega))))
 substituted
+(reduction? substituted)
+(verdict-status (reduction-integrability substituted))
 (verdict-status (reduction-agreement substituted))
 (substituted (up 't (up 'x 'y 'theta) (up 'vx 'vy 'omega)))]}
 

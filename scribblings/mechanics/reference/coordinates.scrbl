@@ -62,12 +62,14 @@ tuples longer by one that is the derivative of F by time along every path,
                        procedure?])]{
 
 The residual of Lagrange's equations as a function of local tuples with
-accelerations, without any path. If L depends on derivatives of the coordinates up to
+accelerations, without any path, by three names. If L depends on derivatives of the coordinates up to
 the order n, the local tuples have them up to 2n.
 
 @examples[#:eval session
 (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
-((Euler-Lagrange-operator (L-harmonic 'm 'k)) (up 't 'x 'v 'a))]
+((Euler-Lagrange-operator (L-harmonic 'm 'k)) (up 't 'x 'v 'a))
+((LE (L-harmonic 1 1)) (up 't 'x 'v 'a))
+((Lagrange-equations-operator (L-harmonic 1 1)) (up 't 1 0 -1))]
 
 @sicm{1.9, p. 98}}
 
@@ -94,6 +96,7 @@ From (r, φ) to (x, y) = (r cos φ, r sin φ).
 
 @examples[#:eval session
 (p->r (up 't (up 'r 'phi) (up 'rdot 'phidot)))
+(polar->rectangular (up 0 (up 2 :pi/2) (up 0 0)))
 (eval:error (p->r (up 't 'r 'rdot)))]
 
 @sicm{1.6, p. 46}}
@@ -105,7 +108,8 @@ From (x, y) to (r, φ), with φ between −π and π.
 
 @examples[#:eval session
 (r->p (up 't (up 'x 'y) (up 'vx 'vy)))
-(r->p (up 0 (up 3 4) (up 0 0)))]
+(r->p (up 0 (up 3 4) (up 0 0)))
+(rectangular->polar (up 0 (up 0 2) (up 0 0)))]
 
 @sicm{1.6, p. 48}}
 
@@ -115,7 +119,8 @@ From (x, y) to (r, φ), with φ between −π and π.
 From (r, θ, φ), with θ measured from the z axis, to (x, y, z).
 
 @examples[#:eval session
-(s->r (up 't (up 'r 'theta 'phi) (up 'rdot 'thetadot 'phidot)))]
+(s->r (up 't (up 'r 'theta 'phi) (up 'rdot 'thetadot 'phidot)))
+(spherical->rectangular (up 0 (up 'r 0 'phi) (up 0 0 0)))]
 
 @sicm{1.8, p. 85}}
 
@@ -125,7 +130,8 @@ From (r, θ, φ), with θ measured from the z axis, to (x, y, z).
 From (x, y, z) to (r, θ, φ).
 
 @examples[#:eval session
-(r->s (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))]}
+(r->s (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))
+(rectangular->spherical (up 0 (up 3 0 4) (up 0 0 0)))]}
 
 @section{Rotations and frames}
 
@@ -137,6 +143,7 @@ The rotation of tuples of 3 coordinates about an axis, with the sense of the rig
 
 @examples[#:eval session
 ((Rz 'a) (up 'x 'y 'z))
+((Ry :pi) (up 'x 'y 'z))
 ((compose (Rx 'a) (Rx (- 'a))) (up 'x 'y 'z))]
 
 @sicm{1.8.5, p. 91}}
@@ -153,7 +160,8 @@ each other, and are passed to @racket[F->C]. A free particle in rotating coordin
 (define L-rotating
   (compose (L-free 'm) (F->C (rotating->inertial 'Omega))))
 (L-rotating plane)
-((Lagrangian->acceleration L-rotating) plane)]
+((Lagrangian->acceleration L-rotating) plane)
+((inertial->rotating 'Omega) plane)]
 
 @sicm{1.6, p. 48}}
 
@@ -167,6 +175,7 @@ free particles fall:
 @examples[#:eval session
 (define L-lift
   (compose (L-free 'm) (F->C (accelerated->inertial (up 0 'g)))))
-((Lagrangian->acceleration L-lift) plane)]}
+((Lagrangian->acceleration L-lift) plane)
+((inertial->accelerated (up 0 'g)) plane)]}
 
 @(close-session session)

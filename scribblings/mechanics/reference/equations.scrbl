@@ -106,6 +106,7 @@ leaves a direction without inertia raises
   (- (* 1/2 m (square v)) (* 1/2 (+ (* k1 (square x)) (* k2 (square y))))))
 ((Lagrangian->acceleration (L-anisotropic 'm 'k1 'k2)) state)
 ((Lagrangian->state-derivative (L-anisotropic 'm 'k1 'k2)) state)
+((local-state-derivative (L-harmonic 'm 'k)) (up 't 'x 'v))
 ((Lagrangian->acceleration (L-harmonic 'm 'k) (Rayleigh-dissipation 'b))
  (up 't 'x 'v))
 (eval:error ((Lagrangian->acceleration (lambda (local) (coordinate local)))
@@ -130,7 +131,8 @@ functions of time: the derivative of (t, q(t), v(t)) less the state derivative t
 
 @examples[#:eval session
 (define LE1 (Lagrange-equations-first-order (L-harmonic 'm 'k)))
-((LE1 x (literal-function 'v)) 't)]
+((LE1 x (literal-function 'v)) 't)
+(((Lagrange-equations-1 (L-harmonic 'm 'k)) sin cos) 0)]
 
 @sicm{1.7, p. 72}}
 
@@ -140,7 +142,8 @@ functions of time: the derivative of (t, q(t), v(t)) less the state derivative t
 The function of time with the values @racket[(up t (q t) (v t))], by two names.
 
 @examples[#:eval session
-((qv->state-path x (literal-function 'v)) 't)]
+((qv->state-path x (literal-function 'v)) 't)
+((qv->local-path sin cos) 0)]
 
 @sicm{1.7, p. 72}}
 

@@ -11,7 +11,11 @@ show why.
 
 @defstruct*[(exn:fail:mechanics exn:fail) ()]{
 
-What they have in common.}
+What they have in common.
+
+@examples[#:eval session
+(with-handlers ([exn:fail:mechanics? exn-message])
+  (definite-integral (lambda (t) (/ 1 t)) 0 1))]}
 
 @defstruct*[(exn:fail:mechanics:singular exn:fail:mechanics) ([where any/c])]{
 
@@ -44,6 +48,9 @@ An approximation did not reach its tolerance. @racket[value] is the best found,
 @examples[#:eval session
 (with-handlers ([exn:fail:mechanics:not-convergent?
                  exn:fail:mechanics:not-convergent-value])
+  (definite-integral (lambda (t) (/ 1 t)) 0 1))
+(with-handlers ([exn:fail:mechanics:not-convergent?
+                 exn:fail:mechanics:not-convergent-error-estimate])
   (definite-integral (lambda (t) (/ 1 t)) 0 1))]}
 
 @defstruct*[(exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:not-convergent)

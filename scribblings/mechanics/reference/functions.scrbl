@@ -65,6 +65,8 @@ that takes f to the series f + A f + A² f/2! + ⋯ (@secref["reference-series"]
 
 @defproc[(operator? [x any]) boolean?]{
 
+Is @racket[x] an operator?
+
 @examples[#:eval session (operator? D) (operator? (D sin))]}
 
 @defthing[I operator?]{
@@ -82,7 +84,8 @@ AB − BA, and AB + BA.
 
 @examples[#:eval session
 (define X (make-operator (lambda (f) (* identity f)) 'X))
-(((commutator D X) (literal-function 'f)) 'x)]}
+(((commutator D X) (literal-function 'f)) 'x)
+(((anticommutator D X) (literal-function 'f)) 'x)]}
 
 @section[#:tag "data"]{Functions through data}
 

@@ -38,8 +38,36 @@ that it stands for.
 
 A name without a definition. The error says how it is written as a symbol, for
 what is missing most often is a quote; before that it gives the library to require
-if another one of this package defines the name, or known names that are spelt nearly
-so.}
+if another one of this package defines the name, the section if it is a name of the book
+that is not there yet, or known names that are spelt nearly so.}
+
+@section[#:tag "help"]{Help}
+
+@defform*[((help) (help name) (help text))]{
+
+Prints what this reference says of a name: how it is called, a sentence, an example with
+its result, where the book treats it, and what else to look at. The name need not be
+quoted, and nothing is opened or fetched. For a text it lists the names whose entries have
+all its words. An unknown name is answered by names that are spelt nearly so, and one of a
+later chapter by its section.
+
+@examples[#:eval session
+(help cube)
+(help "series sine")
+(help cubbe)]
+
+The example is run when its card is shown, without your definitions and assumptions: what
+is printed is what the library answers.
+
+The same signatures stand beneath messages about a wrong number of arguments, at the
+prompt and where a program of this language is stopped by one:
+
+@verbatim[#:indent 2]|{
+> (verify-conserved L Q)
+verify-conserved: arity mismatch;
+ ...
+  it is called as (verify-conserved L Q local [#:force force])
+  missing: local}|}
 
 @section[#:tag "redefinition"]{Definitions that replace others}
 
@@ -111,6 +139,8 @@ keyword and rest arguments.
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
 ((L-free 'm) (up 't 'x 'v))
 ((lambda ((down p q)) (* p q)) (down 2 3))
+((λ ((up x y)) (- x y)) (up 3 1))
+((case-lambda [((up x y)) (* x y)] [(x y) (+ x y)]) (up 2 3))
 (eval:error ((L-free 'm) (up 't 'x)))]
 
 The way of writing a Lagrangian follows L(t; q; v) of the book's text; its
@@ -119,6 +149,8 @@ programs use selectors. @sicm{1.4, p. 14}}
 @deftogether[(@defform*[[(let ([arg expr] ...) body ...+)
                          (let id ([arg expr] ...) body ...+)]]
               @defform[(let* ([arg expr] ...) body ...+)])]{
+
+Names for values within a body; with @racket[let*], each for those after it as well.
 
 @examples[#:eval session
 (let ([(up x y) (up 3 4)]) (+ (square x) (square y)))
@@ -136,7 +168,9 @@ components.
 
 @examples[#:eval session
 (for/sum ([m '(m1 m2)] [v (up 'v1 'v2)]) (* 1/2 m (square v)))
-(for/product ([k 4]) (+ 'x k))]}
+(for/product ([k 4]) (+ 'x k))
+(for*/sum ([i 2] [j 2]) (ref (up (up 'a 'b) (up 'c 'd)) i j))
+(for*/product ([i '(a b)] [j '(1 2)]) (+ i j))]}
 
 @section{Names of MIT Scheme}
 
@@ -174,6 +208,7 @@ without that for reclaiming memory. @racket[show-time] calls the procedure, prin
 it took, and returns what it returned.
 
 @examples[#:eval session
+(>= (runtime) 0)
 (eval:alts (show-time (lambda () (definite-integral sin 0 1)))
            (begin (displayln "process time: 6 ms (6 run + 0 gc); real time: 6 ms")
                   (definite-integral sin 0 1)))]}

@@ -38,6 +38,8 @@ The matrix with the entries @racket[(f i j)].
 
 @defproc[(identity-matrix [n exact-positive-integer?]) matrix?]{
 
+The matrix of n rows that changes nothing.
+
 @examples[#:eval session (identity-matrix 2)]}
 
 @deftogether[(@defproc[(up->column-matrix [s tuple]) matrix?]
@@ -49,11 +51,15 @@ Between tuples and matrices of one column or one row.
 
 @examples[#:eval session
 (up->column-matrix (up 'x 'y))
-(row-matrix->down (matrix-by-rows '(1 2)))]}
+(down->row-matrix (down 'x 'y))
+(row-matrix->down (matrix-by-rows '(1 2)))
+(column-matrix->up (matrix-by-columns '(1 2)))]}
 
 @section{Taking matrices apart}
 
 @defproc[(matrix? [x any]) boolean?]{
+
+Is @racket[x] a matrix? A structure of structures is none.
 
 @examples[#:eval session (matrix? (identity-matrix 2)) (matrix? (up (up 1 0) (up 0 1)))]}
 
@@ -75,10 +81,13 @@ An entry; a row, as a @racket[down]; a column, as an @racket[up].
               @defproc[(m:num-cols [m matrix?]) exact-nonnegative-integer?]
               @defproc[(m:dimension [m matrix?]) exact-nonnegative-integer?])]{
 
-@racket[m:dimension] is the number of rows of a square matrix, and an error for
-others.
+The numbers of rows and of columns. @racket[m:dimension] is that of a square matrix, and an
+error for others.
 
-@examples[#:eval session (m:num-cols (matrix-by-rows '(1 2 3))) (m:dimension M)]}
+@examples[#:eval session
+(m:num-rows (matrix-by-rows '(1 2 3)))
+(m:num-cols (matrix-by-rows '(1 2 3)))
+(m:dimension M)]}
 
 @defproc[(m:submatrix [m matrix?]
                       [low-row exact-nonnegative-integer?] [high-row exact-nonnegative-integer?]
@@ -139,7 +148,8 @@ Functions, either or both, give the function of the solutions for their values.
 
 @examples[#:eval session
 (solve-linear-left (down (down 'a 0) (down 0 'b)) (down 'p 'q))
-(solve-linear-left M (up 1 0))]
+(solve-linear-left M (up 1 0))
+(solve-linear-right (down 1 0) M)]
 
 A matrix without an inverse raises @racket[exn:fail:mechanics:singular:matrix],
 which says which rows depend on others, what the matrix takes to zero, and whether

@@ -46,6 +46,8 @@ shows both.
 
 @defproc[(literal-function? [x any]) boolean?]{
 
+Is @racket[x] what @racket[literal-function] made?
+
 @examples[#:eval session (literal-function? x) (literal-function? (D x))]}
 
 @section{Signatures}
@@ -65,7 +67,10 @@ Functions from @racket[domain] to @racket[range].
 @deftogether[(@defthing[Real shape]
               @defthing[Any shape])]{
 
-A scalar, and anything at all.}
+A scalar, and anything at all.
+
+@examples[#:eval session
+((literal-function 'g (-> Any Real)) (up 't 'x))]}
 
 @deftogether[(@defproc[(X [argument shape] ...) shape]
               @defproc[(X* [argument shape] [n exact-nonnegative-integer?]) shape])]{

@@ -18,6 +18,7 @@ time, coordinates, velocities, and further derivatives when n is larger than 3.
 (define q (up (literal-function 'x) (literal-function 'y)))
 ((Gamma q) 't)
 ((Gamma (literal-function 'x) 4) 't)
+((path->state-path (literal-function 'x)) 't)
 (eval:error (Gamma 'x))]
 
 @sicm{1.4, p. 15}}
@@ -28,7 +29,10 @@ time, coordinates, velocities, and further derivatives when n is larger than 3.
 
 A local tuple of these parts, by three names.
 
-@examples[#:eval session (->local 't (up 'x 'y) (up 'v_x 'v_y))]}
+@examples[#:eval session
+(->local 't (up 'x 'y) (up 'v_x 'v_y))
+(->state 't 'x 'v)
+(->L-state 't 'x 'v 'a)]}
 
 @deftogether[(@defproc[(coordinate-tuple [q value] ...) structure?]
               @defproc[(velocity-tuple [v value] ...) structure?]
@@ -40,7 +44,8 @@ The parts of local tuples: the first three are @racket[up] tuples, momenta are a
 
 @examples[#:eval session
 (->local 't (coordinate-tuple 'x 'y) (velocity-tuple 'v_x 'v_y))
-(* (momentum-tuple 'p_x 'p_y) (velocity-tuple 'v_x 'v_y))]}
+(* (momentum-tuple 'p_x 'p_y) (velocity-tuple 'v_x 'v_y))
+(acceleration-tuple 'a_x 'a_y)]}
 
 @defproc[(literal-Lagrangian-state [n exact-positive-integer?]) structure?]{
 
@@ -59,7 +64,8 @@ The time.
 
 @examples[#:eval session
 (define local (up 't (up 'x 'y) (up 'v_x 'v_y) (up 'a_x 'a_y)))
-(time local)]
+(time local)
+(state->t local)]
 
 @sicm{1.4, p. 15}}
 
@@ -68,9 +74,11 @@ The time.
               @defproc[(state->q [local local-tuple]) value]
               @defproc[(Q [local local-tuple]) value])]{
 
-The coordinates.
+The coordinates, by four names.
 
-@examples[#:eval session (coordinate local)]
+@examples[#:eval session
+(coordinate local)
+(list (coordinates local) (state->q local) (Q local))]
 
 @sicm{1.4, p. 15}}
 
@@ -79,10 +87,11 @@ The coordinates.
               @defproc[(state->qdot [local local-tuple]) value]
               @defproc[(Qdot [local local-tuple]) value])]{
 
-The velocities.
+The velocities, by four names.
 
 @examples[#:eval session
 (velocity local)
+(list (velocities local) (state->qdot local) (Qdot local))
 (eval:error (velocity (up 't 'x)))]
 
 @sicm{1.4, p. 15}}
@@ -92,9 +101,11 @@ The velocities.
               @defproc[(state->qddot [local local-tuple]) value]
               @defproc[(Qdotdot [local local-tuple]) value])]{
 
-The accelerations.
+The accelerations, by four names.
 
-@examples[#:eval session (acceleration local)]}
+@examples[#:eval session
+(acceleration local)
+(list (accelerations local) (state->qddot local) (Qdotdot local))]}
 
 @defproc[(state->n-dof [local local-tuple]) exact-nonnegative-integer?]{
 
@@ -422,7 +433,8 @@ one, with the sine of half the angle as modulus:
   (* 4 (sqrt (/ l g)) (first-elliptic-integral (sin (/ angle 2)))))
 (period 1 9.8 1)
 ((D (lambda (angle) (period 1 9.8 angle))) 1)
-(elliptic-integrals 0.5 list)]}
+(elliptic-integrals 0.5 list)
+(second-elliptic-integral 0.5)]}
 
 @deftogether[(@defproc[(elliptic-integral-F [phi real?] [k real?]) real?]
               @defproc[(elliptic-integral-E [phi real?] [k real?]) real?])]{
@@ -431,7 +443,8 @@ The incomplete ones, from 0 to the angle @racket[phi], which may be any.
 
 @examples[#:eval session
 (elliptic-integral-F 1 0.5)
-((D (lambda (phi) (elliptic-integral-F phi 0.5))) 1)]}
+((D (lambda (phi) (elliptic-integral-F phi 0.5))) 1)
+(elliptic-integral-E 1 0.5)]}
 
 @defproc[(Jacobi-elliptic-functions [u real?] [k real?] [receive (-> real? real? real? any)])
          any]{

@@ -106,7 +106,9 @@ perhaps how many scalars its states have.
 
 @examples[#:eval session
 ((free-run-state-advancer harmonic-state-derivative 2 1)
- (up 1 (up 1 2) (up 3 4)) 10 1e-10 list)]}
+ (up 1 (up 1 2) (up 3 4)) 10 1e-10 list)
+((ode-advancer (harmonic-state-derivative 2 1) 1e-10)
+ (up 1 (up 1 2) (up 3 4)) 10 list)]}
 
 @defproc[(advance-beyond [system-derivative (-> real? ... (-> value value))]
                          [parameter any/c] ...)
@@ -161,6 +163,8 @@ Its first and last time, its last state, its states at @racket[times] or at the 
 of the steps of integration, and the events found, in the order of time.
 
 @examples[#:eval session
+(trajectory? swing)
+(list (trajectory-start swing) (trajectory-end swing))
 (trajectory-states swing '(0 1 2))]}
 
 @deftogether[(@defproc[(event [f (-> value real?)]
@@ -187,7 +191,12 @@ so far.
 (define bottom (event coordinate #:name 'bottom #:direction 'falling))
 (map occurrence-time
      (trajectory-events
-      (evolve-trajectory pendulum (up 0 1 0) 6 #:tolerance 1e-12 #:events bottom)))]
+      (evolve-trajectory pendulum (up 0 1 0) 6 #:tolerance 1e-12 #:events bottom)))
+(define first-fall
+  (car (trajectory-events (evolve-trajectory pendulum (up 0 1 0) 6 #:events bottom))))
+(list (event? bottom) (occurrence? first-fall))
+(occurrence-event first-fall)
+(occurrence-state first-fall)]
 
 A particle that slides down a sphere leaves it when the force of the constraint
 vanishes, where the cosine of the angle is 2/3:
@@ -232,6 +241,10 @@ doubled to know their error.}]
   ((state-advancer harmonic-state-derivative 1 1) (up 0 1 0) 10 1e-10 #:method method))
 (coordinate (after-10 'bulirsch-stoer))
 (coordinate (after-10 'qcrk4))
+(integration-method? 'qcrk4)
+(set-ode-integration-method! 'bulirsch-stoer)
+(ode-integration-method)
+(set-ode-integration-method! 'Dormand-Prince-853)
 (eval:error (after-10 'euler))]
 
 A pendulum in a very thick fluid falls slowly, but for the first moment. What takes
@@ -265,6 +278,9 @@ has no effect. (H. Yoshida 1990.)
 (define long
   (evolve-trajectory pendulum (up 0 1 0) 1000 #:method (leapfrog 0.02)))
 (map (lambda (t) (E (long t))) '(0 10 100 1000))
+(for/list ([method (list leapfrog Yoshida-4 Yoshida-6 Yoshida-8)])
+  (- (E ((evolve-trajectory pendulum (up 0 1 0) 10 #:method (method 0.1)) 10))
+     (E (up 0 1 0))))
 (define ((damped c) (up t θ v)) (up 1 v (- (* -9.8 (sin θ)) (* c v))))
 (eval:error (evolve-trajectory (damped 0.1) (up 0 1 0) 10 #:method (leapfrog 0.02)))]}
 
@@ -278,6 +294,9 @@ midpoint rule. Where a step is too long to be solved for,
 @racket[exn:fail:mechanics:singular] is raised. (Hairer, Lubich and Wanner 2006.)
 
 @examples[#:eval session
+(for/list ([method (list Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)])
+  (- (E ((evolve-trajectory pendulum (up 0 1 0) 10 #:method (method 0.1)) 10))
+     (E (up 0 1 0))))
 (define ((stiff) (up t x v)) (up 1 v (* -1e4 x)))
 (eval:error
  (evolve-trajectory (stiff) (up 0 1 0) 10 #:method (Gauss-Legendre-4 0.1)))]}
@@ -292,7 +311,11 @@ written anew a few times a second and is erased in the end, also when the run is
 interrupted by Ctrl-C. For a single run, @racket[state-advancer], @racket[evolve],
 @racket[evolve-trajectory], @racket[find-path] and the minimisers take the keyword
 @racket[#:progress]. Where a monitor writes something itself, nothing is said; programs and
-modules never see it.}
+modules never see it.
+
+@examples[#:eval session
+(parameterize ([report-progress #f])
+  (trajectory-final-state (evolve-trajectory pendulum (up 0 1 0) 6)))]}
 
 @section[#:tag "precision"]{Precision}
 
@@ -363,7 +386,9 @@ system, @tt{libmpfr6} on Debian and Ubuntu, @tt{mpfr} on others. Where it is mis
 @defparam[ode-precision bits (or/c exact-integer? #f)]{
 
 The precision where none is given by the keyword, or @racket[#f], the initial value, for
-flonums.}
+flonums.
+
+@examples[#:eval session (ode-precision)]}
 
 @deftogether[(@defproc[(bigfloat [x (or/c real? string? bigfloat?)] [bits exact-integer? 128])
                        bigfloat?]
@@ -382,7 +407,9 @@ given.
 
 @bigfloat-examples[session
 (define x (bigfloat "0.1" 100))
+(bigfloat? x)
 (+ x 1/3)
+(bigfloat->exact (bigfloat 1/4))
 ((D (compose sin exp)) x)
 (* 4 (atan (bigfloat 1 150)))
 (exact->inexact (* x x))

@@ -62,7 +62,9 @@ f]
 
 @sicm{1.4, p. 23}}
 
-@defproc[(frame? [x any/c]) boolean?]{Is it a frame?}
+@defproc[(frame? [x any/c]) boolean?]{Is it a frame?
+
+@examples[#:eval session (frame? f)]}
 
 @deftogether[(@defproc[(graphics-clear [f frame?]) void?]
               @defproc[(graphics-close [f frame?]) void?])]{

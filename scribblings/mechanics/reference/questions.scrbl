@@ -190,6 +190,7 @@ directions without inertia leave it undetermined.
   (compare-Lagrangians (L-line 'm)
                        (+ (L-line 'm) (Dt (compose sin coordinate)))
                        line))
+(equivalence? comparison)
 (equivalence-kind comparison)
 (equivalence-factor comparison)
 (equivalence-gauge comparison)
@@ -232,6 +233,7 @@ The parts of an equilibrium. Conditions are lists @racket[(<= -1 e 1)] or
 
 @examples[#:eval session
 (define beside (caddr (equilibria (L-ring 'm 'R 'g 'omega) bead)))
+(equilibrium? beside)
 (equilibrium-coordinates beside)
 (equilibrium-conditions beside)
 (small-oscillation-frequencies (L-ring 'm 'R 'g 'omega)
@@ -294,6 +296,12 @@ turning systems of two coordinates are judged, and by numbers those of more.
               @defproc[(stability-conditions [s stability?]) list?])]{
 
 The parts of such an answer. The conditions are lists @racket[(> e 0)]: the kind is the
-one given if all of them hold, and @racket['unstable] if for one e < 0.}
+one given if all of them hold, and @racket['unstable] if for one e < 0.
+
+@examples[#:eval session
+(define answer (equilibrium-stability (L-ring 1 1 'g 'omega) 0))
+(stability? answer)
+(stability-kind answer)
+(stability-conditions answer)]}
 
 @(close-session session)

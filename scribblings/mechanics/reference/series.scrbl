@@ -92,6 +92,7 @@ The power series about 0 of the functions of these names, and of (1 + x)ⁿ.
 
 @examples[#:eval session
 exp-series
+cos-series
 (series:head atan-series 8)
 (series:head (binomial-series 1/2) 6)]
 

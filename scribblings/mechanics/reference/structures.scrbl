@@ -28,9 +28,13 @@ in @racket[match] and in arguments, they take structures apart; a vector matches
               @defproc[(list->up [xs list?]) structure?]
               @defproc[(list->down [xs list?]) structure?])]{
 
+The structure with the components of a vector or a list.
+
 @examples[#:eval session
 (vector->down #(1 2))
-(list->up '(a b c))]}
+(vector->up #(1 2))
+(list->up '(a b c))
+(list->down '(a b c))]}
 
 @defproc[(s:generate [n exact-nonnegative-integer?]
                      [orientation (or/c 'up 'down)]
@@ -115,7 +119,8 @@ tuple counts as 1. @racket[dimension] is another name of @racket[s:dimension].
 
 @examples[#:eval session
 (s:length (up 't (up 'x 'y)))
-(dimension (up 't (up 'x 'y)))]}
+(dimension (up 't (up 'x 'y)))
+(s:dimension 'a)]}
 
 @deftogether[(@defproc[(vector-ref [s tuple] [i exact-nonnegative-integer?]) value]
               @defproc[(vector-length [s tuple]) exact-nonnegative-integer?])]{
@@ -132,6 +137,8 @@ any length apart with them.
 
 @deftogether[(@defproc[(structure->vector [s tuple]) vector?]
               @defproc[(structure->list [s tuple]) list?])]{
+
+The components, as a vector or a list.
 
 @examples[#:eval session
 (structure->list (down 1 2))
@@ -179,7 +186,8 @@ A structure that contracts with @racket[s] to a scalar: of fresh symbols
 
 @examples[#:eval session
 (compatible-shape (up 'a (down 'b 'c)))
-(compatible-zero (up 'a 'b))]
+(compatible-zero (up 'a 'b))
+(dual-zero (up 'a 'b))]
 
 @sicm{5.2, p. 351}}
 
@@ -202,6 +210,7 @@ functions, the function that gives the product of their values.
 
 @examples[#:eval session
 (dot-product (up 'a 'b) (up 'x 'y))
+(inner-product (up 'a 'b) (down 'x 'y))
 (eval:error (dot-product (up 1 2) 3))]
 
 @sicm{1.4, p. 14}}

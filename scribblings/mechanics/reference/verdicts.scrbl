@@ -82,8 +82,11 @@ the question is whether there are any: whether it satisfies the equations of
               @defproc[(refuted? [v verdict?]) boolean?]
               @defproc[(undecided? [v verdict?]) boolean?])]{
 
+What a verdict says: it is proved, refuted, or undecided.
+
 @examples[#:eval session
 (define v (prove-zero (* 'a (- 'k (* 'm (square 'omega))))))
+(verdict? v)
 (verdict-status v)
 (proved? v)
 (refuted? v)

@@ -44,6 +44,8 @@ that turn at the rate @racket[Omega], each made from the one before by @racket[F
 Coriolis and centrifugal forces come out:
 
 @examples[#:eval session
+((L-free-rectangular 'm) plane)
+((L-free-polar 'm) (up 't (up 'r 'theta) (up 'rdot 'thetadot)))
 ((L-rotating-polar 'm 'Omega)
  (up 't (up 'r 'theta) (up 'rdot 'thetadot)))
 ((L-rotating-rectangular 'm 'Omega) plane)
@@ -69,6 +71,8 @@ return functions, and so is their difference @racket[(- T-pend V-pend)].
 
 @examples[#:eval session
 L-pend
+((T-pend 'm 'l 'g (constant-function 0)) (up 't 'theta 'thetadot))
+((V-pend 'm 'l 'g (constant-function 0)) (up 't 'theta 'thetadot))
 (((Lagrange-equations (L-pend 'm 'l 'g (literal-function 'y_s)))
   (literal-function 'theta))
  't)]

@@ -37,6 +37,7 @@ A pendulum whose pivot is shaken up and down with the amplitude A, and its state
 derivative.
 
 @examples[#:eval session
+((L-periodically-driven-pendulum 'm 'l 'g 'A 'omega) (up 't 'theta 'thetadot))
 ((pend-state-derivative 'm 'l 'g 'A 'omega) (up 't 'theta 'thetadot))
 ((state-advancer pend-state-derivative 1 1 9.8 0.1 (* 2 (sqrt 9.8)))
  (up 0 1 0) 10 1e-13)]
