@@ -11,7 +11,8 @@
                "math-lib"
                "pict-lib"
                "plot-lib"))
-(define build-deps '("drracket-tool-text-lib"
+(define build-deps '("at-exp-lib"
+                     "drracket-tool-text-lib"
                      "macro-debugger-text-lib"
                      "racket-doc"
                      "rackunit-lib"

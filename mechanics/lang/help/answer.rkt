@@ -37,14 +37,14 @@
 
 (define (about-name name)
   (cond [(card-of name) => (lambda (c) (card-lines c columns))]
-        [(later-sentence name) => (lambda (sentence) (list (format "~s: ~a." name sentence)))]
+        [(later-sentence name) => (lambda (sentence) (filled (string-split (format "~s: ~a." name sentence)) columns))]
         [(rackets? name)
          (list (format "~s is Racket's own, and means here what it means there." name)
                (format "  https://docs.racket-lang.org/search/?q=~s" name))]
         [else (about-unknown name)]))
 
 (define (about-unknown name)
-  (define near (likely-names name (append (own-names) later-names)))
+  (define near (likely-names name (append (card-names) later-names)))
   (define found (found-cards (symbol->string name) (all-cards)))
   (cons (format "~s is not a name of mechanics.~a" name
                 (if (null? near) "" (format "  Did you mean ~a?" (alternatives near))))
@@ -59,25 +59,27 @@
 ;; ---------------------------------------------------------------------------
 ;; A text
 
-;; A text that is a name asks for its card as well.
 (define (about-text text)
   (define found (found-cards text (all-cards)))
   (define later (later-found text))
   (cond [(and (null? found) (null? later))
          (list (format "Nothing is found for ~s; (help) tells what can be asked." text))]
-        [else (append (found-lines found)
-                      (if (null? later) '() (list (later-line later))))]))
+        [else (append (if (null? found) '() (found-lines found))
+                      (if (null? later) '() (later-lines later)))]))
 
 (define (later-found text)
-  (filter (lambda (name)
-            (string-contains? (string-downcase (symbol->string name)) (string-downcase text)))
-          later-names))
+  (define pattern (regexp (regexp-quote text #f)))
+  (if (< (string-length text) 3)
+      '()
+      (filter (lambda (name) (regexp-match? pattern (symbol->string name))) later-names)))
 
-(define (later-line names)
-  (string-join (cons "Of chapters to come:" (map symbol->string (shortest names)))
-               " "))
+;; The shortest names of chapters to come.
+(define (later-lines names)
+  (define texts (sort (map symbol->string names) < #:key string-length))
+  (define shown (take texts (min most-later (length texts))))
+  (filled (cons "Of chapters to come:" shown) columns))
 
-(define (shortest names) (take names (min 6 (length names))))
+(define most-later 4)
 
 (define most-found 24)
 

@@ -41,7 +41,7 @@
 
 (define (call-lines s width)
   (define result (signature-result s))
-  (filled (append (signature-call s) (if result (list (string-append " → " result)) '()))
+  (filled (append (signature-call s) (if result (cons " →" (string-split result)) '()))
           width
           (string-append "    " indentation)))
 
@@ -70,9 +70,16 @@
 (define (told a)
   (define default (argument-default a))
   (cond [(not default) (argument-what a)]
-        [(equal? default "#f") (regexp-replace #rx"(,| or) #f$" (argument-what a) "")]
+        [(equal? default "#f") (without-false (argument-what a))]
         [(tells? (argument-what a)) (format "~a; ~a unless given" (argument-what a) default)]
         [else (format "~a unless given" default)]))
+
+;; "constraint, list or #f" -> "constraint or list"
+(define (without-false what)
+  (define found (regexp-match #rx"^(.*) or #f$" what))
+  (if found
+      (regexp-replace #rx", ([^,]*)$" (cadr found) " or \\1")
+      what))
 
 (define (pad text n) (string-append text (make-string (- n (string-length text)) #\space)))
 

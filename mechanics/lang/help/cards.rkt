@@ -9,7 +9,7 @@
          "card.rkt"
          (for-syntax racket/base))
 
-(provide all-cards card-of own-names)
+(provide all-cards card-of card-names)
 
 (define-runtime-module-path-index table "table.rkt")
 
@@ -22,4 +22,4 @@
 (define (card-of name)
   (for/first ([c (in-list (all-cards))] #:when (eq? (card-name c) name)) c))
 
-(define (own-names) (map card-name (all-cards)))
+(define (card-names) (map card-name (all-cards)))

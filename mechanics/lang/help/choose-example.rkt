@@ -4,8 +4,8 @@
 ;;
 ;; Of the lines of an entry it is the first expression that mentions the name or stands on a
 ;; definition that does; failing that, one of another entry, of the same page if there is one;
-;; failing that an error of the entry's, and in the end its first expression: names that are
-;; explained together are shown together.
+;; failing that an error of the entry's, or a definition with what follows; and in the end its
+;; first expression: names that are explained together are shown together.
 
 (require racket/list
          "card.rkt" "page.rkt"
@@ -19,8 +19,8 @@
   (or (first-example (entry-lines e) (lambda (l) (about? l name p context)) p context)
       (for/or ([other (in-list (cons p pages))])
         (first-example (page-lines other) (lambda (l) (mentions? l name)) other context))
-      (let ([l (findf (lambda (l) (mentions? l name)) (entry-lines e))])
-        (and l (make-example l '() p context)))
+      (let ([from (memf (lambda (l) (mentions? l name)) (entry-lines e))])
+        (and from (make-example (car from) from p context)))
       (first-example (entry-lines e) void p context)))
 
 (define (first-example lines fits? p context)
@@ -38,20 +38,27 @@
     (cond [(pair? d) (and (not (eq? (car d) 'quote)) (or (look (car d)) (look (cdr d))))]
           [else (eq? d name)])))
 
-;; Drawing shows nothing until the frame is shown: all lines up to that belong to it.
+;; Drawing shows nothing until the frame is shown: all lines up to that belong to it.  What
+;; declares or sets something is followed by an expression that shows it.
 (define (make-example chosen following p context)
-  (define shown (if (draws? chosen) (up-to-frame chosen following) (list chosen)))
+  (define shown
+    (cond [(calls? chosen #rx"[(](plot|graphics)-") (up-to-frame chosen following)]
+          [(calls? chosen #rx"^[(](assume|define|set-[^ ]*!) ")
+           (with-next chosen following context)]
+          [else (list chosen)]))
   (example (page-requires p)
-           (map line-text (needed-by shown p context))
+           (map line-text (append (declared-before chosen p) (needed-by shown p context)))
            (map line-text shown)
            (map (lambda (l) (if (equal? (line-run l) (line-form l))
                                 (line-text l)
                                 (format "~s" (line-run l))))
                 shown)))
 
-(define (draws? l)
-  (and (pair? (line-form l))
-       (regexp-match? #rx"^(plot-|graphics-)" (format "~s" (car (line-form l))))))
+(define (calls? l pattern) (regexp-match? pattern (format "~s" (line-form l))))
+
+(define (with-next chosen following context)
+  (define next (findf (lambda (l) (shows? l context)) (remq chosen following)))
+  (if next (list chosen next) (list chosen)))
 
 (define (up-to-frame chosen following)
   (define fine (filter (lambda (l) (not (line-error? l))) following))
@@ -60,6 +67,15 @@
 
 ;; ---------------------------------------------------------------------------
 ;; What an expression needs
+
+;; What was assumed on the page, if the line asks about it or withdraws it.
+(define (declared-before l p)
+  (if (calls? l #rx"[(](forget-)?assumptions")
+      (filter (lambda (other) (and (calls? other #rx"^[(]assume ") (not (line-error? other))))
+              (lines-before l p))
+      '()))
+
+(define (lines-before l p) (takef (page-lines p) (lambda (other) (not (eq? other l)))))
 
 ;; The definitions of the page that the lines stand on, in the order of the page: of each
 ;; name the last before it is used.
@@ -76,7 +92,7 @@
 
 ;; name -> line
 (define (definitions-before l p context)
-  (for*/hasheq ([other (in-list (takef (page-lines p) (lambda (other) (not (eq? other l)))))]
+  (for*/hasheq ([other (in-list (lines-before l p))]
                 [name (in-value (defined other context))]
                 #:when name)
     (values name other)))

@@ -135,7 +135,9 @@
   (argument (format "~s" (cadr slot)) (words (caddr slot)) (default-text (cdddr slot))
             (string->symbol (format "~s" (car slot)))))
 
-(define (default-text parts) (and (pair? parts) (format "~s" (car parts))))
+;; _name is told and no program.
+(define (default-text parts)
+  (and (pair? parts) (regexp-replace #rx"^_" (format "~s" (car parts)) "")))
 
 ;; ---------------------------------------------------------------------------
 ;; Contracts in words
@@ -157,6 +159,7 @@
            [(vectorof) (format "vector of ~a" (plural (car parts)))]
            [(quote) (format "'~s" (cadr contract))]
            [(->) (function-words contract)]
+           [(->*) "function"]
            [else (format "~s" contract)])]))
 
 (define (function-words contract)

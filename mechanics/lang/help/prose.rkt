@@ -59,11 +59,14 @@
 ;; The first sentence of a body, or #f.  What a colon announces is left out.
 (define (first-sentence parts)
   (define text (plain-text (first-paragraph parts)))
-  (define found (regexp-match #px"^.*?(?<!e[.]g|i[.]e|cf|[ (]p)[.?!:][)”]?(?=\\s|$)" text))
+  (define found (regexp-match sentence-end text))
   (define sentence (if found (car found) text))
   (cond [(string=? sentence "") #f]
         [(regexp-match? #rx"[.?!][)”]?$" sentence) sentence]
         [else (string-append (string-trim sentence #rx"[:,]" #:left? #f) ".")]))
+
+;; Not the stop of an abbreviation.
+(define sentence-end #px"^.*?(?<!e[.]g)(?<!i[.]e)(?<![ (]p)[.?!:][)”]?(?=\\s|$)")
 
 ;; The parts before an empty line or a display, such as a list; those before any text left
 ;; out.

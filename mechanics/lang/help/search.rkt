@@ -16,9 +16,9 @@
                (filter (lambda (c) (all-in? words (all-text c))) cards)))
   (append in-name elsewhere))
 
-;; Plurals find what is said in the singular, and the other way round.
+;; Plurals find what is said in the singular, and sine finds sin.
 (define (stem word)
-  (if (> (string-length word) 4) (regexp-replace #rx"(ies|y|es|s)$" word "") word))
+  (if (> (string-length word) 3) (regexp-replace #rx"(ies|y|es|s|e)$" word "") word))
 
 (define (all-in? words text)
   (for/and ([w (in-list words)]) (string-contains? text w)))

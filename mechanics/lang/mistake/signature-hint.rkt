@@ -54,8 +54,7 @@
 
 ;; -> text to add, or #f
 (define (count-hint message)
-  (define found (regexp-match #rx"^([^ \n]+): |\n  procedure: ([^ \n]+)" message))
-  (define name (and found (last (filter values found))))
+  (define name (name-in message))
   (define given (number-in message given-patterns))
   (define signatures (if (and name given) (signatures-of (string->symbol name)) '()))
   (and (pair? signatures)
@@ -64,6 +63,11 @@
                                (if (null? (cdr signatures))
                                    (list (what-differs (car signatures) given message))
                                    '())))))
+
+(define (name-in message)
+  (define found (or (regexp-match #rx"^application: [^\n]*\n  procedure: ([^ \n]+)" message)
+                    (regexp-match #rx"^([^ \n]+): " message)))
+  (and found (cadr found)))
 
 (define given-patterns
   '(#rx"\n  given: ([0-9]+)" #rx"it was given ([0-9]+|none)" #rx", given ([0-9]+):"

@@ -1,0 +1,150 @@
+#lang racket/base
+;; What `help` prints.
+
+(require (for-label mechanics/lang/help/table)
+         mechanics
+         mechanics/lang/help/answer
+         mechanics/lang/help/card
+         mechanics/lang/help/cards
+         mechanics/lang/help/search
+         (only-in racket/list take)
+         (only-in racket/port with-output-to-string)
+         (only-in racket/string string-contains? string-join)
+         rackunit
+         (only-in "../../support/run-text.rkt" lines prints refusal session))
+
+(define (text about) (string-join (help-lines about) "\n"))
+
+(test-case "the card of a function"
+  (check-equal? (text 'iota)
+                #<<end
+(iota n [start] [step])  → list
+  The list of n values from start on, each larger by step.
+
+  n       0, 1, 2 …
+  start   0 unless given
+  step    1 unless given
+
+  > (iota 4)
+  '(0 1 2 3)
+
+  Manual: The language.
+  See also: write-line, -1+.
+end
+                ))
+
+(test-case "a card with definitions, a keyword and a place in the book"
+  (check-equal? (text 'verify-solution)
+                #<<end
+(verify-solution L q [dissipation] [#:force force] [#:order n]
+      [#:constraints constraints] [#:multipliers lambda])  → verdict
+  Whether the path q satisfies Lagrange's equations of L at all times.
+
+  L             Lagrangian
+  q             path
+  dissipation   function
+  force         function
+  n             1, 2, 3 …; 1 unless given
+  constraints   constraint, list or up
+  lambda        path
+
+  (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
+  > (verify-solution (L-free 'm) (lambda (t) (up (* 'a t) 'b)))
+  proved: the residual is zero
+
+  Book: 1.5, p. 36. Manual: Verdicts.
+  See also: Lagrange-equations, verdict-kinks, constrained-Lagrange-equations,
+  eliminate-multipliers, verdict?.
+end
+                ))
+
+(test-case "the card of a name of another library says which"
+  (check-true (string-contains? (text 'L-harmonic) "\n  (require mechanics/book) provides it.\n")))
+
+;; They show messages, which are not broken into lines.
+(define refusals '(^ graphics-save unequal-contraction))
+
+(test-case "no line of any card, but of examples as they are written, is longer than 80"
+  (for* ([c (in-list (all-cards))]
+         #:unless (memq (card-name c) refusals)
+         [line (in-list (help-lines (card-name c)))]
+         #:unless (regexp-match? #rx"^  .*[()0-9]" line))
+    (check-true (<= (string-length line) 80) line)))
+
+;; ---------------------------------------------------------------------------
+;; Names without a card
+
+(test-case "a name that is spelt nearly so, or like nothing"
+  (check-equal? (text 'cubbe) "cubbe is not a name of mechanics.  Did you mean cube?")
+  (check-equal? (text 'Poison-bracket)
+                "Poison-bracket is not a name of mechanics.  Did you mean Poisson-bracket?")
+  (check-equal? (text 'zzyzx) "zzyzx is not a name of mechanics."))
+
+(test-case "a name of a later chapter"
+  (check-equal? (text 'Lie-transform)
+                (string-append "Lie-transform: it belongs to section 6.4 of the book (Lie series, "
+                               "p. 448), which\nis not here yet.")))
+
+(test-case "Racket's names"
+  (check-equal? (text 'map)
+                (string-append "map is Racket's own, and means here what it means there.\n"
+                               "  https://docs.racket-lang.org/search/?q=map"))
+  (check-true (string-contains? (text 'match) "Racket's own"))
+  (check-true (string-contains? (text 'sin) "(sin x)  → value")))
+
+;; ---------------------------------------------------------------------------
+;; Texts
+
+(define (found text) (map card-name (found-cards text (all-cards))))
+
+(test-case "a text finds the names that have its words, those with all of them in the name first"
+  (check-equal? (take (found "constraint") 3) '(constraint? constraint-forces constraint-integral))
+  (check-not-false (memq 'holonomic (found "constraints")))
+  (check-not-false (memq 'Frobenius-test (found "Constraints velocity")))
+  (check-equal? (found "spline hermite") '(Hermite-spline))
+  (check-equal? (found "no such thing here") '()))
+
+(test-case "what is found stands in lines of 80 columns, with chapters to come"
+  (check-equal? (text "canonical")
+                (string-append "Of chapters to come: canonical? canonical-H? canonical-K? qp-canonical?"))
+  (for ([words '("constraint" "tuple" "a" "energy")])
+    (for ([line (in-list (help-lines words))])
+      (check-true (<= (string-length line) 80) line))))
+
+(test-case "what is too much is counted; what is nothing is said"
+  (check-regexp-match #rx"\n[.][.][.] and [0-9]+ more; another word finds fewer[.]$" (text "a"))
+  (check-equal? (text "no such thing")
+                "Nothing is found for \"no such thing\"; (help) tells what can be asked.")
+  (check-equal? (text " ") (text #f)))
+
+;; ---------------------------------------------------------------------------
+;; The form
+
+(define-syntax-rule (printed e) (with-output-to-string (lambda () e)))
+
+(test-case "a name may be quoted, and need not have a value"
+  (check-equal? (printed (help iota)) (printed (help 'iota)))
+  (check-equal? (printed (help #%app)) (string-append (text '#%app) "\n"))
+  (check-equal? (printed (help no-such-name)) "no-such-name is not a name of mechanics.\n")
+  (check-equal? (printed (help "spline hermite")) (string-append (text "spline hermite") "\n"))
+  (check-regexp-match #rx"^[(]help name[)]" (printed (help))))
+
+(test-case "anything else is no question"
+  (for ([program '("(help 3)" "(define x help)" "(help a b)")])
+    (check-regexp-match #rx": help: ask [(]help[)], [(]help verify-solution[)] or [(]help \"constr"
+                        (refusal program))))
+
+(test-case "the reader's own definitions are not disturbed, nor disturb"
+  (check-equal? (prints "(define (cube x) 0)" "(help cube)" "(cube 2)")
+                (string-append (text 'cube) "\n0\n"))
+  (check-equal? (prints "(help cube)" "(define (help x) (* 2 x))" "(help 3)")
+                (string-append (text 'cube) "\n6\n")))
+
+(test-case "at a prompt, in this language and in Racket's"
+  (define-values (ours our-errors)
+    (session '("-I" "mechanics") "(define L 3)" "(help iota)" "L"))
+  (check-equal? (take ours 1) '("(iota n [start] [step])  → list"))
+  (check-equal? our-errors "")
+  (define-values (theirs their-errors)
+    (session '("-i") "(require mechanics)" "(help iota)"))
+  (check-equal? (take theirs 1) '("(iota n [start] [step])  → list")))

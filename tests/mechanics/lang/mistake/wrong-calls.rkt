@@ -1,0 +1,135 @@
+#lang racket/base
+;; What is said beneath messages about calls that a procedure of the library does not take:
+;; its arguments by name, the missing ones, the keyword that may have been meant.
+
+(require (for-label mechanics/lang/help/table)
+         (only-in mechanics/lang/mistake/signature-hint count-hint constraint-hint keyword-names)
+         racket/string
+         rackunit
+         "../../support/run-text.rkt")
+
+(define (text . lines) (string-join lines "\n"))
+
+(define (arity name expected given . arguments)
+  (apply text (format "~a: arity mismatch;" name)
+         " the expected number of arguments does not match the given number"
+         (format "  expected: ~a" expected) (format "  given: ~a" given)
+         (if (null? arguments)
+             '()
+             (cons "  arguments...:" (map (lambda (a) (string-append "   " a)) arguments)))))
+
+;; ---------------------------------------------------------------------------
+;; Numbers of arguments
+
+(test-case "a missing argument is named"
+  (check-equal? (count-hint (arity 'verify-conserved
+                                   "3 plus an optional argument with keyword #:force" 2
+                                   "#<procedure:L>" "#<procedure:Q>"))
+                (text ""
+                      "  it is called as (verify-conserved L Q local [#:force force])"
+                      "  missing: local")))
+
+(test-case "the messages of what is loaded on demand are understood, and those of arithmetic"
+  (check-equal? (count-hint "find-path: takes 6 arguments; it was given 2\n  its keywords: (#:observe)")
+                (text ""
+                      "  it is called as (find-path L t0 q0 t1 q1 n [#:tolerance tolerance]"
+                      "      [#:observe observe] [#:progress progress?])"
+                      "  missing: q0, t1, q1, n"))
+  (check-equal? (count-hint "minimize: takes 3 arguments; it was given none\n  its keywords: ()")
+                (text ""
+                      "  it is called as (minimize f low high [#:tolerance tolerance]"
+                      "      [#:observe observe] [#:progress progress?])"
+                      "  missing: f, low, high"))
+  (check-equal? (count-hint "sin: expected 1 argument, given 2: 1, 2")
+                "\n  it is called as (sin x)")
+  (check-equal? (count-hint (text "application: no case matching 0 non-keyword arguments"
+                                  "  procedure: Gamma"))
+                "\n  it is called as (Gamma q [n])\n  missing: q"))
+
+(test-case "an argument too many may be meant for a keyword, which its value tells"
+  (define (question . arguments)
+    (define hint
+      (count-hint (apply arity 'verify-solution "a different number plus optional arguments" 4
+                         "#<procedure:L>" "#<procedure:q>" "#f" arguments)))
+    (last-line hint))
+  (define (last-line hint) (car (reverse (string-split hint "\n"))))
+  (check-equal? (question "(holonomic <function>)") "  did you mean #:constraints?")
+  (check-equal? (question "2") "  did you mean #:order?")
+  (check-equal? (question "#<procedure:f>") "  did you mean #:force or #:multipliers?")
+  (check-equal? (last-line (count-hint "evolve-trajectory: takes 3 arguments; it was given 4"))
+                "      [#:progress progress?])"))
+
+(test-case "a function that is called in two steps, too many or too few in either"
+  (define one "\n  it is called as (F->C F)")
+  (check-equal? (count-hint (arity 'F->C 1 2)) one)
+  (define called "\n  it is called as ((principal-value cut) x)")
+  (check-equal? (count-hint (arity 'principal-value 1 2)) called))
+
+(test-case "several ways to call are all told"
+  (check-equal? (count-hint (arity 'transpose "1 or 2" 3))
+                "\n  it is called as (transpose m)\n  it is called as (transpose m right)"))
+
+(test-case "nothing is said of what the reader or Racket defined"
+  (check-false (count-hint (arity 'my-own 1 2)))
+  (check-false (count-hint (arity 'map 2 0)))
+  ;; Of other numbers than the manual says, or taken by it: another function.
+  (check-false (count-hint (arity 'find-path 2 6)))
+  (check-false (count-hint (arity 'Gamma 3 1)))
+  (check-false (count-hint (arity 'square 2 3)))
+  ;; The book's objects are commonly typed.
+  (check-false (count-hint (arity 'L-harmonic 2 3)))
+  (check-false (count-hint "arity mismatch")))
+
+;; ---------------------------------------------------------------------------
+;; Keywords
+
+(test-case "keywords are those of the manual"
+  (check-equal? (keyword-names 'find-path) '(|#:tolerance| |#:observe| |#:progress|))
+  (check-equal? (keyword-names 'map) '()))
+
+(test-case "a constraint where none is expected"
+  (define (given who value)
+    (text (format "~a: contract violation" who)
+          "  expected: a dissipation function: a function of the local tuple"
+          (format "  given: ~a" value)))
+  (define (hint who value) (constraint-hint (given who value)))
+  (check-equal? (hint 'verify-solution "(nonholonomic blade)") "\n  did you mean #:constraints?")
+  (check-false (hint 'Lagrange-equations "(holonomic rod)"))
+  (check-false (hint 'verify-solution "3")))
+
+;; ---------------------------------------------------------------------------
+;; Where the reader is
+
+(test-case "at the prompt"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(define (L local) 0)"
+             "(verify-conserved L L)"
+             "(verify-solution L L (holonomic (lambda (t q) q)))"
+             "(find-path L 0 0 1 1 2 #:tol 1)"
+             "(find-path L 0 0 1 1 2 #:observer 1)"
+             "(define (minimize f) f)"
+             "(minimize 1 2)"
+             "(require mechanics/book)"
+             "(L-harmonic 'm)"
+             "Poisson-bracket"))
+  (check-equal? output '())
+  (check-regexp-match #rx"#:force force[]][)]\n  missing: local\n" errors)
+  (check-regexp-match #rx"given: [(]holonomic <function>[)]\n  did you mean #:constraints[?]\n"
+                      errors)
+  (check-regexp-match #rx"no keyword #:tol here\n.*#:tolerance[)]\n  did you mean #:tolerance[?]\n"
+                      errors)
+  (check-regexp-match #rx"no keyword #:observer here\n[^\n]*\n  did you mean #:observe[?]\n" errors)
+  (check-false (regexp-match? #rx"called as [(]minimize" errors))
+  (check-regexp-match #rx"  it is called as [(][(]L-harmonic m k[)] local[)]\n" errors)
+  (check-regexp-match
+   (regexp (string-append "\n  it belongs to section 3.2 of the book [(]Poisson brackets, p. 218[)],"
+                          " which is not here yet\n  as a symbol it is written 'Poisson-bracket\n"))
+   errors))
+
+(test-case "an unknown name of a later chapter in a module"
+  (check-regexp-match
+   (regexp (string-append "Lie-transform: unbound identifier; it belongs to section 6.4 of the book "
+                          "[(]Lie series, p. 448[)], which is not here yet; as a symbol it is "
+                          "written 'Lie-transform"))
+   (refusal "(define (f x) (Lie-transform x))")))
