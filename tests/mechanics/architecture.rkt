@@ -18,8 +18,8 @@
 (define longest-file 500)
 (define longest-function 30)
 
-;; Tables of coefficients, and formulas that are one.
-(define tables '(polynomial take-slopes!))
+;; Tables of coefficients or names, and formulas that are one.
+(define tables '(polynomial take-slopes! chapters))
 
 ;; Rooms that know nothing of others, though those are below them.
 (define strangers

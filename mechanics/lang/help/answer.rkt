@@ -37,7 +37,8 @@
 
 (define (about-name name)
   (cond [(card-of name) => (lambda (c) (card-lines c columns))]
-        [(later-sentence name) => (lambda (sentence) (filled (string-split (format "~s: ~a." name sentence)) columns))]
+        [(later-sentence name)
+         => (lambda (sentence) (filled (string-split (format "~s: ~a." name sentence)) columns))]
         [(rackets? name)
          (list (format "~s is Racket's own, and means here what it means there." name)
                (format "  https://docs.racket-lang.org/search/?q=~s" name))]

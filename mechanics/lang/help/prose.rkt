@@ -8,8 +8,23 @@
 (provide plain-text first-sentence)
 
 ;; parts -> text of one line
-(define (plain-text parts)
+(define (plain-text parts) (bare (one-line parts)))
+
+(define (one-line parts)
   (string-normalize-spaces (typographic (apply string-append (map part->text parts)))))
+
+;; Stops in code end no sentence: until it is known where one ends, they are other letters.
+(define stops '((#\. . #\uE000) (#\? . #\uE001) (#\! . #\uE002) (#\: . #\uE003)))
+
+(define (disguised text)
+  (exchange text (lambda (c) (cond [(assv c stops) => cdr] [else c]))))
+
+(define (bare text)
+  (exchange text (lambda (c)
+                   (define found (findf (lambda (s) (char=? (cdr s) c)) stops))
+                   (if found (car found) c))))
+
+(define (exchange text f) (list->string (map f (string->list text))))
 
 (define (part->text part)
   (cond [(string? part) part]
@@ -18,7 +33,7 @@
          (define parts (without-keywords (cdr part)))
          (case (car part)
            [(racket racketid racketidfont racketmodname racketresult exec tt filepath)
-            (string-join (map code-text parts) " ")]
+            (disguised (string-join (map code-text parts) " "))]
            [(italic bold emph elem deftech tech math onscreen smaller list para)
             (apply string-append (map part->text parts))]
            [(subscript) (in-small parts subscripts "_")]
@@ -58,9 +73,9 @@
 
 ;; The first sentence of a body, or #f.  What a colon announces is left out.
 (define (first-sentence parts)
-  (define text (plain-text (first-paragraph parts)))
+  (define text (one-line (first-paragraph parts)))
   (define found (regexp-match sentence-end text))
-  (define sentence (if found (car found) text))
+  (define sentence (bare (if found (car found) text)))
   (cond [(string=? sentence "") #f]
         [(regexp-match? #rx"[.?!][)”]?$" sentence) sentence]
         [else (string-append (string-trim sentence #rx"[:,]" #:left? #f) ".")]))

@@ -127,6 +127,11 @@ Or you apply a Lagrangian to something that is no local tuple:
 A message says which function complains, what it expected, what it got, and
 mostly what to do. @Secref["mistakes"] goes through more of them.
 
+What a name wants, @racket[help] says at the prompt:
+
+@examples[#:eval session #:label #f
+(help literal-function)]
+
 @section{Where to go from here}
 
 @itemlist[

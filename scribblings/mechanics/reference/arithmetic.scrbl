@@ -94,8 +94,8 @@ No power: whoever writes one is told how. Your own definition of the name is wel
               @defproc[(exp [x value]) value]
               @defproc*[([(log [x value]) value] [(log [x value] [base value]) value])])]{
 
-Square root, exponential and logarithm. Roots of exact squares are exact. @racket[log] is the natural logarithm unless a
-base is given.
+Square root, exponential and logarithm. Roots of exact squares are exact. @racket[log] is
+the natural logarithm unless a base is given.
 
 @examples[#:eval session
 (sqrt 16)
@@ -263,8 +263,8 @@ That of a complex number; of anything else @racket[(abs x)].
 
 @defproc[(= [x value] [y value] ...) boolean?]{
 
-Whether all are equal. Numbers are compared as numbers, expressions by their form as it was computed,
-without simplification; @racket[verify-equal] does more. Tuples are compared
+Whether all are equal. Numbers are compared as numbers, expressions by their form as it
+was computed, without simplification; @racket[verify-equal] does more. Tuples are compared
 component by component.
 
 @examples[#:eval session
@@ -339,8 +339,9 @@ x + 1 and x − 1.
               @defproc[(member [x any/c] [xs list?] [same? procedure? equal?]) (or/c list? #f)]
               @defform[(case x [(datum ...) body ...+] ...)])]{
 
-They answer as those of @racketmodname[racket/base] do, in which a symbol is no
-number. While a function is being compiled (@racket[compile-function]) they notice
+What a value is, and whether it is the same as others. They answer as those of
+@racketmodname[racket/base] do, in which a symbol is no number. While a function is being
+compiled (@racket[compile-function]) they notice
 that they are asked about a number that is not known yet.
 
 @examples[#:eval session

@@ -129,9 +129,9 @@ equations in these.
                         [#:force force (or/c #f procedure?) #f])
                        procedure?])]{
 
-Functions of the local tuple @racket[(up t q v)]: an @racket[up] of the accelerations and
-the multipliers, solved for together; and the force of the constraints, Σ λ
-∂@subscript{1}G, a @racket[down]. They hold for states that keep the constraints.
+The accelerations with the multipliers, and the force of the constraints. These are
+functions of the local tuple @racket[(up t q v)]: an @racket[up] of both, solved for
+together, and Σ λ ∂@subscript{1}G, a @racket[down]. They hold for states that keep the constraints.
 
 Constraints that repeat each other leave their multipliers open: the error
 @racket[exn:fail:mechanics:singular:matrix] says which one repeats which.
@@ -202,7 +202,7 @@ What a constraint does is an event when its force changes sign:
                            [constraints (or/c constraint? list? up?)])
          procedure?]{
 
-A function of a state of numbers: the state beside it that keeps the constraints. The
+The state beside a given one, of numbers, that keeps the constraints. The
 coordinates are moved as little as possible, as the kinetic energy measures it, and then
 the velocities.
 

@@ -9,8 +9,8 @@
 
 @defproc[(F->C [F procedure?]) procedure?]{
 
-Of F, which gives the old coordinates as a function of the new local tuple: the
-transformation of local tuples that goes with it. So a Lagrangian L in old
+The transformation of local tuples that goes with F, which gives the old coordinates as a
+function of the new local tuple. So a Lagrangian L in old
 coordinates becomes @racket[(compose L (F->C F))] in new ones. Local tuples may
 have accelerations and more.
 
@@ -62,8 +62,8 @@ tuples longer by one that is the derivative of F by time along every path,
                        procedure?])]{
 
 The residual of Lagrange's equations as a function of local tuples with
-accelerations, without any path, by three names. If L depends on derivatives of the coordinates up to
-the order n, the local tuples have them up to 2n.
+accelerations, without any path, by three names. If L depends on derivatives of the
+coordinates up to the order n, the local tuples have them up to 2n.
 
 @examples[#:eval session
 (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))

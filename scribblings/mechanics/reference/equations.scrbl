@@ -91,8 +91,8 @@ The dissipation function k v², of a drag −2 k v. It takes power at twice its 
                                                [#:force force (or/c #f procedure?) #f])
                        procedure?])]{
 
-Functions of the local tuple @racket[(up t q v)]: the accelerations that Lagrange's
-equations determine, and the state derivative @racket[(up 1 v a)], by two names. Forces
+The accelerations that Lagrange's equations determine, and the state derivative
+@racket[(up 1 v a)], by two names, as functions of the local tuple @racket[(up t q v)]. Forces
 outside L are given as to @racket[Lagrange-equations].
 
 The accelerations solve (∂@subscript{2}∂@subscript{2}L) a = ∂@subscript{1}L + Q −

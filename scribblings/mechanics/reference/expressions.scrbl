@@ -235,7 +235,7 @@ Prints the value, simplified, as the prompt does, and ends the line.
 Shows the value in the best way there is at the place it is called from. At
 present that is text everywhere, as with @racket[print-expression].
 
-@examples[#:eval session 
+@examples[#:eval session
 (show-expression ((D (literal-function 'f)) 'x))
 (se (+ 'x 'x))]
 

@@ -56,7 +56,8 @@ An approximation did not reach its tolerance. @racket[value] is the best found,
 @defstruct*[(exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:not-convergent)
             ([where real?])]{
 
-The same of an integral, with a number near the point at which the integrand defies the
+An integral did not reach its tolerance. It comes with a number near the point at which the
+integrand defies the
 method: where it is infinite and the integral does not exist, as a rule.
 
 @examples[#:eval session

@@ -9,7 +9,8 @@
 
 @defproc[(compose [f procedure?] ...) procedure?]{
 
-@racket[((compose f g) x ...)] is @racket[(f (g x ...))]. The last function may
+The functions one after another: @racket[((compose f g) x ...)] is @racket[(f (g x ...))].
+The last function may
 take several arguments. What is no function raises an error that names it.
 
 @examples[#:eval session
@@ -130,7 +131,7 @@ same. Of a smooth function with points a distance @italic{h} apart the error fal
                          [#:extrapolate? extrapolate? any/c #f])
          procedure?]{
 
-The same where the slopes are known at all points, as those of positions are where
+A spline where the slopes are known at all points, as those of positions are where
 velocities were recorded. The second derivative may jump.
 
 @examples[#:eval session

@@ -131,7 +131,8 @@ another shape raises an error that names the pattern and the place.
               @defform[(λ (arg ...) body ...+)]
               @defform[(case-lambda [(arg ...) body ...+] ...)])]{
 
-A @racket[_head] is an identifier or, for a function that returns functions,
+Definitions and functions, with patterns among their arguments. A @racket[_head] is an
+identifier or, for a function that returns functions,
 again a head with arguments. All of Racket's arguments are allowed: optional,
 keyword and rest arguments.
 

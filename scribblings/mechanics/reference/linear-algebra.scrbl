@@ -105,7 +105,8 @@ Rows and columns from the low index up to, but without, the high one.
 @deftogether[(@defproc*[([(transpose [m value]) value]
                          [(transpose [m tuple] [right tuple]) value])])]{
 
-Of a matrix, or of a structure of structures, in which the two levels exchange
+Rows and columns exchanged, of a matrix, or of a structure of structures, in which the two
+levels exchange
 places. With two arguments, @racket[m] is seen as the map from @racket[right] to
 @racket[(* m right)], and the result is the structure of the transposed map.
 
@@ -119,7 +120,7 @@ places. With two arguments, @racket[m] is seen as the map from @racket[right] to
 @deftogether[(@defproc[(determinant [m value]) scalar]
               @defproc[(trace [m value]) scalar])]{
 
-Of a square matrix or a square structure of structures.
+The determinant of a square matrix or a square structure of structures.
 
 @examples[#:eval session
 (determinant M)

@@ -75,7 +75,7 @@ A scalar, and anything at all.
 @deftogether[(@defproc[(X [argument shape] ...) shape]
               @defproc[(X* [argument shape] [n exact-nonnegative-integer?]) shape])]{
 
-As a domain: several arguments, or n arguments of one shape. Elsewhere the same
+Several arguments as a domain, or n arguments of one shape. Elsewhere the same
 as @racket[UP] and @racket[UP*].
 
 @examples[#:eval session

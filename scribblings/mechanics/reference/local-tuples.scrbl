@@ -197,7 +197,7 @@ A pendulum's period from its law of energy, infinitely slow at the ends of the s
                                                      (lambda (value bound evaluations) value)])
          any]{
 
-The same; here the tolerance must be given.
+As @racket[definite-integral], with a tolerance that must be given.
 
 @examples[#:eval session
 (definite-integral-with-tolerance exp 0 1 1e-14 #:report list)]}
@@ -223,7 +223,7 @@ there.
                     [#:progress progress? any/c (report-progress)])
          list?]{
 
-The same, with a tolerance among the arguments.
+As @racket[minimize], with a tolerance among the arguments.
 
 @examples[#:eval session
 (brent-min cos 2 4 1e-3)]}
@@ -234,7 +234,7 @@ The same, with a tolerance among the arguments.
                              [#:progress progress? any/c (report-progress)])
          list?]{
 
-The same by golden sections: each step takes one value of f and leaves 0.618 of the
+A minimum by golden sections: each step takes one value of f and leaves 0.618 of the
 interval. The search ends at a tolerance, or when @racket[done] says so, which is called
 with the lower end, the best argument and the upper end, the values at these, and the
 number of steps.

@@ -396,7 +396,8 @@ flonums.
               @defproc[(bigfloat-precision [x bigfloat?]) exact-integer?]
               @defproc[(bigfloat->exact [x bigfloat?]) real?])]{
 
-A number of so many bits: the one nearest to @racket[x], which may be a numeral, and may be
+A number of higher precision, of so many bits: the one nearest to @racket[x], which may be
+a numeral, and may be
 a number of @racketmodname[math/bigfloat]. These numbers take part in all arithmetic,
 comparisons and derivatives. A result has as many bits as the more precise of its
 arguments. There are no complex ones: the square root of a negative number is not a number,

@@ -172,7 +172,7 @@ spiral
                              [#:label label (or/c string? #f) #f])
             void?])]{
 
-A function of the state along a trajectory, against the time or against another function
+Draws a function of the state along a trajectory, against the time or against another function
 of the state.
 
 @examples[#:eval session

@@ -69,7 +69,7 @@ on. They are called cyclic, too. Nested coordinates are listed one by one.
 
 @defproc[(conserved-momenta [L Lagrangian] [local local-tuple]) (listof up?)]{
 
-For each of them, @racket[(up coordinate momentum)]: the component of ∂@subscript{2}L
+For each ignorable coordinate, @racket[(up coordinate momentum)]: the component of ∂@subscript{2}L
 that is conserved.
 
 @examples[#:eval session (conserved-momenta L polar)]}

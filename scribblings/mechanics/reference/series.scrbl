@@ -56,7 +56,7 @@ an error that says so, and @racket[prove-zero] is undecided.
 @deftogether[(@defproc[(series [term value] ...) series?]
               @defproc[(power-series [coefficient value] ...) power-series?])]{
 
-With these terms or coefficients, and then no more.
+The series with these terms or coefficients, and then no more.
 
 @examples[#:eval session
 (define ((H0 alpha) (up t theta p)) (/ (square p) (* 2 alpha)))
@@ -150,7 +150,7 @@ terms, if the series ends; otherwise it raises an error.
 
 @defproc[(series:print [s series?] [n (or/c exact-nonnegative-integer? #f) #f]) void?]{
 
-The same with @racket[print-expression] for f.
+Prints the terms of a series, one after another, by @racket[print-expression].
 
 @examples[#:eval session (series:print (sin-series 'x) 4)]}
 

@@ -101,8 +101,8 @@ What was judged, simplified.
 @deftogether[(@defproc[(verdict-witness [v verdict?]) (or/c #f (listof pair?))]
               @defproc[(verdict-value [v verdict?]) (or/c #f number?)])]{
 
-Of a refutation: a point at which the residual is not zero, as a list of pairs of
-an expression and a number, and the value there. The pairs can be given to
+Where a refuted residual is not zero, as a list of pairs of an expression and a number,
+and its value there. The pairs can be given to
 @racket[substitute]. @racket[#f] for other verdicts.
 
 @examples[#:eval session

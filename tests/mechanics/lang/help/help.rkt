@@ -106,7 +106,7 @@ end
 
 (test-case "what is found stands in lines of 80 columns, with chapters to come"
   (check-equal? (text "canonical")
-                (string-append "Of chapters to come: canonical? canonical-H? canonical-K? qp-canonical?"))
+                "Of chapters to come: canonical? canonical-H? canonical-K? qp-canonical?")
   (for ([words '("constraint" "tuple" "a" "energy")])
     (for ([line (in-list (help-lines words))])
       (check-true (<= (string-length line) 80) line))))
