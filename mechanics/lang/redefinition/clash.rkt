@@ -4,7 +4,12 @@
 ;; They stay.  That is said once, with both signatures: whoever calls the one and means the
 ;; other gets answers that are wrong without a word.
 
-(require (only-in racket/list append-map))
+(require (only-in racket/list append-map)
+         racket/string
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["../help/cards.rkt" card-of]
+                   ["../help/card.rkt" card-library card-signatures signature-call])
 
 (provide (struct-out clash) tell-clash named-by)
 
@@ -29,7 +34,11 @@
           (if other (format "; the library's is ~a" other) "")))
 
 ;; How the library's procedure is called, as the manual tells; or #f.
-(define (call-in library name) #f)
+(define (call-in library name)
+  (define c (card-of name))
+  (and c
+       (eq? (card-library c) library)
+       (string-join (signature-call (car (card-signatures c))))))
 
 ;; The names that a specification of `require` lists one by one, as symbols: they are wanted.
 (define (named-by spec)
