@@ -4,10 +4,16 @@
 ;; written: the expander in a module, the error display at the prompt.  Where a
 ;; name that is known is spelt nearly so, or another library of the package defines it,
 ;; that is said first.
+;;
+;; What the error display shows beneath a message is where the reader's own program was, not
+;; what went on in libraries.
 
 (require (for-syntax racket/base
                      "suggestion.rkt")
-         "call-hint.rkt" "suggestion.rkt")
+         "call-hint.rkt" "suggestion.rkt"
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["whereabouts.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
          install-hints!)
@@ -47,9 +53,17 @@
   (lambda (display message e)
     (define hint (hint-for message e))
     (define other (hinting-display-other display))
-    (if hint
-        (other (string-append message hint) (with-hint e hint))
-        (other message e))))
+    (define-values (told told-e)
+      (if hint
+          (values (string-append message hint) (with-hint e hint))
+          (values message e)))
+    (if (shows-frames? (current-error-port))
+        (other told told-e)
+        (parameterize ([error-print-context-length 0])
+          (other (string-append told (if (exn:fail? e) (whereabouts e) "")) told-e)))))
+
+;; DrRacket has a way of its own to show them.
+(define (shows-frames? port) (port-writes-special? port))
 
 ;; Make the current error display ours; again is no harm.
 (define (install-hints!)

@@ -5,22 +5,25 @@
 
 (provide make-definitions
          defined? add-variable! add-macro!
-         defining-occurrence definition-header-and-line used-early? mark-variable)
+         defining-occurrence definition-header-and-line used-early? mark-variable
+         line-in)
 
 ;; shown : symbol -> names that the text of the module defines; repeated : those
 ;; it defines more than once; early : those it uses before; met : symbol ->
-;; definitions expanded so far; headers : symbol -> how its definition begins.  A name is
-;; an identifier as its definition binds it, without the scopes of the expansion that goes on.
-(struct definitions (shown repeated early met headers))
+;; definitions expanded so far; headers : symbol -> how its definition begins; source : where
+;; its text is.  A name is an identifier as its definition binds it, without the scopes of the
+;; expansion that goes on.
+(struct definitions (shown repeated early met headers source))
 
 (struct definition (name macro?))
 
-(define (make-definitions s)
+(define (make-definitions s source)
   (definitions (by-symbol (map plain (survey-defined s)))
                (map plain (survey-repeated s))
                (map plain (all-early s))
                (make-hasheq)
-               (survey-headers s)))
+               (survey-headers s)
+               source))
 
 (define (by-symbol names)
   (for/fold ([table (hasheq)]) ([name (in-list names)])
@@ -92,3 +95,14 @@
            (or (findf (same-name? name) (definitions-repeated ds)) (definition-of ds name)))
       (syntax-property form 'as-variable #t)
       form))
+
+;; ---------------------------------------------------------------------------
+;; Lines
+
+;; The line of the module's text where the form is, or the first part of it that is there
+;; where a macro made the rest; or #f.
+(define (line-in ds form)
+  (let find ([form form])
+    (cond [(not (syntax? form)) (and (pair? form) (or (find (car form)) (find (cdr form))))]
+          [(equal? (syntax-source form) (definitions-source ds)) (syntax-line form)]
+          [else (find (syntax-e form))])))

@@ -11,13 +11,15 @@
 ;;     (define (g x) 'new)       (define-values () (begin (set! g (lambda (x) 'new)) (values)))
 ;;
 ;; A variable that is replaced after it was imported and used is first defined
-;; as what was imported.  All other forms stay as they are.
+;; as what was imported.  All other forms stay as they are.  What is evaluated leaves its line
+;; for the message of an error.
 
 (require (prefix-in core: '#%kernel)
          (for-syntax racket/base
                      "definitions.rkt" "forms.rkt" "imports.rkt" "survey.rkt"
                      "../imported.rkt")
          "early-use.rkt"
+         "../mistake/marked-line.rkt"
          "../printer.rkt")
 
 (provide (rename-out [module-begin #%module-begin]))
@@ -29,7 +31,7 @@
      (let* ([forms (syntax->list #'(form ...))]
             [survey (survey-forms forms)]
             [outside (filter imported? (all-early survey))])
-       (with-syntax ([state (datum->syntax #f (make-definitions survey))]
+       (with-syntax ([state (datum->syntax #f (make-definitions survey (syntax-source stx)))]
                      [(configuration ...)
                       (if (ormap configuration? forms)
                           '()
@@ -77,7 +79,7 @@
        (begin (for ([id (in-list (syntax->list #'(id ...)))]) (add-macro! ds id))
               e)]
       [(head . _) (among? #'head no-expressions) e]
-      [_ (quasisyntax/loc e (print-results #,(watched e later)))]))
+      [_ (quasisyntax/loc e (print-results #,(lined ds (watched e later) form)))]))
 
   (define (splice e state later)
     (define keyword (car (syntax-e e)))
@@ -120,7 +122,8 @@
   (define (expand-variables ds later e ids value)
     (define old (filter (lambda (id) (defined? ds id)) ids))
     (for ([id (in-list ids)]) (add-variable! ds id))
-    (define safe-value (if (run-by-definition? (list value)) (watched value later) value))
+    (define safe-value
+      (if (run-by-definition? (list value)) (lined ds (watched value later) e) value))
     (cond [(pair? old) (assignment e ids old safe-value)]
           [(eq? value safe-value) e]
           [else (definition e ids safe-value)]))
@@ -139,6 +142,13 @@
       #`(let-values ([#,(map temporary ids) #,value])
           #,@(for/list ([id (in-list old)]) #`(set! #,id #,(temporary id)))
           (values #,@(map temporary new)))))
+
+  ;; An expression that leaves the line of the form, unless it is a constant.
+  (define (lined ds expression form)
+    (define line (line-in ds form))
+    (if (and line (pair? (syntax-e expression)))
+        (quasisyntax/loc expression (at-line #,line #,expression))
+        expression))
 
   ;; An expression that says so if it uses one of these too early.
   (define (watched expression later)
