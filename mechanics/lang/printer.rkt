@@ -6,28 +6,37 @@
 ;; mechanics (strings, lists, pictures) as ever, and receives the text of what
 ;; is as a value that prints as that text; so output keeps the colour, the
 ;; value history and the line ends of the editor it appears in.
+;;
+;; In a terminal a long result ends after a screen.
 
-(require "../display/result.rkt"
+(require "../display/advice.rkt" "../display/result.rkt"
          "../generic/on-demand.rkt")
 
-(require-on-demand [racket/pretty pretty-print-columns])
+(require-on-demand [racket/pretty pretty-print-columns]
+                   ["screen.rkt" first-screen])
 
-(provide install-printer! print-result)
+(provide install-printer! print-result print-more)
 
 ;; ---------------------------------------------------------------------------
 ;; The session's printer
 
-;; A value of `current-print`; `other` is the printer it wraps.
-(struct session-printer (other)
+;; A value of `current-print`; `other` is the printer it wraps; `how-to-go-on` says how the
+;; rest of a long result is seen; `rest` is its text, or #f.
+(struct session-printer (other how-to-go-on [rest #:mutable])
   #:property prop:procedure
   (lambda (printer x)
-    ((session-printer-other printer) (simplify-interruptibly x))))
+    (define other (session-printer-other printer))
+    (define shown (simplify-interruptibly x))
+    (cond [(screen?)
+           (print-screen printer (printed other shown))
+           (print-advice x)]
+          [else (other shown)])))
 
 ;; Make the current printer ours; again is no harm.
-(define (install-printer!)
+(define (install-printer! [how-to-go-on "(print-expression ...) prints all of it"])
   (define printer (current-print))
   (unless (session-printer? printer)
-    (current-print (session-printer printer))))
+    (current-print (session-printer printer how-to-go-on #f))))
 
 ;; Print a result of a module, whatever printer is current.  A break is the
 ;; reader's wish to stop the program and is left to do so.
@@ -35,6 +44,41 @@
   (define printer (current-print))
   ((if (session-printer? printer) (session-printer-other printer) printer)
    (simplify-or-say-why x)))
+
+;; ---------------------------------------------------------------------------
+;; Screens
+
+;; Is the output a terminal, of text alone?
+(define (screen?)
+  (define port (current-output-port))
+  (and (terminal-port? port) (not (port-writes-special? port))))
+
+(define (printed print x)
+  (define port (open-output-string))
+  (parameterize ([current-output-port port]) (print x))
+  (get-output-string port))
+
+;; As much of the text as leaves room for the note and the next prompt.
+(define (print-screen printer text)
+  (define size (terminal-size))
+  (define-values (shown rest more)
+    (first-screen text (max 5 (- (positive (car size) 24) 4)) (positive (cdr size) 80)))
+  (set-session-printer-rest! printer rest)
+  (write-string shown)
+  (when rest
+    (printf "; ~a more lines: ~a\n" more (session-printer-how-to-go-on printer))))
+
+;; The next screen of the last result that was too long for one.
+(define (print-more)
+  (define printer (current-print))
+  (define rest (and (session-printer? printer) (session-printer-rest printer)))
+  (if rest
+      (print-screen printer rest)
+      (printf "nothing is left of the last result\n")))
+
+(define (print-advice x)
+  (define text (advice x))
+  (when text (printf "; ~a\n" text)))
 
 ;; ---------------------------------------------------------------------------
 ;; Simplification that cannot take the prompt down
@@ -69,15 +113,15 @@
 ;; the window where the port is one that shows pictures, as DrRacket's does.
 (define (output-width)
   (define port (current-output-port))
-  (define columns
-    (cond [(port-writes-special? port)
-           (pretty-print-columns)]
-          [(terminal-port? port) (terminal-columns)]
-          [else default-width]))
-  (if (exact-positive-integer? columns) columns default-width))
+  (positive (cond [(port-writes-special? port) (pretty-print-columns)]
+                  [(terminal-port? port) (cdr (terminal-size))]
+                  [else #f])
+            default-width))
 
-;; Racket CS knows the terminal's size, if the terminal tells it, through a primitive
-;; that other builds may lack.
-(define (terminal-columns)
-  (with-handlers ([exn:fail:contract? (lambda (e) #f)])
-    (cdr ((dynamic-require ''#%terminal 'terminal-get-screen-size)))))
+(define (positive n default) (if (exact-positive-integer? n) n default))
+
+;; (rows . columns), numbers or #f.  Racket CS knows the terminal's size, if the terminal
+;; tells it, through a primitive that other builds may lack.
+(define (terminal-size)
+  (with-handlers ([exn:fail:contract? (lambda (e) '(#f . #f))])
+    ((dynamic-require ''#%terminal 'terminal-get-screen-size))))

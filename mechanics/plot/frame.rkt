@@ -12,6 +12,7 @@
 (require file/convertible
          racket/serialize
          "layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt"
+         "../display/advice.rkt"
          "../generic/value-struct.rkt")
 
 (provide
@@ -29,6 +30,9 @@
   #:text frame->text
   #:constructor-name new-frame
   #:omit-define-syntaxes
+  #:property prop:advice
+  (lambda (f)
+    "to see a frame f: (graphics-show f), or (graphics-save f \"picture.png\")")
   #:property prop:convertible
   (lambda (f request default)
     (cond [(eq? request 'text) (frame->text f)]
