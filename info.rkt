@@ -10,7 +10,8 @@
                "gui-lib"
                "math-lib"
                "pict-lib"
-               "plot-lib"))
+               "plot-lib"
+               "readline-lib"))
 (define build-deps '("at-exp-lib"
                      "drracket-tool-text-lib"
                      "macro-debugger-text-lib"

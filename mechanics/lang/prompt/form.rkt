@@ -1,0 +1,34 @@
+#lang racket/base
+;; The forms in what was typed.  A text may hold several, or end inside one; then more lines
+;; are to be asked for.
+
+(require (only-in racket/list add-between)
+         racket/port)
+
+(provide forms-in one-line)
+
+;; -> list of syntaxes, or #f if the text ends inside a form.  Any other mistake of reading
+;; is raised.
+(define (forms-in text)
+  (define port (open-input-string text))
+  (port-count-lines! port)
+  (with-handlers ([exn:fail:read:eof? (lambda (e) #f)])
+    (for/list ([form (in-port read-form port)]) form)))
+
+(define (read-form port)
+  (parameterize ([read-accept-reader #t])
+    (read-syntax 'prompt port)))
+
+;; The lines of a text as one, to be recalled and edited; the text itself where a comment or
+;; a string does not let them be joined.
+(define (one-line text)
+  (define lines (call-with-input-string text port->lines))
+  (define joined (apply string-append (add-between (map trimmed lines) " ")))
+  (if (equal? (data-in joined) (data-in text)) joined text))
+
+(define (trimmed line) (regexp-replace* #px"^\\s+|\\s+$" line ""))
+
+(define (data-in text)
+  (with-handlers ([exn:fail:read? (lambda (e) text)])
+    (define forms (forms-in text))
+    (if forms (map syntax->datum forms) text)))

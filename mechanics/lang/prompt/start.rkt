@@ -1,0 +1,83 @@
+#lang racket/base
+;; The prompt that `make repl` opens: `racket -l mechanics/lang/prompt/start`.
+;;
+;; Racket's loop of reading, evaluating and printing, with lines from lines.rkt.
+
+(require "command.rkt" "form.rkt" "lines.rkt"
+         (only-in "../mistake/unbound.rkt" install-hints!)
+         (only-in "../printer.rkt" install-printer!)
+         "../../error/complain.rkt")
+
+(provide run-prompt read-entry)
+
+(define-namespace-anchor here)
+
+(define prompt "> ")
+
+;; A pipe needs no word that more is wanted.
+(define (continuation) (if (terminal-port? (current-input-port)) "  " ""))
+
+(define (run-prompt)
+  (define-values (lines problem) (lines-at-hand))
+  (print-banner problem)
+  (parameterize ([current-prompt-read (prompt-reader lines)])
+    (print-as-expression #t)
+    (install-printer! ",more shows the next screen")
+    (install-hints!)
+    (read-eval-print-loop))
+  (when (terminal-port? (current-output-port)) (newline)))
+
+(define (print-banner problem)
+  (printf "mechanics, in Racket ~a: classical mechanics in the language of SICM\n" (version))
+  (printf "Type an expression;  ,help for help;  ,quit or Ctrl-D to leave\n")
+  (when problem (print-how-to-edit)))
+
+;; Nothing is wrong, but the arrow keys write ^[[A.
+(define (print-how-to-edit)
+  (printf "(no history and no completion: the library libedit is not installed;~a\n"
+          "\n Debian, Ubuntu: apt install libedit2; Fedora: dnf install libedit)"))
+
+;; ---------------------------------------------------------------------------
+;; Reading
+
+;; A value of `current-prompt-read`: one form after another.
+(define (prompt-reader lines)
+  (define waiting '())
+  (lambda ()
+    (when (null? waiting) (set! waiting (next-forms lines)))
+    (cond [(eof-object? waiting) (begin0 waiting (set! waiting '()))]
+          [else (begin0 (car waiting) (set! waiting (cdr waiting)))])))
+
+;; -> list of forms, at least one, or eof.  A break abandons what was typed.
+(define (next-forms lines)
+  (define forms
+    (with-handlers ([exn:break? (lambda (e) (newline) '())])
+      (read-entry lines)))
+  (if (null? forms) (next-forms lines) forms))
+
+;; Lines until they are complete forms -> list of forms or eof
+(define (read-entry lines)
+  (define first-line ((line-source-next lines) prompt))
+  (cond [(eof-object? first-line) eof]
+        [(command? first-line)
+         ((line-source-remember lines) first-line)
+         (run-command first-line)]
+        [else (read-to-end lines first-line)]))
+
+(define (read-to-end lines text)
+  (define forms (with-handlers ([exn:fail:read? (lambda (e) e)]) (forms-in text)))
+  (define line (if forms #f ((line-source-next lines) (continuation))))
+  (cond [(string? line) (read-to-end lines (string-append text "\n" line))]
+        [else
+         (unless (equal? forms '()) ((line-source-remember lines) text))
+         (cond [(exn? forms) (raise forms)]
+               [forms forms]
+               [else (raise-unfinished)])]))
+
+(define (raise-unfinished)
+  (complain 'prompt "the input ends inside a form, which is left out"))
+
+(module+ main
+  (parameterize ([current-namespace (namespace-anchor->empty-namespace here)])
+    (namespace-require 'mechanics)
+    (run-prompt)))

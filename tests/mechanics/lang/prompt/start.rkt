@@ -1,0 +1,138 @@
+#lang racket/base
+;; The prompt of `make repl`, at a terminal with line editing and without, and fed by a pipe.
+
+(require racket/file
+         racket/string
+         rackunit
+         "../../support/run-text.rkt" "../../support/skip.rkt" "../../support/terminal.rkt")
+
+(define arguments '("-l" "mechanics/lang/prompt/start"))
+
+(define (call-with-home f)
+  (define home (make-temporary-file "mechanics-home-~a" 'directory))
+  (dynamic-wind void (lambda () (f home)) (lambda () (delete-directory/files home))))
+
+(define (history home)
+  (for/or ([file (in-directory home)])
+    (and (regexp-match? #rx"mechanics-history" (path->string file)) (file->list file))))
+
+;; ---------------------------------------------------------------------------
+;; A pipe
+
+(define-values (piped errors)
+  (session arguments
+           "(define ((L m) (up t q v))" "  (* 1/2 m (square v)))"
+           "(((Lagrange-equations (L 'm)) (literal-function 'x)) 't)"
+           "1 (+ 'a 'a)"
+           "(define (g x) (+ 1 (car x)))" "(g 3)" "(nothing-such 1)" ")" "'after"
+           ",help" ",nonsense" ",help (1 2)" ",more" "(up 1"))
+
+(define (told? pattern) (regexp-match? pattern errors))
+
+(test-case "the banner has two lines"
+  (check-regexp-match #rx"^mechanics, in Racket [0-9.]+: " (car piped))
+  (check-regexp-match #rx",help for help" (cadr piped))
+  (check-false (regexp-match? #rx"Welcome" (string-join piped))))
+
+(test-case "forms of several lines, and several forms of a line, are evaluated and simplified"
+  (for ([line '("(* m (((expt D 2) x) t))" "1" "(* 2 a)")])
+    (check-not-false (member line piped) line)))
+
+(test-case "errors have no semicolons before them, no frames of libraries, and end nothing"
+  (check-true (told? #rx"(?m:^car: contract violation\n  expected: pair[?]\n  given: 3$)"))
+  (check-false (told? #rx"context"))
+  (check-false (told? #rx"collects|body of"))
+  (check-true (told? #rx"as a symbol it is written 'nothing-such"))
+  (check-true (told? #rx"unexpected `\\)`"))
+  (check-not-false (member "after" piped)))
+
+(test-case "commands answer, and what is none says so"
+  (define text (string-join piped "\n"))
+  (for ([pattern '(#rx"(?m:,quit  +leave)" #rx",nonsense is no command; ,help lists them"
+                   #rx",help takes one name" #rx"nothing is left of the last result")])
+    (check-regexp-match pattern text)))
+
+(test-case "what ends inside a form is told"
+  (check-true (told? #rx"prompt: the input ends inside a form, which is left out")))
+
+(test-case ",quit ends the session"
+  (define-values (output errors) (session arguments "'before" ",quit" "'after"))
+  (check-not-false (member "before" output))
+  (check-false (member "after" output)))
+
+;; ---------------------------------------------------------------------------
+;; A terminal
+
+(define escape "\e")
+
+(define (prompted t) (shows t #rx"> $"))
+
+(define (enter t line pattern)
+  (type t (string-append line "\r"))
+  (shows t pattern)
+  (prompted t))
+
+(skip-unless (terminals?) "the program script is not installed: no terminal to type at"
+
+  (define (check-session t)
+    (shows t #rx"Ctrl-D to leave\n")
+    (prompted t)
+    (enter t "(+ 'a 'a)" #rx"\n\\(\\* 2 a\\)\n")
+    (type t "(up 1\r")
+    (shows t #rx"\\(up 1\n  $")
+    (enter t "2)" #rx"\n\\(up 1 2\\)\n")
+    ;; a break in a form, and in a computation
+    (type t "(up 1\r")
+    (shows t #rx"\n  $")
+    (type t "\3")
+    (prompted t)
+    (enter t "(+ 'b 'b)" #rx"\n\\(\\* 2 b\\)\n")
+    (type t "(begin (displayln 'running) (let loop () (loop)))\r")
+    (shows t #rx"\nrunning\n")
+    (type t "\3")
+    (shows t #rx"user break\n")
+    (prompted t)
+    ;; a result of several screens
+    (enter t "(for/list ([i 3000]) i)"
+           #rx"'\\(0 1 2 .*\n; [0-9]+ more lines: ,more shows the next screen\n")
+    (enter t ",more" #rx"; [0-9]+ more lines: ,more")
+    ;; a picture
+    (enter t "(require mechanics/plot)" #rx"")
+    (enter t "(frame 0 1 0 1)" #rx"empty\\)\n; to see a frame f: .*graphics-save"))
+
+  (test-case "at a terminal without line editing"
+    (call-with-home
+     (lambda (home)
+       (call-at-terminal #:kind "dumb" arguments home check-session)
+       (check-false (history home)))))
+
+  (skip-unless (libedit?) "libedit is not installed: no line editing to test"
+    (test-case "at a terminal with line editing"
+      (call-with-home
+       (lambda (home) (call-at-terminal arguments home check-session))))
+
+    (test-case "names are completed, entries come back, also in the next session"
+      (call-with-home
+       (lambda (home)
+         (call-at-terminal
+          arguments home
+          (lambda (t)
+            (prompted t)
+            (enter t "(define somewhere-else 'here)" #rx"")
+            (enter t "(list some\t)" #rx"\n'?\\(list '?here\\)|\n'\\(here\\)\n")
+            (enter t "(list Lagrangian->e\t 1)" #rx"Lagrangian->energy")
+            (type t "(define (f x)\r")
+            (shows t #rx"\n  $")
+            (enter t "   (list x 'seen))" #rx"")
+            (type t "\4")
+            (shows t #rx"\n")))
+         (check-equal? (caddr (reverse (history home))) "(list somewhere-else )")
+         (check-equal? (car (reverse (history home))) "(define (f x) (list x 'seen))")
+         (call-at-terminal
+          arguments home
+          (lambda (t)
+            (prompted t)
+            (type t (string-append escape "[A\r"))
+            (shows t #rx"\\(define \\(f x\\) \\(list x 'seen\\)\\)\n")
+            (prompted t)
+            (enter t "(f 'again)" #rx"\\(list again seen\\)|again seen"))))))))
