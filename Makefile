@@ -11,7 +11,8 @@ export RACKET
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
-.PHONY: help demo repl run test attack lint elsewhere bench docs clean racket libraries compile
+.PHONY: help demo repl run test attack lint elsewhere bench docs clean \
+        racket libraries editing compile begin-tests
 
 help:
 	@echo 'make demo    a tour: Lagrange equations, proposed paths, verdicts'
@@ -29,8 +30,9 @@ demo: compile
 	@$(RACO) make examples/mechanics/demo.rkt
 	@$(RACKET) examples/mechanics/demo.rkt
 
-repl: compile
-	@$(RACKET) -I mechanics
+repl: compile editing
+	@$(RACO) make mechanics/lang/prompt/start.rkt mechanics/lang/prompt/editor.rkt
+	@$(RACKET) -l mechanics/lang/prompt/start
 
 run: compile
 	@if [ ! -f "$(FILE)" ]; then \
@@ -38,10 +40,13 @@ run: compile
 	fi
 	@$(RACKET) "$(FILE)" $(ARGS)
 
-test: racket libraries
-	@echo 'Compiling the tests ...'
+# What takes long says so at once.
+test: begin-tests compile libraries
 	@$(RACO) make tests/mechanics/runner/main.rkt tests/mechanics/runner/child.rkt
-	@$(RACKET) tests/mechanics/runner/main.rkt --jobs $(JOBS) $(TESTS)
+	@$(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(JOBS) $(TESTS)
+
+begin-tests:
+	@echo 'Looking for what is to be compiled ...'
 
 # N claims of each class; CLASS=disguised for identities in disguise alone.
 N    ?= 2000
@@ -70,21 +75,20 @@ docs: compile
 	    ++main-xref-in --redirect-main https://docs.racket-lang.org/ $(MANUAL)
 	@echo 'The manual begins at build/doc/mechanics/index.html'
 
-# Files are compiled in parallel the first time and one after another later,
-# when there are few.
+# Files are compiled in parallel where there are many; raco shows the errors.
 compile: racket
-	@if [ ! -e mechanics/compiled/main_rkt.zo ]; then \
-	    echo 'Compiling mechanics (the first time only) ...'; \
-	    $(RACO) make -j $(JOBS) $(wildcard mechanics/*/*.rkt mechanics/*/*/*.rkt) mechanics/main.rkt; \
-	else \
-	    $(RACO) make mechanics/main.rkt mechanics/lang/help/table.rkt; \
-	fi
+	@$(RACKET) tests/mechanics/runner/compile.rkt --jobs $(JOBS) mechanics
+	@$(RACO) make mechanics/main.rkt mechanics/lang/help/table.rkt
 
 racket:
 	@.ci/ensure-racket.sh
 
 libraries:
 	@.ci/ensure-racket.sh libraries
+
+# Line editing at the prompt.
+editing:
+	@.ci/ensure-racket.sh editing
 
 clean:
 	rm -rf build

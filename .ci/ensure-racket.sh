@@ -3,10 +3,12 @@
 #
 #     ensure-racket.sh               Racket itself
 #     ensure-racket.sh libraries     the shared libraries that tests may use
+#     ensure-racket.sh editing       the library that edits lines at the prompt
 #
 # On Debian and Ubuntu what is missing is installed with apt-get, through sudo
 # for others than root.  Elsewhere, or when that fails, it says what to install.
-# Missing libraries are no error: the tests that need them are skipped.
+# Missing libraries are no error: the tests that need them are skipped, and lines are read
+# without editing.
 
 set -eu
 
@@ -116,24 +118,29 @@ first_available() {
     done
 }
 
-alternatives='libmpfr6
+# What they are for: MPFR for numbers of higher precision, the others for pictures in files.
+for_tests='libmpfr6
 libglib2.0-0 libglib2.0-0t64
 libcairo2
 libpangocairo-1.0-0
 libjpeg62-turbo libjpeg-turbo8
-libpng16-16 libpng16-16t64'
+libpng16-16 libpng16-16t64
+libedit2'
 
-# Lines of `alternatives` of which nothing is installed.
+for_editing=libedit2
+
+# missing_libraries ALTERNATIVES: its lines of which nothing is installed.
 missing_libraries() {
-    printf '%s\n' "$alternatives" | while read -r names; do
+    printf '%s\n' "$1" | while read -r names; do
         # shellcheck disable=SC2086
         any_installed $names || echo "$names"
     done
 }
 
+# install_libraries ALTERNATIVES
 install_libraries() {
     update_lists
-    packages=$(missing_libraries | while read -r names; do
+    packages=$(missing_libraries "$1" | while read -r names; do
         # shellcheck disable=SC2086
         first_available $names
     done)
@@ -141,17 +148,20 @@ install_libraries() {
     [ -z "$packages" ] || apt_install $packages
 }
 
+# ensure_libraries ALTERNATIVES PURPOSE CONSEQUENCE
 ensure_libraries() {
     if ! have apt-get || ! have dpkg-query; then return 0; fi
-    [ -n "$(missing_libraries)" ] || return 0
-    say "Installing shared libraries that tests use ..."
-    if can_be_root; then install_libraries || true; fi
-    missing=$(missing_libraries | cut -d ' ' -f 1 | tr '\n' ' ')
-    [ -z "$missing" ] || say "(not installed: $missing; tests that need them are skipped)"
+    [ -n "$(missing_libraries "$1")" ] || return 0
+    say "Installing shared libraries $2 ..."
+    if can_be_root; then install_libraries "$1" || true; fi
+    missing=$(missing_libraries "$1" | cut -d ' ' -f 1 | tr '\n' ' ')
+    [ -z "$missing" ] || say "(not installed: $missing; $3)"
 }
 
 case ${1:-} in
     '') ensure_racket ;;
-    libraries) ensure_libraries ;;
-    *) say "usage: $0 [libraries]"; exit 2 ;;
+    libraries) ensure_libraries "$for_tests" "that tests use" "tests that need them are skipped" ;;
+    editing) ensure_libraries "$for_editing" "for line editing" \
+                 "the prompt works, without history and completion; apt-get install libedit2 adds them" ;;
+    *) say "usage: $0 [libraries|editing]"; exit 2 ;;
 esac

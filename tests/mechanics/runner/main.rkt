@@ -19,16 +19,15 @@
          racket/path
          racket/port
          racket/runtime-path
-         setup/parallel-build
-         "discover.rkt")
+         "compile.rkt" "discover.rkt")
 
 (define-runtime-path child "child.rkt")
 
 ;; reason : #f, or a string saying how the process ended if not properly
 (struct outcome (file passed failed skips reason output seconds))
 
-(define (run files jobs limit)
-  (compile-files files)
+(define (run files jobs limit progress?)
+  (compile-files files (max 2 (processor-count)) (and progress? "the tests"))
   (define outcomes (sort (run-files files jobs limit) path<? #:key outcome-file))
   (define skips
     (for*/list ([o (in-list outcomes)] [reason (in-list (outcome-skips o))])
@@ -37,12 +36,6 @@
   (define failed (apply + (map outcome-failed outcomes)))
   (printf "~a passed, ~a failed\n" (apply + (map outcome-passed outcomes)) failed)
   (if (eqv? failed 0) 0 1))
-
-;; Errors are not shown: a file that does not compile fails when it is run.
-(define (compile-files files)
-  (define nowhere (open-output-nowhere))
-  (parameterize ([current-output-port nowhere] [current-error-port nowhere])
-    (parallel-compile-files files #:worker-count (max 2 (processor-count)) #:handler void)))
 
 (define (run-files files jobs limit)
   (define to-do (make-channel))
@@ -104,6 +97,7 @@
 (module+ main
   (define jobs (processor-count))
   (define limit 600)
+  (define progress? #f)
   (define (positive text what)
     (define n (string->number text))
     (unless (and (real? n) (> n 0))
@@ -118,6 +112,7 @@
       s
       "stop a file after <s> seconds (600)"
       (set! limit (positive s "the limit"))]
+     [("-p" "--progress") "say how far the compilation is" (set! progress? #t)]
      #:args paths
      (if (null? paths) (test-files) (append-map files-under (map path->complete-path paths)))))
   ;; A break, however it comes, ends the children before the runner.
@@ -125,6 +120,6 @@
   (define code
     (with-handlers ([exn:break? (lambda (e) (eprintf "interrupted\n") 130)])
       (parameterize ([current-custodian children])
-        (run files jobs limit))))
+        (run files jobs limit progress?))))
   (custodian-shutdown-all children)
   (exit code))
