@@ -7,7 +7,8 @@
 ;; finds on the stack, where calls in tail position leave no trace.
 
 (require (only-in racket/file file->lines)
-         (only-in racket/list add-between remove-duplicates take)
+         (only-in racket/list add-between remove-duplicates take takef)
+         (only-in racket/string string-join string-normalize-spaces)
          setup/dirs
          "marked-line.rkt")
 
@@ -29,22 +30,25 @@
 (define (line->text line)
   (define-values (source number) (values (car line) (cdr line)))
   (cond [(path? source)
-         (define text (text-of-line source number))
+         (define text (text-from-line source number))
          (format "~a:~a~a" (short source) number (if text (string-append ": " text) ""))]
         [else (format "line ~a" number)]))
 
 (define longest-text 60)
 
-;; -> text or #f, if the file has changed or gone
-(define (text-of-line file number)
+;; The line and those that continue it, which are indented, as one that is not too long.
+;; -> text, or #f if the file has changed or gone
+(define (text-from-line file number)
   (define lines (with-handlers ([exn:fail:filesystem? (lambda (e) '())]) (file->lines file)))
-  (define line
-    (and (<= number (length lines))
-         (regexp-replace* #px"^\\s+|\\s+$" (list-ref lines (sub1 number)) "")))
-  (and line
-       (if (> (string-length line) longest-text)
-           (string-append (substring line 0 longest-text) " ...")
-           line)))
+  (and (<= number (length lines))
+       (let* ([from (list-tail lines (sub1 number))]
+              [form (cons (car from) (takef (cdr from) indented?))]
+              [text (string-normalize-spaces (string-join form " "))])
+         (if (> (string-length text) longest-text)
+             (string-append (substring text 0 longest-text) " ...")
+             text))))
+
+(define (indented? line) (regexp-match? #px"^\\s+\\S" line))
 
 (define (short file)
   (define-values (folder name directory?) (split-path file))

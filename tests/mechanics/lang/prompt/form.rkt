@@ -1,0 +1,56 @@
+#lang racket/base
+;; Which texts are complete, and what is kept of them; the history file.
+
+(require mechanics/lang/prompt/form mechanics/lang/prompt/history
+         racket/file
+         rackunit)
+
+(define (data text)
+  (define forms (forms-in text))
+  (and forms (map syntax->datum forms)))
+
+(test-case "a text is complete when it ends outside of all forms"
+  (check-equal? (data "") '())
+  (check-equal? (data " ; nothing") '())
+  (check-equal? (data "1 (a b) 'c") '(1 (a b) 'c))
+  (for ([text '("(a" "[" "\"a" "(a \"b)" "'" "#| a" "#;" "(a . ")])
+    (check-false (data text) text))
+  (check-exn exn:fail:read? (lambda () (data ")")))
+  (check-exn exn:fail:read? (lambda () (data "(a]"))))
+
+(test-case "an entry of several lines is recalled as one, unless that would change it"
+  (check-equal? (one-line "(a\n   b)\n") "(a b)")
+  (check-equal? (one-line "(a ; why\n b)") "(a ; why\n b)")
+  (check-equal? (one-line "\"a\n b\"") "\"a\n b\"")
+  (check-equal? (one-line ")") ")"))
+
+(define (call-with-folder f)
+  (define folder (make-temporary-file "mechanics-history-~a" 'directory))
+  (dynamic-wind void (lambda () (f folder)) (lambda () (delete-directory/files folder))))
+
+(test-case "entries are kept in the order in which they were made, in a folder that is made"
+  (call-with-folder
+   (lambda (folder)
+     (define file (build-path folder "new" "history"))
+     (check-equal? (earlier-entries file) '())
+     (for ([text '("(f x)" "λ \"q\"" "(f x)")]) (note-entry text file))
+     (check-equal? (earlier-entries file) '("(f x)" "λ \"q\"" "(f x)")))))
+
+(test-case "a long history is cut from its beginning"
+  (call-with-folder
+   (lambda (folder)
+     (define file (build-path folder "history"))
+     (for ([i 2001]) (note-entry (number->string i) file))
+     (check-equal? (length (earlier-entries file)) 1000)
+     (check-equal? (car (file->list file)) "1001"))))
+
+(test-case "a file that cannot be read or written, or holds something else, is no error"
+  (call-with-folder
+   (lambda (folder)
+     (note-entry "a" folder)
+     (check-equal? (earlier-entries folder) '())
+     (define file (build-path folder "history"))
+     (display-to-file "(1 2) \"a\" )" file)
+     (check-equal? (earlier-entries file) '())
+     (display-to-file "(1 2) \"a\"" file #:exists 'truncate)
+     (check-equal? (earlier-entries file) '("a")))))
