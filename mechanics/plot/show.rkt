@@ -29,6 +29,8 @@
   (with-handlers ([exn:fail? raise-no-screen]) (loaded?)))
 
 (define (raise-no-screen e)
-  (raise-unavailable 'graphics-show "no window can be opened here\n  reason: ~a\n  ~a"
-                     (exn-message e)
-                     "to a file it goes with (graphics-save frame \"picture.png\")"))
+  (raise-unavailable
+   'graphics-show "no window can be opened here\n  reason: ~a\n  ~a\n  ~a"
+   (exn-message e)
+   "to a file it goes with (graphics-save frame \"picture.png\")"
+   "windows need a display and the library GTK 3: on Debian and Ubuntu, apt install libgtk-3-0"))

@@ -179,6 +179,14 @@
     (f (lambda (name) (dynamic-require 'mechanics/plot name))
        (lambda (name) (dynamic-require 'file/convertible name)))))
 
+(define remedy
+  (string-append
+   "\n  pictures are drawn by the libraries Cairo and Pango; to install them:"
+   "\n  Debian: apt install libpangocairo-1.0-0 libjpeg62-turbo"
+   "\n  Ubuntu: apt install libpangocairo-1.0-0 libjpeg-turbo8"
+   "\n  Fedora: dnf install pango libjpeg-turbo; Arch: pacman -S pango libjpeg-turbo"
+   "\n  macOS, Windows: Racket's package draw-lib brings them: raco pkg install draw-lib"))
+
 (test-case "frames work where pictures cannot be made, and say so when asked for one"
   (without-drawing
    (lambda (plot convertible)
@@ -195,6 +203,6 @@
        (define message
          (with-handlers ([exn:fail? exn-message]) ((plot 'graphics-save) f file)))
        (check-equal? message
-                     (format "graphics-save: pictures cannot be drawn on this machine\n~a~a~a"
-                             "  file: " file "\n  reason: libcairo.so.2 is missing"))
+                     (format "graphics-save: pictures cannot be drawn on this machine\n~a~a~a~a"
+                             "  file: " file "\n  reason: libcairo.so.2 is missing" remedy))
        (check-equal? (directory-list folder) '())))))

@@ -14,4 +14,5 @@
   (with-handlers ([exn:fail? (lambda (e) #f)])
     ((big 'bigfloat?) ((big 'bf+) ((big 'bf) 1) ((big 'bf) 2)))))
 
-(define no-bigfloats "libmpfr is not installed: no bigfloats to compute with")
+(define no-bigfloats
+  "MPFR (Debian: apt install libmpfr6) is not installed: no bigfloats to compute with")
