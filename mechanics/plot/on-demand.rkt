@@ -10,8 +10,8 @@
 ;; Are the shared libraries there that racket/draw calls?
 (define (can-draw?) (not (why-not)))
 
-;; -> string, which ends with what to install, or #f.  A library that is missing is looked for once; nothing but the loading
-;; can fail here, in whatever way.
+;; -> string, which ends with what to install, or #f.  A library that is missing is looked for
+;; once; nothing but the loading can fail here, in whatever way.
 (define (why-not)
   (when (eq? (unbox reason) 'unknown)
     (set-box! reason

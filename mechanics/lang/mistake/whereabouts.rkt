@@ -31,7 +31,7 @@
   (define-values (source number) (values (car line) (cdr line)))
   (cond [(path? source)
          (define text (text-from-line source number))
-         (format "~a:~a~a" (short source) number (if text (string-append ": " text) ""))]
+         (format "~a, line ~a~a" (short source) number (if text (string-append ": " text) ""))]
         [else (format "line ~a" number)]))
 
 (define longest-text 60)
@@ -75,7 +75,7 @@
   (cond [(not (and name (srcloc? place))) #f]
         [(eq? source 'prompt) (symbol->string name)]
         [(and (path? source) (not (of-library? source)) (written? name))
-         (format "~a (~a:~a)" name (short source) (srcloc-line place))]
+         (format "~a (~a, line ~a)" name (short source) (srcloc-line place))]
         [else #f]))
 
 ;; Racket calls a function without a name after its place in the file.

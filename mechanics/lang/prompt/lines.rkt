@@ -2,7 +2,7 @@
 ;; Where the lines at the prompt come from: from libedit, at a terminal where it is
 ;; installed, with history and completion; elsewhere they are read as they come.
 
-(require "form.rkt" "history.rkt"
+(require "typed-forms.rkt" "history.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["editor.rkt" edit-line recall! complete-with!])

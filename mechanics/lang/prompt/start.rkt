@@ -3,7 +3,7 @@
 ;;
 ;; Racket's loop of reading, evaluating and printing, with lines from lines.rkt.
 
-(require "command.rkt" "form.rkt" "lines.rkt"
+(require "command.rkt" "typed-forms.rkt" "lines.rkt"
          (only-in "../mistake/unbound.rkt" install-hints!)
          (only-in "../printer.rkt" install-printer!)
          "../../error/complain.rkt")

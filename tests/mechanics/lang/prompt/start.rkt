@@ -25,7 +25,9 @@
            "(((Lagrange-equations (L 'm)) (literal-function 'x)) 't)"
            "1 (+ 'a 'a)"
            "(define (g x) (+ 1 (car x)))" "(g 3)" "(nothing-such 1)" ")" "'after"
-           ",help" ",nonsense" ",help (1 2)" ",more" "(up 1"))
+           ",help" ",nonsense" ",more"
+           "(define-syntax-rule (help about) (list 'help-on 'about))"
+           ",help Gamma" ",help 'Gamma of" "(up 1"))
 
 (define (told? pattern) (regexp-match? pattern errors))
 
@@ -49,7 +51,8 @@
 (test-case "commands answer, and what is none says so"
   (define text (string-join piped "\n"))
   (for ([pattern '(#rx"(?m:,quit  +leave)" #rx",nonsense is no command; ,help lists them"
-                   #rx",help takes one name" #rx"nothing is left of the last result")])
+                   #rx"help-on Gamma\\)" #rx"help-on \"'Gamma of\""
+                   #rx"nothing is left of the last result")])
     (check-regexp-match pattern text)))
 
 (test-case "what ends inside a form is told"
