@@ -10,6 +10,7 @@ can be read in any order.
 
 @include-section["guide/installation.scrbl"]
 @include-section["guide/ten-minutes.scrbl"]
+@include-section["guide/prompt.scrbl"]
 @include-section["guide/structures.scrbl"]
 @include-section["guide/arithmetic.scrbl"]
 @include-section["guide/literals.scrbl"]

@@ -1,11 +1,13 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../clashes.rkt")
+@(require (for-label mechanics mechanics/plot) "../clashes.rkt")
 
 @title[#:tag "installation"]{Installation}
 
-You need @hyperlink["https://racket-lang.org"]{Racket} 8.7 or later. Nothing
-else: no native libraries, no TeX, no window system. It is the same on Linux,
-macOS and Windows.
+You need @hyperlink["https://racket-lang.org"]{Racket} 8.7 or later, and nothing else: no
+TeX, no window system. It is the same on Linux, macOS and Windows. Some things use
+libraries that Racket brings along on macOS and Windows, and that most Linux desktops have;
+where one is missing, whatever needs it says so, and all else works
+(@secref["libraries"]).
 
 @section{Trying it without installing}
 
@@ -15,7 +17,8 @@ In a copy of the source, a @emph{checkout}, type one of these:
 @commandline{make repl}
 @commandline{make run FILE=my-system.rkt}
 
-The first is a tour. The second starts a prompt with everything at hand. The third runs
+The first is a tour of five screens. The second opens a prompt with everything at hand
+(@secref["prompt"]). The third runs
 a file of yours, or one of @filepath{examples/mechanics}; what the program is to be told,
 such as the name of a picture, is given with @exec{ARGS=pendulum.svg}. Only what a program
 of yours writes is outside the checkout. On Debian and Ubuntu they also install Racket where
@@ -25,6 +28,21 @@ tests, and @exec{make docs} builds this manual in @filepath{build/doc}.
 Where this manual says @exec{racket}, as in @exec{racket -I mechanics} or
 @exec{racket examples/...}, the package is to be installed, or Racket to be told where the
 checkout is: @exec{PLTCOLLECTS="$PWD:" racket -I mechanics}.
+
+@section[#:tag "libraries"]{Libraries of the system}
+
+@tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
+(list (list @bold{for} @bold{library} @bold{Debian, Ubuntu: @exec{apt install}})
+      (list @elem{line editing in @exec{make repl}} "libedit" @tt{libedit2})
+      (list @elem{pictures in files: @racket[graphics-save]} "Cairo, Pango, JPEG"
+            @elem{@tt{libpangocairo-1.0-0} and @tt{libjpeg62-turbo}
+                  (Ubuntu: @tt{libjpeg-turbo8})})
+      (list @elem{windows: @racket[graphics-show]} "GTK 3" @tt{libgtk-3-0})
+      (list @elem{numbers of higher precision: @racket[#:precision]} "MPFR" @tt{libmpfr6})
+      (list @elem{testing windows without a screen} "Xvfb" @tt{xvfb}))]
+
+@exec{make repl} installs the first where it can, @exec{make test} also those for pictures
+and for precision.
 
 @section{Adding it to your Racket}
 

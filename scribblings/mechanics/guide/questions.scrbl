@@ -58,7 +58,8 @@ the library's algebra. Try exact fractions, or symbols. A symbol for
 @section{Can I stop a long computation?}
 
 Yes: press Ctrl-C, or @onscreen{Stop} in DrRacket. If only the simplification of
-a result is stopped, the prompt prints the result as it was computed.
+a result is stopped, the prompt prints the result as it was computed. More on the prompt is
+in @secref["prompt"].
 
 @section{What is @racketidfont{(up t q v)} in the head of a definition?}
 

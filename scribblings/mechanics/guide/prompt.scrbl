@@ -1,0 +1,55 @@
+#lang scribble/manual
+@(require (for-label mechanics mechanics/plot))
+
+@title[#:tag "prompt"]{At the prompt}
+
+@exec{make repl} in a checkout opens a prompt of its own. Results are simplified and printed
+in the book's notation. A form may go over several lines: as long as it is not complete, the
+prompt asks for more.
+
+@section{Keys and commands}
+
+@tabular[#:sep @hspace[2] #:row-properties '(top)
+(list (list @elem{@exec{↑}, @exec{↓}} @elem{what was typed before, also in earlier sessions})
+      (list @exec{Tab} @elem{completes a name, the library's or one of yours; again, the names
+                            that begin so})
+      (list @exec{Ctrl-C} @elem{gives up what is being typed, or stops a computation: there is a
+                               new prompt at once})
+      (list @exec{Ctrl-D} @elem{leaves, as @exec{,quit} does})
+      (list @exec{,help} @elem{lists the commands})
+      (list @exec{,help NAME} @elem{tells what is known of a name})
+      (list @exec{,more} @elem{the next screen of a long result}))]
+
+The first three are the work of a library, @emph{libedit}, which @exec{make repl} installs on
+Debian and Ubuntu (package @tt{libedit2}); elsewhere the prompt says what to install. Without
+it, on a terminal that cannot move its cursor, or through a pipe, lines are read as they come.
+What was typed is kept among Racket's preferences, in the file
+@filepath{mechanics-history.rktd}, if that can be written.
+
+@exec{racket -I mechanics}, where the package is installed, is Racket's own prompt with the
+names and the printing of mechanics; its commands are Racket's, and there
+@racket[print-expression] prints the whole of a result that was cut.
+
+@section{Results}
+
+A result that takes more than a screen ends there, with a line that says how the rest is
+seen. A frame (@secref["pictures"]) is told in words, with what shows it or writes it to a
+file. Through a pipe everything is printed whole.
+
+@section{Errors}
+
+The message comes first. If the error happened in a file, there follow the form that was
+being evaluated there, with its line, and functions of yours that were being called:
+
+@verbatim[#:indent 2]{
+> (require "swing.rkt")
+car: contract violation
+  expected: pair?
+  given: 2
+  in: swing.rkt, line 8: ((L 'm) (up 0 1 2))
+  within: L (swing.rkt, line 5)
+}
+
+What went on in libraries is left out. @exec{make run FILE=swing.rkt} tells the same. A
+function whose call was the last thing to do, or which the compiler has built into another,
+leaves no trace.
