@@ -15,8 +15,8 @@ MANUAL = scribblings/mechanics/mechanics.scrbl
         racket libraries editing compile begin-tests
 
 help:
-	@echo 'make demo    a tour: Lagrange equations, proposed paths, verdicts'
-	@echo 'make repl    a prompt with mechanics loaded'
+	@echo 'make demo    a tour in five screens: Lagrange equations, proposed paths, verdicts'
+	@echo 'make repl    a prompt with history, completion and help'
 	@echo 'make run     run a file            (FILE=my-system.rkt, ARGS="..." for what it is told)'
 	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
@@ -31,7 +31,6 @@ demo: compile
 	@$(RACKET) examples/mechanics/demo.rkt
 
 repl: compile editing
-	@$(RACO) make mechanics/lang/prompt/start.rkt mechanics/lang/prompt/editor.rkt
 	@$(RACKET) -l mechanics/lang/prompt/start
 
 run: compile
@@ -75,10 +74,12 @@ docs: compile
 	    ++main-xref-in --redirect-main https://docs.racket-lang.org/ $(MANUAL)
 	@echo 'The manual begins at build/doc/mechanics/index.html'
 
-# Files are compiled in parallel where there are many; raco shows the errors.
+# Files are compiled in parallel where there are many.
+ROOTS = mechanics/main.rkt mechanics/lang/help/table.rkt mechanics/lang/prompt/start.rkt \
+        mechanics/lang/prompt/editor.rkt
+
 compile: racket
-	@$(RACKET) tests/mechanics/runner/compile.rkt --jobs $(JOBS) mechanics
-	@$(RACO) make mechanics/main.rkt mechanics/lang/help/table.rkt
+	@$(RACKET) tests/mechanics/runner/compile.rkt --jobs $(JOBS) $(ROOTS:%=--root %) mechanics
 
 racket:
 	@.ci/ensure-racket.sh

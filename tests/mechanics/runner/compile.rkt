@@ -1,16 +1,20 @@
 #lang racket/base
 ;; Compiles modules, several at a time where there are many, and says how far it is:
 ;;
-;;     racket compile.rkt [--jobs N] file-or-folder ...
+;;     racket compile.rkt [--jobs N] [--root file ...] file-or-folder ...
 ;;
-;; An error is left to whoever runs the module: it is compiled again and fails there.
+;; The roots are what matters: when all else is newer than its source, only what they stand
+;; on is looked at, and only their errors are told.  An error elsewhere is left to whoever
+;; runs the module: it is compiled again and fails there.
 
 (require compiler/cm
          racket/cmdline
+         racket/lazy-require
          racket/list
          racket/port
-         setup/parallel-build
          "discover.rkt")
+
+(lazy-require [setup/parallel-build (parallel-compile-files)])
 
 (provide compile-files)
 
@@ -18,31 +22,32 @@
 (define few 15)
 
 ;; files : paths of modules; jobs : how many to compile at a time; what : text, such as
-;; "the tests", or #f for silence
-(define (compile-files files jobs what)
+;; "the tests", or #f for silence; roots : those to make sure of.  Errors are not shown.
+(define (compile-files files jobs what #:roots [roots files])
   (define to-do (filter stale? files))
   (define out (if what (current-output-port) (open-output-nowhere)))
-  (define reporter (thread (lambda () (report-progress to-do what out))))
+  (define done (make-semaphore))
+  (define reporter (thread (lambda () (report-progress to-do what done out))))
   (dynamic-wind
    void
-   (lambda () (compile-silently to-do files jobs))
+   (lambda () (compile-silently to-do roots jobs))
    (lambda ()
-     (break-thread reporter)
+     (semaphore-post done)
      (thread-wait reporter))))
 
-(define (compile-silently to-do files jobs)
+(define (compile-silently to-do roots jobs)
   (define nowhere (open-output-nowhere))
   (parameterize ([current-output-port nowhere] [current-error-port nowhere])
     (if (or (< (length to-do) few) (< jobs 2))
-        (compile-in-turn files)
-        (parallel-compile-files (append to-do (remove* to-do files))
+        (for ([file (in-list (append to-do roots))])
+          (with-handlers ([exn:fail? void]) (compile-file file)))
+        (parallel-compile-files (append to-do (remove* to-do roots))
                                 #:worker-count jobs #:handler void))))
 
-(define (compile-in-turn files)
-  (define compile-file (make-caching-managed-compile-zo))
-  (parameterize ([current-namespace (make-base-empty-namespace)])
-    (for ([file (in-list files)])
-      (with-handlers ([exn:fail? void]) (compile-file file)))))
+(define compile-file
+  (let ([compile (make-caching-managed-compile-zo)])
+    (lambda (file)
+      (parameterize ([current-namespace (make-base-empty-namespace)]) (compile file)))))
 
 ;; Is there no compiled form, or one older than the source?
 (define (stale? file)
@@ -59,20 +64,23 @@
 (define before-first 3/2)        ; seconds of silence at the start, where there is nothing to do
 (define (pause) (if (terminal-port? (current-output-port)) 1/2 5))
 
-;; Until it is broken: a line that is renewed at a terminal, lines elsewhere.
-(define (report-progress files what out)
+;; Until it is done: a line that is renewed at a terminal, lines elsewhere.
+(define (report-progress files what done out)
   (define start (current-inexact-milliseconds))
   (define total (length files))
+  (define (done-after? seconds) (sync/timeout seconds (semaphore-peek-evt done)))
   (parameterize ([current-output-port out])
-    (with-handlers ([exn:break? (lambda (e) (end-progress))])
-      (when (zero? total) (sleep before-first))
-      (printf "Compiling ~a ...~a\n" what (if (zero? total) "" (format " (~a files)" total)))
-      (let loop ([left files])
+    (unless (and (zero? total) (done-after? before-first))
+      (printf "~a ~a ...\n"
+              (if (zero? total) "Looking at" (format "Compiling ~a file~a of" total (if (eqv? total 1) "" "s")))
+              what)
+      (let wait ([left files])
         (flush-output)
-        (sleep (pause))
-        (define still (filter stale? left))
-        (print-progress (- total (length still)) total start)
-        (loop still)))))
+        (unless (done-after? (pause))
+          (define still (filter stale? left))
+          (print-progress (- total (length still)) total start)
+          (wait still)))
+      (end-progress))))
 
 (define (print-progress done total start)
   (define seconds (quotient (round (inexact->exact (- (current-inexact-milliseconds) start))) 1000))
@@ -89,10 +97,16 @@
 
 (module+ main
   (define jobs 2)
+  (define roots '())
   (define paths
     (command-line
      #:once-each
      [("-j" "--jobs") n "compile <n> files at a time" (set! jobs (string->number n))]
+     #:multi
+     [("-r" "--root") file "make sure of <file>"
+                      (set! roots (cons (path->complete-path file) roots))]
      #:args paths
      paths))
-  (compile-files (append-map files-under (map path->complete-path paths)) jobs "mechanics"))
+  (compile-files (append-map files-under (map path->complete-path paths)) jobs "mechanics"
+                 #:roots roots)
+  (for-each compile-file roots))

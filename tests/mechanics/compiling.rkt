@@ -1,0 +1,55 @@
+#lang racket/base
+;; How `make` compiles, and what it says meanwhile.
+
+(require racket/file
+         racket/port
+         rackunit
+         "runner/compile.rkt")
+
+(define (call-with-modules n f)
+  (define folder (make-temporary-file "mechanics-compiling-~a" 'directory))
+  (dynamic-wind
+   void
+   (lambda ()
+     (f (for/list ([i n])
+          (define file (build-path folder (format "m~a.rkt" i)))
+          (display-to-file (format "(module m~a '#%kernel ~a)" i i) file)
+          file)))
+   (lambda () (delete-directory/files folder))))
+
+(define (compiled? file)
+  (define-values (folder name directory?) (split-path file))
+  (file-exists? (build-path folder "compiled" (path-add-extension name #".zo" #"_"))))
+
+(define (said files what)
+  (with-output-to-string (lambda () (compile-files files 2 what))))
+
+(for ([n '(3 20)])
+  (test-case (format "~a files are compiled, and it is said at once that they are" n)
+    (call-with-modules
+     n
+     (lambda (files)
+       (check-regexp-match (format "^Compiling ~a files of the tests ...\n" n)
+                           (said files "the tests"))
+       (for ([file (in-list files)]) (check-true (compiled? file) (path->string file)))))))
+
+(test-case "where nothing is wanted nothing is said"
+  (call-with-modules 3 (lambda (files) (check-equal? (said files #f) ""))))
+
+(test-case "a file that does not compile leaves the others to be compiled"
+  (call-with-modules
+   3
+   (lambda (files)
+     (display-to-file "(module m1 '#%kernel (" (cadr files) #:exists 'truncate)
+     (check-regexp-match #rx"^Compiling 3 files" (said files "the tests"))
+     (check-equal? (map compiled? files) '(#t #f #t)))))
+
+(test-case "a file that has changed is compiled again, one that has not is left alone"
+  (call-with-modules
+   2
+   (lambda (files)
+     (said files #f)
+     (file-or-directory-modify-seconds (car files) (+ 10 (current-seconds)))
+     (display-to-file "(module m0 '#%kernel 5)" (car files) #:exists 'truncate)
+     (file-or-directory-modify-seconds (car files) (+ 10 (current-seconds)))
+     (check-regexp-match #rx"^Compiling 1 file of" (said files "the tests")))))
