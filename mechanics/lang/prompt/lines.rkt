@@ -13,14 +13,17 @@
 ;; next : prompt -> string or eof; remember : text of an entry -> void
 (struct line-source (next remember))
 
-;; -> the best source there is, and why it is not libedit: text, or #f
+;; -> the best source there is; and whether libedit alone is missing for a better one
 (define (lines-at-hand)
-  (define problem (and (at-terminal?) (with-handlers ([exn:fail? exn-message])
-                                        (complete-with! completions)
-                                        #f)))
-  (if (and (at-terminal?) (not problem))
-      (values (edited-lines) #f)
-      (values (plain-lines) problem)))
+  (cond [(not (at-terminal?)) (values (plain-lines) #f)]
+        [(editor-starts?) (values (edited-lines) #f)]
+        [else (values (plain-lines) #t)]))
+
+;; Nothing but its loading can fail here, in whatever way.
+(define (editor-starts?)
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (complete-with! completions)
+    #t))
 
 ;; One on which a cursor can be moved.
 (define (at-terminal?)

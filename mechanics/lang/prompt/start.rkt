@@ -18,8 +18,8 @@
 (define (continuation) (if (terminal-port? (current-input-port)) "  " ""))
 
 (define (run-prompt)
-  (define-values (lines problem) (lines-at-hand))
-  (print-banner problem)
+  (define-values (lines libedit-missing?) (lines-at-hand))
+  (print-banner libedit-missing?)
   (parameterize ([current-prompt-read (prompt-reader lines)])
     (print-as-expression #t)
     (install-printer! ",more shows the next screen")
@@ -27,15 +27,15 @@
     (read-eval-print-loop))
   (when (terminal-port? (current-output-port)) (newline)))
 
-(define (print-banner problem)
+(define (print-banner libedit-missing?)
   (printf "mechanics, in Racket ~a: classical mechanics in the language of SICM\n" (version))
   (printf "Type an expression;  ,help for help;  ,quit or Ctrl-D to leave\n")
-  (when problem (print-how-to-edit)))
+  (when libedit-missing? (print-how-to-edit)))
 
 ;; Nothing is wrong, but the arrow keys write ^[[A.
 (define (print-how-to-edit)
-  (printf "(no history and no completion: the library libedit is not installed;~a\n"
-          "\n Debian, Ubuntu: apt install libedit2; Fedora: dnf install libedit)"))
+  (printf "No history and no completion here, for the library libedit is not installed;\n")
+  (printf "Debian, Ubuntu: apt install libedit2; Fedora: dnf install libedit\n"))
 
 ;; ---------------------------------------------------------------------------
 ;; Reading

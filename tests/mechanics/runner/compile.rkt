@@ -71,9 +71,7 @@
   (define (done-after? seconds) (sync/timeout seconds (semaphore-peek-evt done)))
   (parameterize ([current-output-port out])
     (unless (and (zero? total) (done-after? before-first))
-      (printf "~a ~a ...\n"
-              (if (zero? total) "Looking at" (format "Compiling ~a file~a of" total (if (eqv? total 1) "" "s")))
-              what)
+      (printf "~a ~a ...\n" (beginning total) what)
       (let wait ([left files])
         (flush-output)
         (unless (done-after? (pause))
@@ -81,6 +79,12 @@
           (print-progress (- total (length still)) total start)
           (wait still)))
       (end-progress))))
+
+(define (beginning total)
+  (case total
+    [(0) "Looking at"]
+    [(1) "Compiling 1 file of"]
+    [else (format "Compiling ~a files of" total)]))
 
 (define (print-progress done total start)
   (define seconds (quotient (round (inexact->exact (- (current-inexact-milliseconds) start))) 1000))

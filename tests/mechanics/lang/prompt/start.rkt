@@ -75,10 +75,17 @@
   (shows t pattern)
   (prompted t))
 
+;; What makes the editor fail to load.
+(define without-editor
+  '(current-load/use-compiled
+    (let ([load (current-load/use-compiled)])
+      (lambda (path name)
+        (when (regexp-match? #rx"editor.rkt$" (path->string path)) (error "no libedit"))
+        (load path name)))))
+
 (skip-unless (terminals?) "the program script is not installed: no terminal to type at"
 
   (define (check-session t)
-    (shows t #rx"Ctrl-D to leave\n")
     (prompted t)
     (enter t "(+ 'a 'a)" #rx"\n\\(\\* 2 a\\)\n")
     (type t "(up 1\r")
@@ -109,7 +116,16 @@
        (call-at-terminal #:kind "dumb" arguments home check-session)
        (check-false (history home)))))
 
-  (skip-unless (libedit?) "libedit is not installed: no line editing to test"
+  (test-case "at a terminal where libedit is missing, which is said"
+    (call-with-home
+     (lambda (home)
+       (call-at-terminal
+        (list* "-l" "racket/base" "-e" (format "~s" without-editor) arguments) home
+        (lambda (t)
+          (shows t #rx"\nNo history and no completion .*apt install libedit2")
+          (check-session t))))))
+
+  (skip-unless (libedit?) "libedit (Debian: apt install libedit2) is not installed: no line editing"
     (test-case "at a terminal with line editing"
       (call-with-home
        (lambda (home) (call-at-terminal arguments home check-session))))
