@@ -10,7 +10,7 @@
          racket/system
          rackunit
          "runner/discover.rkt"
-         "support/skip.rkt")
+         "support/process.rkt" "support/skip.rkt")
 
 (define-runtime-path runner "runner/main.rkt")
 (define-runtime-path fixtures "runner/fixture")
@@ -104,13 +104,6 @@
         (define text (string-trim (file->string file)))
         (and (non-empty-string? text) text))
       (fail "the hanging file was not started")))
-
-;; A process that has been killed may take a moment to disappear.
-(define (gone? number)
-  (for/or ([_ (in-range 50)])
-    (sleep 0.1)
-    (not (parameterize ([current-error-port (open-output-nowhere)])
-           (system (format "kill -0 ~a" number))))))
 
 ;; Start the runner on the hanging file, which notes the number of its child.
 (define (start-hanging note)

@@ -48,12 +48,19 @@
     (cond [(eof-object? waiting) (begin0 waiting (set! waiting '()))]
           [else (begin0 (car waiting) (set! waiting (cdr waiting)))])))
 
-;; -> list of forms, at least one, or eof.  A break abandons what was typed.
+;; -> list of forms, at least one, or eof.  A break abandons what was typed; when the terminal
+;; has gone there is nothing more to read.
 (define (next-forms lines)
   (define forms
-    (with-handlers ([exn:break? (lambda (e) (newline) '())])
+    (with-handlers ([gone? (lambda (e) eof)]
+                    [exn:break? (lambda (e) (newline) '())])
       (read-entry lines)))
   (if (null? forms) (next-forms lines) forms))
+
+;; A terminal that was closed sends a break of its own, and can then be neither read nor
+;; written.
+(define (gone? e)
+  (or (exn:break:hang-up? e) (exn:break:terminate? e) (exn:fail:filesystem:errno? e)))
 
 ;; Lines until they are complete forms -> list of forms or eof
 (define (read-entry lines)

@@ -11,7 +11,8 @@
 (provide terminals? libedit?
          call-at-terminal    ; (call-at-terminal arguments home f) : (f terminal)
          type                ; (type terminal text) : as typed, with \r for Enter
-         shows)              ; (shows terminal regexp) : a check, of what came since the last
+         shows               ; (shows terminal regexp) : a check, of what came since the last
+         close-terminal)     ; (close-terminal terminal) : as one closes its window
 
 (require (only-in ffi/unsafe ffi-lib))
 
@@ -20,8 +21,9 @@
 (define (libedit?)
   (and (ffi-lib "libedit" '("3" "2" "0" "") #:fail (lambda () #f)) #t))
 
-;; keys : where we write; seen : what was printed and not yet expected
-(struct terminal (keys screen [seen #:mutable]))
+;; process : the program `script`; keys : where we write; seen : what was printed and not yet
+;; expected
+(struct terminal (process keys screen [seen #:mutable]))
 
 (define patience 120)
 
@@ -37,7 +39,7 @@
        (define-values (process screen keys errors)
          (subprocess #f #f #f (find-executable-path "script")
                      "-qfc" (command arguments) "/dev/null"))
-       (f (terminal keys screen ""))))
+       (f (terminal process keys screen ""))))
    (lambda () (custodian-shutdown-all custodian))))
 
 (define (command arguments)
@@ -59,6 +61,11 @@
 (define (type t text)
   (write-string text (terminal-keys t))
   (flush-output (terminal-keys t)))
+
+;; What ran there is told that it is gone.
+(define (close-terminal t)
+  (subprocess-kill (terminal-process t) #t)
+  (subprocess-wait (terminal-process t)))
 
 ;; Waits until the pattern is seen, and takes what is up to its end as read.
 (define-check (shows t pattern)

@@ -4,7 +4,8 @@
 (require racket/file
          racket/string
          rackunit
-         "../../support/run-text.rkt" "../../support/skip.rkt" "../../support/terminal.rkt")
+         "../../support/process.rkt" "../../support/run-text.rkt"
+         "../../support/skip.rkt" "../../support/terminal.rkt")
 
 (define arguments '("-l" "mechanics/lang/prompt/start"))
 
@@ -115,6 +116,23 @@
      (lambda (home)
        (call-at-terminal #:kind "dumb" arguments home check-session)
        (check-false (history home)))))
+
+  (for ([kind '("dumb" "xterm")])
+    (test-case (format "a prompt ends with its terminal, ~a" kind)
+      (call-with-home
+       (lambda (home)
+         (define note (build-path home "number"))
+         (call-at-terminal
+          #:kind kind arguments home
+          (lambda (t)
+            (prompted t)
+            (enter t "(require racket/os)" #rx"")
+            (enter t (format "(with-output-to-file ~s (lambda () (write (getpid))))"
+                             (path->string note))
+                   #rx"")
+            (type t "(up 1")
+            (close-terminal t)))
+         (check-true (gone? (file->value note)) "it still runs")))))
 
   (test-case "at a terminal where libedit is missing, which is said"
     (call-with-home
