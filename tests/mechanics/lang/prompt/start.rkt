@@ -117,6 +117,16 @@
        (call-at-terminal #:kind "dumb" arguments home check-session)
        (check-false (history home)))))
 
+  (test-case "at Racket's own prompt a long result ends after a screen, too"
+    (call-with-home
+     (lambda (home)
+       (call-at-terminal
+        #:kind "dumb" '("-q" "-I" "mechanics") home
+        (lambda (t)
+          (prompted t)
+          (enter t "(for/list ([i 3000]) i)"
+                 #rx"; [0-9]+ more lines: \\(print-expression ...\\) prints all of it\n"))))))
+
   (for ([kind '("dumb" "xterm")])
     (test-case (format "a prompt ends with its terminal, ~a" kind)
       (call-with-home
