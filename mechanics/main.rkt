@@ -13,7 +13,8 @@
          "force/on-demand.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
-         "lagrangian/frames.rkt" "lagrangian/Lagrange-equations.rkt"
+         "lagrangian/frames.rkt" "lagrangian/generalized-LE.rkt"
+         "lagrangian/Lagrange-equations.rkt"
          (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/Noether.rkt"
          "lagrangian/path.rkt" "lagrangian/state-derivative.rkt"
          "lagrangian/total-derivative.rkt" "lagrangian/variation.rkt"

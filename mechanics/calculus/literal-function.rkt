@@ -10,7 +10,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/write.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/recurrence.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt"
          "../value/signature.rkt"
@@ -26,8 +26,7 @@
              #:closed? #t
              #:describe (lambda (f) (format "a literal function ~a" (signature->text f)))
              #:datum (lambda (f) (head->datum (unknown-head f)))
-             #:arity (lambda (f)
-                       (arithmetic-shift 1 (length (signature-domain (unknown-signature f)))))))
+             #:arity (lambda (f) (signature-arity-mask (unknown-signature f)))))
 
 (value-struct unknown (head signature)
   #:kind kind:unknown
@@ -53,9 +52,31 @@
       (unknown (make-literal-head name) default-signature)))
 
 (define (literal-of-range name s range)
-  (if (structure? range)
-      (name-components name range (lambda (n shape) (literal-of-range n s shape)))
-      (unknown (make-literal-head name) s)))
+  (cond [(structure? range)
+         (name-components name range (lambda (n shape) (literal-of-range n s shape)))]
+        [(signature? range) (function-valued name s range)]
+        [else (unknown (make-literal-head name) s)]))
+
+;; A function whose values are functions knows all their arguments: ((f x) y) is (f x y).
+(define (function-valued name s range)
+  (define-values (outer inner) (values (signature-domain s) (signature-domain range)))
+  (unless (and (list? outer) (list? inner))
+    (complain 'literal-function
+              "a function whose values are functions has a known number of arguments\n  given: ~a"
+              (datum->text (signature-datum s))))
+  (define all-at-once
+    (literal-of-range name
+                      (signature (append outer inner) (signature-range range) (signature-datum s))
+                      (signature-range range)))
+  (define declared (unknown (make-literal-head name) s))
+  (make-function
+   (lambda args
+     (unless (literal-function-takes? declared args) (raise-misfit declared args))
+     (make-function (lambda more (apply all-at-once (append args more)))
+                    (signature-arity-mask range)
+                    (lambda () (cons name (map value->datum args)))))
+   (signature-arity-mask s)
+   (lambda () name)))
 
 ;; The structure like `shape` whose components are (make component-name part).
 (define (name-components name shape make)
@@ -107,9 +128,12 @@
 
 ;; Do the arguments fit the signature?
 (define (literal-function-takes? f args)
-  (define domain (signature-domain (unknown-signature f)))
-  (and (= (length domain) (length args))
-       (andmap shape-fits? domain args)))
+  (and (right-count? f args)
+       (let-values ([(slot shape) (first-misfit (unknown-signature f) args)])
+         (not slot))))
+
+(define (right-count? f args)
+  (bitwise-bit-set? (signature-arity-mask (unknown-signature f)) (length args)))
 
 ;; The outermost ε among the arguments decides how derivatives are taken.
 (define (apply-head head args)
@@ -200,15 +224,18 @@
 ;; Errors
 
 (define (raise-misfit f args)
-  (define domain (signature-domain (unknown-signature f)))
   (define name (value->text f))
-  (unless (= (length domain) (length args))
-    (complain name "was declared ~a, which takes ~a; given ~a: ~a" (signature->text f)
-              (counted (length domain) "argument") (length args) (value->text args)))
-  (for ([shape (in-list domain)] [a (in-list args)] [slot (in-naturals)]
-        #:unless (shape-fits? shape a))
-    (complain name "was declared ~a; slot ~a got ~a~a" (signature->text f) slot
-              (describe-with-value a) (remedy shape a))))
+  (unless (right-count? f args) (raise-other-count f name args))
+  (define-values (slot shape) (first-misfit (unknown-signature f) args))
+  (define a (list-ref args slot))
+  (complain name "was declared ~a; slot ~a got ~a~a" (signature->text f) slot
+            (describe-with-value a) (remedy shape a)))
+
+(define (raise-other-count f name args)
+  (define domain (signature-domain (unknown-signature f)))
+  (complain name "was declared ~a, which takes ~a; given ~a: ~a" (signature->text f)
+            (if (list? domain) (counted (length domain) "argument") "at least 1 argument")
+            (length args) (value->text args)))
 
 (define (remedy shape x)
   (if (and (eq? shape 'Real) (tuple? x))

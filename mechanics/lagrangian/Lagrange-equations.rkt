@@ -19,7 +19,7 @@
          "../generic/value-struct.rkt"
          (only-in "../value/compose.rkt" compose))
 
-(provide Lagrange-equations generalized-LE
+(provide Lagrange-equations equations-of-either
          equations? equations-Lagrangian equations-force equations-order
          check-Lagrangian check-order scalar-valued)
 
@@ -31,10 +31,15 @@
 
 ;; A function of paths that keeps what it was made from, for those who want to
 ;; see its steps.
-(value-struct equations (Lagrangian force order)
+;; of-local : what gives the residual of a Lagrangian at a local tuple; #f if paths only
+;; are taken
+(value-struct equations (Lagrangian force order of-local)
   #:kind kind:equations
   #:property prop:procedure
-  (case-lambda [(e q) (residual-along e q)]
+  (case-lambda [(e q)
+                (if (and (equations-of-local e) (local? q))
+                    ((equations-of-local e) (equations-Lagrangian e) q)
+                    (residual-along e q))]
                [(e . arguments) (raise-one-path e arguments)]))
 
 (define (equations->datum e)
@@ -46,13 +51,21 @@
 (define (Lagrange-equations L [dissipation #f] #:force [Q #f] #:order [n 1])
   (check-Lagrangian 'Lagrange-equations L)
   (check-order 'Lagrange-equations n)
-  (equations L (external-force 'Lagrange-equations Q dissipation) n))
+  (equations L (external-force 'Lagrange-equations Q dissipation) n #f))
+
+;; The same of order n for paths, and at local tuples by of-local
+(define (equations-of-either L n of-local)
+  (check-Lagrangian 'generalized-LE L)
+  (check-order 'generalized-LE n)
+  (equations L #f n of-local))
+
+;; No path: the first component is a time.
+(define (local? q)
+  (and (local-tuple? q) (scalar? (time q))))
 
 (define (check-order who n)
   (unless (exact-positive-integer? n)
     (raise-argument-error who "an order, a positive integer" n)))
-
-(define (generalized-LE L #:order [n 2]) (Lagrange-equations L #:order n))
 
 (define (residual-along e q)
   (define L (scalar-valued 'Lagrange-equations (equations-Lagrangian e)))

@@ -11,7 +11,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../value/compose.rkt" "../value/structure.rkt")
 
 (provide F->C Gamma-bar osculating-path
@@ -71,14 +71,19 @@
       (values (g:+ sum (g:* c part)) c (add1 k)))))
 
 ;; ---------------------------------------------------------------------------
-;; Named transformations, from the first coordinates to the second
+;; Named transformations, from the first coordinates to the second.  Given coordinates
+;; alone, n scalars in a tuple, they transform these: a local tuple has all its coordinates
+;; in its second component, and is never one of n scalars for n > 1.
 
-(define (tuple-coordinates who n local)
-  (define q (coordinate local))
+(define (tuple-coordinates who n given)
+  (define q (if (coordinates-alone? n given) given (coordinate given)))
   (unless (and (tuple? q) (= (s:length q) n))
     (complain who "expected a local tuple with ~a coordinates; given ~a"
-              n (describe-with-value local)))
+              n (describe-with-value given)))
   (structure->list q))
+
+(define (coordinates-alone? n x)
+  (and (up? x) (= (s:length x) n) (andmap scalar? (structure->list x))))
 
 ;; (r, φ) to (x, y)
 (define (p->r local)

@@ -56,12 +56,31 @@
 ;; (substitute value 'm 3 'k (expt omega 2) ...), all at once.
 (define (substitute x . names-and-replacements)
   (define alist (pair-up names-and-replacements))
+  (check-order x alist)
   (map-leaves
    (lambda (leaf)
      (cond [(symbolic? leaf) (substitute-expression leaf alist)]
            [(or (number? leaf) (other-number? leaf)) leaf]
            [else (raise-nothing-to-replace leaf)]))
    x))
+
+;; In a number there is nothing to replace.  Where the replacement is an expression that
+;; holds what it replaces, the arguments were meant in the order of scmutils.
+(define (check-order x alist)
+  (when (and (number? x) (= (length alist) 1))
+    (define-values (name expression) (values (caar alist) (cdar alist)))
+    (when (and (node? expression) (occurs? name expression))
+      (complain 'substitute
+                (string-append "there is nothing to replace in the number ~a; the expression comes "
+                               "first here: (substitute ~a ~a ~a)")
+                (value->text x) (argument->text expression) (argument->text name)
+                (value->text x)))))
+
+(define (argument->text e) (format (if (symbol? e) "'~a" "~a") (value->text e)))
+
+(define (occurs? part e)
+  (define unlike-any (string->uninterned-symbol "part"))
+  (not (eq? e (substitute-expression e (list (cons part unlike-any))))))
 
 (define (raise-nothing-to-replace x)
   (complain 'substitute "expected an expression, or a tuple or matrix of them; given ~a~a"

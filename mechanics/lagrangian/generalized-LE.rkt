@@ -1,0 +1,26 @@
+#lang racket/base
+;; Lagrange's equations of a Lagrangian that depends on higher derivatives (SICM, exercise
+;; 1.10), of a path, or of a local tuple.
+;;
+;; Of a local tuple (t, q, v, a, ...) with an even number of components, 2n + 2, they are of
+;; order n.  The path that osculates there has those derivatives and no others are asked
+;; for, so that its residual is the local tuple's.
+
+(require "coordinate-transformation.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
+         "../error/complain.rkt"
+         "../generic/describe.rkt"
+         "../value/structure.rkt")
+
+(provide generalized-LE)
+
+;; n : the order for paths; a local tuple tells it by its length
+(define (generalized-LE L #:order [n 2]) (equations-of-either L n residual-at))
+
+(define (residual-at L local)
+  (define n (- (quotient (s:length local) 2) 1))
+  (unless (and (even? (s:length local)) (positive? n))
+    (complain 'generalized-LE
+              (string-append "expected a path or a local tuple of 4 or 6 or ... components: "
+                             "(up t q v a); given ~a")
+              (describe-with-value local)))
+  (((Lagrange-equations L #:order n) (osculating-path local)) (time local)))
