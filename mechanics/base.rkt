@@ -13,9 +13,10 @@
          (except-in "value/assumptions.rkt" assumptions-in-force note-used! undeclared)
          "value/compose.rkt" "value/operator.rkt" "value/principal-value.rkt" "value/rewrite.rkt"
          "value/signature.rkt" "value/simplify.rkt" (except-in "value/structure.rkt" up down)
-         "value/vector.rkt"
+         "value/complex.rkt" "value/vector.rkt"
          "value/linear/eigenvalues.rkt"
          (except-in "value/linear/linear-algebra.rkt" square-entries) "value/linear/matrix.rkt"
+         "value/linear/quotient.rkt"
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
          "verdict/prove-zero.rkt" "verdict/verdict.rkt")
@@ -24,9 +25,9 @@
  ;; binding forms with structure patterns
  define lambda λ case-lambda let let*
  ;; arithmetic
- (rename-out [g:+ +] [g:- -] [g:* *] [g:/ /] [g:expt expt] [g:sqrt sqrt]
+ (rename-out [g:+ +] [g:- -] [g:* *] [quotient-of /] [g:expt expt] [g:sqrt sqrt]
              [g:square square] [g:square sqr] [g:cube cube]
-             [g:negate negate] [g:invert invert]
+             [g:negate negate] [inverse-of invert]
              [g:exp exp] [g:log log] [g:abs abs]
              [g:sin sin] [g:cos cos] [g:tan tan] [g:sec sec] [g:csc csc] [g:cot cot]
              [g:asin asin] [g:acos acos] [g:atan atan]
@@ -36,6 +37,7 @@
              [g:exact->inexact exact->inexact] [g:magnitude magnitude]
              [g:floor floor] [g:ceiling ceiling] [g:truncate truncate] [g:round round])
  pi :pi :-pi :pi/2 :2pi principal-value
+ make-rectangular make-polar real-part imag-part conjugate
  ;; comparison
  (rename-out [g:= =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]
              [g:zero? zero?] [g:one? one?] [g:positive? positive?] [g:negative? negative?]
@@ -50,7 +52,8 @@
  ;; structures
  up down up? down? structure? structure-orientation
  ref component s:ref s:length s:dimension dimension
- (rename-out [tuple-vector-ref vector-ref] [tuple-vector-length vector-length])
+ (rename-out [tuple-vector-ref vector-ref] [tuple-vector-length vector-length]
+             [tuple-vector->list vector->list] [tuple-vector-map vector-map])
  structure->vector structure->list vector->up vector->down list->up list->down
  s:generate s:map s:map/r s:fold flip s:same s:opposite
  compatible-shape compatible-zero dual-zero zero-like

@@ -19,6 +19,7 @@
          "lagrangian/path.rkt" "lagrangian/state-derivative.rkt"
          "lagrangian/total-derivative.rkt" "lagrangian/variation.rkt"
          "lang/application.rkt" "lang/help/help.rkt" "lang/mistake/caret.rkt" "lang/Scheme.rkt"
+         "lang/scmutils.rkt"
          "lang/session.rkt"
          "lang/redefinition/module.rkt"
          "map/on-demand.rkt"
@@ -34,7 +35,9 @@
  ;; the language
  #%app #%top #%module-begin #%top-interaction ^ help
  ;; names of MIT Scheme
- 1+ -1+ iota write-line pp runtime show-time
+ 1+ -1+ iota list-head make-list fold-left fold-right write-line pp runtime show-time
+ ;; names of scmutils
+ (all-from-out "lang/scmutils.rkt")
  ;; local tuples
  Gamma path->state-path ->local ->state ->L-state
  time coordinate velocity acceleration

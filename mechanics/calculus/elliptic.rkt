@@ -12,7 +12,7 @@
 ;; all arithmetic, derivatives pass through it.
 ;;
 ;; Incomplete integrals are Carlson's.  Their derivatives are those of the integrals
-;; that define them.
+;; that define them.  They are real for |k| ≥ 1, too, as long as |k sin φ| stays below 1.
 
 (require "number.rkt" "perturbed.rkt"
          "../error/complain.rkt"
@@ -78,8 +78,9 @@
               (lambda (s k) (g:sqrt (g:- 1 (g:square (g:* k (g:sin s))))))))
 
 (define (incomplete who value given-phi given-k integrand)
-  (define k (modulus who given-k))
+  (define k (in-flonums given-k))
   (define phi (in-flonums given-phi))
+  (check-incomplete who (number who (innermost phi)) (number who (innermost k)))
   (if (or (perturbed? phi) (perturbed? k))
       (integrate who (lambda (s) (integrand s k)) 0 phi 1e-13)
       (value (real->double-flonum (number who phi)) (real->double-flonum k))))
@@ -110,6 +111,14 @@
 ;; More digits would be shown than are right.
 (define (in-flonums x)
   (if (other-number? (innermost x)) (g:exact->inexact x) x))
+
+(define (check-incomplete who phi k)
+  (unless (or (< -1 k 1)
+              (and (<= (abs phi) :pi/2) (< (abs (* k (sin phi))) 1)))
+    (complain who
+              (string-append "expected a modulus k between -1 and 1, or one with |k sin φ| < 1 "
+                             "up to φ; given the modulus ~a and the angle ~a")
+              k phi)))
 
 (define (check-modulus who k)
   (unless (< -1 (number who (innermost k)) 1)

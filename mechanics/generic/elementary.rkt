@@ -44,7 +44,23 @@
            ...))]))
 
 (define-elementary
-  sqrt exp sin cos tan asin acos sinh cosh tanh asinh acosh atanh abs sgn)
+  sqrt exp sin cos tan asin acos sinh cosh tanh asinh acosh atanh sgn)
+
+;; Of a tuple, its length: the root of the sum of squares.
+(define-named g:abs abs
+  (let ([numeric (operation-numeric op:abs)])
+    (lambda (a)
+      (cond [(number? a) (numeric a)]
+            [(tuple? a) (g:sqrt (sum-of-squares a))]
+            [else (dispatch-unary generic:abs a)]))))
+
+(define-record generic:abs abs 1 g:abs)
+
+(define (sum-of-squares a)
+  (for/fold ([sum 0]) ([x (in-vector (tuple-elements a))])
+    (g:+ sum (cond [(tuple? x) (sum-of-squares x)]
+                   [(and (number? x) (not (real? x))) (g:square (magnitude x))]
+                   [else (g:square x)]))))
 
 (define-named g:sec sec (lambda (x) (g:/ 1 (g:cos x))))
 (define-named g:csc csc (lambda (x) (g:/ 1 (g:sin x))))

@@ -28,16 +28,18 @@
 ;;             kind, equal when their parts are compared so; #f: `equal?` decides
 ;; arity     : value -> arity mask, for kinds of function; #f: the procedure's own
 ;; closed?   : #t for kinds of function that can have captured no value
+;; component : value index -> the part that `ref` gives; #f where there is none
 ;; parts     : of carriers, what their own floor wants to know of them
-(struct kind (rank describe datum map unary binary comparand zero? same? arity closed? parts)
+(struct kind (rank describe datum map unary binary comparand zero? same? arity closed?
+              component parts)
   #:authentic)
 
 (define (make-kind #:rank rank #:describe describe #:datum datum
                    #:map [map #f] #:unary [unary #f] #:binary [binary #f]
                    #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
                    #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f]
-                   #:parts [parts #f])
-  (kind rank describe datum map unary binary comparand zero? same? arity closed? parts))
+                   #:component [component #f] #:parts [parts #f])
+  (kind rank describe datum map unary binary comparand zero? same? arity closed? component parts))
 
 (define-values (prop:kind has-kind? kind-of-type) (make-struct-type-property 'kind))
 

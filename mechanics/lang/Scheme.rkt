@@ -2,12 +2,14 @@
 ;; Procedures of MIT Scheme, the language of the book's programs, that Racket has
 ;; under other names or not at all.
 
-(require "../display/result.rkt"
+(require (only-in racket/list make-list)
+         "../display/result.rkt"
          "../generic/arithmetic.rkt" "../generic/on-demand.rkt")
 
 (require-on-demand [racket/pretty pretty-write])
 
 (provide iota (rename-out [successor 1+] [predecessor -1+])
+         list-head make-list fold-left fold-right
          write-line pp
          runtime show-time)
 
@@ -22,6 +24,36 @@
   (unless (exact-nonnegative-integer? n)
     (raise-argument-error 'iota "a length, a natural number" n))
   (for/list ([i (in-range n)]) (g:+ start (g:* i step))))
+
+;; ---------------------------------------------------------------------------
+;; Lists
+
+;; The first n elements.
+(define (list-head xs n)
+  (unless (and (list? xs) (exact-nonnegative-integer? n) (<= n (length xs)))
+    (raise-arguments-error 'list-head "expected a list, and a number of its first elements"
+                           "list" xs "number" n))
+  (for/list ([x (in-list xs)] [_ (in-range n)]) x))
+
+;; (f (f start x) y): what is gathered comes first, where Racket's foldl has it last.
+(define (fold-left f start xs . more)
+  (check-folded 'fold-left f xs more)
+  (apply foldl (lambda arguments (apply f (last-first arguments))) start xs more))
+
+;; (f x (f y start))
+(define (fold-right f start xs . more)
+  (check-folded 'fold-right f xs more)
+  (apply foldr f start xs more))
+
+(define (last-first xs)
+  (define reversed (reverse xs))
+  (cons (car reversed) (reverse (cdr reversed))))
+
+(define (check-folded who f xs more)
+  (unless (and (procedure? f) (list? xs) (andmap list? more)
+               (andmap (lambda (ys) (= (length ys) (length xs))) more))
+    (raise-arguments-error who "expected a procedure, a start, and lists of one length"
+                           "procedure" f "lists" (cons xs more))))
 
 ;; ---------------------------------------------------------------------------
 ;; Output

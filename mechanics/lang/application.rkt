@@ -21,7 +21,8 @@
          "../error/complain.rkt"
          "../generic/describe.rkt" (only-in "../generic/dispatch.rkt" raise-unary-arity)
          (only-meta-in 1 "../generic/elementary.rkt")
-         (only-in "../generic/up-down.rkt" vector->up))
+         (only-in "../generic/up-down.rkt" vector->up)
+         (only-in "../value/linear/quotient.rkt" inverse-of))
 
 (provide (rename-out [application #%app]))
 
@@ -146,5 +147,5 @@
   ;; Is it one of our functions of one argument?
   (define (unary? id)
     (define own-name (cadr (identifier-binding id)))
-    (for/or ([u (in-list unary-functions)])
+    (for/or ([u (in-list (cons #'inverse-of unary-functions))])
       (and (eq? own-name (syntax-e u)) (free-identifier=? id u)))))

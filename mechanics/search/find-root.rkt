@@ -11,7 +11,7 @@
          "implicit.rkt"
          "../calculus/derivative.rkt" "../calculus/number.rkt" "../calculus/perturbed.rkt"
          "../error/refusal.rkt"
-         "../generic/define-plain.rkt"
+         "../generic/define-plain.rkt" "../generic/function.rkt"
          "../numeric/search/brent-root.rkt" "../numeric/search/newton.rkt"
          "../value/shape.rkt")
 
@@ -35,10 +35,16 @@
   (check-function-of-one-variable 'bisect f)
   (root-between 'bisect bisected-root f low high tolerance observe report))
 
+;; f may also be what gives its value and its derivative, (f x receive), as in scmutils; the
+;; derivative is not asked for.
 (define-plain (newton-search f start [tolerance 1e-12]
                              #:observe [observe void] #:report [report the-root])
-  (check-function-of-one-variable 'newton-search f)
-  (root-near 'newton-search f start tolerance observe report))
+  (define value (if (receives? f) (value-given f) f))
+  (check-function-of-one-variable 'newton-search value)
+  (root-near 'newton-search value start tolerance observe report))
+
+(define (receives? f) (and (procedure? f) (accepts? f 2) (not (accepts? f 1))))
+(define ((value-given f) x) (f x (lambda (y slope) y)))
 
 ;; (list found? root evaluations)
 (define (zbrent f low high [tolerance 1e-15] [limit 100])

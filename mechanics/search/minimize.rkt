@@ -106,7 +106,7 @@
     [(nelder-mead) (from-values x)]
     [else (if (slopes? (value-and-gradient who f argument) x) (from-either) (from-values x))]))
 
-;; (argument value evaluations)
+;; (argument value evaluations); at the limit, of the best argument so far
 (define-plain (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000]
                            #:observe [observe void]
                            #:progress [progress? (report-progress)])
@@ -114,11 +114,14 @@
   (check-function-of-one-variable who f)
   (when step (check-step who step))
   (check-tolerance who tolerance)
+  (unless (exact-positive-integer? limit)
+    (raise-argument-error who "a number of evaluations, a positive integer" limit))
   (define-values (x argument) (point-and-argument who start))
   (define (search note!)
     (define watch (counting-search note! who (lambda (x y) (observe (argument x) y))))
     (numeric:nelder-mead (value-at who f argument) x
                          #:step step #:tolerance tolerance #:limit limit #:name who
+                         #:stop-at-limit? #t
                          #:observe watch #:argument argument))
   (define-values (found y count) (call-with-progress progress? search))
   (list (argument found) y count))

@@ -36,8 +36,9 @@
     [(o . fs) (apply (operator-procedure o) fs)]))
 
 ;; The operator of this procedure, printing as `name`; the image of a function
-;; prints as the application that made it.
-(define (make-operator procedure [name (procedure-datum procedure)])
+;; prints as the application that made it.  The subtype and arity of scmutils are taken,
+;; and not needed.
+(define (make-operator procedure [name (procedure-datum procedure)] [subtype #f] [arity #f])
   (unless (procedure? procedure)
     (raise-argument-error 'make-operator "a function of functions" procedure))
   (naming-images procedure (lambda () (value->datum name))))

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; What one does with structures: take them apart, rebuild them, multiply them.
 
-(require "series/access.rkt" "series/series.rkt"
+(require "complex.rkt" "series/access.rkt" "series/series.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt")
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide
  ;; data, from the floor below
@@ -23,9 +23,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Access
 
-;; (ref s i j ...): component j of component i ... of a tuple; the term of that
-;; order of a series; of a function, the function whose value is that component of
-;; its value.
+;; (ref s i j ...): component j of component i ... of a tuple or a list; the row of a
+;; matrix; the term of that order of a series; of a function, the function whose value is
+;; that component of its value.
 (define ref
   (case-lambda
     [(s i) (ref-1 s i s)]
@@ -35,21 +35,23 @@
 (define (ref-1 s i whole)
   (cond [(tuple? s) (tuple-ref s i)]
         [(series? s) (series:ref s i)]
+        [(and (has-kind? s) (kind-component (kind-of s))) => (lambda (component) (component s i))]
         [(procedure? s) (ref-of-function s i)]
+        [(pair? s) (tuple-ref (list->vector s) i s)]
         [(eq? s whole) (raise-not-a-tuple 'ref s)]
         [else
          (complain 'ref "expected a tuple; index ~a was asked of ~a\n  in: ~a" i
                    (describe-with-value s) (value->text whole))]))
 
-(define (tuple-ref s i)
+(define (tuple-ref s i [given s])
   (define n (if (structure? s) (structure-length s) (vector-length s)))
   (unless (exact-integer? i)
     (raise-arguments-error 'ref "an index is an integer" "index" i))
   (define k (if (negative? i) (+ n i) i))
   (unless (< -1 k n)
-    (complain 'ref "index ~a is outside ~a~a\n  in: ~a" i (describe s)
+    (complain 'ref "index ~a is outside ~a~a\n  in: ~a" i (describe given)
               (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n)))
-              (value->text s)))
+              (value->text given)))
   (if (structure? s) (structure-ref s k) (vector-ref s k)))
 
 (define (ref-of-function f i)
@@ -141,7 +143,17 @@
 ;; names, as the book uses to probe bilinear forms (SICM p. 351).
 (define (compatible-zero s) (s:map/r (lambda (x) 0) (flip s)))
 (define (dual-zero s) (compatible-zero s))
-(define (zero-like s) (s:map/r (lambda (x) 0) s))
+
+;; What is zero in the way that s is: a tuple, a matrix, a function, an operator.
+(define (zero-like s)
+  (s:map/r (lambda (x) (map-leaves zero-like-leaf x)) s))
+
+(define (zero-like-leaf x)
+  (cond [(pointwise? x) (compose-unary generic:zero-like x)]
+        [(procedure? x) (g:* 0 x)]
+        [else 0]))
+
+(define generic:zero-like (generic-op 'zero-like #f zero-like '() #f '()))
 
 (define (compatible-shape s)
   (define n -1)
@@ -174,17 +186,20 @@
 
 ;; The product of the values of two functions; a may be no function.
 (define (product-of-functions name product a b)
-  (make-function (lambda args (product (if (pointwise? a) (apply a args) a) (apply b args)))
+  (make-function (lambda args (product (value-at a args) (value-at b args)))
                  (bitwise-and (arity-mask a) (arity-mask b))
                  (lambda () (list name (value->datum a) (value->datum b)))))
 
-(define (inner-product a b) (dot-product a b))
+;; That of the conjugate of a with b.
+(define (inner-product a b) (dot-product (conjugate a) b))
 
-;; The tuple like b of a times each component of b.
+;; The tuple like b of tuples like a: each scalar of a times each of b, none contracted.
 (define (outer-product a b)
-  (if (pointwise? b)
+  (define (products)
+    (s:map/r (lambda (y) (s:map/r (lambda (x) (g:* x y)) a)) (structure-of 'outer-product b)))
+  (if (or (pointwise? a) (pointwise? b))
       (product-of-functions 'outer-product outer-product a b)
-      (structure-map (lambda (y) (g:* a y)) (structure-of 'outer-product b))))
+      (products)))
 
 (define (cross-product a b)
   (if (and (pointwise? a) (pointwise? b))

@@ -2,9 +2,10 @@
 ;; Racket's access to vectors, for tuples too: the book treats tuples as the
 ;; vectors they are in Scheme (SICM p. 96).
 
-(require "../generic/up-down.rkt")
+(require "../error/complain.rkt"
+         "../generic/describe.rkt" "../generic/up-down.rkt")
 
-(provide tuple-vector-ref tuple-vector-length)
+(provide tuple-vector-ref tuple-vector-length tuple-vector->list tuple-vector-map)
 
 (define tuple-vector-ref
   (let ([vector-ref (lambda (v i) (if (structure? v) (structure-ref v i) (vector-ref v i)))])
@@ -13,3 +14,22 @@
 (define tuple-vector-length
   (let ([vector-length (lambda (v) (if (structure? v) (structure-length v) (vector-length v)))])
     vector-length))
+
+(define tuple-vector->list
+  (let ([vector->list
+         (lambda (v) (vector->list (if (structure? v) (structure-elements v) v)))])
+    vector->list))
+
+;; f of corresponding components; the result is what the first one is.
+(define (vector-map f first . more)
+  (define all
+    (for/list ([v (in-list (cons first more))])
+      (unless (tuple? v)
+        (complain 'vector-map "expected tuples or vectors; given ~a" (describe-with-value v)))
+      (tuple-elements v)))
+  (unless (for/and ([v (in-list all)]) (= (vector-length v) (vector-length (car all))))
+    (complain 'vector-map "the tuples differ in length: ~a" (map vector-length all)))
+  (define values-of (list->vector (apply map f (map vector->list all))))
+  (if (structure? first) (same-orientation first values-of) values-of))
+
+(define tuple-vector-map vector-map)

@@ -25,6 +25,7 @@
                      #:step [step #f]
                      #:tolerance [tolerance 1e-8]
                      #:limit [limit 20000]
+                     #:stop-at-limit? [stop? #f]
                      #:observe [observe void]
                      #:argument [argument flvector->list]
                      #:name [who 'minimize])
@@ -44,6 +45,7 @@
       (observe (vertex-x best) (vertex-y best))
       (cond [(= (vertex-y best) -inf.0) (not-found "the function falls without end" best)]
             [(<= (size simplex) (* tolerance (+ 1.0 (greatest (vertex-x best))))) best]
+            [(and (>= count limit) stop?) best]
             [(>= count limit) (not-found "too many evaluations" best (size simplex))]
             [else (loop (move simplex vertex-at))])))
   (define found (search (vertex-x (search start))))

@@ -93,8 +93,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Transposition
 
-;; Of a matrix; of a tuple of tuples, whose two orientations exchange places
-;; with their indices; and, with a typical right multiplicand rs, of a structure
+;; Of a matrix; of a tuple of scalars, whose orientation changes; of a tuple of tuples,
+;; whose two orientations exchange places with their indices; and, with a typical right multiplicand rs, of a structure
 ;; ms seen as the matrix of rs ↦ (* ms rs) (SICM p. 351).
 (define transpose
   (case-lambda
@@ -109,6 +109,11 @@
 (define generic:transpose (generic-of-matrices 'transpose (lambda (m) (transpose m))))
 
 (define (transpose-tuple s)
+  (if (for/or ([x (in-vector (structure-elements s))]) (tuple? x))
+      (transpose-nested s)
+      (flip-outer s)))
+
+(define (transpose-nested s)
   (check-tuple-of-tuples 'transpose s)
   (define rows
     (for/vector ([x (in-vector (structure-elements s))]) (tuple-elements x)))

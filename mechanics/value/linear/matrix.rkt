@@ -9,7 +9,8 @@
          "../structure.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/dispatch.rkt" "../../generic/kind.rkt" "../../generic/up-down.rkt"
+         "../../generic/dispatch.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
+         "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt")
 
 (provide
@@ -21,6 +22,8 @@
  ;; for the linear algebra above
  matrix matrix-rows square-rows m:invert)
 
+(require-on-demand ["exponential.rkt" rows-exponential])
+
 (define kind:matrix
   (make-kind #:rank rank:matrix
              #:describe (lambda (m) (format "a ~a by ~a matrix" (m:num-rows m) (m:num-cols m)))
@@ -29,7 +32,14 @@
                              (for/list ([row (in-vector (matrix-rows m))])
                                (cons 'list (map value->datum (vector->list row))))))
              #:map (lambda (f m) (matrix-map (lambda (x) (map-leaves f x)) m))
-             #:unary (lambda (op m) (raise-inapplicable op m))
+             #:unary (lambda (op m)
+                       (if (eq? (generic-op-name op) 'exp)
+                           (matrix (rows-exponential (square-rows 'exp m)))
+                           (raise-inapplicable op m)))
+             #:component (lambda (m i) (m:nth-row m i))
+             #:arity (lambda (m)
+                       (for*/fold ([mask -1]) ([row (in-vector (matrix-rows m))] [x (in-vector row)])
+                         (bitwise-and mask (arity-mask x))))
              #:binary (lambda (op a b) (combine op a b))
              #:same? (lambda (same? a b)
                        (and (= (m:num-rows a) (m:num-rows b))
@@ -44,7 +54,17 @@
 ;; rows : a vector of vectors of one length, changed by nobody.
 (value-struct matrix (rows)
   #:kind kind:matrix
-  #:equal-by matrix-rows)
+  #:equal-by matrix-rows
+  #:property prop:procedure (lambda (m . arguments) (matrix-map (entry-at m arguments) m)))
+
+;; entry -> its value at the arguments
+(define ((entry-at m arguments) f)
+  (unless (procedure? f)
+    (complain 'application
+              (string-append "a matrix applies its entries to the arguments, "
+                             "but the entry ~a of ~a is not a function")
+              (value->text f) (value->text m)))
+  (apply f arguments))
 
 ;; ---------------------------------------------------------------------------
 ;; Construction

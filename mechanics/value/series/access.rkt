@@ -17,8 +17,9 @@
 (define (series . terms) (series-of (coefficients-from terms)))
 (define (power-series . terms) (power-series-of (coefficients-from terms)))
 
-;; The series whose term of order k is (f k).
-(define (series:generate f)
+;; The series whose term of order k is (f k).  Of what the terms are functions their arity
+;; tells; scmutils is told here.
+(define (series:generate f [arity #f])
   (unless (and (procedure? f) (procedure-arity-includes? f 1))
     (raise-argument-error 'series:generate "a function of the order of a term" f))
   (series-of (make-coefficients f)))

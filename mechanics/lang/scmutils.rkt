@@ -1,0 +1,36 @@
+#lang racket/base
+;; Names that scmutils has for what is called otherwise here, and small things that it makes
+;; of others.
+
+(require "../calculus/derivative.rkt" "../calculus/literal-function.rkt"
+         "../error/complain.rkt"
+         "../value/compose.rkt" "../value/rewrite.rkt" "../value/structure.rkt"
+         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt")
+
+(provide
+ (rename-out [D derivative] [constant-function constant]
+             [literal-up literal-up-tuple] [literal-down literal-down-tuple]
+             [factor factor-polynomial-expression]
+             [matrix-by-columns matrix-by-cols] [m:generate matrix:generate]
+             [identity-matrix m:make-identity] [null-space lu-null-space]
+             [up->column-matrix vector->column-matrix] [down->row-matrix vector->row-matrix])
+ column-matrix row-matrix column-matrix->vector row-matrix->vector literal-matrix)
+
+;; ---------------------------------------------------------------------------
+
+(define (column-matrix . entries) (up->column-matrix (list->up entries)))
+(define (row-matrix . entries) (down->row-matrix (list->down entries)))
+
+(define (column-matrix->vector m) (structure->vector (column-matrix->up m)))
+(define (row-matrix->vector m) (structure->vector (row-matrix->down m)))
+
+;; A matrix of symbols: row i and column j hold name^i_j.
+(define (literal-matrix name rows columns)
+  (unless (symbol? name)
+    (raise-argument-error 'literal-matrix "a quoted name, such as 'A" name))
+  (for ([n (in-list (list rows columns))])
+    (unless (exact-positive-integer? n)
+      (complain 'literal-matrix "expected a number of rows and one of columns; given ~s and ~s"
+                rows columns)))
+  (m:generate rows columns
+              (lambda (i j) (string->symbol (format "~a^~a_~a" name i j)))))

@@ -1,0 +1,124 @@
+#lang racket/base
+;; Complex numbers made of expressions: (make-rectangular 'x 'y) and its parts.
+;;
+;; Symbols and literal functions are real, so that an expression without a number that is
+;; not real is its own real part.  Of others the parts are found operation by operation,
+;;
+;;   (a + ib)(c + id) = (ac − bd) + i (ad + bc),   e^(a + ib) = e^a (cos b + i sin b),
+;;   sin(a + ib) = sin a cosh b + i cos a sinh b,  cos(a + ib) = cos a cosh b − i sin a sinh b,
+;;
+;; and the conjugate is what they leave with the sign of one changed.
+
+(require (prefix-in racket: (only-in racket/base real-part imag-part))
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
+         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../generic/scalar.rkt")
+
+(provide conjugate
+         (rename-out [make-complex make-rectangular] [make-polar-complex make-polar]
+                     [real-part-of real-part] [imag-part-of imag-part]))
+
+;; ---------------------------------------------------------------------------
+
+(define (make-complex x y)
+  (check-parts 'make-rectangular x y)
+  (if (and (real? x) (real? y)) (make-rectangular x y) (g:+ x (g:* +i y))))
+
+;; r e^(i φ)
+(define (make-polar-complex r phi)
+  (check-parts 'make-polar r phi)
+  (if (and (real? r) (real? phi))
+      (make-polar r phi)
+      (make-complex (g:* r (g:cos phi)) (g:* r (g:sin phi)))))
+
+(define (check-parts who . parts)
+  (for ([x (in-list parts)])
+    (unless (scalar? x) (complain who "expected two numbers; given ~a" (describe-with-value x)))))
+
+(define (real-part-of x) (of-leaves generic:real-part x (lambda (re im) re)))
+(define (imag-part-of x) (of-leaves generic:imag-part x (lambda (re im) im)))
+(define (conjugate x)
+  (of-leaves generic:conjugate x (lambda (re im) (g:- re (g:* +i im)))))
+
+(define (generic-of name procedure) (generic-op name #f procedure '() #f '()))
+(define generic:real-part (generic-of 'real-part real-part-of))
+(define generic:imag-part (generic-of 'imag-part imag-part-of))
+(define generic:conjugate (generic-of 'conjugate conjugate))
+
+;; choose : real and imaginary part -> value, at each scalar of x
+(define (of-leaves op x choose)
+  (map-leaves
+   (lambda (leaf)
+     (cond [(symbolic? leaf)
+            (if (real-valued? leaf)
+                (choose leaf 0)
+                (call-with-values (lambda () (parts (generic-op-name op) leaf)) choose))]
+           [(number? leaf) (choose (racket:real-part leaf) (racket:imag-part leaf))]
+           [(pointwise? leaf) (compose-unary op leaf)]
+           [(scalar? leaf) (choose leaf 0)]
+           [else (raise-inapplicable op leaf)]))
+   x))
+
+;; ---------------------------------------------------------------------------
+;; Parts of expressions
+
+(define (real-valued? e)
+  (node-fold e (lambda (leaf) (or (symbol? leaf) (real? leaf)))
+             (lambda (n arguments) (andmap values arguments))))
+
+;; -> real and imaginary part
+(define (parts who e)
+  (define (walk e)
+    (cond [(number? e) (values (racket:real-part e) (racket:imag-part e))]
+          [(real-valued? e) (values e 0)]
+          [else (of-operation (node-head e) (node-args e))]))
+  (define (of-operation head args)
+    (cond [(eq? head op:+) (fold-parts sum 0 args)]
+          [(eq? head op:*) (fold-parts product 1 args)]
+          [else
+           (define-values (a b) (walk (car args)))
+           (cond [(eq? head op:-) (combine difference a b (cadr args))]
+                 [(eq? head op:/) (combine quotient-of a b (cadr args))]
+                 [(and (eq? head op:expt) (exact-integer? (cadr args))) (power a b (cadr args))]
+                 [(eq? head op:exp) (exponential a b)]
+                 [(eq? head op:sin)
+                  (values (g:* (g:sin a) (g:cosh b)) (g:* (g:cos a) (g:sinh b)))]
+                 [(eq? head op:cos)
+                  (values (g:* (g:cos a) (g:cosh b)) (g:negate (g:* (g:sin a) (g:sinh b))))]
+                 [(eq? head op:sinh)
+                  (values (g:* (g:sinh a) (g:cos b)) (g:* (g:cosh a) (g:sin b)))]
+                 [(eq? head op:cosh)
+                  (values (g:* (g:cosh a) (g:cos b)) (g:* (g:sinh a) (g:sin b)))]
+                 [else (raise-no-parts who e)])]))
+  (define (combine operation a b other)
+    (define-values (c d) (walk other))
+    (operation a b c d))
+  (define (fold-parts operation start args)
+    (for/fold ([a start] [b 0]) ([x (in-list args)])
+      (combine operation a b x)))
+  (walk e))
+
+(define (sum a b c d) (values (g:+ a c) (g:+ b d)))
+(define (difference a b c d) (values (g:- a c) (g:- b d)))
+(define (product a b c d)
+  (values (g:- (g:* a c) (g:* b d)) (g:+ (g:* a d) (g:* b c))))
+(define (quotient-of a b c d)
+  (define size (g:+ (g:square c) (g:square d)))
+  (values (g:/ (g:+ (g:* a c) (g:* b d)) size)
+          (g:/ (g:- (g:* b c) (g:* a d)) size)))
+(define (exponential a b)
+  (values (g:* (g:exp a) (g:cos b)) (g:* (g:exp a) (g:sin b))))
+
+(define (power a b n)
+  (cond [(negative? n)
+         (define-values (c d) (power a b (- n)))
+         (quotient-of 1 0 c d)]
+        [else (for/fold ([c 1] [d 0]) ([_ (in-range n)]) (product a b c d))]))
+
+(define (raise-no-parts who e)
+  (complain who
+            (string-append "the parts are known of sums, products, whole powers, exp, sin, cos, "
+                           "sinh and cosh of complex expressions; given ~a")
+            (value->text e)))
