@@ -11,7 +11,7 @@
 
 (provide
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)
- (struct-out generic-op)
+ (struct-out generic-op) operation-by-values
  other-number? comparand
  rank:scalar rank:number rank:dual rank:structure rank:matrix rank:function rank:operator
  rank:series)
@@ -96,3 +96,6 @@
 ;; on which the operation is real and smooth.
 (struct generic-op (name operation procedure partials at-flonums domain)
   #:authentic)
+
+;; One that only functions meet, whose values it is taken of.
+(define (operation-by-values name procedure) (generic-op name #f procedure '() #f '()))

@@ -42,10 +42,9 @@
 (define (conjugate x)
   (of-leaves generic:conjugate x (lambda (re im) (g:- re (g:* +i im)))))
 
-(define (generic-of name procedure) (generic-op name #f procedure '() #f '()))
-(define generic:real-part (generic-of 'real-part real-part-of))
-(define generic:imag-part (generic-of 'imag-part imag-part-of))
-(define generic:conjugate (generic-of 'conjugate conjugate))
+(define generic:real-part (operation-by-values 'real-part real-part-of))
+(define generic:imag-part (operation-by-values 'imag-part imag-part-of))
+(define generic:conjugate (operation-by-values 'conjugate conjugate))
 
 ;; choose : real and imaginary part -> value, at each scalar of x
 (define (of-leaves op x choose)

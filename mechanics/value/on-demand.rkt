@@ -1,5 +1,6 @@
 #lang racket/base
-;; Numbers of higher precision and functions through data, loaded when one is made.
+;; Numbers of higher precision, functions through data, special functions and what matrices
+;; are made of, loaded when one is asked for.
 
 (require "../generic/on-demand.rkt")
 
@@ -7,4 +8,7 @@
  ["bigfloat.rkt" bigfloat bigfloat? bigfloat-precision bigfloat->exact]
  ["interpolation/piecewise.rkt" cubic-spline Hermite-spline monotone-spline linear-interpolation]
  ["interpolation/barycentric.rkt" barycentric-interpolation-function
-                                  Hermite-interpolation-function])
+                                  Hermite-interpolation-function]
+ ["linear/decompositions.rkt" eigenvectors svd]
+ ["linear/polynomial-roots.rkt" polynomial-roots]
+ ["special.rkt" gamma factorial bessj bessj0 bessj1])

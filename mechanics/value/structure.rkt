@@ -153,7 +153,7 @@
         [(procedure? x) (g:* 0 x)]
         [else 0]))
 
-(define generic:zero-like (generic-op 'zero-like #f zero-like '() #f '()))
+(define generic:zero-like (operation-by-values 'zero-like zero-like))
 
 (define (compatible-shape s)
   (define n -1)

@@ -46,9 +46,8 @@
         [(pointwise? x) (compose-unary op x)]
         [else (raise-inapplicable op x)]))
 
-(define (generic-of-matrices name procedure) (generic-op name #f procedure '() #f '()))
-(define generic:determinant (generic-of-matrices 'determinant determinant))
-(define generic:trace (generic-of-matrices 'trace trace))
+(define generic:determinant (operation-by-values 'determinant determinant))
+(define generic:trace (operation-by-values 'trace trace))
 
 ;; The rows of the square matrix that a tuple of tuples holds: one row, the
 ;; scalars in order, for each component.  Nested deeper, it is a tuple of tuples
@@ -94,8 +93,8 @@
 ;; Transposition
 
 ;; Of a matrix; of a tuple of scalars, whose orientation changes; of a tuple of tuples,
-;; whose two orientations exchange places with their indices; and, with a typical right multiplicand rs, of a structure
-;; ms seen as the matrix of rs ↦ (* ms rs) (SICM p. 351).
+;; whose two orientations exchange places with their indices; and, with a typical right
+;; multiplicand rs, of a structure ms seen as the matrix of rs ↦ (* ms rs) (SICM p. 351).
 (define transpose
   (case-lambda
     [(m)
@@ -106,7 +105,7 @@
      (define ls (compatible-shape (g:* ms rs)))
      (m->s rs (transpose (s->m ls ms rs)) ls)]))
 
-(define generic:transpose (generic-of-matrices 'transpose (lambda (m) (transpose m))))
+(define generic:transpose (operation-by-values 'transpose (lambda (m) (transpose m))))
 
 (define (transpose-tuple s)
   (if (for/or ([x (in-vector (structure-elements s))]) (tuple? x))
@@ -165,8 +164,8 @@
         [else (solve-by-inner-index who (adopt A) b)]))
 
 ;; Functions are solved for by their values (SICM p. 71).
-(define generic:solve-left (generic-of-matrices 'solve-linear-left solve-linear-left))
-(define generic:solve-right (generic-of-matrices 'solve-linear-right solve-linear-right))
+(define generic:solve-left (operation-by-values 'solve-linear-left solve-linear-left))
+(define generic:solve-right (operation-by-values 'solve-linear-right solve-linear-right))
 
 (define (solve-one who A b)
   (define (only v) (vector-ref v 0))

@@ -84,6 +84,21 @@
              (/ (- (E k) (K k)) k) 1e-10)))
 
 (test-case "other moduli are refused"
-  (for ([f (in-list (list K E (lambda (k) (elliptic-integral-F 1 k)) (lambda (k) (sn 1 k))))])
+  (for ([f (in-list (list K E (lambda (k) (sn 1 k))))])
     (check-exn #rx"expected a modulus between -1 and 1; given the number 1" (lambda () (f 1)))
-    (check-exn #rx"expected a real number; given the symbol k" (lambda () (f 'k)))))
+    (check-exn #rx"expected a real number; given the symbol k" (lambda () (f 'k))))
+  (check-exn #rx"expected a real number; given the symbol k"
+             (lambda () (elliptic-integral-F 1 'k))))
+
+(test-case "incomplete integrals of a greater modulus are real up to where k sin phi is 1"
+  ;; by sin a = k sin phi, F(phi, k) = F(a, 1/k)/k
+  (for ([k '(1.5 -3.0)] [phi '(0.6 0.3)])
+    (define a (asin (* (abs k) (sin phi))))
+    (check-= (elliptic-integral-F phi k) (/ (elliptic-integral-F a (/ 1 k)) (abs k)) 1e-14))
+  (check-= (elliptic-integral-F 0.5 1) (* 1/2 (log (/ (+ 1 (sin 0.5)) (- 1 (sin 0.5))))) 1e-14)
+  (check-= (elliptic-integral-E 0.5 1) (sin 0.5) 1e-14)
+  (check-= ((D (lambda (phi) (elliptic-integral-E phi 1.5))) 0.3)
+           (sqrt (- 1 (expt (* 1.5 (sin 0.3)) 2))) 1e-12)
+  (for ([phi '(0.8 2.0)])
+    (check-exn #rx"^elliptic-integral-F: expected a modulus k between -1 and 1, or one with"
+               (lambda () (elliptic-integral-F phi 1.5)))))

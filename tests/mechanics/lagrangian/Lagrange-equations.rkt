@@ -11,6 +11,7 @@
          mechanics/calculus/literal-function
          mechanics/value/signature
          mechanics/lagrangian/Lagrange-equations
+         mechanics/lagrangian/generalized-LE
          mechanics/lagrangian/local-tuple
          (only-in mechanics/book L-free-particle L-harmonic L-central-polar)
          "../support/messages.rkt" "../support/same.rkt" "../support/systems.rkt")

@@ -46,9 +46,7 @@
 
 (test-case "ref into what is no tuple says where"
   (check-message "ref: expected a tuple; given the number 3" (ref 3 0))
-  (check-message
-   "ref: expected a tuple; given (1 2), a list\n  a list is not a tuple; use (up x y ...)"
-   (ref '(1 2) 0))
+  (check-message "ref: index 2 is outside a list (indices 0 to 1)\n  in: (1 2)" (ref '(1 2) 2))
   (check-message
    "ref: expected a tuple; index 1 was asked of the symbol t\n  in: (up t (up x y) (down 1 (up 2 3)))"
    (ref s 0 1)))
