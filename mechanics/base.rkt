@@ -17,6 +17,7 @@
          "value/linear/eigenvalues.rkt"
          (except-in "value/linear/linear-algebra.rkt" square-entries) "value/linear/matrix.rkt"
          "value/linear/quotient.rkt"
+         (only-in "value/on-demand.rkt" eigenvectors svd polynomial-roots)
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
          "verdict/prove-zero.rkt" "verdict/verdict.rkt")
@@ -63,7 +64,8 @@
  up->column-matrix down->row-matrix column-matrix->up row-matrix->down
  matrix-ref m:num-rows m:num-cols m:dimension m:nth-row m:nth-col m:submatrix m:invert
  transpose determinant trace solve-linear-left solve-linear-right
- rank null-space characteristic-polynomial eigenvalues s->m m->s s:inverse
+ rank null-space characteristic-polynomial eigenvalues eigenvectors svd polynomial-roots
+ s->m m->s s:inverse
  ;; functions and operators
  compose identity constant-function
  make-operator operator? (rename-out [I-operator I]) commutator anticommutator

@@ -41,6 +41,9 @@ derivative in the Lagrangian as @racket[#:order].}
 @item{What works on any system is in @racketmodname[mechanics]. The particular Lagrangians
 of the book, and those that scmutils has beside them, are in @racketmodname[mechanics/book]
 (@secref["reference-book"]).}
+@item{Signatures may leave a number open, @racket[(UP* Real)], @racket[(X* Real)], and
+@racket[(Lagrangian)] is that for any number of coordinates. The coordinate transformations
+and @racket[generalized-LE] take both what they take there and what they take in the book.}
 @item{@racket[1+], @racket[iota], @racket[write-line], @racket[pp], @racket[runtime] and
 @racket[show-time] are there under MIT Scheme's names.}
 @item{Graphics are in @racketmodname[mechanics/plot], under the book's names. A
@@ -50,9 +53,32 @@ and @racket[graphics-show] opens a window that follows (@secref["guide-pictures"
 in the book; so do @racket[brent-min], @racket[golden-section-min] and, with evaluations in
 place of steps, @racket[nelder-mead]. @racket[zbrent] tells whether it found a root, as there;
 @racket[find-root] and all others raise an error that carries the best they have found.
-@racket[newton-search] takes a function alone: it finds the derivative itself.}
+@racket[newton-search] finds the derivative itself, and does not ask for it.}
 @item{Derivatives of functions that return functions are right in all cases; see
 @secref["perturbation-confusion"].}]
+
+@subsection[#:tag "deliberately-different"]{What is different on purpose}
+
+Each of these was weighed, and is meant to be as it is.
+
+@tabular[#:sep @hspace[2] #:style 'boxed #:row-properties '(bottom-border ())
+ (list
+  (list @bold{there} @bold{here} @bold{why})
+  (list @racket[(substitute new old expression)]
+        @racket[(substitute expression old new)]
+        "several replacements at once follow the expression; the other order is noticed")
+  (list "a search that failed returns a sign" "an error that carries the best value"
+        "it is not passed on unseen; nelder-mead and zbrent do as there")
+  (list "a root finder is given the derivative" "the function alone"
+        "a derivative by hand may be a wrong one")
+  (list @elem{@racket[vector?] holds of an @racket[up]} @elem{@racket[up?] does}
+        "a tuple knows its orientation, and prints as what makes it")
+  (list @elem{@racket[ref] counts from 0} "from the end, too, by negative numbers"
+        "an index outside is an error that names the range")
+  (list "a residual is looked at" @racket[verify-solution]
+        "proved, refuted at a point, or undecided")
+  (list "what simplification assumes depends on switches" "it is printed with the result"
+        "√(r²) = r holds for r ≥ 0 only"))]
 
 @section{From Emmy}
 

@@ -45,12 +45,17 @@ component of the right one is multiplied by the left one. See
 @deftogether[(@defproc[(/ [x value] [y value] ...) value]
               @defproc[(invert [x value]) value])]{
 
-Quotient and reciprocal. A tuple can be divided by a scalar, and nothing by a tuple.
-Division by a matrix multiplies by its inverse. @racket[(invert x)] is @racket[(/ 1 x)].
+Quotient and reciprocal. A tuple can be divided by a scalar. Division by a matrix multiplies
+by its inverse. A square tuple of tuples A stands for the linear map from x to
+@racket[(* A x)]: @racket[(/ b A)] is the x that it maps to b, and @racket[(invert A)] the
+structure of the inverse map. By other tuples nothing can be divided. @racket[(invert x)] is
+@racket[(/ 1 x)].
 
 @examples[#:eval session
 (/ (up 'x 'y) 2)
 (invert 'm)
+(/ (up 'x 'y) (down (up 1 2) (up 0 1)))
+(invert (up (down 'a 'b) (down 'c 'd)))
 (eval:error (/ 1 (up 1 2)))]}
 
 @section{Powers}
@@ -95,24 +100,31 @@ No power: whoever writes one is told how. Your own definition of the name is wel
               @defproc*[([(log [x value]) value] [(log [x value] [base value]) value])])]{
 
 Square root, exponential and logarithm. Roots of exact squares are exact. @racket[log] is
-the natural logarithm unless a base is given.
+the natural logarithm unless a base is given. The exponential of a square matrix is
+1 + A + A²/2! + ⋯, exact if the matrix is nilpotent or diagonal; of others the entries must be
+numbers.
 
 @examples[#:eval session
 (sqrt 16)
 (sqrt (* 4 'x))
 ((D exp) 'x)
 ((D log) 'x)
-(log 8 2)]}
+(log 8 2)
+(exp (matrix-by-rows '(0 t) '(0 0)))
+(exp (matrix-by-rows '(0 1) '(-1 0)))
+(eval:error (exp (matrix-by-rows '(a b) '(c d))))]}
 
 @deftogether[(@defproc[(abs [x value]) value]
               @defproc[(sgn [x value]) value])]{
 
-The absolute value, and the sign, which is 0 at 0. The derivative of @racket[abs]
+The absolute value, and the sign, which is 0 at 0. Of a tuple, @racket[abs] is its length,
+the root of the sum of the squares. The derivative of @racket[abs]
 is x/|x| and that of @racket[sgn] is 0; at 0, and at complex numbers, neither has
 one (@secref["singular-derivatives"]).
 
 @examples[#:eval session
 (abs -3)
+(abs (up 3 4))
 ((D abs) 'x)
 ((D abs) -3)
 (map sgn (list -3 0 1/2))
@@ -253,11 +265,35 @@ numbers within a derivative too, so that they may count and index.
 
 @defproc[(magnitude [x value]) value]{
 
-That of a complex number; of anything else @racket[(abs x)].
+That of a complex number; of anything else, tuples among them, @racket[(abs x)].
 
 @examples[#:eval session
 (magnitude 3+4i)
-(magnitude 'x)]}
+(magnitude (up 'x 'y))]}
+
+@deftogether[(@defproc[(make-rectangular [x scalar] [y scalar]) scalar]
+              @defproc[(make-polar [r scalar] [phi scalar]) scalar])]{
+
+The complex numbers x + i y and r (cos φ + i sin φ), of expressions as well.
+
+@examples[#:eval session
+(make-rectangular 'x 'y)
+(make-polar 'r 'phi)
+(eval:error (make-rectangular sin 1))]}
+
+@deftogether[(@defproc[(real-part [z value]) value]
+              @defproc[(imag-part [z value]) value]
+              @defproc[(conjugate [z value]) value])]{
+
+Of a number, of an expression whose symbols are real, of each component of a tuple or a
+matrix, and of the values of a function. The parts are known of sums, products, quotients,
+whole powers, and of the exponential and the circular and hyperbolic sine and cosine.
+
+@examples[#:eval session
+(real-part (exp (make-rectangular 'a 'b)))
+(imag-part (square (make-rectangular 'x 'y)))
+(conjugate (up 1+2i (make-rectangular 'x 'y)))
+(eval:error (real-part (sqrt (make-rectangular 'x 'y))))]}
 
 @section{Comparison}
 

@@ -86,8 +86,9 @@ coordinates up to the order n, the local tuples have them up to 2n.
 @section{Polar and spherical coordinates}
 
 Each takes a local tuple in its first coordinates, and gives the second
-coordinates; pass it to @racket[F->C]. A local tuple with another number of
-coordinates raises an error.
+coordinates; pass it to @racket[F->C]. Coordinates alone, a tuple of as many scalars as
+there are coordinates, are transformed as well: of a local tuple they would be the second
+component. Another number of coordinates raises an error.
 
 @deftogether[(@defproc[(p->r [local local-tuple]) structure?]
               @defproc[(polar->rectangular [local local-tuple]) structure?])]{
@@ -96,7 +97,8 @@ From (r, φ) to (x, y) = (r cos φ, r sin φ).
 
 @examples[#:eval session
 (p->r (up 't (up 'r 'phi) (up 'rdot 'phidot)))
-(polar->rectangular (up 0 (up 2 :pi/2) (up 0 0)))
+ (polar->rectangular (up 'r 'phi))
+ (polar->rectangular (up 0 (up 2 :pi/2) (up 0 0)))
 (eval:error (p->r (up 't 'r 'rdot)))]
 
 @sicm{1.6, p. 46}}

@@ -52,10 +52,14 @@ an error that says what may have been forgotten.
 @defproc[(generalized-LE [L procedure?] [#:order n exact-positive-integer? 2])
          procedure?]{
 
-@racket[Lagrange-equations] of order 2 unless told otherwise.
+@racket[Lagrange-equations] of order 2 unless told otherwise, when it is given a path. Given
+a local tuple of 4, 6, … components, up to the acceleration, the fourth derivative, …, it is
+the residual there, of order 1, 2, ….
 
 @examples[#:eval session
-(((generalized-LE (L-acceleration 'm 'k)) x) 't)]
+(((generalized-LE (L-acceleration 'm 'k)) x) 't)
+((generalized-LE (L-acceleration 'm 'k)) (up 't 'q 'v 'a 'j 's))
+(eval:error ((generalized-LE (L-acceleration 'm 'k)) (up 't 'q 'v)))]
 
 @sicm{1.5, exercises 1.10 and 1.13}}
 

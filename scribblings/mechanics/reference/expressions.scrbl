@@ -32,7 +32,8 @@ The value with each name, a symbol or an expression such as
 (substitute (+ 'a 'b) 'a 'b 'b 1)
 (define x (literal-function 'x))
 (substitute (square (x 't)) (x 't) 3)
-(eval:error (substitute 'a 'a))]}
+(eval:error (substitute 'a 'a))
+(eval:error (substitute 3 'a (+ 'a 'b)))]}
 
 @defproc[(expression [x value]) any]{
 

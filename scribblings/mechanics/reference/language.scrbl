@@ -190,6 +190,27 @@ The list of n values from @racket[start] on, each larger by @racket[step].
 
 @examples[#:eval session (iota 4) (iota 3 'a 'h)]}
 
+@deftogether[(@defproc[(list-head [xs list?] [n exact-nonnegative-integer?]) list?]
+              @defproc[(make-list [n exact-nonnegative-integer?] [x any/c]) list?])]{
+
+The first n elements of a list, and a list of n times the same.
+
+@examples[#:eval session
+(list-head '(a b c) 2)
+(make-list 3 'x)
+(eval:error (list-head '(a) 2))]}
+
+@deftogether[(@defproc[(fold-left [f procedure?] [start any/c] [xs list?] ...+) any/c]
+              @defproc[(fold-right [f procedure?] [start any/c] [xs list?] ...+) any/c])]{
+
+f(…f(f(start, x₁), x₂)…, xₙ) and f(x₁, f(x₂, …f(xₙ, start)…)). Racket's @racket[foldl] has
+the arguments of f in the other order.
+
+@examples[#:eval session
+(fold-left list 'start '(a b c))
+(fold-right list 'start '(a b c))
+(eval:error (fold-left + 0 '(1 2) '(3)))]}
+
 @deftogether[(@defproc[(write-line [x any/c] [port output-port? (current-output-port)]) void?]
               @defproc[(pp [x any/c] [port output-port? (current-output-port)]) void?])]{
 
@@ -213,5 +234,66 @@ it took, and returns what it returned.
 (eval:alts (show-time (lambda () (definite-integral sin 0 1)))
            (begin (displayln "process time: 6 ms (6 run + 0 gc); real time: 6 ms")
                   (definite-integral sin 0 1)))]}
+
+@section{Names of scmutils}
+
+Other names for what has an entry elsewhere: @racket[D], @racket[constant-function],
+@racket[literal-up], @racket[literal-down], @racket[factor].
+
+@deftogether[(@defproc[(derivative [f procedure?]) procedure?]
+              @defproc[(constant [x value]) procedure?]
+              @defproc[(literal-up-tuple [name symbol?] [n exact-nonnegative-integer?]) structure?]
+              @defproc[(literal-down-tuple [name symbol?] [n exact-nonnegative-integer?])
+                       structure?]
+              @defproc[(factor-polynomial-expression [x value]) value])]{
+
+@examples[#:eval session
+((derivative cube) 'x)
+((constant 'c) 't)
+(literal-up-tuple 'q 2)
+(literal-down-tuple 'p 2)
+(factor-polynomial-expression (- (square 'x) 1))]}
+
+Of matrices: @racket[matrix-by-columns], @racket[m:generate], @racket[identity-matrix],
+@racket[null-space], @racket[up->column-matrix], @racket[down->row-matrix].
+
+@deftogether[(@defproc[(matrix-by-cols [column (or/c list? tuple)] ...+) matrix?]
+              @defproc[(matrix:generate [rows exact-nonnegative-integer?]
+                                        [columns exact-nonnegative-integer?]
+                                        [f procedure?]) matrix?]
+              @defproc[(m:make-identity [n exact-positive-integer?]) matrix?]
+              @defproc[(lu-null-space [A value]) (listof value)]
+              @defproc[(vector->column-matrix [v tuple]) matrix?]
+              @defproc[(vector->row-matrix [v tuple]) matrix?])]{
+
+@examples[#:eval session
+(matrix-by-cols '(1 2) '(3 4))
+(matrix:generate 2 2 +)
+(m:make-identity 2)
+(lu-null-space (matrix-by-rows '(1 2) '(2 4)))
+(vector->column-matrix #(1 2))
+(vector->row-matrix #(1 2))]}
+
+@deftogether[(@defproc[(column-matrix [entry scalar] ...+) matrix?]
+              @defproc[(row-matrix [entry scalar] ...+) matrix?]
+              @defproc[(column-matrix->vector [m matrix?]) vector?]
+              @defproc[(row-matrix->vector [m matrix?]) vector?])]{
+
+A matrix of one column or of one row, and the vector of its entries.
+
+@examples[#:eval session
+(column-matrix 'x 'y)
+(row-matrix->vector (row-matrix 'x 'y))
+(column-matrix->vector (column-matrix 'x 'y))
+(eval:error (column-matrix->vector (row-matrix 'x 'y)))]}
+
+@defproc[(literal-matrix [name symbol?] [rows exact-positive-integer?]
+                         [columns exact-positive-integer?]) matrix?]{
+
+A matrix of symbols, which name their row and column.
+
+@examples[#:eval session
+(literal-matrix 'A 2 2)
+(eval:error (literal-matrix 'A 2 0))]}
 
 @(close-session session)

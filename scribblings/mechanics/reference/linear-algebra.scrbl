@@ -10,6 +10,10 @@ an @racket[up] from the left and a @racket[down] from the right. A structure of
 structures can stand for a linear map as well; where the book means a matrix,
 such a structure is accepted, its components being the rows.
 
+A matrix of functions is applied as the function whose value is the matrix of their values.
+
+@examples[#:eval session ((matrix-by-rows (list sin cos) (list exp square)) 't)]
+
 Indices of rows and columns start at 0.
 
 @section{Making matrices}
@@ -106,13 +110,14 @@ Rows and columns from the low index up to, but without, the high one.
                          [(transpose [m tuple] [right tuple]) value])])]{
 
 Rows and columns exchanged, of a matrix, or of a structure of structures, in which the two
-levels exchange
-places. With two arguments, @racket[m] is seen as the map from @racket[right] to
+levels exchange places; a tuple of scalars changes its orientation. With two arguments,
+@racket[m] is seen as the map from @racket[right] to
 @racket[(* m right)], and the result is the structure of the transposed map.
 
 @examples[#:eval session
 (transpose M)
 (transpose (down (up 'a 'b) (up 'c 'd)))
+(transpose (up 'x 'y))
 (transpose (down (up 'a 'b) (up 'c 'd)) (up 'x 'y))]
 
 @sicm{5.2, p. 351}}
@@ -221,6 +226,38 @@ two rows.
 
 An area-preserving map is stable at a fixed point if the eigenvalues of its
 derivative there have magnitude 1 @sicm{4.1}.}
+
+@defproc[(eigenvectors [m value]) (listof list?)]{
+
+For each eigenvalue a list: the eigenvalue, and after it its independent eigenvectors, as
+@racket[up] tuples; those of flonums have unit length, and each value has one.
+
+@examples[#:eval session
+(eigenvectors (matrix-by-rows '(a b) '(b a)))
+(eigenvectors (matrix-by-rows '(2.0 1.0) '(1.0 2.0)))
+(eval:error (eigenvectors 3))]}
+
+@defproc[(svd [m value]) list?]{
+
+The singular value decomposition U Σ Vᵀ of a matrix of real numbers: the list of U, the
+singular values from the greatest on, and V. The columns of U and V have unit length and
+are orthogonal.
+
+@examples[#:eval session
+(svd (matrix-by-rows '(3 0) '(4 5)))
+(eval:error (svd (matrix-by-rows '(a b))))]}
+
+@defproc[(polynomial-roots [p scalar] [x symbol?]) (listof scalar)]{
+
+The roots of a polynomial in x, each as often as it is one: exact where they are rational,
+and of a polynomial of degree 2; of higher degree, decimals, for which its coefficients must
+be numbers.
+
+@examples[#:eval session
+(polynomial-roots (+ (* 'a (square 'x)) (* 'b 'x)) 'x)
+(polynomial-roots (* (- 'x 1) (- 'x 1/2) (+ (square 'x) 4)) 'x)
+(polynomial-roots (- (expt 'x 3) 2) 'x)
+(eval:error (polynomial-roots (sin 'x) 'x))]}
 
 @deftogether[(@defproc[(s->m [left tuple] [m tuple] [right tuple]) matrix?]
               @defproc[(m->s [left tuple] [m matrix?] [right tuple]) structure?])]{

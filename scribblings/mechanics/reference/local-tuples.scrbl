@@ -294,8 +294,8 @@ point.
 
 The downhill simplex method: a list of the argument, the value there, and the
 evaluations. The first simplex has edges of length @racket[step], or of a tenth of the size
-of the start; the last one is smaller than the tolerance. More than @racket[limit]
-evaluations are a failure that carries the best point.
+of the start; the last one is smaller than the tolerance. After @racket[limit]
+evaluations the result is the best point so far.
 
 @examples[#:eval session
 (nelder-mead valley (up -1.2 1))]
@@ -371,9 +371,12 @@ a jump, by halving the interval: slow and sure.
                         [#:report report procedure? (lambda (root error evaluations) root)])
          any]{
 
-Newton's method: @racket[find-root] from one start.
+Newton's method: @racket[find-root] from one start. A function @racket[(f x receive)] that
+gives its value and its derivative to @racket[receive], as in scmutils, is taken as well;
+its derivative is not used.
 
 @examples[#:eval session
+(newton-search (lambda (x receive) (receive (- (square x) 2) (* 2 x))) 1)
 (newton-search (lambda (x) (- (square x) 2)) 1)]}
 
 @defproc[(zbrent [f procedure?] [low real?] [high real?]
@@ -439,12 +442,15 @@ one, with the sine of half the angle as modulus:
 @deftogether[(@defproc[(elliptic-integral-F [phi real?] [k real?]) real?]
               @defproc[(elliptic-integral-E [phi real?] [k real?]) real?])]{
 
-The incomplete ones, from 0 to the angle @racket[phi], which may be any.
+The incomplete ones, from 0 to the angle @racket[phi], which may be any. They are real for a
+modulus from 1 on, too, up to the angle where k sin φ is 1.
 
 @examples[#:eval session
 (elliptic-integral-F 1 0.5)
-((D (lambda (phi) (elliptic-integral-F phi 0.5))) 1)
-(elliptic-integral-E 1 0.5)]}
+ (elliptic-integral-F 1/2 2)
+ (eval:error (elliptic-integral-F 1 2))
+ ((D (lambda (phi) (elliptic-integral-F phi 0.5))) 1)
+ (elliptic-integral-E 1 0.5)]}
 
 @defproc[(Jacobi-elliptic-functions [u real?] [k real?] [receive (-> real? real? real? any)])
          any]{
@@ -459,6 +465,33 @@ is k sn(t + K):
   (Jacobi-elliptic-functions (+ t K) k (lambda (sn cn dn) (* 2 (asin (* k sn))))))
 (angle 0)
 (+ (((expt D 2) angle) 1) (sin (angle 1)))]}
+
+@section{Special functions}
+
+They are functions of real numbers alone, and are not differentiated.
+
+@deftogether[(@defproc[(gamma [x real?]) real?]
+              @defproc[(factorial [n exact-nonnegative-integer?]) exact-positive-integer?])]{
+
+Γ(x), for whole x > 0 the factorial of x − 1.
+
+@examples[#:eval session
+(gamma 1/2)
+(factorial 20)
+(eval:error (gamma 0))
+(eval:error (factorial 1.5))]}
+
+@deftogether[(@defproc[(bessj [n exact-integer?] [x real?]) real?]
+              @defproc[(bessj0 [x real?]) real?]
+              @defproc[(bessj1 [x real?]) real?])]{
+
+The Bessel functions Jₙ(x), J₀(x) and J₁(x) of whole order. The Fourier series of Kepler's
+problem is made of them.
+
+@examples[#:eval session
+(bessj0 2.404825557695773)
+(bessj 2 1)
+(eval:error (bessj 1/2 1))]}
 
 @section{Paths to try}
 

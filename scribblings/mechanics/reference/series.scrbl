@@ -67,9 +67,10 @@ The series with these terms or coefficients, and then no more.
 
 @sicm{7.2, p. 462}}
 
-@defproc[(series:generate [f procedure?]) series?]{
+@defproc[(series:generate [f procedure?] [arity any #f]) series?]{
 
-The series whose term of order k is @racket[(f k)].
+The series whose term of order k is @racket[(f k)]. The arity of the terms, which scmutils
+wants to be told, is accepted and not needed.
 
 @examples[#:eval session (series:generate (lambda (k) (/ 1 (add1 k))))
                          (series:generate (lambda (k) (expt 'x k)))]}

@@ -83,7 +83,8 @@ The orientation, and its opposite.
 @defproc[(ref [s value] [i exact-integer?] ...) value]{
 
 Component i, and within it component j, and so on. Indices start at 0; negative
-ones count from the end. Of a series, @racket[ref] is the term of order i; of a
+ones count from the end. A list is taken apart as a tuple is, and component i of a matrix
+is its row, a @racket[down], so that @racket[(ref m i j)] is an entry. Of a series, @racket[ref] is the term of order i; of a
 function, the function that gives that component of its value. An index outside raises
 an error that names the
 range.
@@ -91,6 +92,8 @@ range.
 @examples[#:eval session
 (ref (up 't (up 'x 'y)) 1 0)
 (ref (up 1 2 3) -1)
+(ref (list 'a 'b) 1)
+(ref (matrix-by-rows '(a b) '(c d)) 0 1)
 ((ref (lambda (t) (up (cos t) (sin t))) 1) 't)
 (eval:error (ref (up 1 2) 2))]
 
@@ -123,15 +126,20 @@ tuple counts as 1. @racket[dimension] is another name of @racket[s:dimension].
 (s:dimension 'a)]}
 
 @deftogether[(@defproc[(vector-ref [s tuple] [i exact-nonnegative-integer?]) value]
-              @defproc[(vector-length [s tuple]) exact-nonnegative-integer?])]{
+              @defproc[(vector-length [s tuple]) exact-nonnegative-integer?]
+              @defproc[(vector->list [s tuple]) list?]
+              @defproc[(vector-map [f procedure?] [s tuple] ...+) tuple])]{
 
 Racket's procedures, which also accept structures: the book takes local tuples of
-any length apart with them.
+any length apart with them. @racket[vector-map] makes a tuple like its first one.
 
 @examples[#:eval session
 (vector-ref (up 't 'q 'v) 1)
 (vector-length (up 't 'q 'v))
-(vector-length #(1 2))]
+(vector-length #(1 2))
+(vector->list (up 1 2))
+(vector-map sin (down 'x 'y))
+(eval:error (vector-map + (up 1 2) (up 3)))]
 
 @sicm{1.9, p. 96}}
 
@@ -193,9 +201,13 @@ A structure that contracts with @racket[s] to a scalar: of fresh symbols
 
 @defproc[(zero-like [s value]) value]{
 
-The zero of the same shape, which can be added to @racket[s].
+The zero of the same shape, which can be added to @racket[s]: of a matrix a matrix, of a
+function one whose values are zero, of an operator one as well.
 
-@examples[#:eval session (zero-like (up 'a (down 'b 'c)))]}
+@examples[#:eval session
+(zero-like (up 'a (down 'b 'c)))
+(zero-like (matrix-by-rows '(1 2) '(3 4)))
+((zero-like (lambda (t) (up t 1))) 't)]}
 
 @section{Products}
 
@@ -206,9 +218,11 @@ See also @racket[*] and @racket[square].
 
 The sum of the products of corresponding components, whatever the orientations.
 Two scalars are multiplied. Tuples of different lengths are an error. Of two
-functions, the function that gives the product of their values.
+functions, the function that gives the product of their values. @racket[inner-product] takes
+the complex conjugate of the first.
 
 @examples[#:eval session
+(inner-product (up 1+2i 2) (up 1+2i 'x))
 (dot-product (up 'a 'b) (up 'x 'y))
 (inner-product (up 'a 'b) (down 'x 'y))
 (eval:error (dot-product (up 1 2) 3))]
@@ -217,10 +231,13 @@ functions, the function that gives the product of their values.
 
 @defproc[(outer-product [a value] [b tuple]) structure?]{
 
-The tuple like @racket[b] whose components are those of @racket[b] multiplied by
-@racket[a].
+The tuple like @racket[b] whose scalars are those of @racket[b] multiplied by
+@racket[a]: each scalar of the one by each of the other, without a sum.
 
-@examples[#:eval session (outer-product (up 'a 'b) (down 'x 'y))]}
+@examples[#:eval session
+(outer-product (up 'a 'b) (down 'x 'y))
+(outer-product (up 'a 'b) (up (down 1 2) (down 3 4)))
+(* (up 'a 'b) (up (down 1 2) (down 3 4)))]}
 
 @defparam[unequal-contraction choice (or/c 'outer-product 'error) #:value 'outer-product]{
 
