@@ -164,6 +164,7 @@
           [(and (series? f) (not (power-series? f)))
            (map-series (lambda (x) (if (scalar? x) 0 (differentiate x))) f)]
           [(vector? f) (differentiate (vector->up f))]
+          [(and (matrix? f) (not (matrix-of-functions? f))) (raise-needs-function name f)]
           [(procedure? f) (derivative-of name path n f)]
           [else (raise-needs-function name f)]))
   (case-lambda

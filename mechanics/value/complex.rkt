@@ -7,10 +7,11 @@
 ;;   (a + ib)(c + id) = (ac − bd) + i (ad + bc),   e^(a + ib) = e^a (cos b + i sin b),
 ;;   sin(a + ib) = sin a cosh b + i cos a sinh b,  cos(a + ib) = cos a cosh b − i sin a sinh b,
 ;;
-;; and the conjugate is what they leave with the sign of one changed.
+;; and so on.  The conjugate of such an operation is the operation on the conjugates.
 
 (require (prefix-in racket: (only-in racket/base real-part imag-part))
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/substitute.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
@@ -40,25 +41,45 @@
 (define (real-part-of x) (of-leaves generic:real-part x (lambda (re im) re)))
 (define (imag-part-of x) (of-leaves generic:imag-part x (lambda (re im) im)))
 (define (conjugate x)
-  (of-leaves generic:conjugate x (lambda (re im) (g:- re (g:* +i im)))))
+  (of-leaves generic:conjugate x (lambda (re im) (g:- re (g:* +i im))) conjugate-expression))
 
 (define generic:real-part (operation-by-values 'real-part real-part-of))
 (define generic:imag-part (operation-by-values 'imag-part imag-part-of))
 (define generic:conjugate (operation-by-values 'conjugate conjugate))
 
-;; choose : real and imaginary part -> value, at each scalar of x
-(define (of-leaves op x choose)
+;; choose : real and imaginary part -> value, at each scalar of x; of-expression : expression
+;; that may not be real -> value
+(define (of-leaves op x choose [of-expression (of-parts (generic-op-name op) choose)])
   (map-leaves
    (lambda (leaf)
      (cond [(symbolic? leaf)
-            (if (real-valued? leaf)
-                (choose leaf 0)
-                (call-with-values (lambda () (parts (generic-op-name op) leaf)) choose))]
+            (if (real-valued? leaf) (choose leaf 0) (of-expression leaf))]
            [(number? leaf) (choose (racket:real-part leaf) (racket:imag-part leaf))]
            [(pointwise? leaf) (compose-unary op leaf)]
            [(scalar? leaf) (choose leaf 0)]
            [else (raise-inapplicable op leaf)]))
    x))
+
+(define ((of-parts who choose) e)
+  (call-with-values (lambda () (parts who e)) choose))
+
+;; ---------------------------------------------------------------------------
+;; Conjugates of expressions
+
+;; The operations that are real for real arguments, and have no branches
+(define conjugated-inside
+  (list op:+ op:- op:* op:/ op:exp op:sin op:cos op:tan op:sinh op:cosh op:tanh))
+
+(define (conjugate-expression e)
+  (cond [(number? e) (g:- (racket:real-part e) (g:* +i (racket:imag-part e)))]
+        [(real-valued? e) e]
+        [(conjugated-inside? e)
+         (rebuild (node-head e) (map conjugate-expression (node-args e)))]
+        [else (raise-no-parts 'conjugate e)]))
+
+(define (conjugated-inside? e)
+  (or (memq (node-head e) conjugated-inside)
+      (and (eq? (node-head e) op:expt) (exact-integer? (cadr (node-args e))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Parts of expressions

@@ -9,7 +9,7 @@
 (require "row-systems.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/elementary.rkt"
+         "../../generic/elementary.rkt" "../../generic/kind.rkt" "../../generic/rounding.rkt"
          "../../numeric/linear/rows.rkt")
 
 (provide rows-exponential)
@@ -18,7 +18,7 @@
 (define (rows-exponential rows)
   (cond [(diagonal? rows) (diagonal-exponential rows)]
         [(nilpotent-powers rows) => (lambda (powers) (sum-of-powers (vector-length rows) powers))]
-        [(all-entries? number? rows) (by-squaring (rows-map exact->inexact rows))]
+        [(all-entries? numeric? rows) (by-squaring (rows-map g:exact->inexact rows))]
         [else (raise-no-formula rows)]))
 
 (define (add-rows a b)
@@ -26,6 +26,9 @@
     (for/vector ([x (in-vector r)] [y (in-vector s)]) (g:+ x y))))
 
 (define (scale-rows c rows) (rows-map (lambda (x) (g:* c x)) rows))
+
+;; A number, of any precision or being differentiated
+(define (numeric? x) (number? (comparand x)))
 
 ;; ---------------------------------------------------------------------------
 
@@ -59,7 +62,7 @@
 (define (by-squaring rows)
   (define norm
     (for/fold ([most 0.0]) ([row (in-vector rows)])
-      (max most (for/sum ([x (in-vector row)]) (magnitude x)))))
+      (max most (for/sum ([x (in-vector row)]) (magnitude (comparand x))))))
   (unless (< norm +inf.0)
     (complain 'exp "expected a matrix of finite numbers; given ~a" (rows->text rows)))
   (define halvings (max 0 (+ 2 (integer-length (inexact->exact (ceiling norm))))))

@@ -108,9 +108,11 @@
 (define generic:transpose (operation-by-values 'transpose (lambda (m) (transpose m))))
 
 (define (transpose-tuple s)
-  (if (for/or ([x (in-vector (structure-elements s))]) (tuple? x))
-      (transpose-nested s)
-      (flip-outer s)))
+  (define elements (structure-elements s))
+  (if (and (positive? (vector-length elements))
+           (not (for/or ([x (in-vector elements)]) (tuple? x))))
+      (flip-outer s)
+      (transpose-nested s)))
 
 (define (transpose-nested s)
   (check-tuple-of-tuples 'transpose s)

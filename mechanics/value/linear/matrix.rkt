@@ -20,7 +20,7 @@
  ;; access
  matrix-ref m:num-rows m:num-cols m:dimension m:nth-row m:nth-col m:submatrix
  ;; for the linear algebra above
- matrix matrix-rows square-rows m:invert)
+ matrix matrix-rows square-rows m:invert matrix-of-functions?)
 
 (require-on-demand ["exponential.rkt" rows-exponential])
 
@@ -57,6 +57,9 @@
   #:kind kind:matrix
   #:equal-by matrix-rows
   #:property prop:procedure (lambda (m . arguments) (matrix-map (entry-at m arguments) m)))
+
+(define (matrix-of-functions? m)
+  (for*/and ([row (in-vector (matrix-rows m))] [x (in-vector row)]) (procedure? x)))
 
 ;; entry -> its value at the arguments
 (define ((entry-at m arguments) f)

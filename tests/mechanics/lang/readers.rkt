@@ -152,6 +152,8 @@
   (matrix-by-rows (list (cos 30.0) (sin 30.0)) (list (- (sin 30.0)) (cos 30.0)))]
  [(exp (matrix-by-rows '(1.0 1) '(0 1))) (matrix-by-rows (list (exp 1.0) (exp 1.0))
                                                          (list 0.0 (exp 1.0)))]
+ [((D (lambda (t) (exp (matrix-by-rows (list 0 t) (list (- t) 0))))) 0.3)
+  (matrix-by-rows (list (- (sin 0.3)) (cos 0.3)) (list (- (cos 0.3)) (- (sin 0.3))))]
  [(elliptic-integral-F 0.3 1.5) (/ (elliptic-integral-F (asin (* 1.5 (sin 0.3))) (/ 1 1.5)) 1.5)])
 
 (says
@@ -196,6 +198,11 @@
 
 (prints
  [(conjugate 1+2i) 1-2i]
+ [(conjugate (exp (* +i 't))) (exp (* -i t))]
+ [(simplify (* (exp (* +i 't)) (conjugate (exp (* +i 't))))) 1]
+ [(simplify (- (conjugate (/ (square z) (tan z)))
+               (let ([w (make-rectangular 'x (- 'y))]) (/ (square w) (tan w)))))
+  0]
  [(real-part z) x]
  [(imag-part z) y]
  [(real-part (conjugate (* z z))) (- (expt x 2) (expt y 2))]
@@ -213,6 +220,9 @@
 (says
  [(real-part (sqrt z))
   "real-part: the parts are known of sums, products, whole powers, exp, sin, cos, sinh and cosh "
+  "of complex expressions; given (sqrt (+ x (* 0+1i y)))"]
+ [(conjugate (sqrt z))
+  "conjugate: the parts are known of sums, products, whole powers, exp, sin, cos, sinh and cosh "
   "of complex expressions; given (sqrt (+ x (* 0+1i y)))"]
  [(make-rectangular sin 1) "make-rectangular: expected two numbers; given the procedure `sin`"])
 

@@ -30,6 +30,8 @@
              (lambda () (column-matrix->up M)))
   (check-exn #rx"^row-matrix->down: expected a matrix of one row" (lambda () (row-matrix->down M))))
 
-(test-case "a flat tuple has no transpose"
-  (check-exn #rx"^transpose: expected a tuple of tuples; given [(]up 1 2[)], an up tuple of 2$"
-             (lambda () (transpose (up 1 2)))))
+(test-case "a flat tuple changes its orientation"
+  (check-equal? (transpose (up 1 2)) (down 1 2))
+  (check-equal? (transpose (transpose (up 1 2))) (up 1 2))
+  (check-exn #rx"^transpose: expected a tuple of tuples; given [(]up[)], an up tuple of 0$"
+             (lambda () (transpose (up)))))

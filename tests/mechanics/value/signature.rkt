@@ -82,8 +82,8 @@
      (lambda () (parse-signature d)))))
 
 (test-case "what is no shape is refused with the forms there are"
-  (for ([d '((-> Reel Real) (-> (UP Real 3) Real) (-> (UP*) Real) (-> (UP* Real x) Real) (-> (^ Real) Real)
-             (-> (UP* Real 1 2) Real)
+  (for ([d '((-> Reel Real) (-> (UP Real 3) Real) (-> (UP*) Real) (-> (UP* Real x) Real)
+             (-> (^ Real) Real) (-> (UP* Real 1 2) Real)
              (-> (LEFT Real) Real) (-> (UP* Real -1) Real) (-> (X* Real 1.5) Real))])
     (check-exn #rx"^literal-function: expected Real, [(]UP shape [.][.][.][)]"
                (lambda () (parse-signature d)))))
