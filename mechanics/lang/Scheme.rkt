@@ -50,10 +50,10 @@
   (cons (car reversed) (reverse (cdr reversed))))
 
 (define (check-folded who f xs more)
-  (unless (and (procedure? f) (list? xs) (andmap list? more)
+  (unless (procedure? f) (raise-argument-error who "a procedure" f))
+  (unless (and (list? xs) (andmap list? more)
                (andmap (lambda (ys) (= (length ys) (length xs))) more))
-    (raise-arguments-error who "expected a procedure, a start, and lists of one length"
-                           "procedure" f "lists" (cons xs more))))
+    (raise-arguments-error who "expected lists of one length" "lists" (cons xs more))))
 
 ;; ---------------------------------------------------------------------------
 ;; Output

@@ -77,13 +77,11 @@ A scalar, and anything at all.
 
 @deftogether[(@defproc[(X [argument shape] ...) shape]
               @defproc*[([(X* [argument shape]) shape]
-                         [(X* [argument shape] [n exact-nonnegative-integer?]) shape])]
-              @defform[(^ shape n)])]{
+                         [(X* [argument shape] [n exact-nonnegative-integer?]) shape])])]{
 
 Several arguments as a domain, or n arguments of one shape; without n, any number of
-them. Elsewhere the same as @racket[UP] and @racket[UP*]. @racket[(^ shape n)] is
-@racket[(X* shape n)]; anywhere but in a signature it says that a power is written
-@racket[expt].
+them. Elsewhere the same as @racket[UP] and @racket[UP*]. In a signature,
+@racket[(^ shape n)] is @racket[(X* shape n)].
 
 @examples[#:eval session
 ((literal-function 'F (-> (X* Real 3) Real)) 'x 'y 'z)
