@@ -129,7 +129,6 @@ LISTING
   (up (* r (cos (+ theta (* 'Omega t)))) (* r (sin (+ theta (* 'Omega t))))))
 (- ((L-central-polar 'm (literal-function 'U)) polar-state) polar-Lagrangian)
 ;=> (* 1/2 Omega m (expt r 2) (+ Omega (* 2 phidot)))
-;=> ; assuming (>= r 0)
 LISTING
                  ))
 

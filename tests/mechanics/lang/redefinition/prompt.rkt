@@ -19,7 +19,7 @@
   (check-equal? output '("'(mine 1 2 3)" "L-harmonic"))
   (check-equal? errors
                 '("; mechanics/book: your own definitions stay"
-                  ";   (L-pendulum m l g)"
+                  ";   (L-pendulum m l g); the library's is ((L-pendulum g m l) local)"
                   ";   the library's: (require (prefix-in its: mechanics/book)), then its:L-pendulum")))
 
 (test-case "nor is one in the module that the prompt belongs to"
