@@ -36,7 +36,7 @@
      (define-values (given all) (value-parts F f))
      (define-values (number nested factors)
        (if (eqv? q 2) (denest F given all) (values given 1 all)))
-     (define-values (roots others) (partition-roots F factors real?))
+     (define-values (roots others) (roots-that-leave F number factors q real?))
      (define-values (joint together apart) (by-joint-sign F others q))
      (define-values (sign signed unknown) (by-signs F apart q real?))
      (define known (append together signed))
@@ -53,6 +53,18 @@
                          (list (one-root F rest q))
                          (grouped-roots F rest))
                      lower))]))
+
+;; -> factors that are roots or exponentials, as ((root . integer) ...), and the others.  Beside
+;; a negative one √u stays where it is: √(-√u) has a value where u is 0, √-1 u^(1/4) nowhere.
+(define (roots-that-leave F number factors q real?)
+  (define-values (roots others) (partition-roots F factors real?))
+  (if (and (pair? roots) (even? q) (negative-product? F number others))
+      (values '() factors)
+      (values roots others)))
+
+(define (negative-product? F number factors)
+  (define product (fraction-product (field-ring F) (cons (cons number 1) factors)))
+  (eqv? -1 (decided-sign (field-simplifier F) (present F product))))
 
 ;; Factors that leave the root as a product whose sign is known, as that of x y may be where
 ;; nothing is known of x and y: -> its sign, these factors, and the others.
@@ -133,7 +145,7 @@
   (define powers (for/list ([p (in-list parts)]) (cons (car p) (* q (cdr p)))))
   (cons (present F (fraction-product (field-ring F) powers)) (/ 1 q)))
 
-;; Factors that are roots or exponentials, as ((root . integer) ...), and the others.
+;; The same, whatever the sign of the others.
 (define (partition-roots F factors real?)
   (for/fold ([roots '()] [others '()] #:result (values (reverse roots) (reverse others)))
             ([g (in-list factors)])

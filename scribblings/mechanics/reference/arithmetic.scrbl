@@ -90,7 +90,8 @@ The power of a base. A tuple may be raised to a positive integer power: repeated
 
 @defidform[^]{
 
-No power: whoever writes one is told how. Your own definition of the name is welcome.
+Stands in signatures only; a power is written @racket[(expt x n)], as whoever writes another is
+told. Your own definition of the name is welcome.
 
 @examples[#:eval session
 (eval:error (^ 'x 2))]}

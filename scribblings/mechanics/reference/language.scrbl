@@ -237,8 +237,7 @@ it took, and returns what it returned.
 
 @section{Names of scmutils}
 
-Other names for what has an entry elsewhere: @racket[D], @racket[constant-function],
-@racket[literal-up], @racket[literal-down], @racket[factor].
+Other names for what has an entry elsewhere:
 
 @deftogether[(@defproc[(derivative [f procedure?]) procedure?]
               @defproc[(constant [x value]) procedure?]
@@ -247,15 +246,15 @@ Other names for what has an entry elsewhere: @racket[D], @racket[constant-functi
                        structure?]
               @defproc[(factor-polynomial-expression [x value]) value])]{
 
+The same as @racket[D], @racket[constant-function], @racket[literal-up], @racket[literal-down]
+and @racket[factor].
+
 @examples[#:eval session
 ((derivative cube) 'x)
 ((constant 'c) 't)
 (literal-up-tuple 'q 2)
 (literal-down-tuple 'p 2)
 (factor-polynomial-expression (- (square 'x) 1))]}
-
-Of matrices: @racket[matrix-by-columns], @racket[m:generate], @racket[identity-matrix],
-@racket[null-space], @racket[up->column-matrix], @racket[down->row-matrix].
 
 @deftogether[(@defproc[(matrix-by-cols [column (or/c list? tuple)] ...+) matrix?]
               @defproc[(matrix:generate [rows exact-nonnegative-integer?]
@@ -265,6 +264,9 @@ Of matrices: @racket[matrix-by-columns], @racket[m:generate], @racket[identity-m
               @defproc[(lu-null-space [A value]) (listof value)]
               @defproc[(vector->column-matrix [v tuple]) matrix?]
               @defproc[(vector->row-matrix [v tuple]) matrix?])]{
+
+The same as @racket[matrix-by-columns], @racket[m:generate], @racket[identity-matrix],
+@racket[null-space], @racket[up->column-matrix] and @racket[down->row-matrix].
 
 @examples[#:eval session
 (matrix-by-cols '(1 2) '(3 4))

@@ -29,7 +29,7 @@
   '(0 1 2 3)
 
   Manual: The language.
-  See also: write-line, -1+.
+  See also: list-head, -1+.
 end
                 ))
 

@@ -2,7 +2,10 @@
 ;; The part of the suite that a mutant is tried with: random expressions of every
 ;; class, nothing shrunk, until something fails; and a few sums by name.
 
-(require mechanics/algebra/simplify/simplify-expression
+(require (only-in mechanics/algebra/assumption/assumption-set no-assumptions)
+         mechanics/algebra/simplify/simplify-expression
+         (only-in mechanics/algebra/zero/ball
+                  ball/ ball-lower ball-upper ball-scale ball-positive? exact->ball make-ball)
          mechanics/algebra/zero/zero-test
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/expression/read
@@ -30,7 +33,8 @@
     (proved (+ b (- 0 b)))
     (proved (- (* 9.8 (+ a 1)) (* 9.8 a) 9.8))
     (proved (- (* 1/2 a) (* 0.5 a)))
-    (proved (- (expt (expt a 2) 3) (expt a 6)))))
+    (proved (- (expt (expt a 2) 3) (expt a 6)))
+    (proved (* (log (- 0 (* x y))) (+ (sqrt (expt (* x y) 2)) (* x y))))))
 
 ;; Equal, and printed so.
 (define alike
@@ -50,6 +54,7 @@
 (define open
   '((- (* 2.0000000000000004 x) (* 2.0 x))
     (- (cos (* 1.4142135623730958 x)) (cos (* (sqrt 2) x)))
+    (- (* 0.7 x) (* 7 (* 0.1 x)))
     (- (expt (sqrt (- -1 (* x x))) 2) (- -1 (* x x)))))
 
 ;; What their witnesses name.
@@ -59,7 +64,21 @@
 
 ;; Simplified, these are so.
 (define shown
-  '(((sqrt (* 0.2 (- 3 x))) (sqrt (- 0.6000000000000001 (* 0.2 x))))))
+  '(((sqrt (* 0.2 (- 3 x))) (sqrt (- 0.6000000000000001 (* 0.2 x))))
+    ((sgn (expt x 2)) (sgn (expt x 2)))
+    ((abs (- (sin x) 3/4)) (* 1/4 (abs (- (* 4 (sin x)) 3))))))
+
+;; The ways in which these vanish whatever x is.
+(define ways
+  '(((- (* Omega (expt x 2)) (* g x)) (((= Omega 0) (= g 0))))))
+
+;; A third as the ball of a quotient, and balls that hold 0.
+(define (balls-wrong?)
+  (define third (ball/ (exact->ball 1 20) (exact->ball 3 20) 20))
+  (define unit (expt 2 (ball-scale third)))
+  (not (and (<= (* unit (ball-lower third)) 1/3 (* unit (ball-upper third)))
+            (not (ball-positive? (make-ball 3 4 0 20)))
+            (ball-positive? (make-ball 5 4 0 20)))))
 
 (define (probe)
   (or (for/or ([entry (in-list known)])
@@ -76,6 +95,10 @@
       (for/or ([entry (in-list shown)])
         (unlike (car entry) (cadr entry)
                 (expression->datum (simplify-expression (datum->expression (car entry))))))
+      (for/or ([entry (in-list ways)])
+        (unlike (car entry) (cadr entry)
+                (zero-test-ways (zero-test (datum->expression (car entry)) no-assumptions '(x)))))
+      (and (balls-wrong?) "balls")
       (for/or ([seed (in-range 1 201)])
         (with-handlers ([exn:fail? exn-message])
           (define failures (run-seed seed #:shrink? #f))
