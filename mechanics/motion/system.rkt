@@ -10,6 +10,7 @@
          "check.rkt" "manifold.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
+         "../error/once.rkt"
          "../generic/up-down.rkt"
          "../numeric/ode/differentiated.rkt" "../numeric/ode/stepper.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
@@ -98,14 +99,6 @@
                (lambda () (with-parameters code))
                (lambda () (with-parameters (jacobian)))
                #f)))
-
-;; f, called when its value is first asked for.  A break leaves it to the next time, which
-;; a promise would not; two threads may both call it.
-(define (once f)
-  (define known #f)                     ; a box
-  (lambda ()
-    (unless known (set! known (box (f))))
-    (unbox known)))
 
 ;; Masses may be given as a tuple.
 (define (numeric? parameter) (andmap real? (scalars parameter)))

@@ -46,7 +46,7 @@
       (survey-derivatives
        (lambda () (residual-at-rest 'verify-equilibrium L force t anywhere))
        names
-       #:put (map cons names (scalars q))
+       #:put (lambda () (map cons names (scalars q)))
        #:solve-for (remove-duplicates (append-map symbols-of (scalars q))))))
   (if survey (list survey) '()))
 

@@ -8,7 +8,7 @@
 
 (require "../calculus/derivative.rkt"
          "../error/refusal.rkt"
-         "../generic/on-demand.rkt"
+         "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt"
          "../verdict/smoothness.rkt")
@@ -24,23 +24,29 @@
 ;; along : the residual, a function of time
 (define (surveys-of-solution L q n force constraints along)
   (define t (string->uninterned-symbol "t"))
-  (define local ((Gamma q (+ (* 2 n) 2)) t))
-  (list (survey-of-values (coordinate local))
+  (define position (coordinate ((Gamma q 2) t)))
+  (define length (+ (* 2 n) 2))
+  (define-values (shape local)
+    (values (apply up t (for/list ([_ (in-range 1 length)]) position))
+            (lambda () ((Gamma q length) t))))
+  (list (survey-of-values position)
         (survey-at t (lambda () (derivative-at (path 'verify-solution q) t)) #:have-values? #t)
-        (or (survey-anywhere t local (lambda (state) (differentiate L n force constraints state)))
+        (or (survey-anywhere t shape local
+                             (lambda (state) (differentiate L n force constraints state)))
             (survey-at t (lambda () (along t))))))
 
 (define (survey-at t thunk #:have-values? [values? #f])
   (define-values (_ survey) (survey-derivatives thunk (list t) #:have-values? values?))
   survey)
 
-;; With symbols in place of all numbers of the local tuple; #f if that is too much for f.
-(define (survey-anywhere t local f)
-  (define state (scalars->structure local (lambda (k) (string->uninterned-symbol "x"))))
+;; With symbols in place of all numbers of the local tuple, which has this shape and which
+;; (local) gives; #f if that is too much for f.
+(define (survey-anywhere t shape local f)
+  (define state (scalars->structure shape (lambda (k) (string->uninterned-symbol "x"))))
   (define-values (_ survey)
     (with-handlers ([raised? (lambda (e) (values #f #f))])
       (survey-derivatives (lambda () (f state)) (scalars state)
-                          #:put (map cons (scalars state) (scalars local))
+                          #:put (lambda () (map cons (scalars state) (scalars (local))))
                           #:solve-for (list t))))
   survey)
 

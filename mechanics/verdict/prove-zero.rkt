@@ -5,11 +5,10 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
-         racket/promise
          "fresh-name.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt" "ways.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/once.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/operator.rkt"
@@ -33,10 +32,10 @@
   (define tests '())
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
+  (define in-force (assumptions-in-force))
   (define judged (at-symbolic-arguments x '() variables (lambda () (set! endless? #t))))
-  (define A (common-assumptions (assumptions-in-force) judged))
-  (define kinks
-    (delay (kinks-of (if (procedure? surveys) (surveys) surveys) (assumptions-in-force))))
+  (define A (common-assumptions in-force judged))
+  (define kinks (once (lambda () (kinks-of (if (procedure? surveys) (surveys) surveys) in-force))))
   (define residual
     (map-leaves (lambda (leaf)
                   (define z (judge leaf A (hash-keys variables) kinks))
@@ -44,9 +43,8 @@
                   (zero-test-residual z))
                 judged))
   (for ([t (in-list tests)]) (note-used! (zero-test-assumptions (cdr t))))
-  (define-values (ways all) (ways-told (reverse tests) meaning A))
   (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks remarks
-                ways all))
+                (once (lambda () (ways-told (reverse tests) meaning A)))))
 
 ;; tests : ((expression . test) ...); find-meaning : #f or -> meaning, called if needed
 ;; -> for each the ways to make it zero, and those for all of them
@@ -71,7 +69,7 @@
   (unless (and (list? names) (andmap symbol? names))
     (raise-argument-error 'prove-zero "the variables, a list of symbols" names)))
 
-;; kinks-found : promise of kinks and grounds
+;; kinks-found : -> kinks and grounds
 (define (judge leaf A variables kinks-found)
   (unless (expression? leaf)
     (complain 'prove-zero
@@ -80,7 +78,7 @@
   (define z (zero-test leaf A variables))
   (define-values (kinks _)
     (if (and (eq? (zero-test-status z) 'refuted) (looks-at-jumps? leaf))
-        (force kinks-found)
+        (kinks-found)
         (values '() '())))
   (define elsewhere (assumptions-off-kinks A kinks (or (zero-test-witness z) '())))
   (if elsewhere (zero-test leaf elsewhere variables) z))

@@ -6,7 +6,8 @@
 ;; operations noted that have kinks, jumps or poles somewhere (generic/kinks-met.rkt); the
 ;; algebra finds out whether and where they do (algebra/zero/kink.rkt).
 
-(require "fresh-name.rkt"
+(require (only-in racket/list append-map)
+         "fresh-name.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
          "../generic/describe.rkt" "../generic/kinks-met.rkt"
@@ -16,16 +17,16 @@
 
 ;; operations : ((name expression ...) ...) that were met
 ;; variables : symbols by which one differentiates
-;; places : ((variable . expression) ...), put in for them in the end
+;; places : -> ((variable . expression) ...), put in for them in the end
 ;; unknowns : symbols to solve for              values? : must all have a value, as a path must?
 (struct survey (operations variables places unknowns values?) #:authentic)
 
 ;; -> the value of (thunk), and a survey of it
-(define (survey-derivatives thunk variables #:put [given '()] #:solve-for [unknowns variables]
-                            #:have-values? [values? #f])
+(define (survey-derivatives thunk variables #:put [places (lambda () '())]
+                            #:solve-for [unknowns variables] #:have-values? [values? #f])
   (define-values (x found) (call-noting-kinks thunk))
   (define operations (for/list ([m (in-list found)]) (cons (met-name m) (met-arguments m))))
-  (values x (survey operations variables given unknowns values?)))
+  (values x (survey operations variables places unknowns values?)))
 
 ;; Of a value that must be one: is there what is not a number in it?
 (define (survey-of-values x)
@@ -35,7 +36,7 @@
                   (set! holes (cons (list 'nowhere leaf) holes)))
                 leaf)
               x)
-  (survey (reverse holes) '() '() '() #t))
+  (survey (reverse holes) '() (lambda () '()) '() #t))
 
 (define (holds-no-number? e)
   (node-fold e
@@ -46,17 +47,20 @@
 
 ;; -> kinks under assumptions A, and what it rests on that there are not more
 (define (survey-kinks s A)
-  (define names (names-of (survey-unknowns s) (expressions-in s)))
+  (if (null? (survey-operations s)) (values '() '()) (kinks-among s A)))
+
+(define (kinks-among s A)
+  (define places ((survey-places s)))
+  (define names
+    (names-of (survey-unknowns s)
+              (append (append-map cdr (survey-operations s)) (map cdr places))))
   (define (rename e) (if (null? names) e (substitute-expression e names)))
   (find-kinks (for/list ([o (in-list (survey-operations s))]) (cons (car o) (map rename (cdr o))))
               (map rename (survey-variables s))
-              (for/list ([entry (in-list (survey-places s))])
+              (for/list ([entry (in-list places)])
                 (cons (car entry) (rename (cdr entry))))
               (map rename (survey-unknowns s))
               (survey-values? s) A))
-
-(define (expressions-in s)
-  (append (apply append (map cdr (survey-operations s))) (map cdr (survey-places s))))
 
 ;; Names for those of the symbols that nobody could have written, as an alist.
 (define (names-of symbols es)

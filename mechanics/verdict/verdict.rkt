@@ -2,7 +2,6 @@
 ;; Verdicts: `proved`, `refuted` or `undecided`, with the evidence.
 
 (require racket/list
-         racket/promise
          "report.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/algebra.rkt"
@@ -24,26 +23,26 @@
 ;; kinks-found : places of which derivatives do not tell (algebra/zero/kink.rkt)
 ;; grounds     : datums of assumptions on which it rests that there are not more
 ;; remarks     : strings: what the question itself makes of the answer
-;; ways        : for each scalar the lists of equations that make it zero
-;; alternatives : those that make all of it zero
+;; told        : -> for each scalar the lists of equations that make it zero, and those that make
+;;               all of it zero; known when it is first asked, as nobody may ask
 (value-struct verdict
-              (status residual tests given endless? kinks-found grounds remarks ways alternatives)
+              (status residual tests given endless? kinks-found grounds remarks told)
   #:text (lambda (v) (report->text (verdict-lines v))))
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
-;; kinks-found : promise of kinks and grounds, asked for unless the verdict is a refutation
+;; find-kinks : -> kinks and grounds, asked for unless the verdict is a refutation
 ;; find-remarks : -> strings; called unless it is undecided
-(define (make-verdict residual tests given endless? kinks-found find-remarks ways alternatives)
+(define (make-verdict residual tests given endless? find-kinks find-remarks told)
   (define statuses (map zero-test-status tests))
   (define refuted? (memq 'refuted statuses))
-  (define-values (kinks grounds) (if refuted? (values '() '()) (force kinks-found)))
+  (define-values (kinks grounds) (if refuted? (values '() '()) (find-kinks)))
   (define status
     (cond [refuted? 'refuted]
           [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
           [else 'proved]))
   (define remarks (if (eq? status 'undecided) '() (find-remarks)))
-  (verdict status residual tests given endless? kinks grounds remarks ways alternatives))
+  (verdict status residual tests given endless? kinks grounds remarks told))
 
 ;; A procedure of a verdict: what else it is given is complained of in its own name.
 (define-syntax-rule (define-of-verdict (name v) body ...)
@@ -74,6 +73,16 @@
 (define-of-verdict (verdict-assumptions v)
   (remove-duplicates
    (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
+
+;; For each scalar of the residual the lists of equations that make it zero.
+(define (verdict-ways v)
+  (define-values (ways all) ((verdict-told v)))
+  ways)
+
+;; The lists of equations that make all of the residual zero.
+(define-of-verdict (verdict-alternatives v)
+  (define-values (ways all) ((verdict-told v)))
+  all)
 
 ;; The equations of the first way to make each scalar of the residual zero.
 (define-of-verdict (verdict-conditions v)

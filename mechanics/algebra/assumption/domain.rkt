@@ -6,7 +6,8 @@
 ;; they may be used without being told: in √(1 - x) x is at most 1.  They have no datum.
 ;; What holds everywhere, as x² + y² ≥ 0 does, says nothing, and is left out.
 
-(require "assumption-set.rkt" "range.rkt" "signs.rkt"
+(require racket/promise
+         "assumption-set.rkt" "range.rkt" "signs.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt")
 
 (provide domain-relations)
@@ -21,17 +22,17 @@
   (node-fold e
              (lambda (leaf)
                (unless (or (symbol? leaf) (real? leaf)) (set! all-real? #f))
-               (leaf-range leaf))
-             (lambda (n ranges)
-               (conditions-of n need! (and (pair? ranges) (interval-signs (car ranges))))
-               (node-range n ranges)))
+               (delay (leaf-range leaf)))
+             (lambda (n ranges)         ; promises: few are asked for
+               (conditions-of n need! (lambda () (interval-signs (force (car ranges)))))
+               (delay (node-range n (map force ranges)))))
   (if all-real? (reverse found) '()))
 
-;; known : the signs that its first argument has in any case
+;; known : -> the signs that its first argument has in any case
 (define (conditions-of n need! known)
   (define head (node-head n))
   (define u (and (pair? (node-args n)) (car (node-args n))))
-  (define (need-signs! signs) (unless (signs-within? known signs) (need! signs u)))
+  (define (need-signs! signs) (unless (signs-within? (known) signs) (need! signs u)))
   (define (need-size! most)
     (need! nonnegative (e:- u (- most)))
     (need! nonnegative (e:- most u)))

@@ -6,6 +6,7 @@
 ;; given has a value, and where what was declared holds.
 
 (require "assignment.rkt" "ball-tape.rkt" "point-value.rkt"
+         (only-in "../assumption/assumption-set.rkt" assumptions-relations)
          (only-in "../assumption/reference.rkt" find-reference)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/symbols.rkt")
@@ -15,19 +16,44 @@
 ;; t : tape; A : assumptions
 (define (somewhere-defined? t A)
   (or (everywhere-defined? t)
+      (and (null? (assumptions-relations A)) (defined-among-positive? t))
       (let ([value (if (contains-complex? t) complex-value tape-value)])
         (and (find-reference (list (tape->expression t)) A
                              (lambda (lookup) (defined? t lookup value)))
              #t))))
 
+;; Has it a value where all leaves are positive, as √(k/m) does?  Then it is divided by what is
+;; made of its leaves and positive numbers without a minus sign, and so are its radicands and
+;; the arguments of its logarithms.  Unknown functions may have any values, positive ones too.
+(define (defined-among-positive? t)
+  (define n (tape-length t))
+  (define positive (make-vector n #f))
+  (for/and ([e (in-vector (tape-items t))] [ks (in-vector (tape-operands t))] [k (in-naturals)])
+    (define (positive-operand? k) (vector-ref positive k))
+    (vector-set! positive k
+                 (cond [(number? e) (and (real? e) (rational? e) (positive? e))]
+                       [(or (symbol? e) (unknown? e)) #t]
+                       [else (and (memq (node-head e) keep-positive)
+                                  (andmap positive-operand? ks))]))
+    (cond [(number? e) (and (real? e) (rational? e))]
+          [(or (symbol? e) (total? e)) #t]
+          [(eq? (node-head e) op:/) (positive-operand? (cadr ks))]
+          [(memq (node-head e) (list op:sqrt op:log op:expt)) (positive-operand? (car ks))]
+          [else #f])))
+
+;; Of positive arguments they are positive.
+(define keep-positive (list op:+ op:* op:/ op:sqrt op:expt op:exp op:cosh op:sinh op:tanh op:abs))
+
 ;; Polynomials in sines, exponentials and the like.
 (define (everywhere-defined? t)
   (for/and ([e (in-vector (tape-items t))])
-    (or (not (node? e)) (total? e))))
+    (cond [(node? e) (total? e)]
+          [(number? e) (rational? (magnitude e))]
+          [else #t])))
 
 (define (total? n)
   (or (literal-head? (node-head n))
-      (memq (node-head n) total)
+      (and (memq (node-head n) total) #t)
       (integer-power-above-0? n)))
 
 (define total

@@ -14,7 +14,7 @@
 ;; none be found, the test is undecided, with a bound of 0 at those points.  The
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
-(require racket/list racket/promise
+(require racket/list
          "alternatives.rkt" "condition.rkt" "decimals.rkt" "equation.rkt"
          "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt"
          "region.rkt" "witness.rkt"
@@ -26,7 +26,8 @@
          "../field/bounds.rkt" (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../polynomial/fraction.rkt"
-         "../simplify/needed.rkt" "../simplify/simplify-expression.rkt")
+         "../simplify/needed.rkt" "../simplify/simplify-expression.rkt"
+         "../../error/once.rkt")
 
 (provide zero-test
          zero-test-status zero-test-residual zero-test-witness zero-test-value
@@ -49,7 +50,7 @@
 
 ;; residual : expression, simplified             factor, core : residual = factor · core
 ;; conditions : equations, as data, for which core = 0
-;; ways : promise of lists of equations, each of which makes the residual 0
+;; ways : -> lists of equations, each of which makes the residual 0
 ;; notes : datums, such as (>= R 0) for what the residual rests on and
 ;; (left-unexpanded e) for what would have grown too large
 (struct form (residual factor core conditions ways notes) #:authentic)
@@ -58,7 +59,7 @@
 (define (zero-test-factor z) (form-factor (settled-form z)))
 (define (zero-test-core z) (form-core (settled-form z)))
 (define (zero-test-conditions z) (form-conditions (settled-form z)))
-(define (zero-test-ways z) (force (form-ways (settled-form z))))
+(define (zero-test-ways z) ((form-ways (settled-form z))))
 (define (zero-test-assumptions z) (filter assumption? (form-notes (settled-form z))))
 (define (zero-test-left-unexpanded z)
   (for/list ([note (in-list (form-notes (settled-form z)))] #:unless (assumption? note))
@@ -74,13 +75,13 @@
 
 (define (make-form e A variables)
   (if (and (number? e) (not (rational? (magnitude e))))
-      (form e 1 e '() '() '())
+      (form e 1 e '() no-ways '())
       (make-form-of-finite e A variables)))
 
 (define (make-form-of-finite e A variables)
   (define-values (F f simple all-notes) (normal-form+simplified e A))
   (define notes (needed-grounds e (if (fraction-zero? f) 0 simple) A all-notes))
-  (cond [(fraction-zero? f) (form 0 1 0 '() '() notes)]
+  (cond [(fraction-zero? f) (form 0 1 0 '() no-ways notes)]
         [(and (readable? f) (andmap assumption? notes))
          (define (may-be-0? p) (may-vanish? A F p))
          (define-values (factor core conditions)
@@ -88,11 +89,15 @@
                (factor-and-core F f variables may-be-0?)
                (values 1 simple '())))
          (form simple factor core conditions
-               (delay (with-first conditions
-                        (ways-to-vanish F f (lambda (e) (constant-expression? e variables))
-                                        may-be-0?)))
+               (once
+                (lambda ()
+                  (with-first conditions
+                              (ways-to-vanish F f (lambda (e) (constant-expression? e variables))
+                                              may-be-0?))))
                notes)]
-        [else (form simple 1 simple '() '() notes)]))
+        [else (form simple 1 simple '() no-ways notes)]))
+
+(define (no-ways) '())
 
 (define (with-first way ways)
   (if (null? way)
@@ -192,7 +197,7 @@
   (define grounds (prove-vanishing t A))
   (and grounds
        (hold-at-reference? (taken-relations A grounds) t A)
-       (vanishing-test t (form 0 1 0 '() '() grounds) A)))
+       (vanishing-test t (form 0 1 0 '() no-ways grounds) A)))
 
 (define (hold-at-reference? relations t A)
   (or (null? relations)
