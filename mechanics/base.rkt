@@ -17,7 +17,7 @@
          "value/linear/eigenvalues.rkt"
          (except-in "value/linear/linear-algebra.rkt" square-entries) "value/linear/matrix.rkt"
          "value/linear/quotient.rkt"
-         (only-in "value/on-demand.rkt" eigenvectors svd polynomial-roots)
+         (only-in "value/on-demand.rkt" eigenvectors svd polynomial-roots read-expression)
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
          "verdict/prove-zero.rkt" "verdict/verdict.rkt")
@@ -81,7 +81,7 @@
  D partial Taylor-series Taylor-series-coefficients
  gradient jacobian Hessian-vector-product jacobian-vector-product vector-jacobian-product
  ;; expressions
- expression simplify substitute print-limit
+ expression read-expression simplify substitute print-limit
  assume assuming assumptions forget-assumptions automatic-assumptions
  expand factor collect coefficient together apart numerator denominator
  ;; verdicts

@@ -1,6 +1,6 @@
 #lang racket/base
-;; Numbers of higher precision, functions through data, special functions and what matrices
-;; are made of, loaded when one is asked for.
+;; Numbers of higher precision, functions through data, special functions, what matrices are
+;; made of, and reading, loaded when one is asked for.
 
 (require "../generic/on-demand.rkt")
 
@@ -11,4 +11,5 @@
                                   Hermite-interpolation-function]
  ["linear/decompositions.rkt" eigenvectors svd]
  ["linear/polynomial-roots.rkt" polynomial-roots]
+ ["read-expression.rkt" read-expression]
  ["special.rkt" gamma factorial bessj bessj0 bessj1])

@@ -4,7 +4,7 @@
 
 (require "expression.rkt" "operation.rkt")
 
-(provide datum->expression)
+(provide datum->expression operation-name?)
 
 ;; reject : part of the datum that is no expression -> does not return
 (define (datum->expression d [reject raise-no-expression])
@@ -25,6 +25,18 @@
   (for/hasheq ([o (in-list (list* op:up op:down operations))])
     (values (operation-name o) o)))
 
+;; Does a list that begins so stand for an operation, and not for an unknown function?
+(define (operation-name? head)
+  (and (symbol? head)
+       (or (memq head '(+ * - / expt square cube))
+           (hash-has-key? functions head)
+           (hash-has-key? reciprocals head))
+       #t))
+
+;; What prints as a quotient by another function, by the name it is written with.
+(define reciprocals
+  (hasheq 'sec op:cos 'csc op:sin 'cot op:tan 'sech op:cosh 'csch op:sinh 'coth op:tanh))
+
 ;; -> an expression, or #f if the head is no operation's name
 (define (read-operation head args reject)
   (define (between low high)
@@ -40,6 +52,9 @@
     [(square cube)
      (between 1 1)
      (e:expt (car args) (if (eq? head 'square) 2 3))]
+    [(sec csc cot sech csch coth)
+     (between 1 1)
+     (e:/ 1 (make-node (hash-ref reciprocals head) args))]
     [else
      (define op (hash-ref functions head #f))
      (when (and op (operation-numeric op)) (between 1 (if (eq? op op:atan) 2 1)))
