@@ -10,7 +10,8 @@
          "generic/loops.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
          "lang/pattern/pattern.rkt"
          (only-in "numeric/constants.rkt" pi :pi :-pi :pi/2 :2pi)
-         (except-in "value/assumptions.rkt" assumptions-in-force note-used! undeclared)
+         (except-in "value/assumptions.rkt"
+                    assumptions-in-force call-assuming note-used! undeclared)
          "value/compose.rkt" "value/operator.rkt" "value/principal-value.rkt" "value/rewrite.rkt"
          "value/signature.rkt" "value/simplify.rkt" (except-in "value/structure.rkt" up down)
          "value/complex.rkt" "value/vector.rkt"

@@ -17,7 +17,7 @@
 
 (provide
  ;; made by the user
- holonomic nonholonomic constraint? holonomic?
+ holonomic nonholonomic constraint? holonomic? constraint-function
  ;; a set of them
  gather constraint-set-parts constraint-set-single?
  all-holonomic? constraints->datum

@@ -40,7 +40,10 @@
   (define v (prove-zero change #:variables (scalars local)
                         #:surveys (list (survey-of-values (Q state)) survey)
                         #:remarks (lambda () (remarks-on-quantity Q state))
-                        #:meaning (lambda () (meaning-of-quantity L Q state force))))
+                        #:meaning (lambda () (meaning-of-quantity L Q state force))
+                        #:again (lambda (change)
+                                  (verify-conserved (change L) (change Q) local
+                                                    #:force (and force (change force))))))
   (when (refuted? v) (check-accelerations L force state))
   v)
 

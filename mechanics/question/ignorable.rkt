@@ -29,7 +29,8 @@
      (lambda () ((by-coordinate (scalar-valued who L)) ((clip-state 3) local)))
      (scalars local)))
   (prove-zero slope #:variables (scalars local) #:surveys (list survey)
-              #:meaning (lambda () (meaning-of-Lagrangian L ((clip-state 3) local)))))
+              #:meaning (lambda () (meaning-of-Lagrangian L ((clip-state 3) local)))
+              #:again (lambda (change) (independence who (change L) chain local))))
 
 ;; The symbols of all coordinates for which that is proved.
 (define (ignorable-coordinates L local)

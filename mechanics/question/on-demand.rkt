@@ -11,6 +11,7 @@
                     equivalence-kind equivalence-factor equivalence-gauge equivalence-verdict]
  ["gauge.rkt" verify-total-time-derivative gauge-function]
  ["stability.rkt" equilibrium-stability stability? stability-kind stability-conditions]
+ ["impose.rkt" impose verify-again]
  ["ignorable.rkt" verify-ignorable ignorable-coordinates conserved-momenta]
  ["small-oscillations.rkt" mass-matrix stiffness-matrix gyroscopic-matrix normal-modes
                            small-oscillation-frequencies])

@@ -30,7 +30,13 @@
     (prove-zero residual
                 #:remarks (lambda () (remarks-on-solution L q n))
                 #:surveys (lambda () (surveys-of-solution L q n outside constraints residual))
-                #:meaning (lambda () (meaning-of-solution L q n outside)))))
+                #:meaning (lambda () (meaning-of-solution L q n outside))
+                #:again (lambda (change)
+                          (define (if-any x) (and x (change x)))
+                          (verify-solution (change L) (change q) (if-any dissipation)
+                                           #:force (if-any Q) #:order n
+                                           #:constraints (if-any constraints)
+                                           #:multipliers (if-any multipliers))))))
 
 (define (check-constrained n constraints)
   (unless constraints

@@ -28,7 +28,8 @@
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations kink-solved?
                              kink-family?]
  ["../algebra/zero/meaning.rkt" make-meaning meaning-values meaning-matrix meaning-moving
-                                meaning-variables meaningful? independent-equations]
+                                meaning-variables meaningful? independent-equations
+                                solutions replaced]
  ["../algebra/zero/vanishing.rkt" vanishes?]
  ["../algebra/zero/zero-test.rkt"
   zero-test zero-test-status zero-test-residual zero-test-witness zero-test-value

@@ -26,8 +26,10 @@
 ;; remarks : -> strings, on what the verdict does not say
 ;; meaning : #f, or a procedure that gives the meaning that the question has to keep under
 ;; the conditions that are told (ways.rkt)
+;; again : #f, or what asks the question again, given what to change in it (verdict.rkt)
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
-                    #:remarks [remarks (lambda () '())] #:meaning [meaning #f])
+                    #:remarks [remarks (lambda () '())] #:meaning [meaning #f]
+                    #:again [again #f])
   (check-variables names)
   (define tests '())
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
@@ -44,7 +46,11 @@
                 judged))
   (for ([t (in-list tests)]) (note-used! (zero-test-assumptions (cdr t))))
   (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks remarks
-                (once (lambda () (ways-told (reverse tests) meaning A)))))
+                (once (lambda () (ways-told (reverse tests) meaning A)))
+                (or again
+                    (lambda (change)
+                      (prove-zero (change x) #:variables names #:surveys surveys
+                                  #:remarks remarks #:meaning meaning)))))
 
 ;; tests : ((expression . test) ...); find-meaning : #f or -> meaning, called if needed
 ;; -> for each the ways to make it zero, and those for all of them

@@ -14,7 +14,9 @@
          verdict-assumptions verdict-conditions verdict-alternatives verdict-factored
          verdict-kinks
          verdict-readings verdict-reason verdict-remarks
-         verdict-lines kinks->text)
+         verdict-lines kinks->text
+         ;; for those who ask again
+         verdict-question verdict-given)
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -25,15 +27,17 @@
 ;; remarks     : strings: what the question itself makes of the answer
 ;; told        : -> for each scalar the lists of equations that make it zero, and those that make
 ;;               all of it zero; known when it is first asked, as nobody may ask
+;; question    : (change : value -> value) -> the verdict on the question with all that it is
+;;               about changed
 (value-struct verdict
-              (status residual tests given endless? kinks-found grounds remarks told)
+              (status residual tests given endless? kinks-found grounds remarks told question)
   #:text (lambda (v) (report->text (verdict-lines v))))
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
 ;; find-kinks : -> kinks and grounds, asked for unless the verdict is a refutation
 ;; find-remarks : -> strings; called unless it is undecided
-(define (make-verdict residual tests given endless? find-kinks find-remarks told)
+(define (make-verdict residual tests given endless? find-kinks find-remarks told question)
   (define statuses (map zero-test-status tests))
   (define refuted? (memq 'refuted statuses))
   (define-values (kinks grounds) (if refuted? (values '() '()) (find-kinks)))
@@ -42,7 +46,7 @@
           [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
           [else 'proved]))
   (define remarks (if (eq? status 'undecided) '() (find-remarks)))
-  (verdict status residual tests given endless? kinks grounds remarks told))
+  (verdict status residual tests given endless? kinks grounds remarks told question))
 
 ;; A procedure of a verdict: what else it is given is complained of in its own name.
 (define-syntax-rule (define-of-verdict (name v) body ...)

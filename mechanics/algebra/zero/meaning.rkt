@@ -15,7 +15,8 @@
          "../simplify/simplify-expression.rkt")
 
 (provide make-meaning meaning-values meaning-matrix meaning-moving meaning-variables
-         meaningful? independent-equations)
+         meaningful? independent-equations
+         solutions replaced)
 
 ;; values : expressions that must have a value     matrix : rows of expressions
 ;; moving : expressions of which one must vary with one of the symbols `variables`

@@ -1,0 +1,151 @@
+#lang racket/base
+;; Conditions imposed: what a verdict says would have to hold is made to hold in what was asked
+;; about, and the question is asked again.
+;;
+;; A condition is a list of equations that hold together.  Each is solved for one of its
+;; symbols, which is replaced wherever it stands.  In a function it is replaced in the value;
+;; of derivatives of the function in their parts.  Only the tape of a gradient knows values
+;; from before: a function is given symbols in place of those, and what it makes of them is
+;; evaluated on the tape.
+
+(require "../algebra/expression/expression.rkt"
+         "../calculus/expression-function.rkt" "../calculus/perturbed.rkt"
+         "../calculus/recorded.rkt"
+         "../constraint/constraint.rkt"
+         "../error/complain.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../value/algebra.rkt" "../value/assumptions.rkt" "../value/read-expression.rkt"
+         "../value/shape.rkt"
+         "../verdict/verdict.rkt")
+
+(provide impose verify-again)
+
+;; condition : an equation, a list of them, or a verdict, whose first choice it is
+;; x : a value, a function, a constraint, or a list of these
+(define (impose condition x)
+  (define equations (equations-of 'impose condition))
+  (check-thing x)
+  (put (solved 'impose equations) equations x))
+
+;; The verdict on the question of v under the condition, by default the one that v tells.
+(define (verify-again v [condition v])
+  (unless (verdict? v) (raise-argument-error 'verify-again "verdict?" v))
+  (define equations (equations-of 'verify-again condition))
+  (define replacements (solved 'verify-again equations))
+  (define (change x) (put replacements equations x))
+  (call-assuming (known-relations (map change (verdict-given v)))
+                 (lambda () ((verdict-question v) change))))
+
+;; Relations that still speak of something.
+(define (known-relations relations)
+  (for/list ([r (in-list relations)]
+             #:unless (and (number? (cadr r)) (number? (caddr r)) (eval-relation r)))
+    r))
+
+(define (eval-relation r)
+  (define compare (case (car r) [(>) >] [(>=) >=] [(<) <] [else <=]))
+  (compare (cadr r) (caddr r)))
+
+;; ---------------------------------------------------------------------------
+;; The condition
+
+;; -> ((= value value) ...)
+(define (equations-of who condition)
+  (cond [(verdict? condition) (equations-of who (first-alternative who condition))]
+        [(equation? condition) (list (read-equation who condition))]
+        [(and (pair? condition) (list? condition) (andmap equation? condition))
+         (for/list ([q (in-list condition)]) (read-equation who q))]
+        [else
+         (complain who "expected a verdict, an equation '(= k 1) or a list of them; given ~a~a"
+                   (describe-with-value condition)
+                   (condition-hint condition))]))
+
+(define (condition-hint x)
+  (define (list-of? what?) (and (pair? x) (list? x) (andmap what? x)))
+  (cond [(list-of? (lambda (c) (and (list? c) (andmap equation? c))))
+         "\n  these are alternatives: choose one, as (car (verdict-alternatives v))"]
+        [(and (pair? x) (memq (car x) '(< > <= >=))) "\n  an inequality is declared by assume"]
+        [(procedure? x) "\n  the condition comes first"]
+        [else ""]))
+
+(define (equation? x)
+  (and (list? x) (= (length x) 3) (eq? (car x) '=)))
+
+(define (read-equation who x)
+  (define q (read-expression x))
+  (unless (and (expression? (cadr q)) (expression? (caddr q)))
+    (complain who "an equation is between numbers or expressions\n  given: ~a" (value->text q)))
+  q)
+
+(define (first-alternative who v)
+  (define all (verdict-alternatives v))
+  (when (null? all)
+    (complain who "the verdict names no condition~a\n  verdict: ~a"
+              (if (proved? v) ": what was asked is proved" "") (verdict-status v)))
+  (car all))
+
+;; -> ((expression . replacement) ...), to be made one after the other
+(define (solved who equations)
+  (define replacements (solutions equations))
+  (unless replacements
+    (complain who "the equations cannot hold together\n  equations: ~a" (value->text equations)))
+  (for ([q (in-list equations)] #:unless (kept? q replacements))
+    (complain who (string-append "the equation cannot be solved for one of its symbols\n"
+                                 "  equation: ~a\n  write it as (= symbol expression)")
+              (value->text q)))
+  replacements)
+
+;; Does the equation hold after the replacements?
+(define (kept? q replacements)
+  (define-values (left right) (values (cadr q) (caddr q)))
+  (eqv? 0 (simplify-expression (e:- (replaced left replacements) (replaced right replacements)))))
+
+;; ---------------------------------------------------------------------------
+;; What it is imposed on
+
+(define (check-thing x)
+  (cond [(verdict? x)
+         (complain 'impose "a verdict's question is asked again by (verify-again v condition)")]
+        [(or (expression? x) (has-kind? x) (vector? x) (procedure? x) (constraint? x)
+             (list? x))
+         (void)]
+        [else
+         (complain 'impose "expected a value, a function or a constraint; given ~a"
+                   (describe-with-value x))]))
+
+(define (put replacements equations x)
+  (define (at-leaf leaf)
+    (cond [(number? leaf) leaf]
+          [(symbolic? leaf) (replaced leaf replacements)]
+          [(perturbed? leaf) ((parts-map (parts-of leaf)) within leaf)]
+          [(other-number? leaf) leaf]
+          [(constraint? leaf)
+           (define make (if (holonomic? leaf) holonomic nonholonomic))
+           (make (within (constraint-function leaf)))]
+          [(procedure? leaf) (function-under leaf within equations)]
+          [(pair? leaf) (cons (within (car leaf)) (within (cdr leaf)))]
+          [else leaf]))
+  (define (within x) (map-leaves at-leaf x))
+  (within x))
+
+;; within : value -> value with the condition imposed
+(define (function-under f within equations)
+  (make-function (lambda args
+                   (if (ormap recorded? (apply append (map scalars args)))
+                       (value-on-tape f args within)
+                       (within (apply f args))))
+                 (arity-mask f)
+                 (lambda () `(impose ,(value->datum equations) ,(value->datum f)))))
+
+(define (value-on-tape f args within)
+  (define point '())
+  (define (symbol-for x)
+    (define s (string->uninterned-symbol "x"))
+    (set! point (cons (cons s x) point))
+    s)
+  (define symbols
+    (for/list ([a (in-list args)])
+      (define xs (map symbol-for (scalars a)))
+      (scalars->structure a (lambda (k) (list-ref xs k)))))
+  (map-leaves (lambda (leaf) (if (symbolic? leaf) (evaluate-generically leaf point) leaf))
+              (within (apply f symbols))))

@@ -1,0 +1,177 @@
+#lang racket/base
+;; A condition of a verdict imposed: on values and functions, and on the question itself.
+
+(require mechanics
+         rackunit
+         (only-in mechanics/book L-harmonic L-pendulum L-rotating-polar L-uniform-acceleration)
+         "../support/messages.rkt")
+
+(define (oscillation t) (* 'a (cos (+ (* 'omega t) 'phi))))
+(define v (verify-solution (L-harmonic 'm 'k) oscillation))
+(define condition '(= k (* m (expt omega 2))))
+(define line (up 't 'x 'v))
+(define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))
+
+;; ---------------------------------------------------------------------------
+;; On values
+
+(test-case "on expressions, tuples, matrices and lists of them"
+  (check-equal? (impose '(= k 3) (* 'k 'x)) (* 3 'x))
+  (check-equal? (impose '(= k 3) (up 'k (down 'x 2.5))) (up 3 (down 'x 2.5)))
+  (check-equal? (impose '(= k 3) (matrix-by-rows '(k 1) '(1 k))) (matrix-by-rows '(3 1) '(1 3)))
+  (check-equal? (impose '(= k 3) '(> k 0)) '(> 3 0))
+  (check-equal? (impose '(= k 3) ((literal-function 'V) 'k)) ((literal-function 'V) 3))
+  (check-equal? (simplify (impose v (verdict-residual v))) 0))
+
+(test-case "a condition is an equation, several, or a verdict"
+  (define same (* 'm (square 'omega)))
+  (for ([c (list condition (list condition) v (verdict-conditions v)
+                 (car (verdict-alternatives v)) (read-expression "(= k (* m (expt omega 2)))"))])
+    (check-equal? (simplify (impose c 'k)) (simplify same)))
+  (check-equal? (impose '((= k (* b c)) (= b 2)) (+ 'k 'b)) (+ (* 2 'c) 2)))
+
+(test-case "what stands left need not be a symbol"
+  (check-equal? (impose '(= (* m v) p) 'm) (/ 'p 'v))
+  (check-equal? (impose '(= (sin beta) 0) (+ 1 (sin 'beta))) 1))
+
+;; ---------------------------------------------------------------------------
+;; On functions
+
+(test-case "on a Lagrangian and on a path, as on their values"
+  (define L (impose condition (L-harmonic 'm 'k)))
+  (check-equal? (simplify (L line))
+                (simplify ((L-harmonic 'm (* 'm (square 'omega))) line)))
+  (check-pred proved? (verify-solution L oscillation))
+  (check-pred proved? (verify-solution (impose v (L-harmonic 'm 'k)) (impose v oscillation)))
+  (check-pred refuted? (verify-solution (impose '(= k m) (L-harmonic 'm 'k)) oscillation)))
+
+(test-case "on tuples of functions, functions of functions, and literal functions"
+  (define f (impose '(= a 2) (up (lambda (t) (* 'a t)) (literal-function 'x))))
+  (check-equal? (f 't) (up (* 2 't) ((literal-function 'x) 't)))
+  (check-equal? (((impose '(= a 2) (lambda (x) (lambda (y) (* 'a x y)))) 'u) 'v) (* 2 'u 'v)))
+
+(test-case "derivatives of every sort see the condition"
+  (define (f x) (* 'k (expt x 3)))
+  (define g (impose '(= k (* 2 c)) f))
+  (check-equal? (simplify ((D g) 'x)) (simplify (* 6 'c (square 'x))))
+  (check-equal? (simplify (((expt D 2) g) 'x)) (simplify (* 12 'c 'x)))
+  (check-equal? (simplify ((gradient g) 'x)) (simplify (* 6 'c (square 'x))))
+  (define (h p) (sin (* 'k (ref p 0) (ref p 1))))
+  (check-equal? (simplify ((gradient (impose '(= k 2) h)) (up 'x 'y)))
+                (simplify ((gradient (lambda (p) (sin (* 2 (ref p 0) (ref p 1))))) (up 'x 'y))))
+  (check-equal? ((D (lambda (k) ((impose '(= c 3) (lambda (x) (* 'c k x))) 'x))) 2) (* 3 'x)))
+
+(test-case "a function with a condition is numeric where that leaves numbers"
+  (check-equal? ((impose '(= m 2) (lambda (x) (* 'm x))) 3) 6)
+  (check-equal? (format "~a" (impose '(= m 2) sin)) "(impose ((= m 2)) sin)"))
+
+;; ---------------------------------------------------------------------------
+;; The question again
+
+(define (momentum (up t (up r phi) (up rdot phidot))) (* 'm (square r) phidot))
+(define ((L-Foucault m k Omega beta) (up t (up x y) (up vx vy)))
+  (+ (* 1/2 m (+ (square vx) (square vy)))
+     (* m Omega (sin beta) (- (* x vy) (* y vx)))
+     (* -1/2 k (+ (square x) (square y)))))
+(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
+(define circle (holonomic (lambda (t q) (- (square q) (square 'R)))))
+(define (damped t) (* (exp (* -1 'gamma t)) (cos (* 'omega t))))
+
+;; The verdicts of the book's text, of the examples and of the manual that name conditions.
+(define verdicts
+  (list
+   v
+   (prove-zero (* 'a (- 'k (* 'm (square 'omega)))))
+   (prove-zero (* 'c (- 'k 'm) (- 'a 'b)))
+   (prove-zero (up (- 'a 'b) (- 'b 'a)))
+   (prove-zero (- (* 'k 'x) (* 'm (square 'omega) 'x)) #:variables '(x))
+   (verify-equal (lambda (t) (* 'a (sin t))) (lambda (t) (* 'b (sin t))))
+   (verify-solution (L-harmonic 'm 'k) damped
+                    #:force (lambda (local) (* -1 'b (velocity local))))
+   (verify-solution (L-harmonic 'm 'k) (lambda (t) (* 'A t)))
+   (verify-solution (L-uniform-acceleration 'm 'g) (lambda (t) (up (* 'a t) (* 'b t))))
+   (verify-solution (L-free 'm) (lambda (t) (+ (* 'b t) (* 'c t t))))
+   (verify-solution (L-free 'm) (lambda (t) (* 1/2 'a (square t)))
+                    #:force (lambda (local) (* 'm 'g)))
+   (verify-solution (L-Foucault 'm 'k 'Omega 'beta)
+                    (lambda (t)
+                      (* 'a (cos (* 'w t)) (up (cos (* 'p t)) (sin (* 'p t))))))
+   (verify-solution (L-free 'm) (lambda (t) (up (* 'S (cos t)) (* 'S (sin t))))
+                    #:constraints circle)
+   (verify-conserved (L-Foucault 'm 'k 'Omega 'beta)
+                     (lambda (local)
+                       (define q (coordinate local))
+                       (define w (velocity local))
+                       (- (* (ref q 0) (ref w 1)) (* (ref q 1) (ref w 0))))
+                     (up 't (up 'x 'y) (up 'vx 'vy)))
+   (verify-conserved (L-rotating-polar 'm 'Omega) momentum polar)
+   (verify-conserved (L-pendulum 'g 'm 'l) velocity line)
+   (verify-conserved (L-harmonic 'm 'k) (Lagrangian->energy (L-harmonic 'm 'k)) line
+                     #:force (lambda (l) (* -1 'b (velocity l))))
+   (verify-ignorable (L-harmonic 'm 'k) 'x line)
+   (verify-equilibrium (L-pendulum 'g 'm 'l) 'theta)))
+
+(test-case "under each of its choices what a verdict was asked is proved"
+  (define judged
+    (for*/sum ([v verdicts] [way (verdict-alternatives v)])
+      (with-check-info (['verdict v] ['way way])
+        (check-pred proved? (verify-again v way)))
+      1))
+  (check-true (>= judged 19) (format "~a" judged)))
+
+(test-case "without a condition it is the first of them"
+  (check-pred proved? (verify-again v))
+  (check-equal? (verdict-residual (verify-again v)) 0))
+
+(test-case "under another condition the answer is what that makes it"
+  (check-pred refuted? (verify-again v '(= k m)))
+  (check-equal? (verdict-alternatives (verify-again v '(= k (* c m))))
+                '(((= c (expt omega 2)))))
+  (check-pred proved? (verify-again v '((= k (* c m)) (= c (expt omega 2))))))
+
+(test-case "what was declared is known of what takes the place of a symbol"
+  (define w
+    (assuming ('(> k 0))
+      (prove-zero (* (- 'k 'n) (- (sqrt (square 'k)) 'c)))))
+  (define again (verify-again w '(= c n)))
+  (check-not-false (member '(> k 0) (verdict-assumptions again)))
+  (define y (assuming ('(> c 0)) (prove-zero (- (abs 'c) (* 'd 'a)))))
+  (check-equal? (verdict-assumptions (verify-again y '((= c (* d a)))))
+                '((> (* d a) 0))))
+
+(test-case "a condition that makes a kink leaves the question open"
+  (define w (verify-solution (L-free 'm) (lambda (t) (+ (* 'c (square t)) (abs (- t 'b))))))
+  (check-false (proved? (verify-again w '(= c 0)))))
+
+;; ---------------------------------------------------------------------------
+;; Mistakes
+
+(define proved (prove-zero 0))
+
+(says
+ [(impose proved 'k)
+  "impose: the verdict names no condition: what was asked is proved\n  verdict: proved"]
+ [(verify-again (prove-zero (+ 1 (square 'x))))
+  "verify-again: the verdict names no condition\n  verdict: refuted"]
+ [(verify-again 3) "verify-again: contract violation\n  expected: verdict?\n  given: 3"]
+ [(impose '(> k 0) 'k)
+  "impose: expected a verdict, an equation '(= k 1) or a list of them; given (> k 0), a list\n"
+  "  an inequality is declared by assume"]
+ [(impose (L-harmonic 'm 'k) condition)
+  "impose: expected a verdict, an equation '(= k 1) or a list of them; "
+  "given the procedure `L-harmonic`\n  the condition comes first"]
+ [(impose (list (list condition) '((= a 0))) 'k)
+  "impose: expected a verdict, an equation '(= k 1) or a list of them; "
+  "given (((= k (* m (expt omega 2)))) ((= a 0))), a list\n"
+  "  these are alternatives: choose one, as (car (verdict-alternatives v))"]
+ [(impose '(= 1 2) 'k) "impose: the equations cannot hold together\n  equations: ((= 1 2))"]
+ [(impose '(= (+ a b) (+ c d)) 'a)
+  "impose: the equation cannot be solved for one of its symbols\n"
+  "  equation: (= (+ a b) (+ c d))\n  write it as (= symbol expression)"]
+ [(impose '(= a (up 1 2)) 'a)
+  "impose: an equation is between numbers or expressions\n  given: (= a (up 1 2))"]
+ [(impose '(= a) 'a)
+  "impose: expected a verdict, an equation '(= k 1) or a list of them; given (= a), a list"]
+ [(impose v v) "impose: a verdict's question is asked again by (verify-again v condition)"]
+ [(impose '(= a 1) "a")
+  "impose: expected a value, a function or a constraint; given \"a\", a string"])
