@@ -50,12 +50,6 @@
               (cond [(not (of-functions? f)) ""]
                     [else (format ", which takes ~a~a" (arity->text f) (arity-hint who f))]))))
 
-;; A tuple of functions is one; a tuple of values can be applied, but to no avail.
-(define (of-functions? f)
-  (if (tuple? f)
-      (andmap of-functions? (vector->list (structure-elements (adopt f))))
-      (procedure? f)))
-
 (define (arity-hint who f)
   (cond [(and (eq? who 'holonomic) (accepts? f 3))
          "\n  a constraint on the velocities is nonholonomic: (nonholonomic A)"]

@@ -2,13 +2,26 @@
 ;; What to type instead, said at the end of a message, on a line of its own; "" where
 ;; there is nothing to say.
 
-(provide list-hint not-a-tuple symbols-hint values-first)
+(provide list-hint quoted-expression? quoted-hint not-a-tuple symbols-hint values-first)
 
 ;; Lists are what a reader of other languages writes for tuples.
 (define (list-hint x [instead "(up x y ...)"])
-  (if (or (pair? x) (null? x))
-      (string-append "\n  " (not-a-tuple instead))
+  (cond [(quoted-expression? x) (quoted-hint x)]
+        [(or (pair? x) (null? x)) (string-append "\n  " (not-a-tuple instead))]
+        [else ""]))
+
+;; '(+ a a) is a list, which looks like an expression when it is printed.
+(define (quoted-hint x)
+  (if (quoted-expression? x)
+      "\n  a quoted list is no expression; read-expression makes one of it"
       ""))
+
+(define (quoted-expression? x)
+  (and (list? x)
+       (pair? x)
+       (memq (car x) '(+ - * / expt square cube sqrt exp log sin cos tan asin acos atan
+                       sinh cosh tanh abs up down))
+       #t))
 
 (define (not-a-tuple instead) (format "a list is not a tuple; use ~a" instead))
 

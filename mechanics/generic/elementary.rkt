@@ -82,7 +82,9 @@
 ;; Functions of one or two arguments
 
 (define (natural-log x)
-  (if (number? x) (log x) (dispatch-unary generic:log x)))
+  (cond [(eq? x 0) (raise-division-by-zero 'log "the logarithm of 0 has no value")]
+        [(number? x) (log x)]
+        [else (dispatch-unary generic:log x)]))
 
 (define-named g:log log
   (case-lambda

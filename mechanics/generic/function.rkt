@@ -8,7 +8,7 @@
 (require "describe.rkt" "kind.rkt" "up-down.rkt" "value-struct.rkt"
          "../error/complain.rkt" "../error/words.rkt")
 
-(provide (struct-out function) make-function unary-function pointwise?
+(provide (struct-out function) make-function unary-function pointwise? of-functions?
          arity-mask accepts? arity->text
          describe-function raise-other-function
          value-at combine-functions compose-unary)
@@ -46,6 +46,12 @@
 (define (pointwise? x)
   (and (procedure? x)
        (or (not (has-kind? x)) (eqv? (kind-rank (kind-of x)) rank:function))))
+
+;; A tuple of functions is one; a tuple of values can be applied, but to no avail.
+(define (of-functions? f)
+  (if (tuple? f)
+      (for/and ([part (in-vector (tuple-elements f))]) (of-functions? part))
+      (procedure? f)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arity

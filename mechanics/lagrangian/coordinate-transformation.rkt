@@ -21,6 +21,10 @@
 (define (F->C F)
   (unless (procedure? F)
     (raise-argument-error 'F->C "a coordinate transformation: a function of the local tuple" F))
+  (unless (of-functions? F)
+    (complain 'F->C "a coordinate transformation is a function of the local tuple; given ~a~a"
+              (describe-with-value F)
+              "\n  its value is such a tuple: (lambda (local) (up ...))"))
   (unless (accepts? F 1) (raise-takes-parameters F))
   (unary-function (lambda () (list 'F->C (value->datum F))) (local)
     (transform F local)))

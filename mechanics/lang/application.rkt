@@ -19,10 +19,11 @@
                      "imported.rkt")
          (only-in "pattern/mismatch.rkt" short-text tuple-advice)
          "../error/complain.rkt"
-         "../generic/describe.rkt" (only-in "../generic/dispatch.rkt" raise-unary-arity)
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         (only-in "../generic/dispatch.rkt" raise-unary-arity)
          (only-meta-in 1 "../generic/elementary.rkt")
          (only-in "../generic/up-down.rkt" vector->up)
-         (only-in "../value/linear/quotient.rkt" inverse-of))
+         (only-in "../value/linear/quotient.rkt" inverse-of quotient-of))
 
 (provide (rename-out [application #%app]))
 
@@ -43,7 +44,9 @@
 
 (define (refuse f name arguments)
   (define who (or name 'application))
+  (define operation (and (pair? arguments) (operation-sign (car arguments))))
   (cond
+    [operation (complain who "operations come first~a" (prefix operation (or name (quoted f)) (cdr arguments)))]
     [(symbol? f)
      (complain who (string-append "the symbol ~a is a number here, not a function; "
                                   "(literal-function '~a) makes a function of it")
@@ -54,6 +57,24 @@
     [else
      (complain who "the value ~a is ~a; it cannot be applied to ~a"
                (short-text f) (describe f) (describe-arguments arguments))]))
+
+;; (x * 2), as formulas are written elsewhere
+
+(define (operation-sign x)
+  (for/or ([o (in-list operations)]) (and (eq? (car o) x) (cdr o))))
+
+(define operations
+  (list (cons g:+ '+) (cons g:* '*) (cons g:- '-) (cons quotient-of '/)
+        (cons g:= '=) (cons g:< '<) (cons g:> '>) (cons g:<= '<=) (cons g:>= '>=)))
+
+;; : (* 'x 2), or of a longer formula its beginning
+(define (prefix operation first operands)
+  (format "~a (~a ~a ~a)"
+          (if (= (length operands) 1) ":" ", as in")
+          operation first
+          (if (pair? operands) (quoted (car operands)) "...")))
+
+(define (quoted x) (string-append (if (symbol? x) "'" "") (short-text x)))
 
 (define (describe-arguments arguments)
   (define texts (apply string-append (add-between (map short-text arguments) " ")))

@@ -87,6 +87,7 @@
 
 ;; maker : what is to make a state derivative of that many parameters
 (define (check-maker who maker parameters)
+  (check-not-residual who maker)
   (unless (procedure? maker)
     (complain who "expected a procedure that makes a state derivative\n  given: ~a"
               (describe-with-value maker)))
@@ -101,6 +102,16 @@
      (if (takes-state-only? maker '())
          "\n  a state derivative itself is given without parameters"
          ""))))
+
+;; Lagrange's equations look like what motions are computed from.
+(define (check-not-residual who f)
+  (define d (value->datum f))
+  (when (eq? 'Lagrange-equations (if (pair? d) (car d) d))
+    (complain who "Lagrange-equations gives residuals of a path, not the rates of a state\n  ~a"
+              state-derivative-hint)))
+
+(define state-derivative-hint
+  "(Lagrangian->state-derivative L) makes a state derivative of a Lagrangian")
 
 ;; The state derivative itself may stand for the procedure of no parameters that
 ;; makes it.
@@ -136,6 +147,7 @@
 ;; -> the value of the derivative at the state
 (define (check-derivative who derivative state)
   (define y (state-vector who state))
+  (check-not-residual who derivative)
   (unless (and (procedure? derivative) (accepts? derivative 1))
     (complain who "expected a state derivative, a function of the state\n  given: ~a~a"
               (describe-function derivative)
@@ -145,8 +157,7 @@
     (complain who "the state derivative is of another shape than the state~a~a~a"
               (field "state" state) (field "derivative" slope)
               (cond [(and (tuple? state) (real? slope))
-                     (string-append "\n  (Lagrangian->state-derivative L) makes "
-                                    "a state derivative of a Lagrangian")]
+                     (string-append "\n  " state-derivative-hint)]
                     [(list? slope) (list-hint slope)]
                     [(pointwise? slope) (parameters-hint derivative)]
                     [else ""])))

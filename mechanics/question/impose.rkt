@@ -8,7 +8,8 @@
 ;; from before: a function is given symbols in place of those, and what it makes of them is
 ;; evaluated on the tape.
 
-(require "../algebra/expression/expression.rkt"
+(require (only-in racket/string string-join)
+         "../algebra/expression/expression.rkt"
          "../calculus/expression-function.rkt" "../calculus/perturbed.rkt"
          "../calculus/recorded.rkt"
          "../constraint/constraint.rkt"
@@ -33,8 +34,15 @@
   (define equations (equations-of 'verify-again condition))
   (define replacements (solved 'verify-again equations))
   (define (change x) (put replacements equations x))
-  (call-assuming (known-relations (map change (verdict-given v)))
-                 (lambda () ((verdict-question v) change))))
+  (define again
+    (call-assuming (known-relations (map change (verdict-given v)))
+                   (lambda () ((verdict-question v) change))))
+  (with-remark again (string-append "under the condition " (equations->text equations))))
+
+(define (equations->text equations)
+  (string-join (for/list ([q (in-list equations)])
+                 (format "~a = ~a" (value->text (cadr q)) (value->text (caddr q))))
+               ", "))
 
 ;; Relations that still speak of something.
 (define (known-relations relations)

@@ -7,7 +7,7 @@
 
 (require "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt")
 
 (provide expand factor collect coefficient together apart
@@ -98,7 +98,9 @@
 (define (raise-no-expression who x)
   (complain who "expected an expression, or a tuple or matrix of them; given ~a~a"
             (describe-with-value x)
-            (if (procedure? x) "\n  apply the function first, and use it on its value" "")))
+            (if (procedure? x)
+                "\n  apply the function first, and use it on its value"
+                (quoted-hint x))))
 
 (define (check-unknown who e)
   (unless (unknown? e)

@@ -4,7 +4,7 @@
 (require racket/list
          "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt")
 
 (provide expression simplify simplify/assumptions as-shown substitute with-literals)
@@ -12,10 +12,16 @@
 ;; The plain S-expression of a value, as it prints.
 (define (expression x) (value->datum x))
 
-;; The same value with every scalar simplified; functions stay as they are.
+;; The same value with every scalar simplified, of a list of values each; functions stay as
+;; they are.
 (define (simplify x)
-  (define-values (simple assumptions) (simplify/assumptions x))
-  simple)
+  (cond [(quoted-expression? x)
+         (complain 'simplify "expected a value; given ~a~a" (describe-with-value x)
+                   (quoted-hint x))]
+        [(list? x) (map simplify x)]
+        [else
+         (define-values (simple assumptions) (simplify/assumptions x))
+         simple]))
 
 ;; The simplified value, and what that assumed without being declared.
 (define (simplify/assumptions x)
@@ -85,7 +91,9 @@
 (define (raise-nothing-to-replace x)
   (complain 'substitute "expected an expression, or a tuple or matrix of them; given ~a~a"
             (describe-with-value x)
-            (if (procedure? x) "\n  apply the function first, and substitute in its value" "")))
+            (if (procedure? x)
+                "\n  apply the function first, and substitute in its value"
+                (quoted-hint x))))
 
 (define (pair-up xs)
   (cond [(null? xs) '()]

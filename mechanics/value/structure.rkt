@@ -61,8 +61,16 @@
 
 ;; (component i j ...): the selector of that component.
 (define (component . path)
+  (for ([i (in-list path)] #:unless (exact-integer? i)) (raise-no-index path i))
   (define name (cons 'component path))
   (unary-function (lambda () name) (s) (apply ref s path)))
+
+(define (raise-no-index path i)
+  (complain 'component "an index is an integer; given ~a~a" (describe-with-value i)
+            (if (tuple? i)
+                (let ([indices (value->text (cons 'component (remq i path)))])
+                  (format "\n  a selector is applied to a tuple: (~a s)" indices))
+                "")))
 
 (define (s:ref s i) (ref s i))
 

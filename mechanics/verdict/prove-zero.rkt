@@ -8,7 +8,7 @@
          "fresh-name.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt" "ways.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt" "../error/once.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/once.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/operator.rkt"
@@ -79,8 +79,8 @@
 (define (judge leaf A variables kinks-found)
   (unless (expression? leaf)
     (complain 'prove-zero
-              "expected a number, an expression, a tuple of them, or a function; given ~a"
-              (describe-with-value leaf)))
+              "expected a number, an expression, a tuple of them, or a function; given ~a~a"
+              (describe-with-value leaf) (quoted-hint leaf)))
   (define z (zero-test leaf A variables))
   (define-values (kinks _)
     (if (and (eq? (zero-test-status z) 'refuted) (looks-at-jumps? leaf))

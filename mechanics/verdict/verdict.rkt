@@ -16,7 +16,7 @@
          verdict-readings verdict-reason verdict-remarks
          verdict-lines kinks->text
          ;; for those who ask again
-         verdict-question verdict-given)
+         verdict-question verdict-given with-remark)
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -47,6 +47,10 @@
           [else 'proved]))
   (define remarks (if (eq? status 'undecided) '() (find-remarks)))
   (verdict status residual tests given endless? kinks grounds remarks told question))
+
+;; The verdict with one more remark, before the others.
+(define (with-remark v text)
+  (struct-copy verdict v [remarks (cons text (verdict-remarks v))]))
 
 ;; A procedure of a verdict: what else it is given is complained of in its own name.
 (define-syntax-rule (define-of-verdict (name v) body ...)

@@ -16,7 +16,12 @@
   (or (hint-for-keyword message)
       (and (about-number? message e)
            (or (count-hint message) (hint-for-arity message)))
-      (and (about-constraint? message) (constraint-hint message))))
+      (and (about-constraint? message) (constraint-hint message))
+      (and (regexp-match? applied-number message) "\n  operations come first, as in (* 2 pi)")))
+
+;; (pi * 2): names of the library are applied by Racket itself.
+(define applied-number
+  #rx"^application: not a procedure;\n[^\n]*\n  given: -?[0-9.:]")
 
 (define (about-number? message e)
   (or (exn:fail:contract:arity? e) (regexp-match? no-case message)))

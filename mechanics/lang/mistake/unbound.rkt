@@ -9,11 +9,12 @@
 ;; what went on in libraries.
 
 (require (for-syntax racket/base
-                     "suggestion.rkt")
+                     "suggestion.rkt" "typographic.rkt")
          "call-hint.rkt" "suggestion.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["whereabouts.rkt" whereabouts])
+(require-on-demand ["typographic.rkt" typographic-sentence]
+                   ["whereabouts.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
          install-hints!)
@@ -37,12 +38,15 @@
 (begin-for-syntax
   (define (raise-unbound id)
     (define name (syntax-e id))
-    (define meant (suggestion name (syntax-bound-symbols id) ";"))
     (raise-syntax-error
-     #f (format "unbound identifier; ~aas a symbol it is written '~s"
-                (if meant (string-append meant " ") "")
-                name)
-     id #:exn exn:fail:syntax:unbound)))
+     #f (string-append "unbound identifier; "
+                       (or (typographic-sentence name)
+                           (what-was-meant name (suggestion name (syntax-bound-symbols id) ";"))))
+     id #:exn exn:fail:syntax:unbound))
+
+  ;; meant : text or #f
+  (define (what-was-meant name meant)
+    (format "~aas a symbol it is written '~s" (if meant (string-append meant " ") "") name)))
 
 ;; ---------------------------------------------------------------------------
 ;; At the prompt
@@ -86,10 +90,12 @@
 (define (hint-for-unknown id message)
   (and (or (regexp-match? #rx"in module: top-level$" message)
            (unknown-in-module? id))
-       (let ([meant (suggestion id (namespace-mapped-symbols))])
-         (format "~a\n  as a symbol it is written '~s"
-                 (if meant (string-append "\n  " meant) "")
-                 id))))
+       (let ([sign (typographic-sentence id)])
+         (if sign (string-append "\n  " sign) (hint-for-name id)))))
+
+(define (hint-for-name id)
+  (define meant (suggestion id (namespace-mapped-symbols)))
+  (format "~a\n  as a symbol it is written '~s" (if meant (string-append "\n  " meant) "") id))
 
 ;; What a module defines once is built into what it defines besides.
 (define (hint-for-constant id)

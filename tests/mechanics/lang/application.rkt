@@ -2,7 +2,9 @@
 ;; Application: what is no function explains itself, and what is one is applied
 ;; as if by Racket.
 
-(require (only-in mechanics/generic/arithmetic g:+ g:*)
+(require (only-in mechanics/generic/arithmetic g:+ g:* g:-)
+         (only-in mechanics/generic/compare g:=)
+         (only-in mechanics/value/linear/quotient quotient-of)
          mechanics/lang/application
          mechanics/lang/pattern/pattern
          rackunit
@@ -46,6 +48,19 @@
   (check-equal? (message-of ('y 't))
                 (string-append "application: the symbol y is a number here, not a function; "
                                "(literal-function 'y) makes a function of it")))
+
+(test-case "an operation between its operands is told to come first"
+  (define m 2)
+  (check-equal? (message-of (2 g:* 'x)) "application: operations come first: (* 2 'x)")
+  (check-equal? (message-of ('x g:+ 2)) "application: operations come first: (+ 'x 2)")
+  (check-equal? (message-of (m g:* 3)) "m: operations come first: (* m 3)")
+  (check-equal? (message-of (x g:- 3 g:* 4)) "x: operations come first, as in (- x 3)")
+  (check-equal? (message-of ((g:+ 'a 'b) quotient-of 2))
+                "application: operations come first: (/ (+ a b) 2)")
+  (check-equal? (message-of (m g:= 3)) "m: operations come first: (= m 3)")
+  (check-equal? (message-of (m g:*)) "m: operations come first, as in (* m ...)")
+  (check-equal? (message-of (m 3 g:*))
+                "m: the value 2 is a number; it cannot be applied to the arguments 3 *"))
 
 (test-case "an expression says that it is number-like"
   (check-equal? (message-of ((g:+ 'a 'b) 't))

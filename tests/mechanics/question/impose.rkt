@@ -123,6 +123,13 @@
   (check-pred proved? (verify-again v))
   (check-equal? (verdict-residual (verify-again v)) 0))
 
+(test-case "the new verdict tells its condition"
+  (check-equal? (format "~a" (verify-again v))
+                (string-append "proved: the residual is zero\n"
+                               "  note: under the condition k = (* m (expt omega 2))"))
+  (check-equal? (verdict-remarks (verify-again v '((= k 2) (= m 1))))
+                '("under the condition k = 2, m = 1")))
+
 (test-case "under another condition the answer is what that makes it"
   (check-pred refuted? (verify-again v '(= k m)))
   (check-equal? (verdict-alternatives (verify-again v '(= k (* c m))))

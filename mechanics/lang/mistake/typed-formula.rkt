@@ -1,0 +1,44 @@
+#lang racket/base
+;; Formulas written as in print, 2x or x^2 or m*v, which Racket reads as one name: how they
+;; are written here.
+;;
+;; Loosest first, a formula is a sum, a quotient, a product, a number before a name, a power.
+;; A hyphen is part of many names: a difference is a letter less a number.
+
+(provide typed-formula)
+
+;; name : symbol -> text such as (expt x 2), or #f if it is no formula
+(define (typed-formula name)
+  (define text (symbol->string name))
+  (and (not (number-or-name? text)) (formula text)))
+
+(define (formula text)
+  (or (number-or-name? text)
+      (for/or ([way (in-list ways)]) (way text))))
+
+;; "x" -> "x"; "x^0" -> #f
+(define (number-or-name? text)
+  (and (or (real-text? text)
+           (regexp-match? #px"^\\p{L}(?:\\p{L}|[0-9_'-])*$" text))
+       (not (regexp-match? difference text))
+       text))
+
+(define difference #px"^(\\p{L})-([0-9.]+)$")
+
+(define (real-text? text)
+  (and (regexp-match? #px"^[0-9.]+$" text) (string->number text) #t))
+
+;; text -> the operation's two operands, or #f
+(define ((splitting pattern name) text)
+  (define found (regexp-match pattern text))
+  (define left (and found (formula (cadr found))))
+  (define right (and left (formula (caddr found))))
+  (and right (format "(~a ~a ~a)" name left right)))
+
+(define ways
+  (list (splitting #px"^(.+)\\+(.+)$" "+")
+        (splitting difference "-")
+        (splitting #px"^(.+)/(.+)$" "/")
+        (splitting #px"^(.+)\\*(.+)$" "*")
+        (splitting #px"^([0-9.]+)(\\p{L}.*)$" "*")
+        (splitting #px"^([^^]+)\\^(.+)$" "expt")))

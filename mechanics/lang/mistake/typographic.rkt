@@ -1,0 +1,30 @@
+#lang racket/base
+;; Signs of print, which a program pasted from a page of a PDF may hold where those of the
+;; keyboard belong: Racket takes them for letters of names.
+
+(provide typographic-sentence)
+
+;; character, what it is called, what to type
+(define signs
+  '((#\‘ "a curly quote" "'") (#\’ "a curly quote" "'") (#\′ "a prime" "'")
+    (#\´ "an accent" "'")
+    (#\“ "a curly quote" "\"") (#\” "a curly quote" "\"")
+    (#\− "a minus of print" "-") (#\– "a dash" "-") (#\— "a dash" "-") (#\‐ "a hyphen of print" "-")
+    (#\× "a multiplication sign" "*") (#\· "a multiplication dot" "*")
+    (#\⋅ "a multiplication dot" "*") (#\∙ "a multiplication dot" "*")
+    (#\÷ "a division sign" "/")
+    (#\→ "an arrow of print" "->")))
+
+;; name : symbol -> text or #f
+(define (typographic-sentence name)
+  (define text (symbol->string name))
+  (define found (for/first ([c (in-string text)] #:when (assv c signs)) (assv c signs)))
+  (and found
+       (format "~a in it is ~a; type ~a" (car found) (cadr found) (as-typed text))))
+
+;; The text with the signs of the keyboard.
+(define (as-typed text)
+  (apply string-append
+         (for/list ([c (in-string text)])
+           (define entry (assv c signs))
+           (if entry (caddr entry) (string c)))))

@@ -1,0 +1,109 @@
+#lang racket/base
+;; Names, formulas and signs as other programs and pages of print have them.
+
+(require (for-label mechanics)
+         mechanics/lang/mistake/elsewhere
+         mechanics/lang/mistake/other-notation
+         mechanics/lang/mistake/suggestion
+         mechanics/lang/mistake/typed-formula
+         mechanics/lang/mistake/typographic
+         racket/string
+         rackunit
+         "../../support/run-text.rkt")
+
+(define ours (exports 'mechanics))
+
+(test-case "no name with an advice is one of the library"
+  (for ([name (in-list notation-names)])
+    (check-false (memq name ours) (format "~a" name))))
+
+(test-case "each advice names something that the library has"
+  (for ([name (in-list notation-names)])
+    (define words (regexp-match* #px"[^\\s(),';]+" (notation-sentence name)))
+    (check-not-false (for/or ([w (in-list words)])
+                       (or (memq (string->symbol w) ours)
+                           (member w '("quoted" "#t" "+inf.0"))))
+                     (notation-sentence name))))
+
+(define-check (check-suggestion name text)
+  (define found (suggestion name ours))
+  (unless (equal? found text)
+    (with-check-info (['name name] ['expected text] ['found found]) (fail-check))))
+
+(test-case "names of other programs"
+  (check-suggestion 'pow "powers are (expt x 2)")
+  (check-suggestion 'ln "the natural logarithm is (log x)")
+  (check-suggestion 'arctan "its name is atan")
+  (check-suggestion 'diff "the derivative of a function f is (D f), a partial one ((partial 0) f)")
+  (check-suggestion 'integrate "integrals are (definite-integral f a b)")
+  (check-suggestion 'subs "its name is substitute")
+  (check-suggestion 'ode45 "motions are computed by evolve-trajectory")
+  (check-suggestion 'PI "its name is pi; exactly it is ':pi")
+  (check-suggestion 'simplfy "did you mean simplify?")
+  (check-suggestion 'frame "(require mechanics/plot) defines it")
+  (check-suggestion 'e #f))
+
+(test-case "formulas as in print"
+  (check-suggestion 'x^2 "operations come first: (expt x 2)")
+  (check-suggestion '2x "operations come first: (* 2 x)")
+  (define (formula text) (typed-formula (string->symbol text)))
+  (check-equal? (formula "2*x") "(* 2 x)")
+  (check-equal? (formula "m*v^2/2") "(/ (* m (expt v 2)) 2)")
+  (check-equal? (formula "2x^2+1") "(+ (* 2 (expt x 2)) 1)")
+  (check-equal? (formula "a+b+c") "(+ (+ a b) c)")
+  (check-equal? (formula "1.5t") "(* 1.5 t)")
+  (check-equal? (formula "2π") "(* 2 π)")
+  (check-equal? (formula "x-1") "(- x 1)"))
+
+(test-case "names that are no formulas"
+  (for ([name '(x omega x-dot L-free r1 x_1 theta0 kinetic-energy F->C m:dimension q* + x+
+                 ^2 /x -x x? part-2)])
+    (check-false (typed-formula name) (format "~a" name))))
+
+(test-case "signs of print"
+  (define (told text) (typographic-sentence (string->symbol text)))
+  (check-equal? (told "’x") "’ in it is a curly quote; type 'x")
+  (check-equal? (told "‘x") "‘ in it is a curly quote; type 'x")
+  (check-equal? (told "“ab”") "“ in it is a curly quote; type \"ab\"")
+  (check-equal? (told "−2") "− in it is a minus of print; type -2")
+  (check-equal? (told "F−>C") "− in it is a minus of print; type F->C")
+  (check-equal? (told "×") "× in it is a multiplication sign; type *")
+  (check-equal? (told "·") "· in it is a multiplication dot; type *")
+  (check-false (told "théta"))
+  (check-false (told "θ")))
+
+;; ---------------------------------------------------------------------------
+;; Where they are told
+
+(define (beneath name . hints)
+  (regexp (string-append (regexp-quote name) ": undefined;.*top-level\n"
+                         (string-join (map (lambda (h) (regexp-quote (string-append "  " h)))
+                                           hints)
+                                      "\n"))))
+
+(test-case "at the prompt"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(arctan 1)" "(* 2 x^2)" "(sin ‘x)" "(- 'x −2)" "(pi * 2)" "(2 * 'x)"))
+  (check-equal? output '())
+  (check-regexp-match (beneath "arctan" "its name is atan" "as a symbol it is written 'arctan")
+                      errors)
+  (check-regexp-match (beneath "x^2" "operations come first: (expt x 2)"
+                               "as a symbol it is written 'x^2")
+                      errors)
+  (check-regexp-match (beneath "‘x" "‘ in it is a curly quote; type 'x\n") errors)
+  (check-regexp-match (beneath "−2" "− in it is a minus of print; type -2\n") errors)
+  (check-regexp-match #rx"given: 3.14159[0-9]*\n  operations come first, as in [(][*] 2 pi[)]"
+                      errors)
+  (check-regexp-match #rx"application: operations come first: [(][*] 2 'x[)]" errors))
+
+(test-case "in a module"
+  (check-equal? (refusal "(define (f m) (* m v^2))")
+                (string-append "example:2:19: v^2: unbound identifier; operations come first: "
+                               "(expt v 2); as a symbol it is written 'v^2\n  in: v^2"))
+  (check-equal? (refusal "(pow 2 3)")
+                (string-append "example:2:1: pow: unbound identifier; powers are (expt x 2); "
+                               "as a symbol it is written 'pow\n  in: pow"))
+  (check-equal? (refusal "(sin ‘x)")
+                (string-append "example:2:5: ‘x: unbound identifier; ‘ in it is a curly quote; "
+                               "type 'x\n  in: ‘x")))
