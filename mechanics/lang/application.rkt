@@ -46,7 +46,9 @@
   (define who (or name 'application))
   (define operation (and (pair? arguments) (operation-sign (car arguments))))
   (cond
-    [operation (complain who "operations come first~a" (prefix operation (or name (quoted f)) (cdr arguments)))]
+    [operation
+     (complain who "operations come first~a"
+               (prefix operation (or name (quoted f)) (cdr arguments)))]
     [(symbol? f)
      (complain who (string-append "the symbol ~a is a number here, not a function; "
                                   "(literal-function '~a) makes a function of it")

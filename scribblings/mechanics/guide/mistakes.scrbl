@@ -94,6 +94,24 @@ always a slip. @racket[dot-product] checks.
 (eval:error (ref (up 1 2) 5))
 (eval:error (((partial 3) square) (up 1 2)))]
 
+@section{Habits of other notations}
+
+Operations come first, with a space between all names:
+
+@examples[#:eval session #:label #f
+(eval:error (2 * 'x))]
+
+At the prompt, and in a program, you are told as well what to type for @litchar{2x} and
+@litchar{x^2}, for @racketidfont{arctan}, @racketidfont{ln} or @racketidfont{diff}, as other
+programs call what has another name here, and for the quotes and minus signs of print, as in
+@litchar{‘x}, that come along when you paste from a page.
+
+What is quoted as a whole is a list of symbols, which only looks like an expression:
+
+@examples[#:eval session #:label #f
+(eval:error (simplify '(+ a a)))
+(read-expression '(+ a a))]
+
 @section{And three more}
 
 A list is not a structure:

@@ -85,6 +85,13 @@ Everything a verdict prints can be had as a value:
 (verdict-witness verdict)
 (verdict-value verdict)]
 
+Is the condition enough? @racket[verify-again] asks the question once more, with the condition
+imposed on Lagrangian and path; @racket[impose] gives you those, to go on with:
+
+@examples[#:eval session #:label #f
+(verify-again verdict)
+((impose verdict (L-harmonic 'm 'k)) (up 't 'x 'v))]
+
 The witness really is one. Put it into the residual:
 
 @examples[#:eval session #:label #f

@@ -9,8 +9,8 @@
 
 @defproc[(simplify [x value]) value]{
 
-The same value with each of its scalars simplified. Functions are returned as
-they are. The result is equal to @racket[x] wherever both are defined, under the
+The same value with each of its scalars simplified, of a list each of the values in it.
+Functions are returned as they are. The result is equal to @racket[x] wherever both are defined, under the
 assumptions that were declared and those that were made; @racket[assumptions] lists
 both.
 
@@ -21,7 +21,8 @@ being @racket[0]; @racket[prove-zero] goes further.
 @examples[#:eval session
 (simplify (+ (square (sin 'x)) (square (cos 'x))))
 (simplify (up (/ (- (square 'a) (square 'b)) (- 'a 'b)) (* 1/2 'x 2)))
-(* 'x (expt (+ 'a 'b 'c 'd 'e) 60))]}
+(* 'x (expt (+ 'a 'b 'c 'd 'e) 60))
+(eval:error (simplify '(+ a a)))]}
 
 @defproc[(substitute [x value] [name scalar] [replacement scalar] ... ...) value]{
 
@@ -44,6 +45,30 @@ and lists.
 (expression (* 'b (sin 'a) 'b))
 (expression (simplify (* 'b (sin 'a) 'b)))
 (cadr (expression (up 1 2)))]}
+
+@defproc[(read-expression [x (or/c any string? input-port?)]) value]{
+
+The value that prints as @racket[x], an S-expression or its text: what was printed yesterday,
+pasted from a page or kept in a file can be calculated with. Of a port one value is read, or
+@racket[eof].
+
+Symbols are unknown numbers, and the operations those of the algebra; any other name at the
+head of a list is that of an unknown function, as in @racket['(V (x t))], or of a derivative of
+one, as in @racket['(((expt D 2) x) t)]. Tuples, matrices and series that end are read as they
+print. So are equations and inequalities, such as the conditions of a verdict: they become
+lists with a value on either side, which @racket[impose] and @racket[assume] take. Functions
+print as their names alone, and cannot be read.
+
+@examples[#:eval session
+(read-expression '(+ a a))
+(define residual (read-expression "(+ (* k (x t)) (* m (((expt D 2) x) t)))"))
+(substitute residual ((literal-function 'x) 't) 'x0)
+(* 2 (read-expression "(up (sin theta) :pi)"))
+(read-expression "(= k (* m (expt omega 2)))")
+(eval:error (read-expression '(D x)))
+(eval:error (read-expression "(power-series 1 1 1/2 1/6 ...)"))]
+
+Decimals are read as flonums, whatever their number of digits.}
 
 @section[#:tag "reference-assumptions"]{Assumptions}
 

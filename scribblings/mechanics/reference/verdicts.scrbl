@@ -74,6 +74,43 @@ the question is whether there are any: whether it satisfies the equations of
 
 @sicm{1.5, p. 36}}
 
+@section[#:tag "asking-again"]{Asking again}
+
+@defproc[(verify-again [v verdict?]
+                       [condition (or/c verdict? list?) v])
+         verdict?]{
+
+The verdict on what @racket[v] was asked, under a condition: by default the first that it names,
+the first of its @racket[verdict-alternatives]. The condition is imposed on all that the question
+is about, the Lagrangian and the path, forces and constraints, and the question is asked of
+these, so that kinks are looked for, and conditions found, anew. What was declared when
+@racket[v] was asked is known of what takes the place of a symbol.
+
+@examples[#:eval session
+(define ((L-oscillator m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(define (oscillation t) (* 'a (cos (+ (* 'omega t) 'phi))))
+(define asked (verify-solution (L-oscillator 'm 'k) oscillation))
+asked
+(verify-again asked)
+(verify-again asked '(= k m))
+(eval:error (verify-again (verify-again asked)))]}
+
+@defproc[(impose [condition (or/c verdict? list?)] [x value]) value]{
+
+The value under the condition: an equation @racket['(= k 1)], a list of equations that hold
+together, or a verdict, whose first choice it is. Each equation is solved for a symbol, which is
+replaced by what it equals. Of a function, such as a Lagrangian or a path, the result is the
+function whose values have it replaced; of a constraint it is a constraint, of a list a list.
+
+@examples[#:eval session
+(impose '(= k (* m (expt omega 2))) (* 1/2 'k (square 'x)))
+(define L (impose asked (L-oscillator 'm 'k)))
+(L (up 't 'x 'v))
+(verify-solution L oscillation)
+(impose '((= b (* 2 gamma m)) (= m 1)) (up 'b 'm))
+(eval:error (impose '(= (+ a b) (+ c d)) 'a))]}
+
 @section{Reading the answer}
 
 @deftogether[(@defproc[(verdict? [x any]) boolean?]

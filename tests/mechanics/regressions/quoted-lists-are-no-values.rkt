@@ -12,7 +12,8 @@
  [(simplify '(+ a a)) "simplify: expected a value; given (+ a a), a list" quoted]
  [(simplify '(up (sin x) 1)) "simplify: expected a value; given (up (sin x) 1), a list" quoted]
  [(expand '(* a (+ a 1)))
-  "expand: expected an expression, or a tuple or matrix of them; given (* a (+ a 1)), a list" quoted]
+  "expand: expected an expression, or a tuple or matrix of them; given (* a (+ a 1)), a list"
+  quoted]
  [(substitute '(+ a b) 'a 1)
   "substitute: expected an expression, or a tuple or matrix of them; given (+ a b), a list" quoted]
  [(prove-zero '(- a a))
