@@ -36,7 +36,8 @@
   (define (change x) (put replacements equations x))
   (define again
     (call-assuming (known-relations (map change (verdict-given v)))
-                   (lambda () ((verdict-question v) change))))
+                   (lambda () ((verdict-question v) change))
+                   'verify-again))
   (with-remark again (string-append "under the condition " (equations->text equations))))
 
 (define (equations->text equations)

@@ -100,8 +100,8 @@
 ;; Scopes
 
 ;; The values of the body, simplified under its assumptions.
-(define (call-assuming relations body)
-  (parameterize ([current-declared (declare 'assuming relations)])
+(define (call-assuming relations body [who 'assuming])
+  (parameterize ([current-declared (declare who relations)])
     (call-with-values body (lambda results
                              (define A (assumptions-in-force))
                              (apply values (map (lambda (x) (settle x A)) results))))))

@@ -58,7 +58,8 @@
   (define memo (make-hasheq))
   (define (reject part [why ""]) (raise-no-expression part whole why))
   (define (read d)
-    (cond [(pair? d) (hash-ref! memo d (lambda () (read-list d read reject)))]
+    (cond [(vector? d) (apply up (map read (vector->list d)))]
+          [(pair? d) (hash-ref! memo d (lambda () (read-list d read reject)))]
           [else (read-atom d reject)]))
   (read whole))
 
@@ -66,7 +67,7 @@
   (cond [(and (symbol? d) (left-out? d))
          (reject d (string-append "\n  it stands for what was not printed; (print-limit #f) has "
                                   "all of an expression printed"))]
-        [(or (expression? d) (vector? d)) d]
+        [(expression? d) d]
         [(and (has-kind? d) (not (pointwise-kind? d))) d]
         [(procedure? d) (reject d "\n  a function is no expression, but its value at 't is one")]
         [else (reject d)]))

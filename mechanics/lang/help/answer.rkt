@@ -4,7 +4,8 @@
 (require racket/list
          racket/string
          "card-lines.rkt" "card.rkt" "cards.rkt" "later.rkt" "search.rkt"
-         "../mistake/spelling.rkt"
+         "../mistake/other-notation.rkt" "../mistake/spelling.rkt" "../mistake/typed-formula.rkt"
+         "../mistake/typographic.rkt"
          (only-in "../mistake/elsewhere.rkt" exports))
 
 (provide help-about help-lines)
@@ -42,7 +43,18 @@
         [(rackets? name)
          (list (format "~s is Racket's own, and means here what it means there." name)
                (format "  https://docs.racket-lang.org/search/?q=~s" name))]
+        [(written-otherwise name)
+         => (lambda (advice)
+              (filled (string-split (format "~s is not a name of mechanics: ~a." name advice))
+                      columns))]
         [else (about-unknown name)]))
+
+;; What to write for a name of another program, a formula or a sign of print; or #f.
+(define (written-otherwise name)
+  (define formula (typed-formula name))
+  (or (notation-sentence name)
+      (typographic-sentence name)
+      (and formula (format "operations come first, ~a" formula))))
 
 (define (about-unknown name)
   (define near (likely-names name (append (card-names) later-names)))

@@ -5,7 +5,7 @@
 (provide notation-names notation-sentence)
 
 ;; (advice name ...) ...
-(define table
+(define notations
   '(("powers are (expt x 2)" pow power ** raise-to)
     ("the natural logarithm is (log x)" ln Log)
     ("to another base it is (log x 10)" log10 log2 lg)
@@ -50,7 +50,7 @@
     ("a function without a name is (lambda (x) ...)" fn fun)))
 
 (define advice-of
-  (for*/hasheq ([entry (in-list table)] [name (in-list (cdr entry))])
+  (for*/hasheq ([entry (in-list notations)] [name (in-list (cdr entry))])
     (values name (car entry))))
 
 (define notation-names (hash-keys advice-of))

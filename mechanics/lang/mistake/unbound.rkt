@@ -10,11 +10,10 @@
 
 (require (for-syntax racket/base
                      "suggestion.rkt" "typographic.rkt")
-         "call-hint.rkt" "suggestion.rkt"
+         "call-hint.rkt" "suggestion.rkt" "typographic.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["typographic.rkt" typographic-sentence]
-                   ["whereabouts.rkt" whereabouts])
+(require-on-demand ["whereabouts.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
          install-hints!)

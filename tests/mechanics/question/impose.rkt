@@ -146,6 +146,11 @@
   (check-equal? (verdict-assumptions (verify-again y '((= c (* d a)))))
                 '((> (* d a) 0))))
 
+(test-case "what was declared may contradict the condition"
+  (define w (assuming ('(> k 0)) (prove-zero (- (sqrt (square 'k)) 'c))))
+  (check-message "verify-again: the relation cannot hold: (> -1 0)" (verify-again w '(= k -1)))
+  (check-equal? (verdict-alternatives (verify-again w '(= k 3))) '(((= c 3)))))
+
 (test-case "a condition that makes a kink leaves the question open"
   (define w (verify-solution (L-free 'm) (lambda (t) (+ (* 'c (square t)) (abs (- t 'b))))))
   (check-false (proved? (verify-again w '(= c 0)))))

@@ -87,6 +87,7 @@
 (test-case "quotes, comments and several lines are as readers paste them"
   (check-equal? (read-expression "(+ 'a (sin\n  'b)) ; a sum") (+ 'a (sin 'b)))
   (check-equal? (read-expression ''a) 'a)
+  (check-equal? (read-expression "#(a (+ b c))") (up 'a (+ 'b 'c)))
   (check-equal? (read-expression (list '+ 1 (sin 'x))) (+ 1 (sin 'x)))
   (check-equal? (read-expression (up 'a 'b)) (up 'a 'b))
   (check-equal? (read-expression '(cot x)) (/ 1 (tan 'x))))

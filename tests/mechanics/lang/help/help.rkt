@@ -54,7 +54,7 @@ end
 
   Book: 1.5, p. 36. Manual: Verdicts.
   See also: Lagrange-equations, verdict-kinks, constrained-Lagrange-equations,
-  eliminate-multipliers, verdict?.
+  eliminate-multipliers, verify-again.
 end
                 ))
 
@@ -78,6 +78,9 @@ end
   (check-equal? (text 'cubbe) "cubbe is not a name of mechanics.  Did you mean cube?")
   (check-equal? (text 'Poison-bracket)
                 "Poison-bracket is not a name of mechanics.  Did you mean Poisson-bracket?")
+  (check-equal? (text 'arctan) "arctan is not a name of mechanics: its name is atan.")
+  (check-equal? (text 'x^2) "x^2 is not a name of mechanics: operations come first, (expt x 2).")
+  (check-equal? (text '’x) "’x is not a name of mechanics: ’ in it is a curly quote; type 'x.")
   (check-equal? (text 'zzyzx) "zzyzx is not a name of mechanics."))
 
 (test-case "a name of a later chapter"
