@@ -62,18 +62,18 @@
   (check-answers
    ["(((Lagrange-equations (L-harmonic 'm 'k)) (literal-function 'x)) 't)"
     "(+ (* k (x t)) (* m (((expt D 2) x) t)))"]
-   ["(((Lagrange-equations (L-pendulum 'm 'l 'g)) theta) 't)"
+   ["(((Lagrange-equations (L-pendulum 'g 'm 'l)) theta) 't)"
     "(+ (* g l m (sin (theta t))) (* (expt l 2) m (((expt D 2) theta) t)))"]
    ["(((Lagrange-equations (L-free-particle 'm)) (literal-function 'x)) 't)"
     "(* m (((expt D 2) x) t))"]))
 
 (test-case "verdicts say what the text says of them"
   (check-answers
-   ["(verify-solution (L-pendulum 'm 'l 'g) swing)" "refuted:"]
-   ["(verify-solution (L-small 'm 'l 'g) small-swing)" "proved:"]
-   ["(verify-solution (L-small 'm 'l (* 'l (square 'omega))) swing)" "proved:"]
-   ["(verify-solution (L-pendulum 'm 'l 'g) (lambda (t) 0))" "proved:"]
-   ["(verify-solution (L-pendulum 'm 'l 'g) (lambda (t) (* 'Omega t)))" "refuted:"]
+   ["(verify-solution (L-pendulum 'g 'm 'l) swing)" "refuted:"]
+   ["(verify-solution (L-small 'g 'm 'l) small-swing)" "proved:"]
+   ["(verify-solution (L-small (* 'l (square 'omega)) 'm 'l) swing)" "proved:"]
+   ["(verify-solution (L-pendulum 'g 'm 'l) (lambda (t) 0))" "proved:"]
+   ["(verify-solution (L-pendulum 'g 'm 'l) (lambda (t) (* 'Omega t)))" "refuted:"]
    ["(verify-solution (L-Kepler 'm mu) circular-orbit)" "proved:"]
    ["(verdict-conditions verdict)" "'((= k (* m (expt omega 2))))"]
    ["(prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))"

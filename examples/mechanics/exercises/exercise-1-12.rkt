@@ -5,11 +5,11 @@
 
 ;; Let the computer derive the equation of a pendulum, and show its steps.
 
-(define ((L-pendulum m l g) (up t theta thetadot))
+(define ((L-pendulum g m l) (up t theta thetadot))
   (+ (* 1/2 m (square (* l thetadot))) (* m g l (cos theta))))
 
 (define theta (literal-function 'theta))
-(define equation (Lagrange-equations (L-pendulum 'm 'l 'g)))
+(define equation (Lagrange-equations (L-pendulum 'g 'm 'l)))
 (show-derivation equation theta)
 
 ;; My own steps: ∂₁L, ∂₂L and its time derivative along the path, the residual.

@@ -18,11 +18,11 @@
 plane
 
 ;; Then a pendulum's, where the attempt has the wrong sign of the torque.
-(define ((L-pendulum m l g) (up t theta thetadot))
+(define ((L-pendulum g m l) (up t theta thetadot))
   (+ (* 1/2 m (square (* l thetadot))) (* m g l (cos theta))))
 
 (define theta (literal-function 'theta))
-(define pendulum-equation ((Lagrange-equations (L-pendulum 'm 'l 'g)) theta))
+(define pendulum-equation ((Lagrange-equations (L-pendulum 'g 'm 'l)) theta))
 (define inertia (* 'm (square 'l) ((expt D 2) theta)))
 (define torque (* 'm 'g 'l (compose sin theta)))
 (define pendulum (verify-equal pendulum-equation (+ inertia torque)))

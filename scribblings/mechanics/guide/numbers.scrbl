@@ -15,24 +15,24 @@ We write the Lagrangian as ever, and make its @emph{state derivative}: the funct
 takes a local state of time, coordinates and velocities to its rate of change.
 
 @examples[#:eval session #:label #f
-(define ((L-pendulum m l g) (up t theta thetadot))
+(define ((L-pendulum g m l) (up t theta thetadot))
   (+ (* 1/2 m (square (* l thetadot)))
      (* m g l (cos theta))))
-(define (pendulum m l g)
-  (Lagrangian->state-derivative (L-pendulum m l g)))
-((pendulum 'm 'l 'g) (up 't 'theta 'thetadot))
-((pendulum 1 1 9.8) (up 0 1 0))]
+(define (pendulum g m l)
+  (Lagrangian->state-derivative (L-pendulum g m l)))
+((pendulum 'g 'm 'l) (up 't 'theta 'thetadot))
+((pendulum 9.8 1 1) (up 0 1 0))]
 
 There are three ways to go on from there. The first two are the book's
 (@sicm{1.7, pp. 74–75}): @racket[state-advancer] tells where a state is after some time,
 
 @examples[#:eval session #:label #f
-((state-advancer pendulum 1 1 9.8) (up 0 1 0) 2)]
+((state-advancer pendulum 9.8 1 1) (up 0 1 0) 2)]
 
 @racket[evolve] shows states along the way to a @emph{monitor}, a procedure of one state,
 
 @examples[#:eval session #:label #f
-((evolve pendulum 1 1 9.8)
+((evolve pendulum 9.8 1 1)
  (up 0 1 0)
  (lambda (s) (printf "~a: ~a\n" (time s) (coordinate s)))
  0.5 2)]
@@ -40,7 +40,7 @@ There are three ways to go on from there. The first two are the book's
 and @racket[evolve-trajectory] makes the motion a value, which is a function of time:
 
 @examples[#:eval session #:label #f
-(define swing (evolve-trajectory (pendulum 1 1 9.8) (up 0 1 0) 10))
+(define swing (evolve-trajectory (pendulum 9.8 1 1) (up 0 1 0) 10))
 swing
 (swing 2)
 (coordinate (swing 3.21))]
@@ -57,7 +57,7 @@ run on @emph{placeholders}, symbols that stand for the numbers to come. What com
 an expression graph, which is compiled to machine code.
 
 @examples[#:eval session #:label #f
-(define slope (compile-function (pendulum 1 1 9.8) (up 0 1 0)))
+(define slope (compile-function (pendulum 9.8 1 1) (up 0 1 0)))
 (compiled-function-operations slope)]
 
 So many operations on floating-point numbers are left. Nothing of this needs to be asked
@@ -79,7 +79,7 @@ so that another length of the pendulum costs no compilation.
 
 @examples[#:eval session #:label #f
 (for ([l '(1/2 1 2)])
-  (printf "~a: ~a\n" l (coordinate ((state-advancer pendulum 1 l 9.8) (up 0 1 0) 1))))]
+  (printf "~a: ~a\n" l (coordinate ((state-advancer pendulum 9.8 1 l) (up 0 1 0) 1))))]
 
 @bold{Nothing is stale.} Each @racket[state-advancer], @racket[evolve] or
 @racket[evolve-trajectory] looks at the function anew. If you change a global variable that
@@ -133,10 +133,10 @@ space. Their steps are of one length, and their energy is wrong by some amount t
 grow. The adaptive methods are better for a hundred periods, these for a million.
 
 @examples[#:eval session #:label #f
-(define E (Lagrangian->energy (L-pendulum 1 1 9.8)))
+(define E (Lagrangian->energy (L-pendulum 9.8 1 1)))
 (define (energy-change method t)
   (define tr
-    (evolve-trajectory (pendulum 1 1 9.8) (up 0 1 0) t #:tolerance 1e-4 #:method method))
+    (evolve-trajectory (pendulum 9.8 1 1) (up 0 1 0) t #:tolerance 1e-4 #:method method))
   (- (E (trajectory-final-state tr)) (E (tr 0))))
 (list (energy-change 'Dormand-Prince-54 20) (energy-change 'Dormand-Prince-54 2000))
 (list (energy-change (leapfrog 0.02) 20) (energy-change (leapfrog 0.02) 2000))]
@@ -161,7 +161,7 @@ pass the lowest point, moving to the left?
 @examples[#:eval session #:label #f
 (define bottom (event coordinate #:name 'bottom #:direction 'falling))
 (define observed
-  (evolve-trajectory (pendulum 1 1 9.8) (up 0 1 0) 8 #:tolerance 1e-12 #:events bottom))
+  (evolve-trajectory (pendulum 9.8 1 1) (up 0 1 0) 8 #:tolerance 1e-12 #:events bottom))
 (map occurrence-time (trajectory-events observed))]
 
 Their differences are the period. With @racket[#:terminal? #t] the motion ends there: a
@@ -202,7 +202,7 @@ a measure of what else is wrong:
 
 @examples[#:eval session #:label #f
 (define (angle-at-10 tolerance method)
-  (coordinate ((state-advancer pendulum 1 1 9.8) (up 0 1 0) 10 tolerance #:method method)))
+  (coordinate ((state-advancer pendulum 9.8 1 1) (up 0 1 0) 10 tolerance #:method method)))
 (angle-at-10 1e-6 'Dormand-Prince-853)
 (angle-at-10 1e-9 'Dormand-Prince-853)
 (angle-at-10 1e-12 'Dormand-Prince-853)
@@ -211,7 +211,7 @@ a measure of what else is wrong:
 @bold{There and back.} A motion followed backwards ends where it began.
 
 @examples[#:eval session #:label #f
-(define advance (state-advancer pendulum 1 1 9.8))
+(define advance (state-advancer pendulum 9.8 1 1))
 (advance (advance (up 0 1 0) 10) -10)]
 
 Where these are not enough, the same integration runs in more digits than sixteen
@@ -237,9 +237,9 @@ derivative belongs:
 
 @examples[#:eval session #:label #f
 (eval:error (advance (up 0 'theta 0) 1))
-(eval:error ((state-advancer pendulum 1 'l 9.8) (up 0 1 0) 1))
+(eval:error ((state-advancer pendulum 9.8 1 'l) (up 0 1 0) 1))
 (eval:error (advance (up 0 (up 1 2) 0) 1))
-(eval:error ((state-advancer L-pendulum 1 1 9.8) (up 0 1 0) 1))
+(eval:error ((state-advancer L-pendulum 9.8 1 1) (up 0 1 0) 1))
 (eval:error (advance (up 0 1 0)))]
 
 @(close-session session)

@@ -109,9 +109,9 @@ third slot. Only when it is composed with @racket[(Gamma q)] does a path come in
 and only then is there a time to differentiate by:
 
 @examples[#:eval session #:label #f
-(define ((L-pendulum m l g) (up t theta thetadot))
+(define ((L-pendulum g m l) (up t theta thetadot))
   (+ (* 1/2 m (square (* l thetadot))) (* m g l (cos theta))))
-(define L (L-pendulum 'm 'l 'g))
+(define L (L-pendulum 'g 'm 'l))
 (define momentum ((partial 2) L))
 (momentum (up 't 'theta 'thetadot))
 (define theta (literal-function 'theta))

@@ -16,7 +16,7 @@ The kinetic energy is ½ m (l θ̇)². The potential energy, measured from the p
 is −m g l cos θ. The Lagrangian is their difference:
 
 @examples[#:eval session #:label #f
-(define ((L-pendulum m l g) (up t theta thetadot))
+(define ((L-pendulum g m l) (up t theta thetadot))
   (+ (* 1/2 m (square (* l thetadot)))
      (* m g l (cos theta))))]
 
@@ -33,8 +33,8 @@ argument, the @emph{local tuple} of time, coordinate and velocity. The pattern
 Put in names or numbers and look:
 
 @examples[#:eval session #:label #f
-((L-pendulum 'm 'l 'g) (up 't 'theta 'thetadot))
-((L-pendulum 2 1 9.8) (up 0 0.5 1.5))]
+((L-pendulum 'g 'm 'l) (up 't 'theta 'thetadot))
+((L-pendulum 9.8 2 1) (up 0 0.5 1.5))]
 
 A quoted symbol is an unknown number. That is all there is to symbolic work
 here. A result is printed as the expression that computes it, without the quotes.
@@ -48,7 +48,7 @@ not know the path, so we take one of which we know only the name:
 (define theta (literal-function 'theta))
 (theta 't)
 ((D theta) 't)
-(((Lagrange-equations (L-pendulum 'm 'l 'g)) theta) 't)]
+(((Lagrange-equations (L-pendulum 'g 'm 'l)) theta) 't)]
 
 The last result reads m l² θ̈ + m g l sin θ. It is the left side of Lagrange's
 equation, d/dt ∂L/∂θ̇ − ∂L/∂θ = 0. On a path that the pendulum can really take
@@ -64,8 +64,8 @@ Small swings look like a cosine. Is that exact?
 
 @examples[#:eval session #:label #f
 (define (swing t) (* 'a (cos (* 'omega t))))
-(((Lagrange-equations (L-pendulum 'm 'l 'g)) swing) 't)
-(verify-solution (L-pendulum 'm 'l 'g) swing)]
+(((Lagrange-equations (L-pendulum 'g 'm 'l)) swing) 't)
+(verify-solution (L-pendulum 'g 'm 'l) swing)]
 
 No: @italic{refuted}, with a point at which the residual is not zero. Nobody has
 to believe the library; put the numbers in and see.
@@ -74,10 +74,10 @@ A cosine is the answer to a simpler question. For small angles cos θ is nearly
 1 − ½ θ². The constant does not matter, which leaves this Lagrangian:
 
 @examples[#:eval session #:label #f
-(define ((L-small m l g) (up t theta thetadot))
+(define ((L-small g m l) (up t theta thetadot))
   (- (* 1/2 m (square (* l thetadot)))
      (* 1/2 m g l (square theta))))
-(verify-solution (L-small 'm 'l 'g) swing)]
+(verify-solution (L-small 'g 'm 'l) swing)]
 
 Still refuted, but look how. The residual is a product of a factor, which we do
 not care about, and a core. The core is zero under one condition, and the
@@ -90,31 +90,31 @@ So the frequency was ours to choose, and we must choose it well:
 @examples[#:eval session #:label #f
 (define (small-swing t)
   (* 'a (cos (* (sqrt (/ 'g 'l)) t))))
-(verify-solution (L-small 'm 'l 'g) small-swing)]
+(verify-solution (L-small 'g 'm 'l) small-swing)]
 
 @italic{Proved} means proved: by algebra, for all values of the symbols, not by
 trying a few. The same from the other side, with the frequency kept and
 @italic{g} replaced by what the condition says:
 
 @examples[#:eval session #:label #f
-(verify-solution (L-small 'm 'l (* 'l (square 'omega))) swing)]
+(verify-solution (L-small (* 'l (square 'omega)) 'm 'l) swing)]
 
 Does the real pendulum have a solution we can write down? It can hang still:
 
 @examples[#:eval session #:label #f
-(verify-solution (L-pendulum 'm 'l 'g) (lambda (t) 0))]
+(verify-solution (L-pendulum 'g 'm 'l) (lambda (t) 0))]
 
 And can it turn evenly, round and round?
 
 @examples[#:eval session #:label #f
-(verify-solution (L-pendulum 'm 'l 'g) (lambda (t) (* 'Omega t)))]
+(verify-solution (L-pendulum 'g 'm 'l) (lambda (t) (* 'Omega t)))]
 
 The residual is m g l sin Ωt. So it can where there is no gravity, and not here.
 
 @section{Make a mistake}
 
 Sooner or later you forget the parameters, and hand over @racket[L-pendulum]
-instead of @racket[(L-pendulum 'm 'l 'g)]:
+instead of @racket[(L-pendulum 'g 'm 'l)]:
 
 @examples[#:eval session #:label #f
 (eval:error (Lagrange-equations L-pendulum))]
@@ -122,7 +122,7 @@ instead of @racket[(L-pendulum 'm 'l 'g)]:
 Or you apply a Lagrangian to something that is no local tuple:
 
 @examples[#:eval session #:label #f
-(eval:error ((L-pendulum 'm 'l 'g) (up 't 'theta)))]
+(eval:error ((L-pendulum 'g 'm 'l) (up 't 'theta)))]
 
 A message says which function complains, what it expected, what it got, and
 mostly what to do. @Secref["mistakes"] goes through more of them.

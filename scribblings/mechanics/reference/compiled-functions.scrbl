@@ -19,10 +19,10 @@ the flvectors from the first to the last. @racket[f] must be defined at
 @racket[example] and give values of one shape.
 
 @examples[#:eval session
-(define ((L-pendulum m l g) (up t θ v))
+(define ((L-pendulum g m l) (up t θ v))
   (+ (* 1/2 m (square (* l v))) (* m g l (cos θ))))
 (define f
-  (compile-function (Lagrangian->state-derivative (L-pendulum 1 2 9.8))
+  (compile-function (Lagrangian->state-derivative (L-pendulum 9.8 1 2))
                     (up 0 1 0)))
 (f (flvector 0.0 1.0 0.5))]
 
@@ -50,7 +50,7 @@ value is not a real number, as the square root of a negative one, compiled code 
 @racket[+nan.0].
 
 @examples[#:eval session
-(eval:error (compile-function (L-pendulum 'm 2 9.8) (up 0 1 0)))
+(eval:error (compile-function (L-pendulum 9.8 'm 2) (up 0 1 0)))
 (eval:error (compile-function (literal-function 'V) 1.0))]}
 
 @deftogether[(@defproc[(compiled-function? [x any/c]) boolean?]

@@ -89,7 +89,7 @@ once.}
 replaces it. After
 
 @racketblock[(define (pendulum-path q0 q1)
-               (find-path (L-pendulum 1 9.8) 0 q0 1 q1 3))]
+               (find-path (L-pendulum 9.8 1 1) 0 q0 1 q1 3))]
 
 a call of @racket[pendulum-path] finds the path with @racket[find-path] of this
 library if a definition of @racketid[find-path] is further down, and with that

@@ -79,9 +79,9 @@ A monitor that returns a function was given too few arguments, and raises an err
 
 @examples[#:eval session
 (define (show-angle s) (printf "~a ~a\n" (time s) (coordinate s)))
-(define ((L-pendulum m l g) (up t θ v))
+(define ((L-pendulum g m l) (up t θ v))
   (+ (* 1/2 m (square (* l v))) (* m g l (cos θ))))
-((evolve (lambda (m l g) (Lagrangian->state-derivative (L-pendulum m l g))) 1 1 9.8)
+((evolve (lambda (g m l) (Lagrangian->state-derivative (L-pendulum g m l))) 9.8 1 1)
  (up 0 1 0) show-angle 0.5 2 1e-12)]
 
 @sicm{1.7, p. 75}}
@@ -144,7 +144,7 @@ exception @racket[exn:fail:mechanics:singular] carries the trajectory so far, an
 @racket[exn:fail:mechanics:not-convergent] after too many steps.
 
 @examples[#:eval session
-(define pendulum (Lagrangian->state-derivative (L-pendulum 1 1 9.8)))
+(define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
 (define swing (evolve-trajectory pendulum (up 0 1 0) 10 #:tolerance 1e-12))
 swing
 (swing 1)
@@ -274,7 +274,7 @@ and those of the velocities do not depend on them; other systems are refused. Th
 has no effect. (H. Yoshida 1990.)
 
 @examples[#:eval session
-(define E (Lagrangian->energy (L-pendulum 1 1 9.8)))
+(define E (Lagrangian->energy (L-pendulum 9.8 1 1)))
 (define long
   (evolve-trajectory pendulum (up 0 1 0) 1000 #:method (leapfrog 0.02)))
 (map (lambda (t) (E (long t))) '(0 10 100 1000))
@@ -372,7 +372,7 @@ flonums only.
 
 @bigfloat-examples[session
 (define crossings
-  (evolve-trajectory (Lagrangian->state-derivative (L-pendulum 1 1 49/5))
+  (evolve-trajectory (Lagrangian->state-derivative (L-pendulum 49/5 1 1))
                      (up 0 1 0) 3 #:precision 120
                      #:events (event coordinate)))
 (define times (map occurrence-time (trajectory-events crossings)))
