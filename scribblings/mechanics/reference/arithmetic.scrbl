@@ -90,10 +90,11 @@ The power of a base. A tuple may be raised to a positive integer power: repeated
 
 @defidform[^]{
 
-Stands in signatures only; a power is written @racket[(expt x n)], as whoever writes another is
-told. Your own definition of the name is welcome.
+In a signature, arguments of one shape: @racket[(^ Real 3)] is @racket[(X* Real 3)]. It is no
+power, and whoever writes one is told how. Your own definition of the name is welcome.
 
 @examples[#:eval session
+((literal-function 'F (-> (^ Real 3) Real)) 'x 'y 'z)
 (eval:error (^ 'x 2))]}
 
 @deftogether[(@defproc[(sqrt [x value]) value]

@@ -237,8 +237,6 @@ it took, and returns what it returned.
 
 @section{Names of scmutils}
 
-Other names for what has an entry elsewhere:
-
 @deftogether[(@defproc[(derivative [f procedure?]) procedure?]
               @defproc[(constant [x value]) procedure?]
               @defproc[(literal-up-tuple [name symbol?] [n exact-nonnegative-integer?]) structure?]
@@ -246,8 +244,8 @@ Other names for what has an entry elsewhere:
                        structure?]
               @defproc[(factor-polynomial-expression [x value]) value])]{
 
-The same as @racket[D], @racket[constant-function], @racket[literal-up], @racket[literal-down]
-and @racket[factor].
+Other names, in this order, of @racket[D], @racket[constant-function], @racket[literal-up],
+@racket[literal-down] and @racket[factor].
 
 @examples[#:eval session
 ((derivative cube) 'x)
@@ -265,8 +263,9 @@ and @racket[factor].
               @defproc[(vector->column-matrix [v tuple]) matrix?]
               @defproc[(vector->row-matrix [v tuple]) matrix?])]{
 
-The same as @racket[matrix-by-columns], @racket[m:generate], @racket[identity-matrix],
-@racket[null-space], @racket[up->column-matrix] and @racket[down->row-matrix].
+Other names, in this order, of @racket[matrix-by-columns], @racket[m:generate],
+@racket[identity-matrix], @racket[null-space], @racket[up->column-matrix] and
+@racket[down->row-matrix].
 
 @examples[#:eval session
 (matrix-by-cols '(1 2) '(3 4))

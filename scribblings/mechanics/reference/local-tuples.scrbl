@@ -490,7 +490,7 @@ problem is made of them.
 
 @examples[#:eval session
 (bessj0 2.404825557695773)
-(bessj1 0.5)
+(bessj1 1)
 (bessj 2 1)
 (eval:error (bessj 1/2 1))]}
 
