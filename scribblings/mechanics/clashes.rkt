@@ -5,7 +5,7 @@
 (require racket/list
          scribble/base)
 
-(provide clash-lines shared-names)
+(provide clash-lines shared-names replaced-names)
 
 ;; The names both modules export with different meanings.
 (define (shared-names a b)
@@ -36,6 +36,15 @@
 (define (declared-exports module-path)
   (module-declared? module-path #t)
   (module->exports module-path))
+
+;; The names of racket/base that mean more here, but for those given, which mean something
+;; else; and but for those of Racket's own machinery, which nobody writes.
+(define (replaced-names . others)
+  (define names
+    (for/list ([name (in-list (shared-names 'mechanics 'racket/base))]
+               #:unless (or (memq name others) (regexp-match? #rx"^#%" (symbol->string name))))
+      (tt (symbol->string name))))
+  (add-between names ", "))
 
 ;; For each library that shares names with ours, the `require` that leaves them out.
 (define (clash-lines #:with [ours 'mechanics] . libraries)

@@ -9,7 +9,8 @@
          racket/list
          racket/runtime-path
          racket/string
-         scribble/base)
+         scribble/base
+         (only-in "program.rkt" program-link))
 
 (provide exercise-table
          exercises (struct-out exercise))
@@ -69,7 +70,8 @@
            #:sep (hspace 2)
            (cons heading
                  (for/list ([e (in-list (exercises))])
-                   (list (format "1.~a" (exercise-number e))
+                   (list (program-link (string-append "exercises/" (exercise-file e))
+                                       (format "1.~a" (exercise-number e)))
                          (place e)
                          (list (italic (capitalized (exercise-subject e))) ". "
                                (capitalized (exercise-checked e)) ": "

@@ -3,11 +3,13 @@
 
 @title[#:tag "guide" #:style '(toc)]{Guide}
 
-Read @secref["installation"] and @secref["ten-minutes"] first. The other pages
-can be read in any order.
+If Racket is new to you, begin with @secref["new-to-Racket"]. Then read
+@secref["installation"] and @secref["ten-minutes"]. The other pages can be read in any
+order.
 
 @local-table-of-contents[]
 
+@include-section["guide/racket.scrbl"]
 @include-section["guide/installation.scrbl"]
 @include-section["guide/ten-minutes.scrbl"]
 @include-section["guide/prompt.scrbl"]
@@ -28,5 +30,7 @@ can be read in any order.
 @include-section["guide/pictures.scrbl"]
 @include-section["guide/systems.scrbl"]
 @include-section["guide/constrained-systems.scrbl"]
+@include-section["guide/programs.scrbl"]
+@include-section["guide/sandbox.scrbl"]
 @include-section["guide/other-systems.scrbl"]
 @include-section["guide/questions.scrbl"]

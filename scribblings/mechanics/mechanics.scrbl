@@ -1,7 +1,8 @@
 #lang scribble/manual
-@(require (for-label mechanics) "citation.rkt" "eval.rkt")
+@(require (for-label mechanics)
+          "citation.rkt" "eval.rkt" "look/look.rkt" "look/search-index.rkt")
 
-@title[#:style '(toc)]{Mechanics: Motion, Written as Programs}
+@title[#:style manual-style #:version manual-version]{Mechanics: Motion, Written as Programs}
 
 @(define session (make-session))
 
@@ -20,13 +21,14 @@ whether that is zero, with a proof or with a point where it is not.
 
 The left-over, called the @emph{residual}, came out as a product, and the
 verdict says which condition makes it vanish. That is the whole idea. The
-@secref["guide"] explains it from the start; the @secref["reference"] has an
+@secref["guide"] explains it from the start, also to those to whom
+Racket is new (@secref["new-to-Racket"]); the @secref["reference"] has an
 entry for every name.
 
 @local-table-of-contents[]
 
 @include-section["guide.scrbl"]
 @include-section["reference.scrbl"]
-@index-section[]
+@(with-search-index (index-section))
 
 @(close-session session)

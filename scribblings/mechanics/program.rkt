@@ -3,13 +3,17 @@
 
 (require racket/file
          racket/list
+         racket/path
          racket/runtime-path
          racket/string
          scribble/base
+         scribble/core
+         (only-in scribble/html-properties link-resource)
          (only-in scribble/manual typeset-code filepath)
+         (only-in "../../mechanics/lang/help/prose.rkt" first-sentence)
          (only-in "../../mechanics/plot/on-demand.rkt" can-draw?))
 
-(provide program)
+(provide program program-link program-table)
 
 (define-runtime-path examples "../../examples/mechanics")
 
@@ -19,11 +23,34 @@
 (define (program name context)
   (define path (build-path examples name))
   (define-values (output picture) (run path))
-  (list* (para "This is " (filepath (format "examples/mechanics/~a" name)) ":")
+  (list* (para "This is " (program-link name) ":")
          (typeset-code #:context context (program-text path))
-         (para "It prints")
-         (apply verbatim #:indent 2 (add-between (string-split output "\n" #:trim? #f) "\n"))
-         (if picture (list (para "The picture:") (nested #:style 'inset picture)) '())))
+         (append
+          (if (string=? output "") '() (list (para "It prints") (printed output)))
+          (if picture (list (para "The picture:") (nested #:style 'inset picture)) '()))))
+
+(define (printed output)
+  (apply verbatim #:indent 2 (add-between (string-split output "\n" #:trim? #f) "\n")))
+
+;; A program's name, which leads to a copy of it among the pages of the manual.
+(define (program-link name [text (filepath (format "examples/mechanics/~a" name))])
+  (elem #:style (style #f (list (link-resource (build-path examples name)))) text))
+
+;; The programs of a folder, each with what its first lines say of it.
+(define (program-table folder)
+  (tabular #:sep (hspace 2)
+           #:column-properties '(top top)
+           (for/list ([file (in-list (directory-list (build-path examples folder)))]
+                      #:when (path-has-extension? file #".rkt"))
+             (define name (format "~a/~a" folder file))
+             (list (program-link name (filepath (path->string file)))
+                   (program-heading (build-path examples name))))))
+
+;; The first sentence of its opening comment.
+(define (program-heading path)
+  (define comment
+    (takef (cdr (file->lines path)) (lambda (l) (regexp-match? #px"^;; \\S" l))))
+  (first-sentence (list (string-join (map (lambda (l) (substring l 3)) comment) " "))))
 
 (define (program-text path)
   (define lines (file->lines path))

@@ -3,7 +3,7 @@
 
 @title[#:tag "reference" #:style '(toc)]{Reference}
 
-@defmodule[mechanics #:lang]
+@defmodule[mechanics #:lang #:packages ("mechanics")]
 
 As a language and as a library, @racketmodname[mechanics] provides everything on
 these pages, and @racketmodname[racket/base] and @racketmodname[racket/match]

@@ -8,31 +8,41 @@
 
 ;; for-label: compiled with this file.
 (require (for-label "../../scribblings/mechanics/mechanics.scrbl")
+         json
+         net/uri-codec
          racket/file
          racket/list
+         racket/path
          racket/port
          racket/runtime-path
          racket/sandbox
          racket/string
          rackunit
          scribble/render
+         (prefix-in html: scribble/html-render)
          (prefix-in text: scribble/text-render)
          "../../scribblings/mechanics/clashes.rkt"
          "../../scribblings/mechanics/eval.rkt")
 
 (define-runtime-path manual "../../scribblings/mechanics/mechanics.scrbl")
 (define-runtime-path readme "../../README.md")
+(define-runtime-path operation-table "../../mechanics/algebra/expression/operation-table.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; The text of the manual
 
-(define (manual-text)
+(define document (dynamic-require manual 'doc))
+
+;; What read makes of the folder where the manual is rendered.
+(define (rendered mixin read)
   (define folder (make-temporary-file "manual~a" 'directory))
-  (define document (dynamic-require manual 'doc))
-  (render (list document) '("manual") #:render-mixin text:render-mixin
+  (render (list document) '("manual") #:render-mixin mixin
           #:dest-dir folder #:quiet? #t #:warn-undefined? #f)
-  (begin0 (file->string (build-path folder "manual.txt"))
+  (begin0 (read folder)
           (delete-directory/files folder)))
+
+(define (manual-text)
+  (rendered text:render-mixin (lambda (folder) (file->string (build-path folder "manual.txt")))))
 
 ;; Lines and indentation are the renderer's affair.
 (define (words text) (string-normalize-spaces text #px"[\\s\u00A0]+"))
@@ -100,11 +110,88 @@
    ["(naive-derivative naive-g 3)" "2"]
    ["((slope (slope cube)) 'y)" "(* 6 y)"]))
 
+(test-case "the entries shown of the table of operations are in it"
+  (define shown (regexp-match* #px"\\[(?:sin|exp|[*]) \\([a-z ]+\\)[^]]*\\]" text))
+  (check-equal? (length shown) 3)
+  (for ([entry (in-list shown)])
+    (check-true (string-contains? (file->string operation-table) entry) entry)))
+
 (test-case "structures"
   (check-answers
    ["(* (down 1 2) (up 1 2 3))" "(up (down 1 2) (down 2 4) (down 3 6))"]
    ["(* (down 'p_x 'p_y) (up 'v_x 'v_y))" "(+ (* p_x v_x) (* p_y v_y))"]
    ["(ref (up 1 2) 5)" "ref: index 5 is outside an up tuple of 2"]))
+
+;; ---------------------------------------------------------------------------
+;; The pages as a browser gets them
+
+;; file name -> text, or bytes of what is no page
+(define pages
+  (rendered (lambda (%) (html:render-multi-mixin (html:render-mixin %)))
+            (lambda (folder)
+              (for/hash ([file (in-list (directory-list (build-path folder "manual")))])
+                (define path (build-path folder "manual" file))
+                (values (path->string file)
+                        (if (path-has-extension? file #".png")
+                            (file->bytes path)
+                            (file->string path)))))))
+
+(define html-pages
+  (for/list ([(file text) (in-hash pages)] #:when (string-suffix? file ".html")) text))
+
+;; The list in "mechanicsManual([...]);": entries of name, address, kind and sentence
+(define search-entries
+  (string->jsexpr
+   (cadr (regexp-match #rx"^mechanicsManual[(](.*)[)];" (hash-ref pages "search-index.js")))))
+
+(define (entries-named name)
+  (filter (lambda (e) (string=? (first e) name)) search-entries))
+
+;; Is there such a place on the pages?
+(define (leads-somewhere? address)
+  (define parts (string-split address "#"))
+  (define page (hash-ref pages (car parts) #f))
+  (and page
+       (or (null? (cdr parts))
+           (string-contains? page (format "<a name=\"~a\">" (uri-decode (cadr parts)))))))
+
+(test-case "every page has the style and the search box"
+  (for* ([page (in-list html-pages)] [file (in-list '("look.css" "search.js"))])
+    (check-true (string-contains? page (format "\"~a\"" file)))
+    (check-true (hash-has-key? pages file))))
+
+(test-case "the search box knows names with their sentences, sections and libraries"
+  (check-equal? (map cddr (entries-named "verify-solution"))
+                '(("mechanics"
+                   "Whether the path q satisfies Lagrange's equations of L at all times.")))
+  (check-equal? (map cddr (entries-named "L-pendulum"))
+                '(("mechanics/book" "A pendulum whose pivot is at rest.")))
+  (check-equal? (map third (entries-named "The first ten minutes")) '("section"))
+  (check-equal? (map third (entries-named "mechanics/plot")) '("library"))
+  (check-true (> (length search-entries) 800)))
+
+(test-case "what is found is there"
+  (check-false (leads-somewhere? "no-such-page.html"))
+  (check-false (leads-somewhere? "ten-minutes.html#nowhere"))
+  (for ([e (in-list search-entries)])
+    (check-true (leads-somewhere? (second e)) (format "~s" e))))
+
+(test-case "programs are links, to copies beside the pages"
+  (define linked
+    (remove-duplicates
+     (append-map (lambda (page)
+                   (regexp-match* #rx"href=\"([^\"#:]*[.]rkt)\"" page #:match-select cadr))
+                 html-pages)))
+  (check-true (> (length linked) 70))
+  (for ([file (in-list linked)])
+    (check-true (string-contains? (hash-ref pages file "") "#lang ") file)))
+
+(test-case "the package is ours"
+  (define packages
+    (append-map (lambda (page) (regexp-match* #rx"pkgs.racket-lang.org/package/([a-z]*)" page
+                                              #:match-select cadr))
+                html-pages))
+  (check-equal? (remove-duplicates packages) '("mechanics")))
 
 ;; ---------------------------------------------------------------------------
 ;; Names shared with other libraries

@@ -34,7 +34,7 @@
          (case (car part)
            [(racket racketid racketidfont racketmodname racketresult exec tt filepath)
             (disguised (string-join (map code-text parts) " "))]
-           [(italic bold emph elem deftech tech math onscreen smaller list para)
+           [(italic bold emph elem deftech tech math formula onscreen smaller list para)
             (apply string-append (map part->text parts))]
            [(subscript) (in-small parts subscripts "_")]
            [(superscript) (in-small parts superscripts "^")]
@@ -81,7 +81,7 @@
         [else (string-append (string-trim sentence #rx"[:,]" #:left? #f) ".")]))
 
 ;; Not the stop of an abbreviation.
-(define sentence-end #px"^.*?(?<!e[.]g)(?<!i[.]e)(?<![ (]p)[.?!:][)”]?(?=\\s|$)")
+(define sentence-end #px"^.*?(?<!e[.]g)(?<!i[.]e)(?<![ (]p)(?<![ (]pp)[.?!:][)”]?(?=\\s|$)")
 
 ;; The parts before an empty line or a display, such as a list; those before any text left
 ;; out.

@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics) "../clashes.rkt" "../eval.rkt")
 
 @title[#:tag "arithmetic"]{Arithmetic}
 
@@ -111,14 +111,12 @@ To decide whether two expressions have the same value, ask for a proof:
 @section{What becomes of Racket's own names}
 
 In @hash-lang[] @racketmodname[mechanics] these names of
-@racketmodname[racket/base] have wider meanings; on plain numbers they do what
-they did: @racket[+ - * / = < > <= >= zero? positive? negative? add1 sub1 max min
-abs sqrt expt exp log sin cos tan asin acos atan for/sum for/product for*/sum
-for*/product], and @racket[define lambda case-lambda let let*], which take
-patterns.
+@racketmodname[racket/base] have wider meanings; on what Racket knows they do what
+they did: @(replaced-names 'time 'expand). Of these @racket[define], @racket[lambda],
+@racket[case-lambda], @racket[let] and @racket[let*] take patterns.
 
-One has another meaning: @racket[time] is the selector of the time from a local
-tuple. See @secref["questions"].
+Two have another meaning: @racket[time] is the selector of the time from a local
+tuple (@secref["questions"]), and @racket[expand] multiplies out.
 
 These are Racket's own and know numbers only: @racket[quotient],
 @racket[remainder], @racket[modulo], @racket[gcd], @racket[number->string] and the

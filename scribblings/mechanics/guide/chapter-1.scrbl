@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics mechanics/book)
+          "../eval.rkt" "../citation.rkt" (only-in "../look/look.rkt" formula))
 
 @title[#:tag "chapter-1"]{Along with chapter 1 of the book}
 
@@ -49,7 +50,7 @@ path is one that the system can take.
 (((Lagrange-equations (L-harmonic 'm 'k)) (literal-function 'x)) 't)
 (((Lagrange-equations (L-harmonic 'm 'k)) proposed-solution) 't)]
 
-For the last one to vanish at all times, k must be m ω²; @racket[verify-solution] says so.
+For the last one to vanish at all times, k must be @formula{m ω²}; @racket[verify-solution] says so.
 Variations are differentiated by the rules of the section, here the one for products:
 
 @examples[#:eval session #:label #f

@@ -4,10 +4,10 @@
 @title[#:tag "constrained-systems"]{Systems with constraints}
 
 Each program on this page states its constraints, proves a result with all parameters as
-symbols, lets a plausible mistake be refuted, and draws something. On a command line it
+symbols, lets a plausible mistake be refuted, and draws something. Run in a checkout it
 writes its picture to a file:
 
-@commandline{racket examples/mechanics/constraints/turntable.rkt turntable.svg}
+@commandline{make run FILE=examples/mechanics/constraints/turntable.rkt ARGS=turntable.svg}
 
 @missing-pictures[]
 

@@ -1,5 +1,8 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics)
+          "../eval.rkt"
+          (only-in "../look/look.rkt" formula)
+          (only-in "../program.rkt" program-link))
 
 @title[#:tag "constraints"]{Constraints}
 
@@ -8,7 +11,7 @@
 A pendulum's rod keeps its mass at a distance. There are two ways to say so. One is to choose
 a coordinate that cannot say anything else, the angle; then the rod is out of sight, and
 so is its pull. The other is to keep x and y, and to state that
-√(x² + y²) − l is zero: a @emph{constraint}. The price is one more unknown, the
+@formula{√(x² + y²) − l} is zero: a @emph{constraint}. The price is one more unknown, the
 @emph{multiplier}; what it buys is the force.
 
 @section{A rod}
@@ -23,8 +26,8 @@ so is its pull. The other is to keep x and y, and to state that
 (define xy (up (literal-function 'x) (literal-function 'y)))
 ((equations xy (literal-function 'lambda)) 't)]
 
-The first part is the residual of Lagrange's equations with the force of the rod, λ ∂G, taken
-from it; the second is the constraint. A motion makes both zero. In any state the
+The first part is the residual of Lagrange's equations with the force of the rod, @formula{λ ∂G},
+taken from it; the second is the constraint. A motion makes both zero. In any state the
 accelerations and the multiplier follow together:
 
 @examples[#:eval session #:label #f
@@ -36,8 +39,8 @@ accelerations and the multiplier follow together:
 (ref ((constrained-accelerations (L-mass 'm 'g) rod) state) 1)
 ((constraint-forces (L-mass 'm 'g) rod) state)]
 
-The multiplier is less the tension, m l ω² + m g cos θ: the rod pulls inwards. And without it
-we are back at the angle:
+The multiplier is less the tension, @formula{m l ω² + m g cos θ}: the rod pulls inwards. And
+without it we are back at the angle:
 
 @examples[#:eval session #:label #f
 (define on-angle (eliminate-multipliers (L-mass 'm 'g) rod from-bottom))
@@ -54,7 +57,7 @@ equations:
 @section{Checking a motion}
 
 Propose a path, and a multiplier if you have one. Without gravity the mass goes round
-steadily, and the rod pulls with m l ω²:
+steadily, and the rod pulls with @formula{m l ω²}:
 
 @examples[#:eval session #:label #f
 (define (circling t)
@@ -100,7 +103,7 @@ top:
 (cos (ref (coordinate (trajectory-final-state slide)) 1))]
 
 Two thirds, as it should be. After that the mass flies: another state derivative, from the
-state that the event left. The program @filepath{constraints/slack-string.rkt} among the
+state that the event left. The program @program-link["constraints/slack-string.rkt"] among the
 examples goes to and fro between a string and free flight.
 
 @section{More than one}
@@ -126,9 +129,9 @@ it. Nor does a state serve to begin with that breaks a constraint:
 
 @section{Rolling}
 
-A wheel that rolls upright on an incline has the velocity of its rim: ẋ = R sin θ φ̇, ẏ = R
-cos θ φ̇. These are constraints on the velocities; is there one on the coordinates behind
-them?
+A wheel that rolls upright on an incline has the velocity of its rim: @formula{ẋ = R sin θ φ̇},
+@formula{ẏ = R cos θ φ̇}. These are constraints on the velocities; is there one on the
+coordinates behind them?
 
 @examples[#:eval session #:label #f
 (define ((rolling R) t (up x y phi theta) (up vx vy vphi vtheta))
@@ -138,7 +141,7 @@ them?
 (verdict-status (Frobenius-test wheel q))]
 
 No: rolling along a loop brings the wheel back to its place, but turned. Such constraints
-have multipliers too, and their forces are λ ∂@subscript{2}A.
+have multipliers too, and their forces are @formula{λ ∂@subscript{2}A}.
 
 @examples[#:eval session #:label #f
 (define ((L-wheel m R g alpha)
@@ -162,15 +165,15 @@ A lecture note in circulation has it with the other sign. Does it?
 
 @section{Do not substitute}
 
-It is tempting to put ẋ = R sin θ φ̇ into the Lagrangian and be done. For constraints on the
-coordinates that is right; for these it is not. Ask:
+It is tempting to put @formula{ẋ = R sin θ φ̇} into the Lagrangian and be done. For constraints on
+the coordinates that is right; for these it is not. Ask:
 
 @examples[#:eval session #:label #f
 (define state-of-wheel (up 't q (up 'vx 'vy 'vphi 'vtheta)))
 (reduce-by-substitution L wheel as-it-rolls state-of-wheel)]
 
-Gravity is gone from the equation of φ, and that of y says m g sin α = 0. One textbook
-keeps the constraint on ẏ with its multiplier, and substitutes otherwise:
+Gravity is gone from the equation of φ, and that of y says @formula{m g sin α = 0}. One textbook
+keeps the constraint on @formula{ẏ} with its multiplier, and substitutes otherwise:
 
 @examples[#:eval session #:label #f
 (define (only-y t q v) (- (ref v 1) (* 'R (cos (ref q 3)) (ref v 2))))

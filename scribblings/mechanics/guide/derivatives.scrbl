@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics)
+          "../eval.rkt" (only-in "../look/look.rkt" formula))
 
 @title[#:tag "derivatives"]{Derivatives}
 
@@ -14,8 +15,8 @@
 ((D (lambda (x) (* x (sin x)))) 'x)]
 
 There is no expression to differentiate and no variable to name. This is the
-notation of the book, and it is why @italic{∂L/∂q̇} never leaves you wondering
-whether q̇ depends on q: a Lagrangian is a function of three arguments, and you
+notation of the book, and it is why @formula{∂L/∂q̇} never leaves you wondering
+whether @formula{q̇} depends on q: a Lagrangian is a function of three arguments, and you
 differentiate it by the third.
 
 @section{By structures}
@@ -55,9 +56,9 @@ argument i if there are several. Indices start at 0.
 (((partial 0) f) 'x 'y)
 (((partial 1) f) 'x 'y)]
 
-More indices lead further down. With the local tuple (t, (x, y), (ẋ, ẏ)),
+More indices lead further down. With the local tuple @formula{(t, (x, y), (ẋ, ẏ))},
 @racket[(partial 2)] is the derivative by the velocities, a @racket[down], and
-@racket[(partial 2 0)] that by ẋ alone:
+@racket[(partial 2 0)] that by @formula{ẋ} alone:
 
 @examples[#:eval session #:label #f
 (define (T (up t (up x y) (up vx vy)))
@@ -94,7 +95,7 @@ says that D and multiplication by x do not commute: their commutator is 1.
 
 @section[#:tag "power-series"]{Series}
 
-The operator @racket[(exp (* 'h D))] is 1 + hD + h²D²/2! + ⋯. What it makes of a
+The operator @racket[(exp (* 'h D))] is @formula{1 + hD + h²D²/2! + ⋯}. What it makes of a
 function is a series, whose terms are those of Taylor's:
 
 @examples[#:eval session #:label #f

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics racket/promise) "../eval.rkt")
+@(require (for-label mechanics racket/promise)
+          "../eval.rkt" (only-in "../look/look.rkt" formula))
 
 @title[#:tag "differentiation"]{How derivatives are computed}
 
@@ -12,7 +13,7 @@ ways.
 @section[#:tag "dual-numbers"]{A quantity of which the square is zero}
 
 Take a quantity ε of which the square is zero, though ε is not. Then
-f(x + ε) = f(x) + f′(x) ε, exactly: all further terms of the Taylor series
+@formula{f(x + ε) = f(x) + f′(x) ε}, exactly: all further terms of the Taylor series
 contain ε². So a derivative can be had by running the function itself on the
 @emph{dual number} x + ε and reading off the coefficient of ε. Each elementary
 operation knows what it does to dual numbers. For a product that is
@@ -32,7 +33,7 @@ beside it in one table, written in the library's own arithmetic:
 @verbatim[#:indent 2]{
 [sin (x) sin ((-4.0 4.0)) (g:cos x)]
 [exp (x) exp ((-2.0 2.0)) value]
-[/ (a b) / ((-2.0 2.0) (0.3 2.0)) (g:/ 1 b) (g:negate (g:/ value b))]
+[* (a b) * ((-2.0 2.0) (-2.0 2.0)) b a]
 }
 
 An entry says how to compute with numbers, where to test, and what the derivatives
@@ -227,7 +228,7 @@ J. M. Siskind, @hyperlink["https://arxiv.org/abs/1211.4892"]{arXiv:1211.4892}.
 
 An argument may hold a function: a tuple, a list, a box, a hash table, a promise, a
 parameter, a structure. Renaming goes in and finds it. Here h ↦ h′(3), used within
-itself, computes ∂²(x sin y)/∂x∂y at (3, 3), which is cos 3, however h comes:
+itself, computes @formula{∂²(x sin y)/∂x∂y} at (3, 3), which is cos 3, however h comes:
 
 @examples[#:eval session #:label #f
 (define (mixed pack unpack)

@@ -8,9 +8,9 @@
 right. A residual knows: subtract what you found from what the library finds, by another
 way if there is one, and have the difference judged. For each exercise of chapter 1 whose
 answer can be judged so there is a program in @filepath{examples/mechanics/exercises},
-@filepath{exercise-1-17.rkt} for exercise 1.17. It states the problem in its own words, takes
-an attempt that is right and one with a slip that is easily made, and shows how the verdict on
-the latter leads to the slip. Replace the attempt by your own before you read on.
+@program-link["exercises/exercise-1-17.rkt" @filepath{exercise-1-17.rkt}] for exercise 1.17. It
+states the problem in its own words, takes an attempt that is right and one with a slip that
+is easily made, and shows how the verdict on the latter leads to the slip. Replace the attempt by your own before you read on.
 
 @exercise-table[]
 

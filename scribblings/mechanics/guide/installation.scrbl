@@ -19,9 +19,9 @@ In a copy of the source, a @emph{checkout}, type one of these:
 
 The first is a tour of five screens. The second opens a prompt with everything at hand
 (@secref["prompt"]). The third runs
-a file of yours, or one of @filepath{examples/mechanics}; what the program is to be told,
-such as the name of a picture, is given with @exec{ARGS=pendulum.svg}. Only what a program
-of yours writes is outside the checkout. On Debian and Ubuntu they also install Racket where
+a file of yours, or one of @filepath{examples/mechanics} (@secref["programs"]); what the program
+is to be told, such as the name of a picture, is given with
+@exec{ARGS=pendulum.svg}. Only what a program of yours writes is outside the checkout. On Debian and Ubuntu they also install Racket where
 it is missing; elsewhere they say what to install. @exec{make test} runs the
 tests, and @exec{make docs} builds this manual in @filepath{build/doc}.
 
@@ -64,7 +64,7 @@ a bare Debian, add @exec{--no-docs}.
 @exec{raco pkg update mechanics} brings it up to date, and
 @exec{raco pkg remove mechanics} takes it away.
 
-@section{In DrRacket}
+@section[#:tag "drracket"]{In DrRacket}
 
 To install: choose @menuitem["File" "Install Package..."], type the folder of
 the checkout or the Git address as @onscreen{Package Source}, and press
@@ -98,8 +98,7 @@ is printed in simplified form.
 Results are printed as they were computed; @racket[simplify] and
 @racket[print-expression] do what the prompt of mechanics does by itself.}
 
-@item{@exec{racket -I mechanics} for a prompt. (Not @exec{racket -i -l
-mechanics}: that provides the names, but not the printing.)}]
+@item{@exec{racket -I mechanics} for a prompt.}]
 
 At the prompt and in a @hash-lang[] @racketmodname[mechanics] file a new definition
 replaces the old one, so that the programs of a chapter can be typed one after

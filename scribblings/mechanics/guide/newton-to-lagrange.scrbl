@@ -1,5 +1,8 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics)
+          "../eval.rkt"
+          (only-in "../look/look.rkt" formula)
+          (only-in "../program.rkt" program-link))
 
 @title[#:tag "Newton-to-Lagrange"]{From Newton to Lagrange}
 
@@ -73,7 +76,7 @@ velocity has another part:
 (- (velocities state) ((virtual-displacement r) state 'thetadot))]
 
 So the force of the ring does no work in virtual displacements, though it may do some in
-the true one. Write s for the slope ∂r/∂θ, the direction of all virtual displacements:
+the true one. Write s for the slope @formula{∂r/∂θ}, the direction of all virtual displacements:
 
 @examples[#:eval session #:label #f
 (define (slope local)
@@ -106,14 +109,14 @@ m v·s; what is too much is taken off.
                  (dot-product (* 'm v) (D s))))]
 
 @bold{The dots cancel.} The velocity is a function of time, coordinate and rate of
-the coordinate. The rate enters through s alone, so that ∂v/∂θ̇ = s:
+the coordinate. The rate enters through s alone, so that @formula{∂v/∂θ̇ = s}:
 
 @examples[#:eval session #:label #f
 (verify-equal (((partial 2) velocities) state) (slope state))]
 
 @bold{The derivatives change places.} The slope changes in time as the velocity changes with
-the coordinate, ds/dt = ∂v/∂θ. On the left is a rate of change along the path. On the right
-the path is gone from the derivative: θ and its rate are two independent variables.
+the coordinate, @formula{ds/dt = ∂v/∂θ}. On the left is a rate of change along the path. On the
+right the path is gone from the derivative: θ and its rate are two independent variables.
 
 @examples[#:eval session #:label #f
 (verify-equal (D s) (along ((partial 1) velocities)))]
@@ -131,14 +134,14 @@ own derivatives, which makes them derivatives of its square.
               (along ((partial 1) T)))]
 
 @bold{The forces that are known} enter by what they do along s, the
-@emph{generalized force} Q = F·∂r/∂θ. Since θ is an angle, Q is a torque.
+@emph{generalized force} @formula{Q = F·∂r/∂θ}. Since θ is an angle, Q is a torque.
 
 @examples[#:eval session #:label #f
 (define Q (generalized-force r F))
 (Q state)]
 
-@bold{Together}: what Newton's equations say along s is d/dt ∂T/∂θ̇ − ∂T/∂θ − Q. This is the
-residual of Lagrange's equations for T, with Q as a force outside of it.
+@bold{Together}: what Newton's equations say along s is @formula{d/dt ∂T/∂θ̇ − ∂T/∂θ − Q}. This is
+the residual of Lagrange's equations for T, with Q as a force outside of it.
 
 @examples[#:eval session #:label #f
 (verify-equal dAlembert
@@ -153,15 +156,15 @@ be found instead, that of the velocity.
 @section{Potential energy}
 
 The weight has a potential energy, m g times the height, which for this bead becomes a
-function V of θ. Its generalized force is −∂V/∂θ:
+function V of θ. Its generalized force is @formula{−∂V/∂θ}:
 
 @examples[#:eval session #:label #f
 (define (V local)
   (* 'm 'g (ref (r (time local) (coordinate local)) 2)))
 (verify-equal (Q state) (- (((partial 1) V) state)))]
 
-As V does not depend on the velocity, −∂V/∂θ may as well be a part of what T says. The
-difference L = T − V gives all there is:
+As V does not depend on the velocity, @formula{−∂V/∂θ} may as well be a part of what T says. The
+difference @formula{L = T − V} gives all there is:
 
 @examples[#:eval session #:label #f
 (define L (- T V))
@@ -186,7 +189,7 @@ coordinate, and the weight any other force. Let them be that:
 
 This is proved for one particle, any positions with two coordinates that may change in
 time, any force of time, position and velocity, and any path. For two particles,
-@filepath{examples/mechanics/forces/newton-to-lagrange.rkt} does the same, line by line. It
+@program-link["forces/newton-to-lagrange.rkt"] does the same, line by line. It
 is on the page @secref["systems"].
 
 For a system of yours, @racket[show-derivation] prints all of it: the positions, what
@@ -203,7 +206,7 @@ in virtual displacements. It is a statement about rings and rods, not about deri
 
 @section{What a slip looks like}
 
-Who takes T for ½ m R² θ̇², because the bead slides along the ring, forgets that it is
+Who takes T for @formula{½ m R² θ̇²}, because the bead slides along the ring, forgets that it is
 carried around. The residuals differ by the torque of the centrifugal force:
 
 @examples[#:eval session #:label #f
@@ -213,7 +216,7 @@ carried around. The residuals differ by the torque of the centrifugal force:
    (dAlembert 't))]
 
 And who expects that the energy is kept, since nothing rubs, should ask. The energy that
-belongs to L is. It is not T + V, because r depends on time. Where θ̈ follows from the
+belongs to L is. It is not T + V, because r depends on time. Where @formula{θ̈} follows from the
 equations, these are the rates of change of both:
 
 @examples[#:eval session #:label #f
@@ -283,8 +286,8 @@ does; the force that must vanish is ∂L/∂θ:
 @examples[#:eval session #:label #f
 (factor (((partial 1) L) (up 't 'theta 0)))]
 
-So there is a third place, where cos θ = g/(R ω²), if the ring is fast enough. The program
-@filepath{examples/mechanics/forces/rotating-ring.rkt} continues from here: it asks which of
+So there is a third place, where @formula{cos θ = g/(R ω²)}, if the ring is fast enough. The program
+@program-link["forces/rotating-ring.rkt"] continues from here: it asks which of
 these places are stable, with @racket[small-oscillation-frequencies], and follows the bead
 on slow and fast rings.
 

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book mechanics/plot) "../eval.rkt")
+@(require (for-label mechanics mechanics/book mechanics/plot)
+          "../eval.rkt" (only-in "../look/look.rkt" formula))
 
 @title[#:tag "other-systems"]{Coming from scmutils, Emmy, or a formula manipulator}
 
@@ -97,11 +98,11 @@ gives the S-expression.}]
 @section{Why functions and not formulas}
 
 In a system that manipulates formulas you write
-@italic{½ m (dx/dt)² − ½ k x²}, and then need ∂/∂ẋ of it. But ẋ there is
+@formula{½ m (dx/dt)² − ½ k x²}, and then need @formula{∂/∂ẋ} of it. But @formula{ẋ} there is
 @italic{dx/dt}, an operation on x and no variable. So such systems replace it by
 a fresh variable, differentiate, put it back, and only then differentiate by
-time. Traditional notation hides this with ∂L/∂q̇; it works on paper because the
-reader knows when q̇ is a variable and when it is a function of time.
+time. Traditional notation hides this with @formula{∂L/∂q̇}; it works on paper because the
+reader knows when @formula{q̇} is a variable and when it is a function of time.
 
 In functional notation nothing is hidden. The Lagrangian is a function of a
 local tuple, with three slots. @racket[((partial 2) L)] is its derivative by the

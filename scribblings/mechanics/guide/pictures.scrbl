@@ -60,7 +60,7 @@ win2]
 In the book the frame is cleared before each path, which is worth seeing in a window:
 @racket[(graphics-show win2)] first, and @racket[(graphics-clear win2)] before
 @racket[plot-function]. The library's own @racket[find-path] tells its observer of each
-path; @filepath{examples/mechanics/figures/exercise-1-5.rkt} draws them so.
+path; @program-link["figures/exercise-1-5.rkt"] draws them so.
 
 The path that was found looks like a cosine. How far it is from one is the book's
 Figure 1.2, which is this program:
@@ -132,10 +132,10 @@ walls]
 
 @section{The figures as programs}
 
-In @filepath{examples/mechanics/figures} each figure is a program that shows its frame and,
-on a command line, writes it:
+In @filepath{examples/mechanics/figures} each figure is a program (@secref["programs"]) that
+shows its frame and, run in a checkout, writes it:
 
-@commandline{racket examples/mechanics/figures/exercise-1-44.rkt pendulums.svg}
+@commandline{make run FILE=examples/mechanics/figures/exercise-1-44.rkt ARGS=pendulums.svg}
 
 That one follows two double pendulums that begin a ten-billionth of a metre apart
 (@sicm{1.7, exercise 1.44}), and draws the logarithm of their distance.

@@ -72,14 +72,15 @@ All of the reference. In a file, your own definition of a name replaces that of
 the library: @racket[(define (D x) ...)] is allowed, and what you define is yours
 from there on. For clashes with other libraries see @secref["clashes"].
 
-@section{Is there graphics, integration of motions, Hamiltonian mechanics?}
+@section{What of the book is there?}
 
-Graphics, yes: @racket[(require mechanics/plot)] has frames as in the book, on a
-screen or in a file (@secref["pictures"]). Motions, yes: @racket[evolve-trajectory]
-and its kin integrate the equations of any Lagrangian, with events, constraints, and
-as many digits as you like (@secref["numbers-guide"]). Hamiltonian mechanics, chapter 3 of
-the book, not yet: what there is of it are the signatures of Hamiltonians, and
-integration methods that keep areas in phase space.
+Chapter 1 is (@secref["chapter-1"]): Lagrangians and their equations, constraints, conserved
+quantities, motions followed in numbers with events and as many digits as you like
+(@secref["numbers-guide"]), and pictures on a screen or in a file (@secref["guide-pictures"]).
+Of a name of the book that is not here @racket[help] says where the book has it:
+
+@examples[#:eval session #:label #f
+(help canonical?)]
 
 @(close-session session)
 @(close-session racket-session)

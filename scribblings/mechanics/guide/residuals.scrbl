@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics)
+          "../eval.rkt" (only-in "../look/look.rkt" formula))
 
 @title[#:tag "residuals"]{Residuals and verdicts}
 
@@ -42,7 +43,7 @@ proof can tell; exact numbers leave no doubt:
 @section[#:tag "kinks"]{Where derivatives do not look}
 
 A ball that is thrown against a wall moves freely before it hits the wall and after. Its
-path is |t − 2|, say, and the second derivative of that is zero wherever there is one.
+path is @formula{|t − 2|}, say, and the second derivative of that is zero wherever there is one.
 Still the ball is not free: at t = 2 something turned it round. A residual cannot tell,
 for derivatives pass over single points. A verdict about a motion therefore keeps an eye
 on kinks, jumps, and times at which the path has no value. As long as one is left it does
@@ -132,7 +133,7 @@ its own evidence.
 @section[#:tag "assumptions"]{Assumptions}
 
 Some simplifications hold only for some values of the symbols. The square root
-of R² is R only if R is not negative. Like a physicist, the library takes the
+of @formula{R²} is R only if R is not negative. Like a physicist, the library takes the
 root and goes on; like a careful one, it says so, below the result and in the
 verdict.
 
@@ -147,7 +148,7 @@ verdict.
 (verify-solution (L-Kepler 'm mu) circular-orbit)]
 
 This proves Kepler's third law for circles: the orbit is a motion when
-μ = m ω² R³. It is proved for R ≥ 0, and @racket[verdict-assumptions] returns
+@formula{μ = m ω² R³}. It is proved for R ≥ 0, and @racket[verdict-assumptions] returns
 what was assumed. Without that relation, the condition is found:
 
 @examples[#:eval session #:label #f

@@ -129,7 +129,7 @@ Where the ring turns fast enough, the bottom is no longer a place to rest.
 
 @(program "forces/rotating-ring.rkt" #'here)
 
-@filepath{examples/mechanics/figures/rotating-ring-bifurcation.rkt} draws the places of rest
+@program-link["figures/rotating-ring-bifurcation.rkt"] draws the places of rest
 against the angular velocity, and motions on both sides of the critical one.
 
 @section{Equilibrium by virtual work}

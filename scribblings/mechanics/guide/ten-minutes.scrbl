@@ -1,5 +1,8 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics)
+          "../eval.rkt"
+          (only-in "../look/look.rkt" formula)
+          (only-in "../program.rkt" program-link))
 
 @title[#:tag "ten-minutes"]{The first ten minutes}
 
@@ -12,8 +15,8 @@ the package is installed (@secref["installation"]), and type along.
 
 @section{Write the Lagrangian}
 
-The kinetic energy is ½ m (l θ̇)². The potential energy, measured from the pivot,
-is −m g l cos θ. The Lagrangian is their difference:
+The kinetic energy is @formula{½ m (l θ̇)²}. The potential energy, measured from the pivot,
+is @formula{−m g l cos θ}. The Lagrangian is their difference:
 
 @examples[#:eval session #:label #f
 (define ((L-pendulum g m l) (up t theta thetadot))
@@ -50,8 +53,8 @@ not know the path, so we take one of which we know only the name:
 ((D theta) 't)
 (((Lagrange-equations (L-pendulum 'g 'm 'l)) theta) 't)]
 
-The last result reads m l² θ̈ + m g l sin θ. It is the left side of Lagrange's
-equation, d/dt ∂L/∂θ̇ − ∂L/∂θ = 0. On a path that the pendulum can really take
+The last result reads @formula{m l² θ̈ + m g l sin θ}. It is the left side of Lagrange's
+equation, @formula{d/dt ∂L/∂θ̇ − ∂L/∂θ = 0}. On a path that the pendulum can really take
 it is zero at all times. On any other path it is not. So it is called the
 @emph{residual} of the path.
 
@@ -71,7 +74,7 @@ No: @italic{refuted}, with a point at which the residual is not zero. Nobody has
 to believe the library; put the numbers in and see.
 
 A cosine is the answer to a simpler question. For small angles cos θ is nearly
-1 − ½ θ². The constant does not matter, which leaves this Lagrangian:
+@formula{1 − ½ θ²}. The constant does not matter, which leaves this Lagrangian:
 
 @examples[#:eval session #:label #f
 (define ((L-small g m l) (up t theta thetadot))
@@ -81,7 +84,7 @@ A cosine is the answer to a simpler question. For small angles cos θ is nearly
 
 Still refuted, but look how. The residual is a product of a factor, which we do
 not care about, and a core. The core is zero under one condition, and the
-verdict names it: g = l ω².
+verdict names it: @formula{g = l ω²}.
 
 @section{Mend it}
 
@@ -109,7 +112,7 @@ And can it turn evenly, round and round?
 @examples[#:eval session #:label #f
 (verify-solution (L-pendulum 'g 'm 'l) (lambda (t) (* 'Omega t)))]
 
-The residual is m g l sin Ωt. So it can where there is no gravity, and not here.
+The residual is @formula{m g l sin Ωt}. So it can where there is no gravity, and not here.
 
 @section{Make a mistake}
 
@@ -137,7 +140,7 @@ What a name wants, @racket[help] says at the prompt:
 @itemlist[
 @item{@secref["structures"]: several coordinates.}
 @item{@secref["residuals"]: what a verdict says, and what it does not.}
-@item{@filepath{examples/mechanics} in the source: programs to run and change.
-Begin with @filepath{variational/harmonic-oscillator.rkt}.}]
+@item{@secref["programs"], to run and change. Begin with
+@program-link["variational/harmonic-oscillator.rkt"].}]
 
 @(close-session session)

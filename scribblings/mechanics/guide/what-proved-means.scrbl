@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics)
+          "../eval.rkt" (only-in "../look/look.rkt" formula))
 
 @title[#:tag "what-proved-means"]{What @italic{proved} and @italic{refuted} mean}
 
@@ -15,8 +16,8 @@ expressions are equal if they are equal wherever both have values. @italic{Prove
 that this is so, and that there is such a point. @italic{Refuted} shows a point where both
 have values, and these differ.
 
-So 1/√x is √(1/x), for where x is negative neither has a value; and of what has a value
-nowhere, nothing is proved:
+So @formula{1/√x} is @formula{√(1/x)}, for where x is negative neither has a value; and of what
+has a value nowhere, nothing is proved:
 
 @examples[#:eval session #:label #f
 (verify-equal (/ 1 (sqrt 'x)) (sqrt (/ 1 'x)))
@@ -29,8 +30,8 @@ about what stands under roots.
 
 @section{The domain is free}
 
-Where √(1 − x) has a value, x is at most 1. Nobody needs to be told, and nothing is assumed
-by using it:
+Where @formula{√(1 − x)} has a value, x is at most 1. Nobody needs to be told, and nothing is
+assumed by using it:
 
 @examples[#:eval session #:label #f
 (sqrt (/ 1 (sqrt (- 1 'x))))
@@ -73,7 +74,7 @@ found out in some milliseconds is accepted.
 
 @section{Derivatives pass over kinks}
 
-Wherever it has a second derivative, that of |t − 2| is zero; a free motion it is not. A
+Wherever it has a second derivative, that of @formula{|t − 2|} is zero; a free motion it is not. A
 verdict about a motion is not @italic{proved} while such a place is left: see
 @secref["kinks"].
 

@@ -3,7 +3,7 @@
 
 @title[#:tag "reference-base"]{A smaller library}
 
-@defmodule[mechanics/base]
+@defmodule[mechanics/base #:packages ("mechanics")]
 
 The mathematics without the mechanics: what is described under
 @secref["reference-arithmetic"], @secref["reference-structures"],

@@ -3,7 +3,7 @@
 
 @title[#:tag "reference-book" #:style '(toc)]{The book's objects}
 
-@defmodule[mechanics/book]
+@defmodule[mechanics/book #:packages ("mechanics")]
 
 The particular Lagrangians, paths and other objects that the text of @|the-book| defines,
 so that its programs run without being typed in first. They are written in the language

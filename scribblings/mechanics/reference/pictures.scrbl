@@ -6,7 +6,7 @@
 
 @title[#:tag "pictures"]{Pictures}
 
-@defmodule[mechanics/plot]
+@defmodule[mechanics/plot #:packages ("mechanics")]
 
 Frames as in the book, drawn by Racket's @racketmodname[plot #:indirect] library,
 which is loaded when
