@@ -11,12 +11,12 @@
                "math-lib"
                "pict-lib"
                "plot-lib"
-               "readline-lib"))
+               "readline-lib"
+               "sandbox-lib"))
 (define build-deps '("at-exp-lib"
                      "drracket-tool-text-lib"
                      "macro-debugger-text-lib"
                      "racket-doc"
                      "rackunit-lib"
-                     "sandbox-lib"
                      "scribble-lib"
                      "syntax-color-lib"))

@@ -6,6 +6,8 @@
 
 @(define session (make-session))
 
+Version @|manual-version|.
+
 This library lets you do classical mechanics in the language of @|the-book|
 (@emph{SICM} below). You write a Lagrangian as a short program. The library
 gives you its equations of motion, and it checks the motions that you propose:

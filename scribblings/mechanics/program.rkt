@@ -10,7 +10,6 @@
          scribble/core
          (only-in scribble/html-properties link-resource)
          (only-in scribble/manual typeset-code filepath)
-         (only-in "../../mechanics/lang/help/prose.rkt" first-sentence)
          (only-in "../../mechanics/plot/on-demand.rkt" can-draw?))
 
 (provide program program-link program-table)
@@ -46,11 +45,14 @@
              (list (program-link name (filepath (path->string file)))
                    (program-heading (build-path examples name))))))
 
-;; The first sentence of its opening comment.
+;; The first sentence of its opening comment; "p." and "pp." end none.
 (define (program-heading path)
   (define comment
     (takef (cdr (file->lines path)) (lambda (l) (regexp-match? #px"^;; \\S" l))))
-  (first-sentence (list (string-join (map (lambda (l) (substring l 3)) comment) " "))))
+  (define text
+    (string-normalize-spaces (string-join (map (lambda (l) (substring l 3)) comment) " ")))
+  (cond [(regexp-match #px"^.*?(?<![ (]p)(?<![ (]pp)[.?](?=\\s|$)" text) => car]
+        [else (string-append text ".")]))
 
 (define (program-text path)
   (define lines (file->lines path))

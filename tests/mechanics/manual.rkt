@@ -37,12 +37,14 @@
 (define (rendered mixin read)
   (define folder (make-temporary-file "manual~a" 'directory))
   (render (list document) '("manual") #:render-mixin mixin
-          #:dest-dir folder #:quiet? #t #:warn-undefined? #f)
+          #:dest-dir folder #:quiet? #t #:warn-undefined? #t)
   (begin0 (read folder)
           (delete-directory/files folder)))
 
 (define (manual-text)
-  (rendered text:render-mixin (lambda (folder) (file->string (build-path folder "manual.txt")))))
+  (parameterize ([current-error-port (open-output-nowhere)])
+    (rendered text:render-mixin
+              (lambda (folder) (file->string (build-path folder "manual.txt"))))))
 
 ;; Lines and indentation are the renderer's affair.
 (define (words text) (string-normalize-spaces text #px"[\\s\u00A0]+"))
@@ -125,16 +127,18 @@
 ;; ---------------------------------------------------------------------------
 ;; The pages as a browser gets them
 
-;; file name -> text, or bytes of what is no page
+;; What was said of references that lead nowhere.
+(define warnings (open-output-string))
+
+;; file name -> text, but for pictures
 (define pages
-  (rendered (lambda (%) (html:render-multi-mixin (html:render-mixin %)))
-            (lambda (folder)
-              (for/hash ([file (in-list (directory-list (build-path folder "manual")))])
-                (define path (build-path folder "manual" file))
-                (values (path->string file)
-                        (if (path-has-extension? file #".png")
-                            (file->bytes path)
-                            (file->string path)))))))
+  (parameterize ([current-error-port warnings])
+    (rendered (lambda (%) (html:render-multi-mixin (html:render-mixin %)))
+              (lambda (folder)
+                (for/hash ([file (in-list (directory-list (build-path folder "manual")))]
+                           #:unless (path-has-extension? file #".png"))
+                  (values (path->string file)
+                          (file->string (build-path folder "manual" file))))))))
 
 (define html-pages
   (for/list ([(file text) (in-hash pages)] #:when (string-suffix? file ".html")) text))
@@ -154,6 +158,19 @@
   (and page
        (or (null? (cdr parts))
            (string-contains? page (format "<a name=\"~a\">" (uri-decode (cadr parts)))))))
+
+;; References to Racket's own documents are not known here, and what a name depends on, `dep`,
+;; is no reference.
+(define (reference-of-ours? line)
+  (and (not (regexp-match? #px"^ \\(dep " line))
+       (regexp-match? #px"^ \\(part \"|^ \\(\\w+ \\(\\(lib \"mechanics/" line)))
+
+(test-case "every section and name that is referred to is there"
+  (check-true (reference-of-ours? " (part \"no-such-page\")"))
+  (check-true (reference-of-ours? " (def ((lib \"mechanics/main.rkt\") no-such-name))"))
+  (define lines (string-split (get-output-string warnings) "\n"))
+  (check-true (> (length lines) 100))
+  (check-equal? (filter reference-of-ours? lines) '()))
 
 (test-case "every page has the style and the search box"
   (for* ([page (in-list html-pages)] [file (in-list '("look.css" "search.js"))])

@@ -17,8 +17,9 @@
 (define (grade program #:seconds [seconds 20] #:megabytes [megabytes 512])
   (with-handlers ([failed? (lambda (e) (list 'failed (reason e)))])
     (define submission (open-submission program seconds megabytes))
-    (begin0 (judge submission)
-            (kill-evaluator submission))))
+    (dynamic-wind void
+                  (lambda () (judge submission))
+                  (lambda () (kill-evaluator submission)))))
 
 (define (open-submission program seconds megabytes)
   (parameterize ([sandbox-namespace-specs (append (sandbox-namespace-specs) '(mechanics))]

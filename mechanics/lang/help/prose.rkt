@@ -81,7 +81,7 @@
         [else (string-append (string-trim sentence #rx"[:,]" #:left? #f) ".")]))
 
 ;; Not the stop of an abbreviation.
-(define sentence-end #px"^.*?(?<!e[.]g)(?<!i[.]e)(?<![ (]p)(?<![ (]pp)[.?!:][)”]?(?=\\s|$)")
+(define sentence-end #px"^.*?(?<!e[.]g)(?<!i[.]e)(?<![ (]p)[.?!:][)”]?(?=\\s|$)")
 
 ;; The parts before an empty line or a display, such as a list; those before any text left
 ;; out.

@@ -10,7 +10,8 @@ way if there is one, and have the difference judged. For each exercise of chapte
 answer can be judged so there is a program in @filepath{examples/mechanics/exercises},
 @program-link["exercises/exercise-1-17.rkt" @filepath{exercise-1-17.rkt}] for exercise 1.17. It
 states the problem in its own words, takes an attempt that is right and one with a slip that
-is easily made, and shows how the verdict on the latter leads to the slip. Replace the attempt by your own before you read on.
+is easily made, and shows how the verdict on the latter leads to the slip. Replace the attempt
+by your own before you read on.
 
 @exercise-table[]
 

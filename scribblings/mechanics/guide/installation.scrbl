@@ -18,12 +18,12 @@ In a copy of the source, a @emph{checkout}, type one of these:
 @commandline{make run FILE=my-system.rkt}
 
 The first is a tour of five screens. The second opens a prompt with everything at hand
-(@secref["prompt"]). The third runs
-a file of yours, or one of @filepath{examples/mechanics} (@secref["programs"]); what the program
-is to be told, such as the name of a picture, is given with
-@exec{ARGS=pendulum.svg}. Only what a program of yours writes is outside the checkout. On Debian and Ubuntu they also install Racket where
-it is missing; elsewhere they say what to install. @exec{make test} runs the
-tests, and @exec{make docs} builds this manual in @filepath{build/doc}.
+(@secref["prompt"]). The third runs a file of yours, or one of @filepath{examples/mechanics}
+(@secref["programs"]); what the program is to be told, such as the name of a picture, is given
+with @exec{ARGS=pendulum.svg}. Only what a program of yours writes is outside the checkout. On
+Debian and Ubuntu they also install Racket where it is missing; elsewhere they say what to
+install. @exec{make test} runs the tests, and @exec{make docs} builds this manual, with a search
+box that needs no network, in @filepath{build/doc}.
 
 Where this manual says @exec{racket}, as in @exec{racket -I mechanics} or
 @exec{racket examples/...}, the package is to be installed, or Racket to be told where the

@@ -72,11 +72,13 @@ After a semicolon the rest of a line is a comment.
 
 @section{When something is wrong}
 
-A message says which function complains, what it expected and what it was given
-(@secref["mistakes"]). A name that is not known has mostly been misspelt:
+A message says which function complains, what it expected and what it was given:
 
 @examples[#:eval session #:label #f
-(eval:error (sqaure 3))]
+(eval:error (square 3 4))]
+
+@Secref["mistakes"] goes through those that are made most often. A name that is not known has
+mostly been misspelt, and the message says which name may have been meant.
 
 @racket[(help square)] says what is known of a name, @racket[(help "derivative")] finds names.
 

@@ -29,9 +29,10 @@ them. Sharing also saves the time that loading takes.
 
 @racket[sandbox-eval-limits] bounds each evaluation, in seconds and megabytes;
 @racket[sandbox-memory-limit] bounds the sandbox as a whole, and ends it. What exceeds them
-raises @racket[exn:fail:resource], or @racket[exn:fail:sandbox-terminated]. Twenty seconds and
-512 megabytes suffice for whatever chapter 1 of the book asks. What the library loads at its
-first use is loaded to the end even if a limit ends the call, so that the next one finds it.
+raises @racket[exn:fail:resource], or @racket[exn:fail:sandbox-terminated]. Each of our programs
+for the exercises of chapter 1 ends within twenty seconds and 512 megabytes. What the library
+loads at its first use is loaded to the end even if a limit ends the call, so that the next one
+finds it.
 
 @section{What came from inside stays there}
 
@@ -49,11 +50,10 @@ text of a verdict there as well;}
 @item{catch all that is raised, and tell no more of it than its kind.}]
 
 Nor is a verdict worth anything that somebody hands in: it may be the answer to another
-question. A grader takes a @emph{path}, or a Lagrangian, and asks about it himself, with the
-@racket[verify-solution] of his own program, for that of the sandbox may have been defined anew. He
-first forgets what was assumed there. And the answer is what his question returned, not what the
-call into the sandbox did: a path can jump out of the question and return something else in
-its place.
+question. A grader takes a @emph{path}, or a Lagrangian, and puts the question itself, with its own
+@racket[verify-solution], for that of the sandbox may have been defined anew. What was assumed
+there is forgotten first. And the answer is what this question returned, not what the call into
+the sandbox did: a path can jump out of the question and return something else in its place.
 
 @section{A grader}
 
