@@ -3,7 +3,8 @@
 ;; section.  What works on any of them is in `mechanics`.
 
 (require "book/section-1-4.rkt" "book/section-1-5.rkt" "book/section-1-6.rkt"
-         "book/section-1-7.rkt" "book/section-1-8.rkt")
+         "book/section-1-7.rkt" "book/section-1-8.rkt"
+         "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt")
 
 (provide
  ;; 1.4
@@ -22,4 +23,10 @@
  ;; 1.8
  T3-spherical L3-central ang-mom-z
  L0 restricted-three-body-potential LR3B LR3B1
- F-tilde the-Noether-integral)
+ F-tilde the-Noether-integral
+ ;; 3.1
+ H-rectangular L-rectangular
+ ;; 3.4
+ L-axisymmetric-top
+ ;; 3.5
+ H-pend-sysder monitor-p-theta)

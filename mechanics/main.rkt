@@ -11,6 +11,8 @@
          "constraint/on-demand.rkt"
          "display/print-expression.rkt"
          "force/on-demand.rkt"
+         (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?)
+         "hamiltonian/on-demand.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
          "lagrangian/frames.rkt" "lagrangian/generalized-LE.rkt"
@@ -67,6 +69,10 @@
  (all-from-out "constraint/on-demand.rkt")
  ;; particles and the forces on them
  (all-from-out "force/on-demand.rkt")
+ ;; Hamiltonian states, and Hamilton's mechanics
+ ->H-state H-state? compatible-H-state? momentum momenta state->p P state->qp
+ literal-Hamiltonian-state degrees-of-freedom
+ (all-from-out "hamiltonian/on-demand.rkt")
  ;; energies and other integrals of the motion
  Lagrangian->energy Lagrangian->power-loss Noether-integral
  ;; questions about a system

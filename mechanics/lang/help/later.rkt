@@ -20,7 +20,7 @@
      (L-space-Euler 141) T-rigid-body Euler-state->L-body Euler-state->L-space)
     ("2.8" "motion of a free rigid body"
      (rigid-sysder 145) (monitor-errors 145) (relative-error 145))
-    ("2.10" "axisymmetric tops" (L-axisymmetric-top 229) V_eff)
+    ("2.10" "axisymmetric tops" V_eff)
     ("2.12" "quaternions"
      (angle-axis->rotation-matrix 184) angle&axis->rotation-matrix (quaternion->angle-axis 184)
      (quaternion->RM 184) (quaternion->rotation-matrix 185) (quaternion-state->omega-body 186)
@@ -28,17 +28,6 @@
      (make-quaternion 183) (quaternion->vector 183) (quaternion->3vector 183)
      (rotation-matrix->quaternion 183) (quaternion 187) (quaternion-ref 185)
      (quaternion->real-part 184) (q:i 186) (q:j 186) (q:k 186))
-    ("3.1" "Hamilton's equations"
-     (Hamilton-equations 203) (Hamiltonian->state-derivative 204) phase-space-derivative
-     (qp->H-state-path 204) (H-rectangular 204) (Legendre-transform 212)
-     (Lagrangian->Hamiltonian 213) (Hamiltonian->Lagrangian 213) (L-rectangular 213)
-     (momentum 204) (momenta 204) ->H-state H-state? state->p literal-Hamiltonian-state
-     Lstate->Hstate Hstate->Lstate H-state->matrix matrix->H-state make-Hamiltonian)
-    ("3.2" "Poisson brackets" (Poisson-bracket 218))
-    ("3.4" "phase space reduction"
-     Lagrangian->Routhian Routh-equations Routhian->acceleration Routhian->state-derivative
-     Lagrangian-state->Routhian-state Routhian-state->Lagrangian-state)
-    ("3.5" "phase space evolution" (H-pend-sysder 237) (monitor-p-theta 238))
     ("3.6" "surfaces of section"
      (driven-pendulum-map 247) (explore-map 248) display-map (HHmap 261) (section->state 261)
      (HHHam 261) (HHpotential 261) (HHsysder 261) (find-next-crossing 261)
@@ -55,7 +44,7 @@
      (F->CH 339) F->CT (H-central 339) (F->K 340) (translating 340) (H-free 340) (H-prime 341))
     ("5.2" "general canonical transformations"
      (canonical? 344) (polar-canonical 345) polar-canonical-inverse (H-harmonic 345)
-     (T-func 347) (D-phase-space 347) (canonical-H? 348) (canonical-K? 348) (rotating 348)
+     (T-func 347) (canonical-H? 348) (canonical-K? 348) (rotating 348)
      (C-rotating 348) (H-arbitrary 348) (J-func 351) (canonical-transform? 351)
      (a-non-canonical-transform 352) (J-matrix 353) (C-general 354) (C-simple-time 354)
      (qp-submatrix 355) (D-as-matrix 355) (symplectic-matrix? 355) (symplectic-unit 355)

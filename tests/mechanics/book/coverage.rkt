@@ -45,6 +45,23 @@
     ("1.9 Abstraction of path functions (pp. 91-99)"
      Gamma-bar F->C Dt Euler-Lagrange-operator osculating-path acceleration
      LE Lagrange-equations-operator trim-last-argument clip-state)
+    ("3.1 Hamilton's equations (pp. 195-217)"
+     Hamilton-equations Hamiltonian->state-derivative qp->H-state-path H-rectangular
+     Legendre-transform Lagrangian->Hamiltonian Hamiltonian->Lagrangian L-rectangular
+     momentum momenta down zero-like compatible-shape compatible-zero
+     ->H-state H-state? state->p literal-Hamiltonian-state P Lstate->Hstate Hstate->Lstate
+     H-state->matrix matrix->H-state degrees-of-freedom make-Hamiltonian dual-zero
+     phase-space-derivative D-phase-space state->qp compatible-H-state?
+     Legendre-transform-procedure Lagrangian->Hamiltonian-procedure
+     Hamiltonian->Lagrangian-procedure)
+    ("3.2 Poisson brackets (pp. 218-222)"
+     Poisson-bracket Hamiltonian commutator anticommutator)
+    ("3.4 Phase space reduction (pp. 224-236)"
+     L-axisymmetric-top Lagrangian->Routhian Routh-equations Routhian->acceleration
+     Routhian->state-derivative Lagrangian-state->Routhian-state
+     Routhian-state->Lagrangian-state)
+    ("3.5 Phase space evolution (pp. 236-239)"
+     H-pend-sysder monitor-p-theta)
     ("8 Scheme, as far as the programs of chapter 1 use it"
      write-line pp 1+ -1+ iota runtime exact->inexact)))
 
@@ -56,7 +73,8 @@
     (print-expression pe) (show-expression se)
     (Euler-Lagrange-operator LE Lagrange-equations-operator)
     (coordinate coordinates state->q Q) (velocity velocities state->qdot Qdot)
-    (acceleration accelerations state->qddot Qdotdot) (time state->t)
+    (acceleration accelerations state->qddot Qdotdot) (momentum momenta state->p P)
+    (time state->t)
     (p->r polar->rectangular) (r->p rectangular->polar)
     (s->r spherical->rectangular) (r->s rectangular->spherical)))
 

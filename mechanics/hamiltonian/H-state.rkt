@@ -1,0 +1,99 @@
+#lang racket/base
+;; Hamiltonian states (t, q, p): the time, the coordinates and the momenta (SICM 3.1).
+;;
+;; The momenta are of the opposite orientation to the coordinates: p contracts with q̇ to a
+;; number.  With one coordinate both are numbers, and nothing in the state tells it from a
+;; local tuple (t, q, v).
+
+(require "../error/complain.rkt" "../error/hint.rkt"
+         "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../lagrangian/local-tuple.rkt"
+         (only-in "../value/structure.rkt" flip s:dimension))
+
+(provide ->H-state H-state? compatible-H-state?
+         momentum momenta state->p P state->qp
+         literal-Hamiltonian-state degrees-of-freedom
+         ;; for the functions of states
+         check-H-state state-of-momenta?)
+
+(define (->H-state t q p) (up t q p))
+
+;; A triple of which the momenta are dual to the coordinates.
+(define (H-state? x) (and (triple? x) (scalar? (time x)) (dual? (coordinate x) (part x 2))))
+(define compatible-H-state? H-state?)
+
+;; Does x say that it has momenta?  With one coordinate that is not a tuple nothing says so.
+(define (state-of-momenta? x) (and (H-state? x) (tuple? (coordinate x))))
+
+(define (triple? x) (and (up? x) (= (structure-length (adopt x)) 3)))
+(define (part x i) (vector-ref (tuple-elements x) i))
+
+(define (dual? q p)
+  (if (tuple? q)
+      (and (tuple? p) (same-shape? (flip q) p))
+      (and (scalar? q) (scalar? p))))
+
+;; ---------------------------------------------------------------------------
+;; Taking apart
+
+(define (momentum state)
+  (unless (and (up? state) (> (structure-length (adopt state)) 2))
+    (complain 'momentum "expected a Hamiltonian state (up t q p); given ~a~a"
+              (describe-with-value state) (list-hint state "(up t q p)")))
+  (define-values (q p) (values (part state 1) (part state 2)))
+  (when (and (tuple? q) (tuple? p) (same-shape? q p)) (raise-not-dual 'momentum q p))
+  p)
+
+(define momenta momentum)
+(define state->p momentum)
+(define P momentum)
+
+;; (up q p)
+(define (state->qp state)
+  (check-H-state 'state->qp state)
+  (up (coordinate state) (part state 2)))
+
+(define (degrees-of-freedom state)
+  (check-H-state 'degrees-of-freedom state)
+  (s:dimension (coordinate state)))
+
+;; A state of n coordinates with components q^i and p_i; of one, q and p.
+(define (literal-Hamiltonian-state n)
+  (unless (exact-positive-integer? n)
+    (raise-argument-error 'literal-Hamiltonian-state "a number of coordinates, at least 1" n))
+  (define (names mark)
+    (for/list ([i (in-range n)]) (string->symbol (format mark i))))
+  (if (= n 1)
+      (up 't 'q 'p)
+      (up 't (apply up (names "q^~a")) (apply down (names "p_~a")))))
+
+;; ---------------------------------------------------------------------------
+;; States that are none
+
+(define (check-H-state who state)
+  (unless (triple? state)
+    (complain who "expected a Hamiltonian state (up t q p); given ~a~a"
+              (describe-with-value state) (list-hint state "(up t q p)")))
+  (define-values (q p) (values (part state 1) (part state 2)))
+  (unless (dual? q p) (raise-not-dual who q p)))
+
+(define (raise-not-dual who q p)
+  (complain who "~a\n  coordinates: ~a\n  in their place: ~a~a"
+            "the third part of a Hamiltonian state is the momenta, dual to the coordinates"
+            (value->text q) (value->text p) (remedy q p)))
+
+(define (remedy q p)
+  (cond [(not (tuple? q)) ""]
+        [(not (tuple? p)) (list-hint p (value->text (dual-like q)))]
+        [(not (= (s:dimension q) (s:dimension p)))
+         (format "\n  there are ~a coordinates and ~a momenta" (s:dimension q) (s:dimension p))]
+        [(same-shape? q p)
+         (format "\n  momenta are written ~a; velocities belong to a Lagrangian"
+                 (value->text (flip p)))]
+        [else ""]))
+
+(define (dual-like q)
+  (flip (scalars-named q)))
+
+(define (scalars-named q)
+  (structure-map (lambda (x) (if (tuple? x) (scalars-named (adopt x)) 'p)) (adopt q)))

@@ -1,0 +1,74 @@
+#lang racket/base
+;; Hamilton's equations, as a residual along paths and as a state derivative (SICM 3.1).
+;;
+;; Coordinates and momenta move as
+;;
+;;   Dq = ∂₂H(t, q, p),    Dp = −∂₁H(t, q, p),
+;;
+;; so the state (t, q, p) has the derivative (1, ∂₂H, −∂₁H).  The residual of paths q and p
+;; is the derivative of their path of states less that (p. 203).
+
+(require "H-state.rkt" "Hamiltonian.rkt" "known-flow.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/compose.rkt")
+
+(provide Hamilton-equations qp->H-state-path
+         Hamiltonian->state-derivative phase-space-derivative D-phase-space
+         flow-direction)
+
+;; (Hamiltonian->state-derivative H) : (t, q, p) ↦ (1, ∂₂H, −∂₁H)
+(define (Hamiltonian->state-derivative H)
+  (derivative-of-states 'Hamiltonian->state-derivative H 1))
+
+(define phase-space-derivative Hamiltonian->state-derivative)
+
+;; The same without the clock (p. 347): (t, q, p) ↦ (0, ∂₂H, −∂₁H)
+(define (D-phase-space H) (derivative-of-states 'D-phase-space H 0))
+
+(define (derivative-of-states who H rate-of-time)
+  (check-Hamiltonian who H)
+  (define flow (flow-direction who H))
+  (unary-function (lambda () (list who (value->datum H))) (state)
+    (check-H-state who state)
+    (define-values (velocity force) (flow state))
+    (up rate-of-time velocity force)))
+
+;; state ↦ ∂₂H and −∂₁H
+(define (flow-direction who H)
+  (cond [(known-flow-of H)]
+        [else
+         (define number (number-valued who H))
+         (define-values (by-q by-p) (values ((partial 1) number) ((partial 2) number)))
+         (lambda (state) (values (by-p state) (g:negate (by-q state))))]))
+
+;; ---------------------------------------------------------------------------
+;; Along paths
+
+;; (((Hamilton-equations H) q p) t) : the residual, (up 0 (up …) (down …))
+(define (Hamilton-equations H)
+  (define slope (derivative-of-states 'Hamilton-equations H 1))
+  (define (name) (list 'Hamilton-equations (value->datum H)))
+  (define (residual q p)
+    (define states (states-along 'Hamilton-equations q p))
+    (g:- (D states) (compose slope states)))
+  (make-function (case-lambda [(q p) (residual q p)]
+                              [paths (raise-two-paths (value->text (name)) (length paths))])
+                 4 name))
+
+(define (raise-two-paths name n)
+  (complain-of-arity name "takes two paths, of the coordinates and of the momenta; it was given ~a"
+                     n))
+
+;; t ↦ (t, q(t), p(t))
+(define (qp->H-state-path q p) (states-along 'qp->H-state-path q p))
+
+(define (states-along who given-q given-p)
+  (define-values (q p) (values (path who given-q) (path who given-p)))
+  (unary-function (lambda () (list 'qp->H-state-path (value->datum q) (value->datum p))) (t)
+    (define state (up t (q t) (p t)))
+    (check-H-state who state)
+    state))

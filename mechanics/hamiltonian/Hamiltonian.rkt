@@ -1,0 +1,44 @@
+#lang racket/base
+;; Hamiltonians, and what is wrong with those that are none.
+
+(require "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt")
+
+(provide make-Hamiltonian check-Hamiltonian number-valued check-quantity)
+
+;; T and V are functions of the state, or of parameters with such as values.
+(define (make-Hamiltonian kinetic-energy potential-energy)
+  (for ([f (in-list (list kinetic-energy potential-energy))])
+    (unless (procedure? f)
+      (raise-argument-error 'make-Hamiltonian "an energy: a function of the state" f)))
+  (g:+ kinetic-energy potential-energy))
+
+(define (check-Hamiltonian who H)
+  (unless (procedure? H)
+    (complain who "a Hamiltonian is a function of the state (up t q p); given ~a"
+              (describe-with-value H)))
+  (unless (accepts? H 1)
+    (complain who
+              (string-append "a Hamiltonian takes one argument, the state, but ~a does not."
+                             "\n  If it takes parameters first, supply them: (~a (~a ...))~a")
+              (value->text H) who (value->text H)
+              (if (accepts? H 3)
+                  (string-append "\n  If it takes the time, coordinates and momenta, "
+                                 "write them as one argument: (up t q p)")
+                  ""))))
+
+(define (check-quantity who Q)
+  (unless (and (procedure? Q) (accepts? Q 1))
+    (complain who "a quantity is a function of the state (up t q p); given ~a"
+              (describe-function Q))))
+
+;; H, refusing to go on when its value is no number.
+(define (number-valued who H)
+  (lambda (state)
+    (define value (H state))
+    (unless (scalar? value)
+      (complain who "the value of a Hamiltonian is a number, but that of ~a is ~a~a"
+                (value->text H) (describe-with-value value)
+                (if (pointwise? value) "\n  was a parameter left out, as a mass?" "")))
+    value))

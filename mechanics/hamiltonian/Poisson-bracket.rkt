@@ -1,0 +1,55 @@
+#lang racket/base
+;; Poisson brackets (SICM 3.2): {f, g} = ∂₁f ∂₂g − ∂₂f ∂₁g.
+;;
+;; That is the derivative of f in the direction (0, ∂₂g, −∂₁g) in which g as a Hamiltonian
+;; would move the state.  Of functions with structures as values the bracket is the structure
+;; of the brackets of their components: like f, of structures like g.
+
+(require "H-state.rkt" "Hamiltonian.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../value/structure.rkt")
+
+(provide Poisson-bracket rate-of-quantity)
+
+(define (Poisson-bracket f g)
+  (check-quantity 'Poisson-bracket f)
+  (check-quantity 'Poisson-bracket g)
+  (define (name) (list 'Poisson-bracket (value->datum f) (value->datum g)))
+  (unary-function name (state)
+    (check-H-state 'Poisson-bracket state)
+    (define value (g state))
+    (if (scalar? value)
+        (bracket-with-scalar f g state)
+        (bracket-with-structure f g (f state) value state))))
+
+(define (bracket-with-scalar f g state)
+  (along f state 0 (((partial 2) g) state) (g:negate (((partial 1) g) state))))
+
+(define (bracket-with-structure f g f-value g-value state)
+  (let outer ([f f] [value f-value])
+    (if (tuple? value)
+        (components f value outer)
+        (let inner ([g g] [value g-value])
+          (cond [(tuple? value) (components g value inner)]
+                [(scalar? value) (bracket-with-scalar f g state)]
+                [else (raise-no-scalar g value)])))))
+
+;; The structure of (go component-of-f its-value).
+(define (components f value go)
+  (s:generate (s:length value) (structure-orientation (adopt value))
+              (lambda (i) (go (lambda (state) (s:ref (f state) i)) (s:ref value i)))))
+
+(define (raise-no-scalar g value)
+  (complain 'Poisson-bracket "the value of ~a is to be a number or a structure of numbers; it is ~a"
+            (value->text g) (describe-with-value value)))
+
+;; The rate of Q where the state moves at the rates ∂₂H and −∂₁H: {Q, H} + ∂₀Q.
+(define (rate-of-quantity Q state velocity force) (along Q state 1 velocity force))
+
+(define (along f state rate velocity force)
+  (define-values (value slope)
+    (value-and-derivative-along f state (up rate velocity force)))
+  slope)

@@ -1,0 +1,147 @@
+#lang racket/base
+;; Routhians: Lagrangian in some coordinates, Hamiltonian in the others (SICM 3.4.1).
+;;
+;; The coordinates come in two parts, q = (up x y), each a number or a tuple.  With the
+;; Legendre transform by the velocities of y alone,
+;;
+;;   R(t, (x, y), (ẋ, p_y)) = p_y ẏ − L,
+;;
+;; x obeys Lagrange's equations with R (of which the sign does not matter), and y and p_y obey
+;; Hamilton's.  Where y is ignorable, p_y is a parameter and x moves by itself.
+
+(require "Hamilton-equations.rkt" "H-state.rkt" "inverse-gradient.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../value/structure.rkt" "../value/linear/linear-algebra.rkt")
+
+(provide Lagrangian->Routhian Routh-equations Routhian->acceleration
+         Routhian->state-derivative
+         Lagrangian-state->Routhian-state Routhian-state->Lagrangian-state)
+
+;; (Lagrangian->Routhian L) : (t, (x, y), (ẋ, p_y)) ↦ p_y ẏ − L
+(define (Lagrangian->Routhian L)
+  (check-Lagrangian 'Lagrangian->Routhian L)
+  (define number (scalar-valued 'Lagrangian->Routhian L))
+  (define (L-of-y place vy)
+    (number (up (ref place 0) (ref place 1) (up (ref place 2) vy))))
+  (define i (make-inverter 'Lagrangian->Routhian L-of-y))
+  (unary-function (lambda () (list 'Lagrangian->Routhian (value->datum L))) (state)
+    (check-Routhian-state 'Lagrangian->Routhian state)
+    (transform-at i (up (time state) (coordinate state) (part state 2 0)) (part state 2 1))))
+
+;; (((Routh-equations R) x y p_y) t) : (up residual-of-x (up 0 residual-of-y residual-of-p_y))
+(define (Routh-equations R)
+  (check-Routhian 'Routh-equations R)
+  (define name (lambda () (list 'Routh-equations (value->datum R))))
+  (make-function
+   (case-lambda [(x y p) (residual-along R (checked x) (checked y) (checked p))]
+                [paths
+                 (complain-of-arity (value->text (name))
+                                    "takes three paths, x, y and p_y; it was given ~a"
+                                    (length paths))])
+   8 name))
+
+(define (checked q) (path 'Routh-equations q))
+
+(define (residual-along R x y p)
+  (define ((L-at t) s)
+    (R (up (time s) (up (coordinate s) (y (time s))) (up (velocity s) (p (time s))))))
+  (define ((H-at t) s)
+    (R (up (time s) (up (x (time s)) (coordinate s)) (up ((D x) (time s)) (momentum s)))))
+  (lambda (t)
+    (up (((Lagrange-equations (L-at t)) x) t)
+        (((Hamilton-equations (H-at t)) y p) t))))
+
+;; ---------------------------------------------------------------------------
+;; The motion of (t, (x, y), (ẋ, p_y))
+;;
+;; With P = ∂R/∂ẋ, of which the sign is that of −L, Lagrange's equations for x are
+;;
+;;   ∂P/∂ẋ ẍ = ∂R/∂x − ∂₀P − ∂P/∂x ẋ − ∂P/∂y ẏ − ∂P/∂p_y ṗ_y,
+;;
+;; where ẏ = ∂R/∂p_y and ṗ_y = −∂R/∂y.
+
+;; (Routhian->acceleration R) : state ↦ ẍ
+(define (Routhian->acceleration R)
+  (check-Routhian 'Routhian->acceleration R)
+  (unary-function (lambda () (list 'Routhian->acceleration (value->datum R))) (state)
+    (check-Routhian-state 'Routhian->acceleration state)
+    (define-values (y-rate p-rate) (Hamiltonian-part R state))
+    (acceleration-at R state y-rate p-rate)))
+
+;; (Routhian->state-derivative R) : state ↦ (1, (ẋ, ẏ), (ẍ, ṗ_y))
+(define (Routhian->state-derivative R)
+  (check-Routhian 'Routhian->state-derivative R)
+  (unary-function (lambda () (list 'Routhian->state-derivative (value->datum R))) (state)
+    (check-Routhian-state 'Routhian->state-derivative state)
+    (define-values (y-rate p-rate) (Hamiltonian-part R state))
+    (up 1
+        (up (part state 2 0) y-rate)
+        (up (acceleration-at R state y-rate p-rate) p-rate))))
+
+(define (Hamiltonian-part R state)
+  (values (((partial 2 1) R) state)
+          (g:negate (((partial 1 1) R) state))))
+
+(define (acceleration-at R state y-rate p-rate)
+  (define P ((partial 2 0) R))
+  (define vx (part state 2 0))
+  (define-values (momenta drift)
+    (value-and-derivative-along P state (up 1 (up vx y-rate) (up (g:* 0 vx) p-rate))))
+  (solve-linear-left (((partial 2 0) P) state)
+                     (g:- (((partial 1 0) R) state) drift)))
+
+;; ---------------------------------------------------------------------------
+;; States
+
+;; ((Lagrangian-state->Routhian-state L) (up t (up x y) (up vx vy)))
+(define (Lagrangian-state->Routhian-state L)
+  (check-Lagrangian 'Lagrangian-state->Routhian-state L)
+  (unary-function (lambda () (list 'Lagrangian-state->Routhian-state (value->datum L))) (local)
+    (check-two-parts 'Lagrangian-state->Routhian-state local)
+    (up (time local)
+        (coordinate local)
+        (up (part local 2 0) (((partial 2 1) L) local)))))
+
+;; ((Routhian-state->Lagrangian-state R) (up t (up x y) (up vx p_y)))
+(define (Routhian-state->Lagrangian-state R)
+  (check-Routhian 'Routhian-state->Lagrangian-state R)
+  (unary-function (lambda () (list 'Routhian-state->Lagrangian-state (value->datum R))) (state)
+    (check-Routhian-state 'Routhian-state->Lagrangian-state state)
+    (up (time state)
+        (coordinate state)
+        (up (part state 2 0) (((partial 2 1) R) state)))))
+
+(define (part state i j) (ref state i j))
+
+;; ---------------------------------------------------------------------------
+;; Complaints
+
+(define (check-Routhian who R)
+  (unless (and (procedure? R) (accepts? R 1))
+    (complain who "a Routhian is a function of the state (up t (up x y) (up vx p_y)); given ~a"
+              (describe-function R))))
+
+(define (check-two-parts who state)
+  (define (pair? x) (and (up? x) (= (s:length x) 2)))
+  (unless (and (up? state) (= (s:length state) 3) (pair? (ref state 1)) (pair? (ref state 2)))
+    (complain who "~a\n  given: ~a~a~a"
+              (string-append "expected coordinates in two parts, of which the second has momenta: "
+                             "(up t (up x y) (up vx p_y))")
+              (value->text state)
+              "\n  more coordinates are tuples within: (up theta (up phi psi))"
+              (list-hint state "(up t (up x y) (up vx p_y))"))))
+
+(define (check-Routhian-state who state)
+  (check-two-parts who state)
+  (define-values (y p) (values (ref state 1 1) (ref state 2 1)))
+  (unless (H-state? (up (time state) y p))
+    (complain who "the momenta of a Routhian state are dual to their coordinates~a~a~a"
+              (format "\n  coordinates: ~a" (value->text y))
+              (format "\n  in the place of momenta: ~a" (value->text p))
+              (if (and (tuple? p) (same-shape? y p))
+                  (format "\n  momenta are written ~a" (value->text (flip p)))
+                  ""))))

@@ -1,0 +1,182 @@
+#lang racket/base
+;; From momenta to velocities: the v at which the gradient ∂F/∂v is w.
+;;
+;; F depends on v and on what is given with it, the time and coordinates.  How to find v is
+;; settled once for all arguments of a shape, at symbols:
+;;
+;;   exactly     where F is quadratic in v: M v = w − b, with the second derivatives M, which
+;;               do not depend on v, and the gradient b at v = 0
+;;   by formula  where the equations can be solved (velocity-formula.rkt)
+;;   by numbers  elsewhere, by Newton's method; the derivatives of v are those of the inverse
+;;               function
+;;
+;; Of a quadratic F the Legendre transform w v − F(v) is (w − b) v / 2 − F(0).
+;;
+;; Second derivatives without an inverse leave velocities open: directions without inertia.
+
+(require "velocity-formula.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
+         "../error/words.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../search/find-root.rkt" "../search/implicit.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
+         "../value/linear/linear-algebra.rkt")
+
+(provide make-inverter velocity-at transform-at)
+
+;; who : complains; F : given v -> number
+;; known : the way and the shapes it was settled for, or #f; two threads that come here at
+;; once settle it twice
+(struct inverter (who F [known #:mutable]) #:authentic)
+(struct way (shape how) #:authentic)
+
+(define (make-inverter who F) (inverter who F #f))
+
+;; given : a tuple; w : momenta, or whatever is dual to v
+(define (velocity-at i given w)
+  (define how (how-to i given w))
+  (case how
+    [(exactly) (let-values ([(M b) (linear-equations i given w)]) (solved i M (g:- w b)))]
+    [(by-numbers) (velocity-by-numbers i given w)]
+    [else (velocity-by-formula how given w)]))
+
+;; w v − F(v) at that v
+(define (transform-at i given w)
+  (define (F v) ((inverter-F i) given v))
+  (cond [(eq? (how-to i given w) 'exactly)
+         (define-values (M b) (linear-equations i given w))
+         (define push (g:- w b))
+         (g:- (g:* 1/2 push (solved i M push)) (F (dual-zero w)))]
+        [else
+         (define v (velocity-at i given w))
+         (g:- (g:* w v) (F v))]))
+
+(define (linear-equations i given w)
+  (define F ((gradient-in i) given))
+  (define zero (dual-zero w))
+  (values (derivative-at F zero) (F zero)))
+
+;; given ↦ (v ↦ ∂F/∂v)
+(define ((gradient-in i) given)
+  (lambda (v) (derivative-at (lambda (v) ((inverter-F i) given v)) v)))
+
+;; ---------------------------------------------------------------------------
+;; Settling the way
+
+(define (how-to i given w)
+  (define shape (up given w))
+  (define known (inverter-known i))
+  (cond [(and known (same-shape? shape (way-shape known))) (way-how known)]
+        [else
+         (define how (settle i given w))
+         (set-inverter-known! i (way shape how))
+         how]))
+
+;; What F makes of symbols may be beyond it; then numbers have to do.
+(define (settle i given w)
+  (define (symbols-like x name)
+    (scalars->structure x (lambda (k) (string->uninterned-symbol (format "~a~a" name k)))))
+  (define place (symbols-like given "q"))
+  (define-values (v momenta) (values (symbols-like (dual-zero w) "v") (symbols-like w "w")))
+  (define equations (gradient-at-symbols i place v))
+  (cond [(not equations) 'by-numbers]
+        [(independent? (equations-slopes equations) (scalars v)) 'exactly]
+        [else
+         (check-inertia i equations momenta)
+         (define solution
+           (solve-gradient (equations-values equations) (equations-slopes equations)
+                           (scalars v) (scalars momenta)))
+         (if solution (formula place momenta (scalars->structure v (nth solution))) 'by-numbers)]))
+
+(define ((nth xs) k) (list-ref xs k))
+
+;; values : ∂F/∂v, slopes : its derivatives by v
+(struct equations (values slopes) #:authentic)
+
+(define (gradient-at-symbols i place v)
+  (with-handlers ([raised? (lambda (e) #f)])
+    (define F ((gradient-in i) place))
+    (equations (F v) (derivative-at F v))))
+
+;; Often an expression shows it, and simplification must tell where it does not.
+(define (independent? slopes names)
+  (define (free-of? x)
+    (not (for*/or ([e (in-list (scalars x))] [name (in-list names)])
+           (and (expression? e) (occurs? name e)))))
+  (or (free-of? slopes) (free-of? (simplify slopes))))
+
+;; ---------------------------------------------------------------------------
+;; Formulas
+
+;; given, w : of symbols; v : the velocities in terms of these
+(struct formula (given w v) #:authentic)
+
+(define (velocity-by-formula f given w)
+  (define point
+    (map cons
+         (append (scalars (formula-given f)) (scalars (formula-w f)))
+         (append (scalars given) (scalars w))))
+  (define vs (scalars (formula-v f)))
+  (scalars->structure (formula-v f)
+                      (lambda (k) (evaluate-generically (list-ref vs k) point))))
+
+;; ---------------------------------------------------------------------------
+;; Numbers
+
+(define (velocity-by-numbers i given w)
+  (define gradient ((gradient-in i) given))
+  (gradient (dual-zero w))              ; an error of F's own is seen here
+  (for ([x (in-list (scalars (plain (up w given))))])
+    (unless (number? x) (raise-no-formula i x)))
+  (define (excess v) (g:- (gradient v) w))
+  (find-root excess (starting-velocity i (plain given) (plain w))))
+
+;; Right if F were quadratic; where that does not say, along the momenta.
+(define (starting-velocity i given w)
+  (define-values (M b) (linear-equations i given w))
+  (with-handlers ([exn:fail:mechanics:singular? (lambda (e) (flip w))])
+    (solve-linear-left M (g:- w b))))
+
+;; ---------------------------------------------------------------------------
+;; Failures
+
+(define (solved i M w)
+  (with-handlers ([exn:fail:mechanics:singular:matrix? (lambda (e) (raise-no-inertia i M e))])
+    (solve-linear-left M w)))
+
+(define (check-inertia i equations w) (void (solved i (equations-slopes equations) w)))
+
+(define (raise-no-inertia i M e)
+  (define directions (or (exn:fail:mechanics:singular:matrix-null-vectors e) '()))
+  (raise-without-inverse
+   (inverter-who i)
+   (string-append
+    (format "the second derivatives have no inverse; ~a" (what-is-open i))
+    (joined (for/list ([v (in-list directions)])
+              (format "\n  ~a in the direction: ~a" (what-is-missing i) (value->text (simplify v))))
+            "")
+    (format "\n  second derivatives: ~a" (value->text (simplify M))))
+   M
+   directions
+   e))
+
+;; From a Hamiltonian the way is back.
+(define (back? i) (eq? (inverter-who i) 'Hamiltonian->Lagrangian))
+
+(define (what-is-open i)
+  (if (back? i)
+      "momenta do not follow from velocities"
+      "velocities do not follow from momenta"))
+
+(define (what-is-missing i) (if (back? i) "the same velocity" "no inertia"))
+
+(define (raise-no-formula i x)
+  (complain (inverter-who i)
+            (string-append "no formula was found for the " (if (back? i) "momenta" "velocities")
+                           ", "
+                           "and numbers are not found with symbols left"
+                           "\n  one of them: ~a"
+                           "\n  give the parameters and the state as numbers")
+            (value->text x)))
