@@ -8,11 +8,11 @@
 ;; so the state (t, q, p) has the derivative (1, ∂₂H, −∂₁H).  The residual of paths q and p
 ;; is the derivative of their path of states less that (p. 203).
 
-(require "H-state.rkt" "Hamiltonian.rkt" "known-flow.rkt"
+(require "H-state.rkt" "Hamiltonian.rkt" "declared.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt")
 
@@ -39,7 +39,7 @@
 
 ;; state ↦ ∂₂H and −∂₁H
 (define (flow-direction who H)
-  (cond [(known-flow-of H)]
+  (cond [(flow-of-declared H)]
         [else
          (define number (number-valued who H))
          (define-values (by-q by-p) (values ((partial 1) number) ((partial 2) number)))

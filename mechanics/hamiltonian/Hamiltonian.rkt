@@ -1,18 +1,28 @@
 #lang racket/base
 ;; Hamiltonians, and what is wrong with those that are none.
 
-(require "../error/complain.rkt"
+(require "declared.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt")
 
 (provide make-Hamiltonian check-Hamiltonian number-valued check-quantity)
 
-;; T and V are functions of the state, or of parameters with such as values.
-(define (make-Hamiltonian kinetic-energy potential-energy)
-  (for ([f (in-list (list kinetic-energy potential-energy))])
-    (unless (procedure? f)
-      (raise-argument-error 'make-Hamiltonian "an energy: a function of the state" f)))
-  (g:+ kinetic-energy potential-energy))
+;; (make-Hamiltonian T V) : T + V, of functions of the state, or of parameters with such as
+;; values; (make-Hamiltonian H) : H, known from now on to be a Hamiltonian
+(define make-Hamiltonian
+  (case-lambda
+    [(H)
+     (check-Hamiltonian 'make-Hamiltonian H)
+     (if (declared-Hamiltonian? H) H (declared-Hamiltonian (one-argument H)))]
+    [(kinetic-energy potential-energy)
+     (for ([f (in-list (list kinetic-energy potential-energy))])
+       (unless (procedure? f)
+         (raise-argument-error 'make-Hamiltonian "an energy: a function of the state" f)))
+     (define sum (g:+ kinetic-energy potential-energy))
+     (if (accepts? sum 1) (make-Hamiltonian sum) sum)]))
+
+(define (one-argument H) (unary-function (lambda () (value->datum H)) (state) (H state)))
 
 (define (check-Hamiltonian who H)
   (unless (procedure? H)

@@ -4,10 +4,10 @@
 ;; The transform of F is G(w) = w v − F(v), at the v where the gradient of F is w
 ;; (inverse-gradient.rkt).
 
-(require "H-state.rkt" "Hamiltonian.rkt" "inverse-gradient.rkt" "known-flow.rkt"
+(require "H-state.rkt" "Hamiltonian.rkt" "inverse-gradient.rkt" "declared.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../lagrangian/state-derivative.rkt" check-velocity))
@@ -46,7 +46,7 @@
   (define (flow state)
     (define v (velocity state))
     (values v (((partial 1) f) (up (time state) (coordinate state) v))))
-  (with-known-flow H flow))
+  (declared-Hamiltonian H flow L))
 
 ;; (Hamiltonian->Lagrangian H) : (t, q, v) ↦ p v − H(t, q, p), where ∂₂H = v
 (define (Hamiltonian->Lagrangian H)

@@ -9,7 +9,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/scalar.rkt"
          "../value/structure.rkt")
 
 (provide Poisson-bracket rate-of-quantity)

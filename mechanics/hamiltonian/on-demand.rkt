@@ -11,10 +11,10 @@
                            Lagrangian->Hamiltonian Lagrangian->Hamiltonian-procedure
                            Hamiltonian->Lagrangian Hamiltonian->Lagrangian-procedure
                            Lstate->Hstate Hstate->Lstate]
- ["matrix.rkt" H-state->matrix matrix->H-state]
+ ["state-matrix.rkt" H-state->matrix matrix->H-state]
  ["Poisson-bracket.rkt" Poisson-bracket]
  ["Routhian.rkt" Lagrangian->Routhian Routh-equations Routhian->acceleration
                  Routhian->state-derivative Lagrangian-state->Routhian-state
                  Routhian-state->Lagrangian-state]
- ["action.rkt" Hamiltonian-action]
+ ["phase-space-action.rkt" Hamiltonian-action]
  ["phase-flow.rkt" phase-space-divergence])

@@ -5,8 +5,7 @@
 ;; Σ ∂q̇ᵢ/∂qᵢ + ∂ṗᵢ/∂pᵢ, the trace of the derivative of the rates by the state.  Of Hamilton's
 ;; equations that is Σ ∂²H/∂qᵢ∂pᵢ − ∂²H/∂pᵢ∂qᵢ = 0, Liouville's theorem, whatever H is.
 
-(require "H-state.rkt"
-         "../calculus/derivative.rkt"
+(require "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
@@ -17,7 +16,8 @@
 ;; derivative : (t, q, p) ↦ (1, q̇, ṗ); of any states whose first part is the time
 (define (phase-space-divergence derivative)
   (unless (and (procedure? derivative) (accepts? derivative 1))
-    (complain 'phase-space-divergence "expected a state derivative, a function of the state; given ~a"
+    (complain 'phase-space-divergence
+              "expected a state derivative, a function of the state; given ~a"
               (describe-function derivative)))
   (unary-function (lambda () (list 'phase-space-divergence (value->datum derivative))) (state)
     (unless (and (tuple? state) (> (structure-length (adopt state)) 1))

@@ -9,12 +9,13 @@
 ;; with M the second derivatives and b the gradient at v = 0.  The direction of v is then that
 ;; of d = M⁻¹ (w − b), and v = x d, with one equation for the number x, (g(x d) − w) d = 0.
 ;;
-;; An equation in one unknown is solved if it is a polynomial that can be (rewriting/solve.rkt),
-;; or is one times a square root of another: e(R) = 0 implies e(R) e(−R) = 0, in which R has
-;; gone.  What this adds is left out, since each solution is put into the equation.
+;; An equation in one unknown is solved if it is a polynomial that can be
+;; (algebra/rewriting/solve.rkt), or one in the unknown and a square root R: e(R) = 0 implies
+;; e(R) e(−R) = 0, in which R has gone.  What this adds is left out, since each solution is put
+;; into the equation.
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/substitute.rkt"
          "../algebra/rewriting/solve.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
@@ -62,9 +63,14 @@
 ;; g, H, vs, ws : lists -> list or #f
 (define (solve-block g H vs ws)
   (if (null? (cdr vs))
-      (let ([v (solve-for (g:- (car g) (car ws)) (car vs) (car g))])
+      (let ([v (solve-for (g:- (car g) (car ws)) (car vs) (through-rest g vs ws))])
         (and v (list v)))
       (solve-along-ray g H vs ws)))
+
+;; Is it the solution that has v = 0 at the gradient that belongs to it?
+(define ((through-rest g vs ws) solution)
+  (define at-rest (put (car g) (list (cons (car vs) 0))))
+  (zero? (substitute-expression solution (list (cons (car ws) at-rest)))))
 
 (define (solve-along-ray g H vs ws)
   (define zeros (map (lambda (v) (cons v 0)) vs))
@@ -78,7 +84,7 @@
   (define (equation)
     (for/fold ([sum 0]) ([g (in-list g)] [w (in-list ws)] [d (in-list d)])
       (g:+ sum (g:* (g:- (along g) w) d))))
-  (define solution (and d (solve-for (simplify (equation)) x #f)))
+  (define solution (and d (solve-for (simplify (equation)) x (lambda (solution) #t))))
   (and solution (map (lambda (d) (g:* solution d)) d)))
 
 ;; Is g − b along M v, for all v?
@@ -100,9 +106,9 @@
 ;; ---------------------------------------------------------------------------
 ;; One unknown
 
-;; The x where e vanishes, which is left out of all others by being 0 where `gradient` is as
-;; it is at 0, if there are several; #f if there is no formula.
-(define (solve-for e x gradient)
+;; The x where e vanishes, the first that is wanted if there are several; #f if there is no
+;; formula.
+(define (solve-for e x wanted?)
   (define R (string->uninterned-symbol "R"))
   (define polynomial (without-root e x R))
   (define candidates
@@ -114,8 +120,8 @@
                 [entry (in-value (assq x (car c)))]
                 #:when (and entry (zero? (put e (list entry)))))
       (cdr entry)))
-  (cond [(null? roots) #f]
-        [else (car roots)]))
+  (and (pair? roots)
+       (or (findf wanted? roots) (car roots))))
 
 ;; e(R) e(−R), with a root in e that depends on x as R; e, if there is none; #f for several.
 (define (without-root e x R)

@@ -8,10 +8,14 @@
          "../generic/describe.rkt"
          "../value/shape.rkt" "../value/structure.rkt")
 
-(provide check-generic-state check-generic-states check-parameters lengthened)
+(provide check-generic-state check-generic-states check-symbols check-parameters lengthened)
 
 (define (check-generic-state who local [least-length 3])
   (check-local-tuple who local least-length)
+  (check-symbols who local "local tuple"))
+
+;; what : the state's name
+(define (check-symbols who local what)
   (define names (scalars local))
   (define odd-one
     (for/first ([x (in-list names)] [i (in-naturals)]
@@ -19,11 +23,11 @@
       x))
   (when odd-one
     (complain who
-              (string-append "the local tuple must be made of symbols, each there once, "
+              (string-append "the ~a must be made of symbols, each there once, "
                              "to stand for any state"
                              "\n  given: ~a"
                              "\n  ~a: ~a")
-              (value->text local) (if (free-symbol? odd-one) "more than once" "no symbol")
+              what (value->text local) (if (free-symbol? odd-one) "more than once" "no symbol")
               (value->text odd-one))))
 
 ;; Of functions of (t, q, v), some of them #f, none of which has a parameter that is there.
@@ -34,7 +38,7 @@
 
 ;; A symbol that is a parameter of f could not stand for any state as well: f is asked
 ;; for its value at other symbols, where those of the local tuple must not occur.
-(define (check-parameters who f local)
+(define (check-parameters who f local [what "local tuple"])
   (define names (scalars local))
   (define elsewhere
     (scalars->structure local (lambda (k) (string->uninterned-symbol "x"))))
@@ -43,11 +47,10 @@
          [name (in-list names)]
          #:when (occurs? name e))
     (complain who
-              (string-append "the symbol ~a is a parameter of ~a, and stands in the local tuple, "
-                             "too"
-                             "\n  local tuple: ~a"
+              (string-append "the symbol ~a is a parameter of ~a, and stands in the ~a, too"
+                             "\n  ~a: ~a"
                              "\n  give one of them another name")
-              name (value->text f) (value->text local))))
+              name (value->text f) what what (value->text local))))
 
 ;; The local tuple with derivatives up to `length` components in all; new ones are
 ;; named after the coordinates: xddot, xdddot, and so on.

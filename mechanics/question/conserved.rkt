@@ -14,7 +14,7 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "remarks.rkt" "what-is-asked.rkt"
+(require "phase-space.rkt" "remarks.rkt" "what-is-asked.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
@@ -30,8 +30,14 @@
 (provide rate-of-change verify-conserved)
 
 ;; Does Q keep its value along every motion?  A verdict on its rate of change at a
-;; local tuple (up t q v) of symbols.
+;; local tuple (up t q v) of symbols, or at a state (up t q p) if L is a Hamiltonian.
 (define (verify-conserved L Q local #:force [force #f])
+  (cond [(asked-of-Hamiltonian? L local)
+         (check-no-force 'verify-conserved force)
+         (conserved-by-Hamiltonian 'verify-conserved L Q local)]
+        [else (conserved-by-Lagrangian L Q local force)]))
+
+(define (conserved-by-Lagrangian L Q local force)
   (check-arguments 'verify-conserved L Q)
   (check-generic-states 'verify-conserved local L Q (external-force 'verify-conserved force #f))
   (define state (state-of local))
@@ -51,7 +57,7 @@
 (define (check-accelerations L force state)
   (void ((Lagrangian->acceleration L #:force force) state)))
 
-;; (t, q, v) ↦ Q̇, of the shape of Q's value
+;; (t, q, v) ↦ Q̇, of the shape of Q's value; of a Hamiltonian (t, q, p) ↦ Q̇
 (define (rate-of-change L Q #:force [force #f])
   (check-arguments 'rate-of-change L Q)
   (define at (rate 'rate-of-change L Q force))
@@ -59,8 +65,16 @@
     `(rate-of-change ,(value->datum L) ,(value->datum Q)
                      ,@(force->datum force)))
   (unary-function name (local)
-    (check-local-tuple 'rate-of-change local)
-    (at (state-of local))))
+    (cond [(asked-of-Hamiltonian? L local)
+           (check-no-force 'rate-of-change force)
+           ((rate-by-Hamiltonian 'rate-of-change L Q) local)]
+          [else
+           (check-local-tuple 'rate-of-change local)
+           (at (state-of local))])))
+
+(define (check-no-force who force)
+  (when force
+    (complain who "a force outside goes with a Lagrangian; this is asked of a Hamiltonian")))
 
 (define (state-of local) ((clip-state 3) local))
 

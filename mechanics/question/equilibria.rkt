@@ -11,6 +11,7 @@
          "../algebra/rewriting/solve.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/total-derivative.rkt"
@@ -23,8 +24,9 @@
          equilibrium? equilibrium-coordinates equilibrium-conditions)
 
 ;; A verdict on the residual of a system at rest at q, at all times.
-(define (verify-equilibrium L q #:force [force #f])
-  (check-Lagrangian 'verify-equilibrium L)
+(define (verify-equilibrium given q #:force [force #f])
+  (check-Lagrangian 'verify-equilibrium given)
+  (define L (as-Lagrangian given))
   (check-coordinates 'verify-equilibrium q)
   (define t (string->uninterned-symbol "t"))
   (define (judge q)
@@ -68,8 +70,9 @@
        (e:* (* 1/2 (inexact->exact turns)) exact-pi)))
 
 ;; A list of them, by formulas in the parameters.
-(define (equilibria L local #:force [force #f])
-  (check-Lagrangian 'equilibria L)
+(define (equilibria given local #:force [force #f])
+  (check-Lagrangian 'equilibria given)
+  (define L (as-Lagrangian given))
   (check-generic-states 'equilibria local L (external-force 'equilibria force #f))
   (define q (coordinate local))
   (define residual (simplify (residual-at-rest 'equilibria L force (time local) q)))
@@ -84,8 +87,9 @@
     (equilibrium (scalars->structure q value) (cdr s))))
 
 ;; The coordinates of one near the start, by numbers.
-(define (find-equilibrium L start #:force [force #f])
-  (check-Lagrangian 'find-equilibrium L)
+(define (find-equilibrium given start #:force [force #f])
+  (check-Lagrangian 'find-equilibrium given)
+  (define L (as-Lagrangian given))
   (check-coordinates 'find-equilibrium start)
   (define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))
   (check-no-symbols (residual-at start))

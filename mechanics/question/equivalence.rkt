@@ -20,6 +20,7 @@
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
+         "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
@@ -44,9 +45,10 @@
 (define (compare-Lagrangians L1 L2 local)
   (compared 'compare-Lagrangians L1 L2 local))
 
-(define (compared who L1 L2 given)
-  (check-Lagrangian who L1)
-  (check-Lagrangian who L2)
+(define (compared who first second given)
+  (check-Lagrangian who first)
+  (check-Lagrangian who second)
+  (define-values (L1 L2) (values (as-Lagrangian first) (as-Lagrangian second)))
   (check-generic-states who given L1 L2)
   (define local (lengthened ((clip-state 3) given) 4))
   (define-values (S1 S2) (values (scalar-valued who L1) (scalar-valued who L2)))

@@ -10,6 +10,7 @@
  ["equivalence.rkt" verify-equivalent-Lagrangians compare-Lagrangians equivalence?
                     equivalence-kind equivalence-factor equivalence-gauge equivalence-verdict]
  ["gauge.rkt" verify-total-time-derivative gauge-function]
+ ["phase-space.rkt" verify-Hamiltonian-solution]
  ["stability.rkt" equilibrium-stability stability? stability-kind stability-conditions]
  ["impose.rkt" impose verify-again]
  ["ignorable.rkt" verify-ignorable ignorable-coordinates conserved-momenta]

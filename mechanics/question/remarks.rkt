@@ -4,10 +4,11 @@
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/refusal.rkt"
+         (only-in "../hamiltonian/H-state.rkt" state->qp)
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt")
 
-(provide remarks-on-solution remarks-on-quantity)
+(provide remarks-on-solution remarks-on-states remarks-on-quantity)
 
 ;; L : Lagrangian of order n; q : path -> list of strings
 (define (remarks-on-solution L q n)
@@ -15,6 +16,16 @@
   (define local ((Gamma q (+ n 2)) t))
   (append (remarks-on-path t (coordinate local))
           (remarks-on-Lagrangian L local)))
+
+;; states : time -> (up t q p)
+(define (remarks-on-states H states)
+  (define t (string->uninterned-symbol "t"))
+  (define state (states t))
+  (define anything (scalars->structure state (lambda (k) (string->uninterned-symbol "x"))))
+  (append (remarks-on-path t (state->qp state))
+          (if (depends? H anything)
+              '()
+              (list "the Hamiltonian is a constant: every state rests"))))
 
 (define (remarks-on-path t position)
   (define es (expressions-in position))

@@ -16,6 +16,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
+         "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
@@ -39,7 +40,7 @@
 (define (second-derivatives who L q form)
   (check-Lagrangian who L)
   (check-coordinates who q)
-  (form (scalar-valued who L) q))
+  (form (scalar-valued who (as-Lagrangian L)) q))
 
 (define (mass-form L q) (form-in-coordinates ((partial 2) ((partial 2) L)) q))
 (define (stiffness-form L q) (g:negate (form-in-coordinates ((partial 1) ((partial 1) L)) q)))
@@ -73,7 +74,7 @@
 (define (forms-at-equilibrium who L given)
   (check-Lagrangian who L)
   (check-coordinates who given)
-  (define L-scalar (scalar-valued who L))
+  (define L-scalar (scalar-valued who (as-Lagrangian L)))
   (check-equilibrium who L-scalar given)
   (define (entries form)
     (define S (simplify (form L-scalar given)))

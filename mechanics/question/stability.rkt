@@ -22,6 +22,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/value-struct.rkt"
+         "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
@@ -35,8 +36,9 @@
   #:text stability->text)
 
 ;; q : coordinates of an equilibrium of an L that does not change in time
-(define (equilibrium-stability L q)
-  (check-Lagrangian 'equilibrium-stability L)
+(define (equilibrium-stability given q)
+  (check-Lagrangian 'equilibrium-stability given)
+  (define L (as-Lagrangian given))
   (check-coordinates 'equilibrium-stability q)
   (check-equilibrium L q)
   (check-autonomous 'equilibrium-stability (scalar-valued 'equilibrium-stability L) q)

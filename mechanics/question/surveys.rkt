@@ -17,7 +17,7 @@
  ["../constraint/constraint.rkt" gather]
  ["../constraint/linearized.rkt" jacobian-rows])
 
-(provide surveys-of-solution)
+(provide surveys-of-solution surveys-of-states)
 
 ;; q : a path                                 n : the order of the Lagrangian
 ;; force : #f, or the force outside L         constraints : #f, or as verify-solution has them
@@ -39,8 +39,17 @@
   (define-values (_ survey) (survey-derivatives thunk (list t) #:have-values? values?))
   survey)
 
-;; With symbols in place of all numbers of the local tuple, which has this shape and which
-;; (local) gives; #f if that is too much for f.
+;; states : time -> (up t q p); slope : state -> its derivative; along : the residual
+(define (surveys-of-states slope states along)
+  (define t (string->uninterned-symbol "t"))
+  (define state (states t))
+  (list (survey-of-values state)
+        (survey-at t (lambda () (derivative-at states t)) #:have-values? #t)
+        (or (survey-anywhere t state (lambda () state) slope)
+            (survey-at t (lambda () (along t))))))
+
+;; With symbols in place of all numbers of the state, which has this shape and which (local)
+;; gives; #f if that is too much for f.
 (define (survey-anywhere t shape local f)
   (define state (scalars->structure shape (lambda (k) (string->uninterned-symbol "x"))))
   (define-values (_ survey)

@@ -4,6 +4,7 @@
 (require "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
+         "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          "../verdict/prove-zero.rkt")
@@ -17,9 +18,10 @@
 ;; The verdict on the residual of the path q at a symbolic time t; where the path has kinks, or
 ;; no value, the residual does not tell.  With constraints but
 ;; no multipliers the question is whether there are any.
-(define (verify-solution L q [dissipation #f] #:force [Q #f] #:order [n 1]
+(define (verify-solution given q [dissipation #f] #:force [Q #f] #:order [n 1]
                          #:constraints [constraints #f] #:multipliers [multipliers #f])
   (when (or constraints multipliers) (check-constrained n constraints))
+  (define L (as-Lagrangian given))
   (with-handlers ([exn:fail:contract? (lambda (e) (check-not-swapped L q) (raise e))])
     (define outside (external-force 'verify-solution Q dissipation))
     (define residual

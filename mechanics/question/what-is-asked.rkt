@@ -6,10 +6,12 @@
 (require "../algebra/expression/expression.rkt"
          "../calculus/derivative.rkt"
          "../error/refusal.rkt"
+         (only-in "../hamiltonian/H-state.rkt" state->qp)
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/algebra.rkt" "../value/shape.rkt")
 
-(provide meaning-of-solution meaning-of-quantity meaning-of-Lagrangian)
+(provide meaning-of-solution meaning-of-quantity meaning-of-Lagrangian
+         meaning-of-states meaning-of-quantity-in-phase-space)
 
 ;; q : a path; n : the order of L; force : #f, or the force outside L
 (define (meaning-of-solution L q n force)
@@ -21,6 +23,22 @@
 ;; state : of symbols; Q : a function of it, which shall not become a constant
 (define (meaning-of-quantity L Q state force)
   (about L state 1 force (expressions-in (lambda () (Q state))) (scalars state)))
+
+;; states : time -> (up t q p)
+(define (meaning-of-states H states)
+  (define t (string->uninterned-symbol "t"))
+  (define state (states t))
+  (make-meaning (expressions-in (lambda () (H state)))
+                '()
+                (expressions-in (lambda () (state->qp state)))
+                (list t)))
+
+;; state : (up t q p) of symbols
+(define (meaning-of-quantity-in-phase-space H Q state)
+  (make-meaning (expressions-in (lambda () (H state)))
+                '()
+                (expressions-in (lambda () (Q state)))
+                (scalars state)))
 
 ;; state : of symbols
 (define (meaning-of-Lagrangian L state) (about L state 1 #f '() '()))

@@ -60,7 +60,11 @@
   (define end ((state-advancer system) start 1 1e-13))
   (check-close (list (coordinate end) (ref (momentum end) 0))
                '((.7636717173299069 4.989548088316894 187.388061898977) -.002389367104876363)
-               1e-8))
+               1e-8)
+  ;; and it nods between two angles
+  (define motion (evolve-trajectory (system) start 2 #:tolerance 1e-12))
+  (define angles (for/list ([i 20001]) (ref (coordinate (motion (/ i 10000.0))) 0)))
+  (check-close (list (apply min angles) (apply max angles)) '(.4 .809714734259) 1e-6))
 
 ;; ---------------------------------------------------------------------------
 ;; 3.4.1 Routhians

@@ -87,6 +87,11 @@
   (check-identity ((Lagrangian->Hamiltonian (L-both)) phase)
                   (+ (/ (square (- 'p_x 'x)) (* 2 'M)) (energy-of 'p_y))))
 
+(test-case "of two solutions that which has no velocity without momentum"
+  (define ((L-cubic) (up t q v)) (+ (* 1/2 (square v)) (* 1/3 (expt v 3))))
+  (check-identity (((partial 2) (Lagrangian->Hamiltonian (L-cubic))) (up 't 'q 'p))
+                  (/ (- (sqrt (+ 1 (* 4 'p))) 1) 2)))
+
 (test-case "numbers agree with the formula"
   (check-transform (L-relativistic 1.5 2.0) (up 0. (up 1. 2.) (up .3 -.9)))
   (define H (Lagrangian->Hamiltonian (L-relativistic 1.5 2.0)))

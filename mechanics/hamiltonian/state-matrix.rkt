@@ -3,7 +3,7 @@
 
 (require "H-state.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt"
          "../value/shape.rkt" "../value/linear/matrix.rkt")
 
 (provide H-state->matrix matrix->H-state)

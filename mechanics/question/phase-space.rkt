@@ -1,0 +1,58 @@
+#lang racket/base
+;; What is asked of a Hamiltonian: do paths of coordinates and momenta solve Hamilton's
+;; equations, and is a quantity conserved, which brackets decide: Q̇ = {Q, H} + ∂₀Q.
+
+(require "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
+         "../hamiltonian/declared.rkt" "../hamiltonian/H-state.rkt"
+         "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../hamiltonian/Poisson-bracket.rkt"
+         "../lagrangian/generic-state.rkt"
+         "../value/shape.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt")
+
+(provide verify-Hamiltonian-solution
+         ;; for verify-conserved and rate-of-change
+         asked-of-Hamiltonian? conserved-by-Hamiltonian rate-by-Hamiltonian)
+
+;; ---------------------------------------------------------------------------
+;; Solutions
+
+;; The verdict on the residual of paths q and p at a symbolic time.
+(define (verify-Hamiltonian-solution H q p)
+  (check-Hamiltonian 'verify-Hamiltonian-solution H)
+  (define states (qp->H-state-path q p))
+  (define residual ((Hamilton-equations H) q p))
+  (prove-zero residual
+              #:remarks (lambda () (remarks-on-states H states))
+              #:surveys (lambda () (surveys-of-states (Hamiltonian->state-derivative H) states
+                                                      residual))
+              #:meaning (lambda () (meaning-of-states H states))))
+
+;; ---------------------------------------------------------------------------
+;; Conserved quantities
+
+;; Is it a Hamiltonian that is asked about, at a state of momenta?
+(define (asked-of-Hamiltonian? f state)
+  (or (declared-Hamiltonian? f) (state-of-momenta? state)))
+
+;; The verdict on the rate of Q at a state (up t q p) of symbols.
+(define (conserved-by-Hamiltonian who H Q state)
+  (check-Hamiltonian who H)
+  (check-quantity who Q)
+  (check-H-state who state)
+  (check-symbols who state "state")
+  (for ([f (in-list (list H Q))]) (check-parameters who f state "state"))
+  (define-values (change survey)
+    (survey-derivatives (lambda () ((rate-by-Hamiltonian who H Q) state)) (scalars state)))
+  (prove-zero change #:variables (scalars state)
+              #:surveys (list (survey-of-values (Q state)) survey)
+              #:remarks (lambda () (remarks-on-quantity Q state))
+              #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))))
+
+;; state ↦ Q̇
+(define (rate-by-Hamiltonian who H Q)
+  (define flow (flow-direction who H))
+  (lambda (state)
+    (check-H-state who state)
+    (define-values (velocity force) (flow state))
+    (rate-of-quantity Q state velocity force)))
