@@ -21,16 +21,17 @@
          "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../search/find-root.rkt" "../search/implicit.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/structure.rkt"
          "../value/linear/linear-algebra.rkt")
 
 (provide make-inverter velocity-at transform-at)
 
 ;; who : complains; F : given v -> number
-;; known : the way and the shapes it was settled for, or #f; two threads that come here at
-;; once settle it twice
+;; known : the way and what it was settled for, or #f; two threads that come here at once
+;; settle it twice
 (struct inverter (who F [known #:mutable]) #:authentic)
-(struct way (shape how) #:authentic)
+(struct way (shape how declared) #:authentic)
 
 (define (make-inverter who F) (inverter who F #f))
 
@@ -68,11 +69,16 @@
 (define (how-to i given w)
   (define shape (up given w))
   (define known (inverter-known i))
-  (cond [(and known (same-shape? shape (way-shape known))) (way-how known)]
+  (cond [(and known (same-shape? shape (way-shape known)) (still-holds? known))
+         (way-how known)]
         [else
          (define how (settle i given w))
-         (set-inverter-known! i (way shape how))
+         (set-inverter-known! i (way shape how (and (formula? how) (assumptions 'declared))))
          how]))
+
+;; A formula may rest on what was declared.
+(define (still-holds? known)
+  (or (not (way-declared known)) (equal? (way-declared known) (assumptions 'declared))))
 
 ;; What F makes of symbols may be beyond it; then numbers have to do.
 (define (settle i given w)

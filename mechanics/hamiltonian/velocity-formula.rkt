@@ -2,17 +2,21 @@
 ;; Formulas for the v at which given expressions g(v), a gradient, have the values w.
 ;;
 ;; Velocities that no mixed second derivative joins are found apart.  Of those that belong
-;; together, as in √(1 − v²/c²) or −v²/2 in any coordinates, the gradient may be
+;; together, as in √(1 − v²/c²) or v²/2 in any coordinates, the gradient may be
 ;;
 ;;   g(v) = b + λ(v) M v,
 ;;
-;; with M the second derivatives and b the gradient at v = 0.  The direction of v is then that
-;; of d = M⁻¹ (w − b), and v = x d, with one equation for the number x, (g(x d) − w) d = 0.
+;; with M the second derivatives and b the gradient at v = 0, as it always is of one alone.  The
+;; direction of v is then that of d = M⁻¹ (w − b), and v = x d, with one equation for the number
+;; x, (g(x d) − b − M d) d = 0.
 ;;
 ;; An equation in one unknown is solved if it is a polynomial that can be
 ;; (algebra/rewriting/solve.rkt), or one in the unknown and a square root R: e(R) = 0 implies
 ;; e(R) e(−R) = 0, in which R has gone.  What this adds is left out, since each solution is put
 ;; into the equation.
+;;
+;; All that is done without taking a sign for granted: a formula holds whatever those of the
+;; parameters are.
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt"
@@ -27,7 +31,12 @@
 
 ;; gradient : a structure of expressions in vs; slopes : its derivatives by vs
 ;; -> a list of expressions in ws for vs, or #f
+;; They hold for all parameters that obey the declared assumptions.
 (define (solve-gradient gradient slopes vs ws)
+  (parameterize ([automatic-assumptions #f])
+    (solve-strictly gradient slopes vs ws)))
+
+(define (solve-strictly gradient slopes vs ws)
   (define g (list->vector (map simplify (scalars gradient))))
   (define n (vector-length g))
   (define H (rows-of (map simplify (scalars slopes)) n))
@@ -62,44 +71,53 @@
 
 ;; g, H, vs, ws : lists -> list or #f
 (define (solve-block g H vs ws)
-  (if (null? (cdr vs))
-      (let ([v (solve-for (g:- (car g) (car ws)) (car vs) (through-rest g vs ws))])
-        (and v (list v)))
-      (solve-along-ray g H vs ws)))
-
-;; Is it the solution that has v = 0 at the gradient that belongs to it?
-(define ((through-rest g vs ws) solution)
-  (define at-rest (put (car g) (list (cons (car vs) 0))))
-  (zero? (substitute-expression solution (list (cons (car ws) at-rest)))))
+  (or (solve-along-ray g H vs ws)
+      (and (null? (cdr vs))
+           (let ([v (solve-for (g:- (car g) (car ws)) (car vs) (lambda (solution) #t))])
+             (and v (list v))))))
 
 (define (solve-along-ray g H vs ws)
   (define zeros (map (lambda (v) (cons v 0)) vs))
   (define (at-rest e) (put e zeros))
   (define b (map at-rest g))
   (define M (for/list ([row (in-list H)]) (map at-rest row)))
-  (define d (and (ray? g b M vs) (directions M (map g:- ws b))))
+  (define directions (and (ray? g b M vs) (solved-directions M (map g:- ws b))))
+  (and directions
+       (let* ([ds (map (lambda (v) (string->uninterned-symbol "d")) vs)]
+              [x (multiple g b M vs ds)]
+              [entries (map cons ds directions)])
+         (and x
+              (for/list ([d (in-list ds)])
+                (substitute-expression (g:* x d) entries))))))
+
+;; The x of v = x d, an expression in the symbols ds; or #f.  Without momentum there shall be no
+;; velocity.
+(define (multiple g b M vs ds)
   (define x (string->uninterned-symbol "x"))
-  (define (along e)
-    (put e (for/list ([v (in-list vs)] [d (in-list d)]) (cons v (g:* x d)))))
-  (define (equation)
-    (for/fold ([sum 0]) ([g (in-list g)] [w (in-list ws)] [d (in-list d)])
-      (g:+ sum (g:* (g:- (along g) w) d))))
-  (define solution (and d (solve-for (simplify (equation)) x (lambda (solution) #t))))
-  (and solution (map (lambda (d) (g:* solution d)) d)))
+  (define moved (for/list ([v (in-list vs)] [d (in-list ds)]) (cons v (g:* x d))))
+  (define equation
+    (for/fold ([sum 0]) ([g (in-list g)] [b (in-list b)] [Md (in-list (image M ds))] [d (in-list ds)])
+      (g:+ sum (g:* (g:- (put g moved) b Md) d))))
+  (define none (map (lambda (d) (cons d 0)) (cdr ds)))
+  (define (from-rest? solution)
+    (zero? (put (put (g:* solution (car ds)) none) (list (cons (car ds) 0)))))
+  (solve-for (simplify equation) x from-rest?))
+
+(define (image M vs)
+  (for/list ([row (in-list M)])
+    (for/fold ([sum 0]) ([m (in-list row)] [v (in-list vs)]) (g:+ sum (g:* m v)))))
 
 ;; Is g − b along M v, for all v?
 (define (ray? g b M vs)
   (define push (map g:- g b))
-  (define rest
-    (for/list ([row (in-list M)])
-      (for/fold ([sum 0]) ([m (in-list row)] [v (in-list vs)]) (g:+ sum (g:* m v)))))
+  (define rest (image M vs))
   (for*/and ([(p i) (in-indexed-list push)] [(q j) (in-indexed-list push)] #:when (< i j))
     (zero? (g:- (g:* p (list-ref rest j)) (g:* q (list-ref rest i))))))
 
 (define (in-indexed-list xs) (in-parallel xs (in-naturals)))
 
 ;; M⁻¹ w, or #f
-(define (directions M w)
+(define (solved-directions M w)
   (with-handlers ([exn:fail:mechanics:singular? (lambda (e) #f)])
     (scalars (solve-linear-left (apply matrix-by-rows M) (up-of (list->vector w))))))
 
@@ -146,5 +164,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define (put e entries) (simplify (substitute-expression e entries)))
+;; What divides by zero there is no number.
+(define (put e entries)
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) +nan.0)])
+    (simplify (substitute-expression e entries))))
 (define (zero? e) (eqv? 0 (simplify e)))

@@ -25,7 +25,9 @@ function.}
 more behind: time, coordinates, velocities. Coordinates are a scalar or an
 @racket[up] of scalars.}
 @item{@italic{path}: a function of time with coordinates as values.}
-@item{@italic{Lagrangian}: a function of a local tuple whose value is a scalar.}]
+@item{@italic{Lagrangian}: a function of a local tuple whose value is a scalar.}
+@item{@italic{Hamiltonian}: a function of a state @racket[(up t q p)], with a @racket[down] of
+momenta, whose value is a scalar.}]
 
 Scalars carry no units. Any consistent system will do: where an entry says
 nothing about units, the units of the result follow from those of the arguments.
@@ -52,6 +54,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/failures.scrbl"]
 @include-section["reference/local-tuples.scrbl"]
 @include-section["reference/equations.scrbl"]
+@include-section["reference/hamiltonians.scrbl"]
 @include-section["reference/forces.scrbl"]
 @include-section["reference/constraints.scrbl"]
 @include-section["reference/questions.scrbl"]

@@ -77,6 +77,8 @@ from there on. For clashes with other libraries see @secref["clashes"].
 Chapter 1 is (@secref["chapter-1"]): Lagrangians and their equations, constraints, conserved
 quantities, motions followed in numbers with events and as many digits as you like
 (@secref["numbers-guide"]), and pictures on a screen or in a file (@secref["guide-pictures"]).
+So is chapter 2, on rigid bodies (@secref["chapter-2"]), and chapter 3 as far as section 3.5
+(@secref["chapter-3"]): Legendre transforms, Hamilton's equations, Poisson brackets, Routhians.
 Of a name of the book that is not here @racket[help] says where the book has it:
 
 @examples[#:eval session #:label #f

@@ -21,4 +21,5 @@ Parameters are scalars in any consistent system of units, local tuples are
 @include-section["book/section-1-6.scrbl"]
 @include-section["book/section-1-7.scrbl"]
 @include-section["book/section-1-8.scrbl"]
+@include-section["book/section-3.scrbl"]
 @include-section["book/editions.scrbl"]

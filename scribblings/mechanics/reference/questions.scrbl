@@ -22,6 +22,10 @@ value along every motion of L. Its value may be a tuple; time may occur in it. T
 conditions of the verdict are equations between parameters. Where the mass matrix has no
 inverse, what cannot be proved raises @racket[exn:fail:mechanics:singular:matrix].
 
+At a state @racket[(up t q p)] with a @racket[down] of momenta, L is a Hamiltonian, and Q a
+function of such states; so it is with one coordinate if L was made by
+@racket[Lagrangian->Hamiltonian] or @racket[make-Hamiltonian]. The rate is then a Poisson bracket.
+
 @examples[#:eval session
 (define ((L-oscillator m k) (up t x v))
   (- (* 1/2 m (square v)) (* 1/2 k (square x))))
@@ -32,7 +36,9 @@ inverse, what cannot be proved raises @racket[exn:fail:mechanics:singular:matrix
   (- (* 1/2 'm (square v)) ((literal-function 'U) (sqrt (square q)))))
 (verify-conserved L-central angular-momentum
                   (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))
-(eval:error (verify-conserved (L-oscillator 'm 'k) amplitude^2 (up 0 'x 'v)))]
+(eval:error (verify-conserved (L-oscillator 'm 'k) amplitude^2 (up 0 'x 'v)))
+(define (H-free s) (/ (square (momentum s)) (* 2 'm)))
+(verify-conserved H-free momentum (up 't (up 'x 'y) (down 'p_x 'p_y)))]
 
 @sicm{1.8, p. 78}}
 

@@ -63,6 +63,16 @@
   (check-identity (H (up 't 'q 'p)) (energy-of 'p))
   (check-identity (((partial 2) H) (up 't 'q 'p)) (/ (* 'p (square 'c)) (energy-of 'p))))
 
+(test-case "the formula holds for a negative m, too: the momentum is opposite to the velocity"
+  (define slope ((Hamiltonian->state-derivative (Lagrangian->Hamiltonian (L-relativistic 'm 'c)))
+                 (up 't 'q 'p)))
+  (check-close (substitute (ref slope 1) 'm -2.0 'c 3.0 'p 1.0)
+               (/ -3.0 (sqrt (+ 36.0 1.0))) 1e-12)
+  (check-pred refuted?
+              (assuming ('(< m 0))
+                (verify-equal ((Lagrangian->Hamiltonian (L-relativistic 'm 'c)) (up 't 'q 'p))
+                              (energy-of 'p)))))
+
 (test-case "in the plane, and back"
   (define H (Lagrangian->Hamiltonian (L-relativistic 'm 'c)))
   (check-identity (H phase) (energy-of (down 'p_x 'p_y)))

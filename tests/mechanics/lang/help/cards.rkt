@@ -137,8 +137,8 @@
   (check-equal? (filter (lambda (name) (memq name later-names)) (exported)) '()))
 
 (test-case "a name of a later chapter is told with its section, and its page if it has one"
-  (check-equal? (later-sentence 'Poisson-bracket)
-                (string-append "it belongs to section 3.2 of the book (Poisson brackets, p. 218), "
+  (check-equal? (later-sentence 'Lie-transform)
+                (string-append "it belongs to section 6.4 of the book (Lie series, p. 448), "
                                "which is not here yet"))
   (check-equal? (later-sentence 'F->CT)
                 (string-append "it belongs to section 5.1 of the book (point transformations), "

@@ -113,7 +113,7 @@
              "(minimize 1 2)"
              "(require mechanics/book)"
              "(L-harmonic 'm)"
-             "Poisson-bracket"))
+             "Lie-transform"))
   (check-equal? output '())
   (check-regexp-match #rx"#:force force[]][)]\n  missing: local\n" errors)
   (check-regexp-match #rx"given: [(]holonomic <function>[)]\n  did you mean #:constraints[?]\n"
@@ -124,8 +124,8 @@
   (check-false (regexp-match? #rx"called as [(]minimize" errors))
   (check-regexp-match #rx"  it is called as [(][(]L-harmonic m k[)] local[)]\n" errors)
   (check-regexp-match
-   (regexp (string-append "\n  it belongs to section 3.2 of the book [(]Poisson brackets, "
-                          "p. 218[)], which is not here yet\n  as a symbol it is written 'Poisson-bracket\n"))
+   (regexp (string-append "\n  it belongs to section 6.4 of the book [(]Lie series, "
+                          "p. 448[)], which is not here yet\n  as a symbol it is written 'Lie-transform\n"))
    errors))
 
 (test-case "an unknown name of a later chapter in a module"
