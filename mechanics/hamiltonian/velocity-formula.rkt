@@ -96,7 +96,8 @@
   (define x (string->uninterned-symbol "x"))
   (define moved (for/list ([v (in-list vs)] [d (in-list ds)]) (cons v (g:* x d))))
   (define equation
-    (for/fold ([sum 0]) ([g (in-list g)] [b (in-list b)] [Md (in-list (image M ds))] [d (in-list ds)])
+    (for/fold ([sum 0])
+              ([g (in-list g)] [b (in-list b)] [Md (in-list (image M ds))] [d (in-list ds)])
       (g:+ sum (g:* (g:- (put g moved) b Md) d))))
   (define none (map (lambda (d) (cons d 0)) (cdr ds)))
   (define (from-rest? solution)

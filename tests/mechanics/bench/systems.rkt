@@ -4,7 +4,8 @@
 (require mechanics)
 
 (provide chain-Lagrangian chain-Lagrangian/decimal chain-Lagrangian/equal chain-path chain-state
-         rigid-body-Lagrangian Euler-path Euler-state
+         chain-momentum-state
+         rigid-body-Lagrangian Euler-path Euler-state Euler-momentum-state
          Foucault-Lagrangian Foucault-path Foucault-state
          Foucault-Lagrangian/rectangular Foucault-state/rectangular
          three-body-Lagrangian plane-path
@@ -57,6 +58,11 @@
       (apply up (numbered-list 'theta n))
       (apply up (numbered-list 'thetadot n))))
 
+(define (chain-momentum-state n)
+  (up 't
+      (apply up (numbered-list 'theta n))
+      (apply down (numbered-list 'p n))))
+
 ;; ---------------------------------------------------------------------------
 ;; A free rigid body with principal moments A, B, C, in Euler angles (SICM 2.8).
 
@@ -68,6 +74,9 @@
 
 (define (Euler-path)
   (up (literal-function 'theta) (literal-function 'phi) (literal-function 'psi)))
+
+(define (Euler-momentum-state)
+  (up 't (up 'theta 'phi 'psi) (down 'p_theta 'p_phi 'p_psi)))
 
 (define (Euler-state)
   (up 't (up 'theta 'phi 'psi) (up 'thetadot 'phidot 'psidot)))
@@ -141,14 +150,12 @@
 ;; Jacobi's identity for the Poisson brackets of three literal functions of n
 ;; coordinates and momenta (SICM 3.2), at a symbolic state.
 
-(define (bracket F G)
-  (- (* ((partial 1) F) ((partial 2) G))
-     (* ((partial 2) F) ((partial 1) G))))
-
 (define (Jacobi-identity n)
   (define reals (for/list ([_ (in-range n)]) 'Real))
   (define signature `(-> (UP Real (UP ,@reals) (DOWN ,@reals)) Real))
   (define-values (F G H)
     (apply values (for/list ([name '(F G H)]) (literal-function name signature))))
-  ((+ (bracket F (bracket G H)) (bracket G (bracket H F)) (bracket H (bracket F G)))
+  ((+ (Poisson-bracket F (Poisson-bracket G H))
+      (Poisson-bracket G (Poisson-bracket H F))
+      (Poisson-bracket H (Poisson-bracket F G)))
    (up 't (apply up (numbered-list 'q n)) (apply down (numbered-list 'p n)))))

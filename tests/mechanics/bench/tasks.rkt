@@ -72,6 +72,27 @@
 
 (define (rigid-body) (rigid-body-Lagrangian 'A 'B 'C))
 
+;; ---------------------------------------------------------------------------
+;; Hamiltonians
+
+(define (chain-Hamiltonian-task name n)
+  (make-task name
+             (format "Hamiltonian of a chain of ~a links, simplified" n)
+             (lambda ()
+               (define raw ((m:Lagrangian->Hamiltonian (chain-Lagrangian n))
+                            (chain-momentum-state n)))
+               (cons raw (m:simplify raw)))
+             #:size residual-size))
+
+(define (rigid-Hamiltonian-task name)
+  (make-task name
+             "state derivative of a rigid body through its Hamiltonian, simplified"
+             (lambda ()
+               (define H (m:Lagrangian->Hamiltonian (rigid-body)))
+               (define raw ((m:Hamiltonian->state-derivative H) (Euler-momentum-state)))
+               (cons raw (m:simplify raw)))
+             #:size residual-size))
+
 ;; The rate of the energy along the motion, a proof that it is zero.
 (define (energy-rate)
   (define L (rigid-body))
@@ -169,6 +190,9 @@
                   rigid-body Euler-path)
    (make-task 'R3 "the rigid body's energy is conserved along its state derivative"
               energy-rate #:size residual-size)
+   (rigid-Hamiltonian-task 'R4)
+   (chain-Hamiltonian-task 'H2 2)
+   (chain-Hamiltonian-task 'H4 4)
    (residual-task 'F1 "Lagrange equations of Foucault's pendulum, simplified"
                   Foucault-Lagrangian Foucault-path)
    (derivative-task 'F2 "state derivative of Foucault's pendulum, simplified"
