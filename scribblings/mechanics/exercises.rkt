@@ -1,5 +1,5 @@
 #lang racket/base
-;; The programs for the exercises of chapter 1, listed by what their first lines say:
+;; The programs for the exercises of a chapter, listed by what their first lines say:
 ;;
 ;;   ;; Exercise 1.17 (SICM 1.6.2): a bead on a helical wire
 ;;   ;; Checked: the equation of motion in the angle about the axis
@@ -17,16 +17,17 @@
 
 (define-runtime-path folder "../../examples/mechanics/exercises")
 
-;; number : 17 for exercise 1.17.  section, subject, checked, how : strings
-(struct exercise (number section subject checked how file) #:transparent)
+;; chapter, number : 1 and 17 for exercise 1.17.  section, subject, checked, how : strings
+(struct exercise (chapter number section subject checked how file) #:transparent)
 
 ;; ---------------------------------------------------------------------------
 ;; Reading
 
-;; -> exercises, by number
-(define (exercises)
+;; -> exercises of a chapter, by number
+(define (exercises chapter)
+  (define name (regexp (format "^exercise-~a-.*[.]rkt$" chapter)))
   (sort (for/list ([file (in-list (directory-list folder))]
-                   #:when (regexp-match? #rx"^exercise-.*[.]rkt$" (path->string file)))
+                   #:when (regexp-match? name (path->string file)))
           (read-exercise (path->string file)))
         < #:key exercise-number))
 
@@ -35,14 +36,15 @@
   (define (line-that pattern line)
     (cond [(regexp-match pattern line) => cdr]
           [else (raise-arguments-error
-                 'exercises "expected lines of the form `;; Exercise 1.N (SICM S): subject`, \
+                 'exercises "expected lines of the form `;; Exercise C.N (SICM S): subject`, \
 `;; Checked: ...` and `;; How: ...` after the language"
                  "file" file "line" line)]))
   (define heading
-    (line-that #px"^;; Exercise 1[.](\\d+) \\(SICM ([\\d.]+)\\): (.+)$" (list-ref lines 1)))
+    (line-that #px"^;; Exercise (\\d+)[.](\\d+) \\(SICM ([\\d.]+)\\): (.+)$" (list-ref lines 1)))
   (define checked (line-that #rx"^;; Checked: (.+)$" (list-ref lines 2)))
   (define how (line-that #rx"^;; How: (.+)$" (list-ref lines 3)))
-  (exercise (string->number (first heading)) (second heading) (third heading)
+  (exercise (string->number (first heading)) (string->number (second heading))
+            (third heading) (fourth heading)
             (first checked) (first how) file))
 
 ;; ---------------------------------------------------------------------------
@@ -51,7 +53,8 @@
 ;; The pages of a section with all its parts; the exercises stand among its text.
 (define pages
   (hash "1.3" "8–14" "1.4" "14–23" "1.5" "23–37" "1.6" "37–68"
-        "1.7" "68–78" "1.8" "78–91" "1.9" "91–99"))
+        "1.7" "68–78" "1.8" "78–91" "1.9" "91–99"
+        "3.1" "195–217" "3.2" "218–222" "3.4" "224–236" "3.5" "236–239"))
 
 ;; "1.6.2, in pp. 37–68", or no more than the section where the pages are not known.
 (define (place e)
@@ -62,16 +65,16 @@
         [(string=? section whole) (string-append section ", pp. " range)]
         [else (string-append section ", in pp. " range)]))
 
-(define (exercise-table)
+(define (exercise-table chapter)
   (define heading (map bold '("" "Section" "What is checked, and how")))
   (tabular #:style 'boxed
            #:row-properties '(bottom-border)
            #:column-properties '(top top top)
            #:sep (hspace 2)
            (cons heading
-                 (for/list ([e (in-list (exercises))])
+                 (for/list ([e (in-list (exercises chapter))])
                    (list (program-link (string-append "exercises/" (exercise-file e))
-                                       (format "1.~a" (exercise-number e)))
+                                       (format "~a.~a" chapter (exercise-number e)))
                          (place e)
                          (list (italic (capitalized (exercise-subject e))) ". "
                                (capitalized (exercise-checked e)) ": "

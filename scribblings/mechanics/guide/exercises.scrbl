@@ -13,7 +13,7 @@ states the problem in its own words, takes an attempt that is right and one with
 is easily made, and shows how the verdict on the latter leads to the slip. Replace the attempt
 by your own before you read on.
 
-@exercise-table[]
+@exercise-table[1]
 
 @section{What a condition tells: Kepler's third law}
 
