@@ -1,6 +1,6 @@
 #lang mechanics
 ;; Exercise 3.1 (SICM 3.1): Hamiltonians of three systems
-;; Checked: Hamiltonian and Hamilton's equations of a pendulum, a particle in a potential well, a bead on a sphere
+;; Checked: Hamiltonians of a pendulum, of a particle in a potential, of a bead on a sphere
 ;; How: against the Legendre transform of the Lagrangian
 
 ;; Derive them by hand, for a planar pendulum; for a particle in the plane with the potential

@@ -2,18 +2,25 @@
 @(require (for-label mechanics mechanics/book)
           "../citation.rkt" "../exercises.rkt" "../program.rkt")
 
-@title[#:tag "guide-exercises"]{Exercises of chapter 1}
+@title[#:tag "guide-exercises"]{Exercises}
 
 @|the-book| has its readers derive equations, and leaves it to them to know whether they are
 right. A residual knows: subtract what you found from what the library finds, by another
-way if there is one, and have the difference judged. For each exercise of chapter 1 whose
-answer can be judged so there is a program in @filepath{examples/mechanics/exercises},
+way if there is one, and have the difference judged. For each exercise of chapters 1 and 2, and
+of chapter 3 as far as section 3.5, whose answer can be judged so there is a program in
+@filepath{examples/mechanics/exercises},
 @program-link["exercises/exercise-1-17.rkt" @filepath{exercise-1-17.rkt}] for exercise 1.17. It
 states the problem in its own words, takes an attempt that is right and one with a slip that
 is easily made, and shows how the verdict on the latter leads to the slip. Replace the attempt
 by your own before you read on.
 
+@section{Chapter 1}
+
 @exercise-table[1]
+
+@section{Chapter 3, to section 3.5}
+
+@exercise-table[3]
 
 @section{What a condition tells: Kepler's third law}
 
@@ -32,3 +39,10 @@ Two terms are left over by the slip, and both would vanish with another radius.
 A value may be judged that has no parameters to vary. What it is says enough.
 
 @program["exercises/exercise-1-33.rkt" #'here]
+
+@section{What a motion adds: the sleeping top}
+
+A condition is found by a derivative, by the library's question about stability, and by letting
+the top go on both sides of it.
+
+@program["exercises/exercise-3-8.rkt" #'here]
