@@ -84,13 +84,14 @@
 
 (define (remedy q p)
   (cond [(not (tuple? q)) ""]
-        [(not (tuple? p)) (list-hint p (value->text (dual-like q)))]
+        [(pair? p) (list-hint p (value->text (dual-like q)))]
+        [(not (tuple? p)) (format "\n  momenta are written like ~a" (value->text (dual-like q)))]
         [(not (= (s:dimension q) (s:dimension p)))
          (format "\n  there are ~a coordinates and ~a momenta" (s:dimension q) (s:dimension p))]
         [(same-shape? q p)
          (format "\n  momenta are written ~a; velocities belong to a Lagrangian"
                  (value->text (flip p)))]
-        [else ""]))
+        [else (format "\n  momenta are written like ~a" (value->text (dual-like q)))]))
 
 (define (dual-like q)
   (flip (scalars-named q)))

@@ -18,7 +18,8 @@
 
 (provide Hamilton-equations qp->H-state-path
          Hamiltonian->state-derivative phase-space-derivative D-phase-space
-         flow-direction)
+         ;; for those who ask about motions
+         flow-direction states-along)
 
 ;; (Hamiltonian->state-derivative H) : (t, q, p) ↦ (1, ∂₂H, −∂₁H)
 (define (Hamiltonian->state-derivative H)

@@ -11,10 +11,11 @@
 
 (require "Hamilton-equations.rkt" "H-state.rkt" "inverse-gradient.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/hint.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         (only-in "../lagrangian/state-derivative.rkt" directions->text)
          "../value/structure.rkt" "../value/linear/linear-algebra.rkt")
 
 (provide Lagrangian->Routhian Routh-equations Routhian->acceleration
@@ -91,8 +92,20 @@
   (define vx (part state 2 0))
   (define-values (momenta drift)
     (value-and-derivative-along P state (up 1 (up vx y-rate) (up (g:* 0 vx) p-rate))))
-  (solve-linear-left (((partial 2 0) P) state)
-                     (g:- (((partial 1 0) R) state) drift)))
+  (define mass (((partial 2 0) P) state))
+  (with-handlers ([exn:fail:mechanics:singular:matrix? (lambda (e) (raise-no-inertia mass e))])
+    (solve-linear-left mass (g:- (((partial 1 0) R) state) drift))))
+
+(define (raise-no-inertia mass e)
+  (define directions (or (exn:fail:mechanics:singular:matrix-null-vectors e) '()))
+  (raise-without-inverse
+   'Routhian->acceleration
+   (string-append "the second derivatives by the velocities have no inverse"
+                  (directions->text directions)
+                  (format "\n  second derivatives: ~a" (value->text mass)))
+   mass
+   directions
+   e))
 
 ;; ---------------------------------------------------------------------------
 ;; States

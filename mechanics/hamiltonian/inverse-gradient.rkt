@@ -139,11 +139,12 @@
 
 (define (velocity-by-numbers i given w)
   (define gradient ((gradient-in i) given))
-  (gradient (dual-zero w))              ; an error of F's own is seen here
-  (for ([x (in-list (scalars (plain (up w given))))])
+  (define at-rest (gradient (dual-zero w))) ; an error of F's own is seen here
+  (for ([x (in-list (scalars (plain (up w given at-rest))))])
     (unless (number? x) (raise-no-formula i x)))
   (define (excess v) (g:- (gradient v) w))
-  (find-root excess (starting-velocity i (plain given) (plain w))))
+  (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) (raise-none-found i w e))])
+    (find-root excess (starting-velocity i (plain given) (plain w)))))
 
 ;; Right if F were quadratic; where that does not say, along the momenta.
 (define (starting-velocity i given w)
@@ -184,10 +185,19 @@
 
 (define (what-is-missing i) (if (back? i) "the same velocity" "no inertia"))
 
+(define (raise-none-found i w e)
+  (raise-not-convergent (inverter-who i)
+                        (format "no ~a were found for ~a"
+                                (what-is-sought i) (value->text (plain w)))
+                        (exn:fail:mechanics:not-convergent-value e)
+                        (exn:fail:mechanics:not-convergent-error-estimate e)
+                        #:show? #f))
+
+(define (what-is-sought i) (if (back? i) "momenta" "velocities"))
+
 (define (raise-no-formula i x)
   (complain (inverter-who i)
-            (string-append "no formula was found for the " (if (back? i) "momenta" "velocities")
-                           ", "
+            (string-append "no formula was found for the " (what-is-sought i) ", "
                            "and numbers are not found with symbols left"
                            "\n  one of them: ~a"
                            "\n  give the parameters and the state as numbers")

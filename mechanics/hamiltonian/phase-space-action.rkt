@@ -14,7 +14,7 @@
 
 (define (Hamiltonian-action H q p t1 t2 [tolerance 1e-10])
   (check-Hamiltonian 'Hamiltonian-action H)
-  (define states (qp->H-state-path q p))
+  (define states (states-along 'Hamiltonian-action q p))
   (define velocities (D (path 'Hamiltonian-action q)))
   (define value (number-valued 'Hamiltonian-action H))
   (define (integrand t)

@@ -45,13 +45,21 @@
     (survey-derivatives (lambda () ((rate 'verify-conserved L Q force) state)) (scalars state)))
   (define v (prove-zero change #:variables (scalars local)
                         #:surveys (list (survey-of-values (Q state)) survey)
-                        #:remarks (lambda () (remarks-on-quantity Q state))
+                        #:remarks (lambda () (append (remarks-on-quantity Q state)
+                                                     (remarks-on-kind L Q)))
                         #:meaning (lambda () (meaning-of-quantity L Q state force))
                         #:again (lambda (change)
                                   (verify-conserved (change L) (change Q) local
                                                     #:force (and force (change force))))))
   (when (refuted? v) (check-accelerations L force state))
   v)
+
+;; With one coordinate nothing tells a Hamiltonian from a Lagrangian.
+(define (remarks-on-kind L Q)
+  (if (eq? L Q)
+      (list (string-append "it was taken for a Lagrangian; with (make-Hamiltonian H) "
+                           "for H it is a Hamiltonian"))
+      '()))
 
 ;; Refuses an M without an inverse, by which a state may be that of no motion.
 (define (check-accelerations L force state)

@@ -20,7 +20,7 @@
 ;; The verdict on the residual of paths q and p at a symbolic time.
 (define (verify-Hamiltonian-solution H q p)
   (check-Hamiltonian 'verify-Hamiltonian-solution H)
-  (define states (qp->H-state-path q p))
+  (define states (states-along 'verify-Hamiltonian-solution q p))
   (define residual ((Hamilton-equations H) q p))
   (prove-zero residual
               #:remarks (lambda () (remarks-on-states H states))

@@ -195,6 +195,31 @@
  [((Lstate->Hstate (lambda (s) (square (velocity s)))) (up 't 'x))
   "Lstate->Hstate: expected a local tuple (up t q v ...); given (up t x), an up tuple of 2"])
 
+(test-case "an unknown Lagrangian has no formula, and no numbers"
+  (for ([state (list (up 't 'q 'p) (up 0 1.0 2.0))])
+    (check-exn #rx"^Lagrangian->Hamiltonian: no formula was found for the velocities"
+               (lambda ()
+                 ((Lagrangian->Hamiltonian (literal-function 'L (Lagrangian 1))) state)))))
+
+(test-case "momenta that no velocity has"
+  (check-message "Legendre-transform: no velocities were found for -2.0"
+                 ((Legendre-transform exp) -2.0)
+                 exn:fail:mechanics:not-convergent?)
+  (check-close ((Legendre-transform exp) 2.0) (- (* 2 (log 2)) 2) 1e-12))
+
+(test-case "functions that are flat at rest"
+  (check-close ((Legendre-transform (lambda (v) (expt v 4))) 4.0) 3 1e-10)
+  (check-close ((Legendre-transform (lambda (v) (expt v 4))) -4.0) 3 1e-10))
+
+(test-case "particles with nested coordinates"
+  (define ((L-pair m1 m2) (up t (up a b) (up va vb)))
+    (+ (* 1/2 m1 (square va)) (* 1/2 m2 (square vb)) (* 'k (dot-product a b))))
+  (check-identity ((Lagrangian->Hamiltonian (L-pair 'm1 'm2))
+                   (up 't (up (up 'x 'y) (up 'z 'w)) (down (down 'a 'b) (down 'c 'd))))
+                  (- (+ (/ (+ (square 'a) (square 'b)) (* 2 'm1))
+                        (/ (+ (square 'c) (square 'd)) (* 2 'm2)))
+                     (* 'k (+ (* 'x 'z) (* 'y 'w))))))
+
 (test-case "an error of the user's own reaches the user"
   (define (L s) (error "my own"))
   (check-message "my own" ((Lagrangian->Hamiltonian L) (up 't 'q 'p)) exn:fail?))

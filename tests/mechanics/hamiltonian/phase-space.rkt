@@ -49,6 +49,14 @@
 
 (define R (Lagrangian->Routhian (lambda (s) (square (velocity s)))))
 
+(test-case "accelerations without inertia"
+  (check-message
+   (string-append "Routhian->acceleration: the second derivatives by the velocities have no "
+                  "inverse\n  no inertia in the direction: 1\n  second derivatives: 0")
+   ((Routhian->acceleration (Lagrangian->Routhian (lambda (s) (square (ref (velocity s) 1)))))
+    (up 't (up 'x 'y) (up 'v 'p)))
+   exn:fail:mechanics:singular:matrix?))
+
 (says
  [(R (up 't 'q 'v))
   "Lagrangian->Routhian: expected coordinates in two parts, of which the second has momenta: "
@@ -63,6 +71,11 @@
   "given the number 3"]
  [((Routh-equations (lambda (s) 0)) sin cos)
   "(Routh-equations <function>): takes three paths, x, y and p_y; it was given 2"]
+ [(Hamiltonian-action (H-harmonic 1 1) (lambda (t) (up t t)) (lambda (t) (up 1 1)) 0 1)
+  "Hamiltonian-action: "
+  "the third part of a Hamiltonian state is the momenta, dual to the coordinates\n"
+  "  coordinates: (up 0.5 0.5)\n  in their place: (up 1 1)\n"
+  "  momenta are written (down 1 1); velocities belong to a Lagrangian"]
  [(phase-space-divergence 3)
   "phase-space-divergence: expected a state derivative, a function of the state; "
   "given the number 3"]

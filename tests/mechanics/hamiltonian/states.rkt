@@ -49,7 +49,12 @@
   "  coordinates: (up x y)\n  in their place: (down a b c)\n"
   "  there are 2 coordinates and 3 momenta"]
  [((Poisson-bracket H H) (up 't (up 'x 'y) 'p))
-  "Poisson-bracket: " third "  coordinates: (up x y)\n  in their place: p"]
+  "Poisson-bracket: " third "  coordinates: (up x y)\n  in their place: p\n"
+  "  momenta are written like (down p p)"]
+ [((Poisson-bracket H H) (up 't (up (up 'x 'y) (up 'z 'w)) (down 'a 'b 'c 'd)))
+  "Poisson-bracket: " third
+  "  coordinates: (up (up x y) (up z w))\n  in their place: (down a b c d)\n"
+  "  momenta are written like (down (down p p) (down p p))"]
  [((Poisson-bracket H H) (up 't (up 'x 'y) '(a b)))
   "Poisson-bracket: " third "  coordinates: (up x y)\n  in their place: (a b)\n"
   "  a list is not a tuple; use (down p p)"]

@@ -105,7 +105,12 @@
   (define L->H (Lagrangian->Hamiltonian (L-harmonic 'm 'k)))
   (check-pred proved? (verify-conserved L->H L->H line))
   ;; taken for a Lagrangian it has another energy
-  (check-pred refuted? (verify-conserved (H-harmonic 'm 'k) (H-harmonic 'm 'k) line))
+  (define H-untold (H-harmonic 'm 'k))
+  (define untold (verify-conserved H-untold H-untold line))
+  (check-pred refuted? untold)
+  (check-equal? (verdict-remarks untold)
+                (list (string-append "it was taken for a Lagrangian; with (make-Hamiltonian H) "
+                                     "for H it is a Hamiltonian")))
   (check-identity ((rate-of-change H momentum) line) (* -1 'k 'q))
   (check-identity ((rate-of-change L->H coordinate) line) (/ 'p 'm)))
 
@@ -129,7 +134,7 @@
   "verify-conserved: "
   "a force outside goes with a Lagrangian; this is asked of a Hamiltonian"]
  [(verify-Hamiltonian-solution (H-harmonic 1 1) 'q sin)
-  "qp->H-state-path: a path is a function of time, or a tuple of such functions; "
+  "verify-Hamiltonian-solution: a path is a function of time, or a tuple of such functions; "
   "given the symbol q\n  (literal-function 'q) makes a path of that name"]
  [(make-Hamiltonian 3)
   "make-Hamiltonian: a Hamiltonian is a function of the state (up t q p); given the number 3"]
