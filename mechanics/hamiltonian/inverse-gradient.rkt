@@ -112,12 +112,14 @@
     (define F ((gradient-in i) place))
     (equations (F v) (derivative-at F v))))
 
-;; Often an expression shows it, and simplification must tell where it does not.
+;; Often an expression shows it, and simplification must tell where it does not; without taking
+;; for granted that v is positive, as in the root of v².
 (define (independent? slopes names)
   (define (free-of? x)
     (not (for*/or ([e (in-list (scalars x))] [name (in-list names)])
            (and (expression? e) (occurs? name e)))))
-  (or (free-of? slopes) (free-of? (simplify slopes))))
+  (or (free-of? slopes)
+      (free-of? (parameterize ([automatic-assumptions #f]) (simplify slopes)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Formulas
@@ -139,17 +141,18 @@
 
 (define (velocity-by-numbers i given w)
   (define gradient ((gradient-in i) given))
-  (define at-rest (gradient (dual-zero w))) ; an error of F's own is seen here
-  (for ([x (in-list (scalars (plain (up w given at-rest))))])
+  (define start (starting-velocity i (plain given) (plain w)))
+  (define there (gradient start))       ; an error of F's own is seen by now
+  (for ([x (in-list (scalars (plain (up w given there))))])
     (unless (number? x) (raise-no-formula i x)))
   (define (excess v) (g:- (gradient v) w))
   (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) (raise-none-found i w e))])
-    (find-root excess (starting-velocity i (plain given) (plain w)))))
+    (find-root excess start)))
 
 ;; Right if F were quadratic; where that does not say, along the momenta.
 (define (starting-velocity i given w)
-  (define-values (M b) (linear-equations i given w))
-  (with-handlers ([exn:fail:mechanics:singular? (lambda (e) (flip w))])
+  (with-handlers ([no-value? (lambda (e) (flip w))])
+    (define-values (M b) (linear-equations i given w))
     (solve-linear-left M (g:- w b))))
 
 ;; ---------------------------------------------------------------------------

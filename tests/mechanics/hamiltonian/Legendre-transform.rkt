@@ -211,6 +211,12 @@
   (check-close ((Legendre-transform (lambda (v) (expt v 4))) 4.0) 3 1e-10)
   (check-close ((Legendre-transform (lambda (v) (expt v 4))) -4.0) 3 1e-10))
 
+(test-case "what is quadratic on each side only is not taken for quadratic"
+  ;; v |v| / 2 + v² has the slopes 3 v and v
+  (define (F v) (+ (* 1/2 v (sqrt (square v))) (square v)))
+  (define G (Legendre-transform F))
+  (check-close (list (G 3.0) (G -3.0)) '(3/2 9/2) 1e-10))
+
 (test-case "particles with nested coordinates"
   (define ((L-pair m1 m2) (up t (up a b) (up va vb)))
     (+ (* 1/2 m1 (square va)) (* 1/2 m2 (square vb)) (* 'k (dot-product a b))))

@@ -6,7 +6,7 @@
 @(define session (make-session '(require mechanics/book)))
 
 Pages are those of the second edition. Nothing of the book is corrected silently; these are
-the places of chapter 1 where the library and a printed page differ, or two editions and
+the places where the library and a printed page differ, or two editions and
 systems do.
 
 @section{Two names for one thing}
@@ -21,6 +21,10 @@ systems do.
   (list @racket[Gamma] @racket[path->state-path])
   (list @racket[coordinate] @elem{@racket[coordinates], @racket[state->q], @racket[Q]})
   (list @racket[velocity] @elem{@racket[velocities], @racket[state->qdot], @racket[Qdot]})
+  (list @racket[momentum] @elem{@racket[momenta], @racket[state->p], @racket[P]})
+  (list @racket[Hamiltonian->state-derivative] @racket[phase-space-derivative])
+  (list @racket[Legendre-transform] @racket[Legendre-transform-procedure])
+  (list @racket[compatible-zero] @racket[dual-zero])
   (list @racket[p->r] @racket[polar->rectangular])
   (list @racket[s->r] @racket[spherical->rectangular])
   (list @racket[show-expression] @racket[se])
