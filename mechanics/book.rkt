@@ -4,6 +4,7 @@
 
 (require "book/section-1-4.rkt" "book/section-1-5.rkt" "book/section-1-6.rkt"
          "book/section-1-7.rkt" "book/section-1-8.rkt"
+         "book/section-2-8.rkt"
          "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt")
 
 (provide
@@ -24,6 +25,8 @@
  T3-spherical L3-central ang-mom-z
  L0 restricted-three-body-potential LR3B LR3B1
  F-tilde the-Noether-integral
+ ;; 2.8
+ relative-error monitor-errors
  ;; 3.1
  H-rectangular L-rectangular
  ;; 3.4

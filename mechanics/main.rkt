@@ -28,9 +28,10 @@
          "motion/on-demand.rkt"
          (only-in "numeric/progress.rkt" report-progress)
          "question/on-demand.rkt" "question/verify-solution.rkt"
+         "rigid/on-demand.rkt"
          "search/on-demand.rkt"
          "teach/derivation.rkt"
-         "value/on-demand.rkt")
+         "value/linear/quaternion-units.rkt" "value/on-demand.rkt")
 
 (provide
  (all-from-out racket/base racket/match "base.rkt")
@@ -82,6 +83,14 @@
  derivation-steps show-derivation
  ;; numbers of higher precision, functions through data
  (all-from-out "value/on-demand.rkt")
+ ;; rotations and rigid bodies, with the names of both editions and of scmutils
+ (all-from-out "rigid/on-demand.rkt")
+ (rename-out [Rx rotate-x] [Ry rotate-y] [Rz rotate-z]
+             [rotate-x-matrix Rx-matrix] [rotate-y-matrix Ry-matrix] [rotate-z-matrix Rz-matrix]
+             [angle-axis->rotation-matrix angle&axis->rotation-matrix]
+             [T-body-Euler T-rigid-body] [L-body-Euler Euler-state->L-body]
+             [L-space-Euler Euler-state->L-space])
+ q:i q:j q:k
  ;; motion
  (all-from-out "motion/on-demand.rkt") report-progress
  ;; maps of the plane

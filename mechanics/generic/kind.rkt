@@ -13,8 +13,8 @@
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)
  (struct-out generic-op) operation-by-values
  other-number? comparand
- rank:scalar rank:number rank:dual rank:structure rank:matrix rank:function rank:operator
- rank:series)
+ rank:scalar rank:number rank:dual rank:structure rank:matrix rank:quaternion rank:function
+ rank:operator rank:series)
 
 ;; rank      : where it stands when kinds meet
 ;; describe  : value -> string, as error messages name it ("an up tuple of 2")
@@ -74,9 +74,10 @@
 (define rank:dual 2)
 (define rank:structure 3)
 (define rank:matrix 4)
-(define rank:function 5)
-(define rank:operator 6)
-(define rank:series 7)
+(define rank:quaternion 5)
+(define rank:function 6)
+(define rank:operator 7)
+(define rank:series 8)
 
 ;; Is x a real number that is none of Racket's?  Its comparand is one of Racket's of
 ;; the same value.

@@ -10,13 +10,12 @@
 ;; each, as in a chain of equal pendulums, the factors come out of the square root.
 
 (require racket/list
-         "../algebra/assumption/reference.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/operation.rkt"
+         "../algebra/assumption/reference.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../numeric/linear/rows.rkt"
-         "../value/simplify.rkt")
+         "../value/exact-root.rkt" "../value/simplify.rkt")
 
 (provide modes-of frequencies-of constant-value raise-not-positive)
 
@@ -90,13 +89,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; One coordinate and two
-
-;; The square root, of an exact number as it stands.
-(define (exact-root x)
-  (define root (g:sqrt x))
-  (simplify (if (and (number? x) (exact? x) (not (exact? root)))
-                (make-node op:sqrt (list x))
-                root)))
 
 (define (one-mode m k) (list (list (exact-root (g:/ k m)) 1)))
 

@@ -40,8 +40,11 @@
 
 (define (real-part-of x) (of-leaves generic:real-part x (lambda (re im) re)))
 (define (imag-part-of x) (of-leaves generic:imag-part x (lambda (re im) im)))
+;; The conjugate of a quaternion is not that of its parts.
 (define (conjugate x)
-  (of-leaves generic:conjugate x (lambda (re im) (g:- re (g:* +i im))) conjugate-expression))
+  (if (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:quaternion))
+      (dispatch-unary generic:conjugate x)
+      (of-leaves generic:conjugate x (lambda (re im) (g:- re (g:* +i im))) conjugate-expression)))
 
 (define generic:real-part (operation-by-values 'real-part real-part-of))
 (define generic:imag-part (operation-by-values 'imag-part imag-part-of))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; Numbers of higher precision, functions through data, special functions, what matrices are
-;; made of, and reading, loaded when one is asked for.
+;; Numbers of higher precision, quaternions, functions through data, special functions, what
+;; matrices are made of, and reading, loaded when one is asked for.
 
 (require "../generic/on-demand.rkt")
 
@@ -12,4 +12,7 @@
  ["linear/decompositions.rkt" eigenvectors svd]
  ["linear/polynomial-roots.rkt" polynomial-roots]
  ["read-expression.rkt" read-expression]
+ ["quaternion.rkt" quaternion? quaternion make-quaternion real&3vector->quaternion
+                   quaternion->vector quaternion->3vector quaternion->real-part quaternion-ref
+                   q:conjugate q:magnitude q:make-unit]
  ["special.rkt" gamma factorial bessj bessj0 bessj1])

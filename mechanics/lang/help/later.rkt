@@ -9,26 +9,7 @@
 
 ;; (section subject name-or-(name page) ...) ...
 (define chapters
-  '(("2.2" "rigid bodies: rotating vectors and matrices"
-     (M->omega 126) (M->omega-body 126) (M-of-q->omega-of-t 126) (M-of-q->omega-body-of-t 126)
-     (antisymmetric->column-matrix 126) 3vector-components->antisymmetric m:antisymmetric?
-     rotate-x rotate-y rotate-z rotate-x-tuple rotate-x-matrix)
-    ("2.3" "rigid bodies: moments of inertia" (T-body 134) (L-body 137) (L-space 137))
-    ("2.7" "rigid bodies: Euler angles"
-     (Rx-matrix 139) (Rz-matrix 139) Ry-matrix (Euler->M 139) M->Euler Euler->omega
-     Euler->omega-body (Euler-state->omega-body 140) (T-body-Euler 141) (L-body-Euler 141)
-     (L-space-Euler 141) T-rigid-body Euler-state->L-body Euler-state->L-space)
-    ("2.8" "motion of a free rigid body"
-     (rigid-sysder 145) (monitor-errors 145) (relative-error 145))
-    ("2.10" "axisymmetric tops" V_eff)
-    ("2.12" "quaternions"
-     (angle-axis->rotation-matrix 184) angle&axis->rotation-matrix (quaternion->angle-axis 184)
-     (quaternion->RM 184) (quaternion->rotation-matrix 185) (quaternion-state->omega-body 186)
-     quaternion-state->omega-space (qw-sysder 189) (qw-state->L-space 190) qw-state->L-body
-     (make-quaternion 183) (quaternion->vector 183) (quaternion->3vector 183)
-     (rotation-matrix->quaternion 183) (quaternion 187) (quaternion-ref 185)
-     (quaternion->real-part 184) (q:i 186) (q:j 186) (q:k 186))
-    ("3.6" "surfaces of section"
+  '(("3.6" "surfaces of section"
      (driven-pendulum-map 247) (explore-map 248) display-map (HHmap 261) (section->state 261)
      (HHHam 261) (HHpotential 261) (HHsysder 261) (find-next-crossing 261)
      (refine-crossing 261) (make-advance 261))

@@ -45,6 +45,22 @@
     ("1.9 Abstraction of path functions (pp. 91-99)"
      Gamma-bar F->C Dt Euler-Lagrange-operator osculating-path acceleration
      LE Lagrange-equations-operator trim-last-argument clip-state)
+    ("2.2-2.7 Rigid bodies: kinematics, inertia, Euler angles (pp. 121-141)"
+     M-of-q->omega-of-t M-of-q->omega-body-of-t M->omega M->omega-body T-body L-body L-space
+     Rz-matrix Rx-matrix Euler->M Euler-state->omega-body T-body-Euler L-body-Euler L-space-Euler
+     antisymmetric->column-matrix transpose matrix-by-rows acos atan
+     3vector-components->antisymmetric m:antisymmetric? Ry-matrix T-rigid-body
+     Euler-state->L-body Euler-state->L-space Euler->omega Euler->omega-body M->Euler
+     rotate-x rotate-y rotate-z rotate-x-tuple rotate-x-matrix angle&axis->rotation-matrix
+     wcross->w)
+    ("2.8-2.10 Free rigid body, Euler's equations, top (pp. 141-165)"
+     rigid-sysder monitor-errors relative-error determinant V_eff)
+    ("2.12 Quaternions (pp. 181-191)"
+     angle-axis->rotation-matrix quaternion->angle-axis quaternion->RM
+     quaternion->rotation-matrix quaternion-state->omega-body qw-sysder qw-state->L-space
+     make-quaternion quaternion->vector quaternion->3vector rotation-matrix->quaternion
+     q:i q:j q:k quaternion quaternion-ref quaternion->real-part euclidean-norm
+     quaternion-state->omega-space qw-state->L-body T-quaternion-state)
     ("3.1 Hamilton's equations (pp. 195-217)"
      Hamilton-equations Hamiltonian->state-derivative qp->H-state-path H-rectangular
      Legendre-transform Lagrangian->Hamiltonian Hamiltonian->Lagrangian L-rectangular
@@ -76,7 +92,12 @@
     (acceleration accelerations state->qddot Qdotdot) (momentum momenta state->p P)
     (time state->t)
     (p->r polar->rectangular) (r->p rectangular->polar)
-    (s->r spherical->rectangular) (r->s rectangular->spherical)))
+    (s->r spherical->rectangular) (r->s rectangular->spherical)
+    (Rx rotate-x) (Ry rotate-y) (Rz rotate-z)
+    (Rx-matrix rotate-x-matrix) (Ry-matrix rotate-y-matrix) (Rz-matrix rotate-z-matrix)
+    (angle-axis->rotation-matrix angle&axis->rotation-matrix)
+    (T-body-Euler T-rigid-body) (L-body-Euler Euler-state->L-body)
+    (L-space-Euler Euler-state->L-space)))
 
 ;; ---------------------------------------------------------------------------
 

@@ -1,0 +1,60 @@
+#lang racket/base
+;; Kinetic energy and angular momentum of a body with the principal moments of inertia A, B, C
+;; (SICM 2.3–2.7, pp. 134–141), of its angular velocity along the principal axes and of its
+;; state in Euler angles.
+
+(require "Euler-angles.rkt" "rotation.rkt" "three.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
+         "../value/structure.rkt"
+         "../value/linear/linear-algebra.rkt")
+
+(provide T-body L-body L-space
+         T-body-Euler L-body-Euler L-space-Euler
+         rigid-sysder)
+
+;; ---------------------------------------------------------------------------
+;; Of the angular velocity on principal axes
+
+(define (T-body A B C)
+  (unary-function (lambda () (list* 'T-body (data A B C))) (omega)
+    (define-values (a b c) (three 'T-body "the angular velocity" omega))
+    (g:* 1/2 (g:+ (g:* A (g:square a)) (g:* B (g:square b)) (g:* C (g:square c))))))
+
+(define (L-body A B C)
+  (unary-function (lambda () (list* 'L-body (data A B C))) (omega)
+    (define-values (a b c) (three 'L-body "the angular velocity" omega))
+    (down (g:* A a) (g:* B b) (g:* C c))))
+
+(define (data . moments) (map value->datum moments))
+
+;; (((L-space M) A B C) omega-body), for a body that M has turned
+(define ((L-space M) A B C)
+  (check-3-by-3 'L-space M)
+  (define momentum (L-body A B C))
+  (lambda (omega) (g:* (momentum omega) (transpose M))))
+
+;; ---------------------------------------------------------------------------
+;; Of the state in Euler angles
+
+(define (T-body-Euler A B C)
+  (unary-function (lambda () (list* 'T-body-Euler (data A B C))) (state)
+    ((T-body A B C) (Euler-state->omega-body state))))
+
+(define (L-body-Euler A B C)
+  (unary-function (lambda () (list* 'L-body-Euler (data A B C))) (state)
+    ((L-body A B C) (Euler-state->omega-body state))))
+
+(define (L-space-Euler A B C)
+  (unary-function (lambda () (list* 'L-space-Euler (data A B C))) (state)
+    (define omega (Euler-state->omega-body state))
+    (((L-space (Euler->M (coordinate state))) A B C) omega)))
+
+;; The motion of a body that is free to turn, for evolve (p. 145)
+(define (rigid-sysder A B C)
+  (define derivative (Lagrangian->state-derivative (T-body-Euler A B C)))
+  (unary-function (lambda () (list* 'rigid-sysder (data A B C))) (state)
+    (angles-and-rates 'rigid-sysder state)
+    (check-off-pole 'rigid-sysder state)
+    (derivative state)))

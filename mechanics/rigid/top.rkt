@@ -1,0 +1,104 @@
+#lang racket/base
+;; The axisymmetric top under gravity (SICM 2.10 and 3.4): moments A, A, C about the point on
+;; which it stands, gMR the product of g, mass and distance of the centre of mass from there.
+;;
+;; The momenta p_φ and p_ψ are conserved; what is left is a motion of θ with inertia A in
+;;
+;;     V(θ) = (p_φ − p_ψ cos θ)²/(2 A sin²θ) + p_ψ²/(2 C) + gMR cos θ.
+;;
+;; Upright, with p_φ = p_ψ = p, this is p²/(2A) tan²(θ/2) + p²/(2C) + gMR cos θ: the top sleeps
+;; where that is least, for p² > 4 A gMR.
+
+(require racket/list
+         "Euler-angles.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt" "../generic/function.rkt")
+
+(provide V_eff top-potential nutation-range steady-precession critical-spin)
+
+;; ((V_eff p A C gMR) theta), of the sleeping top
+(define (V_eff p A C gMR)
+  (unary-function (lambda () (list* 'V_eff (map value->datum (list p A C gMR)))) (theta)
+    (g:+ (g:/ (g:square p) (g:* 2 C))
+         (g:* (g:/ (g:square p) (g:* 2 A)) (g:square (g:tan (g:/ theta 2))))
+         (g:* gMR (g:cos theta)))))
+
+;; ((top-potential A C gMR p_phi p_psi) theta)
+(define (top-potential A C gMR p_phi p_psi)
+  (unary-function (lambda () (list* 'top-potential (map value->datum (list A C gMR p_phi p_psi))))
+      (theta)
+    (g:+ (g:/ (g:square (g:- p_phi (g:* p_psi (g:cos theta))))
+              (g:* 2 A (g:square (g:sin theta))))
+         (g:/ (g:square p_psi) (g:* 2 C))
+         (g:* gMR (g:cos theta)))))
+
+;; The rate of spin, C ω = p, above which the top stands upright: 2 √(A gMR)/C
+(define (critical-spin A C gMR) (g:/ (g:* 2 (g:sqrt (g:* A gMR))) C))
+
+;; The rates φ̇ of precession at a constant θ, with ω_c the spin along the axis: the roots of
+;; A cos θ φ̇² − C ω_c φ̇ + gMR = 0, the slow one first; a list, empty if there is none.
+(define (steady-precession A C gMR theta omega_c)
+  (define-values (a b) (values (g:* A (g:cos theta)) (g:* C omega_c)))
+  (define discriminant (g:- (g:square b) (g:* 4 (g:* a gMR))))
+  (define d (comparand discriminant))
+  (cond [(and (real? d) (negative? d)) '()]
+        [else
+         (define root (g:sqrt discriminant))
+         (define larger (if (and (real? (comparand b)) (negative? (comparand b)))
+                            (g:- b root)
+                            (g:+ b root)))
+         (define slow (g:/ (g:* 2 gMR) larger))
+         (if (g:zero? a) (list slow) (list slow (g:/ larger (g:* 2 a))))]))
+
+;; ---------------------------------------------------------------------------
+;; Nutation
+
+;; The least and the greatest θ of the motion from a state, (list low high).  With u = cos θ,
+;; θ̇ = 0 where the cubic
+;;
+;;     f(u) = 2 A (E' − gMR u)(1 − u²) − (p_φ − p_ψ u)² = A² u̇²,    E' = E − p_ψ²/(2 C),
+;;
+;; vanishes: of its three roots one lies above 1, for f(u) → ∞, and the two between −1 and 1
+;; on either side of where f is greatest hold the motion.
+(define (nutation-range A C gMR state)
+  (define-values (f here) (cubic A C gMR state))
+  (define-values (top slopeless) (greatest-between f here))
+  (define (edge end) (if (>= (f end) 0) end (zero-between f slopeless end)))
+  (if (<= top 0)
+      (let ([theta (acos here)]) (list theta theta))
+      (list (acos (edge 1.0)) (acos (edge -1.0)))))
+
+;; -> f, and the u of the state
+(define (cubic A C gMR state)
+  (define-values (theta phi psi thetadot phidot psidot) (angles-and-rates 'nutation-range state))
+  (for ([x (in-list (list A C gMR theta thetadot phidot psidot))])
+    (unless (real? x)
+      (complain 'nutation-range "expected numbers; given ~a" (describe-with-value x))))
+  (define u (cos (exact->inexact theta)))
+  (define p_psi (* C (+ psidot (* phidot u))))
+  (define s^2 (expt (sin theta) 2))
+  (define p_phi (+ (* A phidot s^2) (* p_psi u)))
+  (define E (+ (* 1/2 A (+ (expt thetadot 2) (* s^2 (expt phidot 2)))) (* gMR u)))
+  (values (lambda (u) (- (* 2 A (- E (* gMR u)) (- 1 (* u u))) (expt (- p_phi (* p_psi u)) 2)))
+          u))
+
+;; -> the greatest value of f between −1 and 1, and where: f rises there to a maximum and falls,
+;; and f(here) ≥ 0
+(define (greatest-between f here)
+  (define at
+    (let loop ([low -1.0] [high 1.0] [n 0])
+      (define-values (a b) (values (+ low (/ (- high low) 3)) (- high (/ (- high low) 3))))
+      (cond [(= n 120) (/ (+ low high) 2)]
+            [(< (f a) (f b)) (loop a high (+ n 1))]
+            [else (loop low b (+ n 1))])))
+  (define best (argmax f (list at here)))
+  (values (f best) best))
+
+;; By halves, to the last bit
+(define (zero-between f inside outside)
+  (let loop ([inside inside] [outside outside])
+    (define middle (/ (+ inside outside) 2))
+    (cond [(or (= middle inside) (= middle outside)) middle]
+          [(>= (f middle) 0) (loop middle outside)]
+          [else (loop inside middle)])))
