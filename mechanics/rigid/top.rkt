@@ -64,7 +64,9 @@
 (define (nutation-range A C gMR state)
   (define-values (f here) (cubic A C gMR state))
   (define-values (top slopeless) (greatest-between f here))
-  (define (edge end) (if (>= (f end) 0) end (zero-between f slopeless end)))
+  ;; f(±1) is 0 where φ and ψ turn alike; the motion gets there if f is positive beside it.
+  (define (edge end)
+    (if (and (>= (f end) 0) (>= (f (* end (- 1 1e-9))) 0)) end (zero-between f slopeless end)))
   (if (<= top 0)
       (let ([theta (acos here)]) (list theta theta))
       (list (acos (edge 1.0)) (acos (edge -1.0)))))
