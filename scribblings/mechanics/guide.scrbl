@@ -26,6 +26,7 @@ order.
 @include-section["guide/mistakes.scrbl"]
 @include-section["guide/numbers.scrbl"]
 @include-section["guide/chapter-1.scrbl"]
+@include-section["guide/chapter-2.scrbl"]
 @include-section["guide/chapter-3.scrbl"]
 @include-section["guide/exercises.scrbl"]
 @include-section["guide/pictures.scrbl"]

@@ -21,5 +21,6 @@ Parameters are scalars in any consistent system of units, local tuples are
 @include-section["book/section-1-6.scrbl"]
 @include-section["book/section-1-7.scrbl"]
 @include-section["book/section-1-8.scrbl"]
+@include-section["book/section-2-8.scrbl"]
 @include-section["book/section-3.scrbl"]
 @include-section["book/editions.scrbl"]
