@@ -83,8 +83,9 @@
   (matrix-by-columns a b (map-leaves simplify (cross-product a b))))
 
 ;; -> list of three (moment . axis), the axes up tuples, orthogonal and of length 1
-(define (axes who I)
-  (check-tensor who I)
+(define (axes who given)
+  (check-tensor who given)
+  (define I (map-leaves simplify given))
   (define found
     (append*
      (for/list ([entry (in-list (moments-and-axes I))])

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
+          "../exercises.rkt" "../program.rkt")
 
 @title[#:tag "chapter-2"]{Along with chapter 2 of the book}
 
@@ -171,5 +172,28 @@ The motion that Euler angles could not begin:
    (up 0 (up 1. 0. 0. 0.) (up 0.1 0.1 0.1)) void 10. 100. 1e-13))
 end
 (- (square (coordinate end)) 1)]
+
+@section{Worked systems}
+
+These programs are in the source, with tests of what they claim.
+
+@subsection{A free body: Poinsot's picture}
+
+@program["rigid/free-body.rkt" #'here]
+
+@subsection{A heavy top}
+
+@program["rigid/heavy-top.rkt" #'here]
+
+@subsection{Moons}
+
+@program["rigid/moons.rkt" #'here]
+
+@section{Exercises}
+
+For these exercises of the chapter there is a program, as there is for those of chapter 1
+(@secref["guide-exercises"]).
+
+@exercise-table[2]
 
 @(close-session session)

@@ -18,6 +18,10 @@ by your own before you read on.
 
 @exercise-table[1]
 
+@section{Chapter 2}
+
+@exercise-table[2]
+
 @section{Chapter 3, to section 3.5}
 
 @exercise-table[3]
