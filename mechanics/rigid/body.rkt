@@ -30,10 +30,17 @@
 (define (data . moments) (map value->datum moments))
 
 ;; (((L-space M) A B C) omega-body), for a body that M has turned
-(define ((L-space M) A B C)
+(define (L-space M)
   (check-3-by-3 'L-space M)
-  (define momentum (L-body A B C))
-  (lambda (omega) (g:* (momentum omega) (transpose M))))
+  (define (name) (list 'L-space (value->datum M)))
+  (define takes-three 8)                ; as procedure-arity-mask has it
+  (make-function
+   (lambda (A B C)
+     (define momentum (L-body A B C))
+     (unary-function (lambda () (cons (name) (data A B C))) (omega)
+       (g:* (momentum omega) (transpose M))))
+   takes-three
+   name))
 
 ;; ---------------------------------------------------------------------------
 ;; Of the state in Euler angles

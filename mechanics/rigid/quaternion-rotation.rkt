@@ -8,7 +8,7 @@
 (require "rotation.rkt" "three.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt"
+         "../generic/elementary.rkt" "../generic/function.rkt"
          "../value/quaternion.rkt" "../value/structure.rkt"
          "../value/linear/matrix.rkt")
 
@@ -111,8 +111,9 @@
   (make-quaternion (m:nth-row M 0)))
 
 ;; ((q:rotate q) v), for a unit quaternion
-(define ((q:rotate q) v)
+(define (q:rotate q)
   (check-quaternion 'q:rotate q)
   (check-unit 'q:rotate "the quaternion" (quaternion->vector q))
-  (define-values (x y z) (three 'q:rotate "a vector" v))
-  (quaternion->3vector (g:* q (g:* (quaternion 0 x y z) (q:conjugate q)))))
+  (unary-function (lambda () (list 'q:rotate (value->datum q))) (v)
+    (define-values (x y z) (three 'q:rotate "a vector" v))
+    (quaternion->3vector (g:* q (g:* (quaternion 0 x y z) (q:conjugate q))))))

@@ -86,13 +86,18 @@
 
 ;; (((Euler-equations A B C) omega) t), what is left of the torque on principal axes; omega
 ;; and torque are functions of the time.
-(define ((Euler-equations A B C [torque #f]) omega)
-  (define w (path 'Euler-equations omega))
-  (unary-function (lambda () (list (named 'Euler-equations A B C) (value->datum omega))) (t)
-    (define-values (a b c) (three 'Euler-equations "the angular velocity" (w t)))
-    (define-values (a* b* c*) (three 'Euler-equations "its derivative" ((D w) t)))
-    (define free
-      (up (g:- (g:* A a*) (g:* (g:- B C) (g:* b c)))
-          (g:- (g:* B b*) (g:* (g:- C A) (g:* c a)))
-          (g:- (g:* C c*) (g:* (g:- A B) (g:* a b)))))
-    (if torque (g:- free (torque t)) free)))
+(define (Euler-equations A B C [torque #f])
+  (define (name)
+    (append (named 'Euler-equations A B C) (if torque (list (value->datum torque)) '())))
+  (unary-function name (omega)
+    (define w (path 'Euler-equations omega))
+    (unary-function (lambda () (list (name) (value->datum omega))) (t)
+      (define free (without-torque A B C (w t) ((D w) t)))
+      (if torque (g:- free (torque t)) free))))
+
+(define (without-torque A B C omega omega-dot)
+  (define-values (a b c) (three 'Euler-equations "the angular velocity" omega))
+  (define-values (a* b* c*) (three 'Euler-equations "its derivative" omega-dot))
+  (up (g:- (g:* A a*) (g:* (g:- B C) (g:* b c)))
+      (g:- (g:* B b*) (g:* (g:- C A) (g:* c a)))
+      (g:- (g:* C c*) (g:* (g:- A B) (g:* a b)))))

@@ -15,7 +15,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/scalar.rkt")
+         "../generic/scalar.rkt" "../generic/up-down.rkt")
 
 (provide conjugate
          (rename-out [make-complex make-rectangular] [make-polar-complex make-polar]
@@ -40,28 +40,28 @@
 
 (define (real-part-of x) (of-leaves generic:real-part x (lambda (re im) re)))
 (define (imag-part-of x) (of-leaves generic:imag-part x (lambda (re im) im)))
-;; The conjugate of a quaternion is not that of its parts.
 (define (conjugate x)
-  (if (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:quaternion))
-      (dispatch-unary generic:conjugate x)
-      (of-leaves generic:conjugate x (lambda (re im) (g:- re (g:* +i im))) conjugate-expression)))
+  (of-leaves generic:conjugate x (lambda (re im) (g:- re (g:* +i im))) conjugate-expression))
 
 (define generic:real-part (operation-by-values 'real-part real-part-of))
 (define generic:imag-part (operation-by-values 'imag-part imag-part-of))
 (define generic:conjugate (operation-by-values 'conjugate conjugate))
 
 ;; choose : real and imaginary part -> value, at each scalar of x; of-expression : expression
-;; that may not be real -> value
+;; that may not be real -> value.  A quaternion has a conjugate that is not that of its parts.
 (define (of-leaves op x choose [of-expression (of-parts (generic-op-name op) choose)])
-  (map-leaves
-   (lambda (leaf)
-     (cond [(symbolic? leaf)
-            (if (real-valued? leaf) (choose leaf 0) (of-expression leaf))]
-           [(number? leaf) (choose (racket:real-part leaf) (racket:imag-part leaf))]
-           [(pointwise? leaf) (compose-unary op leaf)]
-           [(scalar? leaf) (choose leaf 0)]
-           [else (raise-inapplicable op leaf)]))
-   x))
+  (define (of-leaf leaf)
+    (cond [(symbolic? leaf)
+           (if (real-valued? leaf) (choose leaf 0) (of-expression leaf))]
+          [(number? leaf) (choose (racket:real-part leaf) (racket:imag-part leaf))]
+          [(pointwise? leaf) (compose-unary op leaf)]
+          [(scalar? leaf) (choose leaf 0)]
+          [else (raise-inapplicable op leaf)]))
+  (let walk ([x x])
+    (cond [(tuple? x) (structure-map walk (adopt x))]
+          [(and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:quaternion))
+           (dispatch-unary op x)]
+          [else (map-leaves of-leaf x)])))
 
 (define ((of-parts who choose) e)
   (call-with-values (lambda () (parts who e)) choose))

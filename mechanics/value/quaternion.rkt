@@ -163,6 +163,8 @@
     [(exp) (exponential q)]
     [(abs magnitude) (q:magnitude q)]
     [(conjugate) (q:conjugate q)]
+    [(real-part) (hamilton-r q)]
+    [(exact->inexact) (scale (generic-op-procedure op) q)]
     [else (raise-inapplicable op q)]))
 
 (define (exponential q)

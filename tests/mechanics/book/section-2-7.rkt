@@ -24,6 +24,16 @@
                        (+ (* A omega^a (sin phi)) (* B omega^b (cos phi)))
                        (* C omega^c))))
 
+(test-case "what is made of moments and matrices prints as what makes it"
+  (check-equal? (expression (T-body-Euler 'A 'B 'C)) '(T-body-Euler A B C))
+  (check-equal? (expression (L-body 'A 'B 'C)) '(L-body A B C))
+  (define M (identity-matrix 3))
+  (check-equal? (expression ((L-space M) 'A 'B 'C)) `((L-space ,(expression M)) A B C))
+  (check-equal? (expression (Euler-equations 1 2 3)) '(Euler-equations 1 2 3))
+  (check-equal? (expression (M-of-q->omega-of-t Rx-matrix))
+                '(M-of-q->omega-of-t rotate-x-matrix))
+  (check-equal? (expression (q:rotate (quaternion 1 0 0 0))) '(q:rotate (quaternion 1 0 0 0))))
+
 (test-case "p. 139: the matrices of rotations about two axes, and of Euler angles"
   (check-prints (Rz-matrix 'phi)
                 '(matrix-by-rows (list (cos phi) (* -1 (sin phi)) 0)

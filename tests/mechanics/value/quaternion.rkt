@@ -65,6 +65,9 @@
 (test-case "conjugate, magnitude and inverse"
   (check-equal? (simplify (q:conjugate q)) (simplify (quaternion 'a (- 'b) (- 'c) (- 'd))))
   (check-equal? (conjugate q) (q:conjugate q))
+  (check-equal? (conjugate (up q 'x)) (up (q:conjugate q) 'x))
+  (check-equal? (real-part q) 'a)
+  (check-equal? (exact->inexact (make 1 2 3 1/2)) (make 1. 2. 3. 0.5))
   (check-prints (* q (q:conjugate q))
                 '(quaternion (+ (expt a 2) (expt b 2) (expt c 2) (expt d 2)) 0 0 0))
   (check-prints (magnitude q) '(sqrt (+ (expt a 2) (expt b 2) (expt c 2) (expt d 2))))
@@ -96,6 +99,11 @@
   (check-pred refuted? (verify-equal (* p q) (* q p)))
   (check-identity (* q (* p q)) (* (* q p) q))
   (check-equal? ((* q sin) 0) (* q 0)))
+
+(test-case "equal ones are equal to ="
+  (check-true (= q (quaternion 'a 'b 'c 'd)))
+  (check-false (= q p))
+  (check-true (zero? (- q q))))
 
 (says
  [(quaternion 1 2 3 (up 4))
