@@ -4,15 +4,16 @@
 ;; state in Euler angles.
 
 (require "Euler-angles.rkt" "rotation.rkt" "three.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/scalar.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../value/structure.rkt"
          "../value/linear/linear-algebra.rkt")
 
 (provide T-body L-body L-space
          T-body-Euler L-body-Euler L-space-Euler
-         rigid-sysder)
+         rigid-sysder check-moments)
 
 ;; ---------------------------------------------------------------------------
 ;; Of the angular velocity on principal axes
@@ -58,8 +59,17 @@
     (define omega (Euler-state->omega-body state))
     (((L-space (Euler->M (coordinate state))) A B C) omega)))
 
+;; Euler's equations divide by each of them.
+(define (check-moments who . moments)
+  (for ([moment (in-list moments)])
+    (define value (comparand moment))
+    (unless (and (scalar? moment) (or (not (real? value)) (positive? value)))
+      (complain who "a moment of inertia is a positive number; given ~a"
+                (describe-with-value moment)))))
+
 ;; The motion of a body that is free to turn, for evolve (p. 145)
 (define (rigid-sysder A B C)
+  (check-moments 'rigid-sysder A B C)
   (define derivative (Lagrangian->state-derivative (T-body-Euler A B C)))
   (unary-function (lambda () (list* 'rigid-sysder (data A B C))) (state)
     (angles-and-rates 'rigid-sysder state)

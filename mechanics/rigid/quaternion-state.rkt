@@ -52,6 +52,7 @@
 ;; (up t q omega)
 
 (define (qw-sysder A B C)
+  (check-moments 'qw-sysder A B C)
   (unary-function (lambda () (named 'qw-sysder A B C)) (state)
     (define-values (q a b c) (parts-of 'qw-sysder state))
     (up 1

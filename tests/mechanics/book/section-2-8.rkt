@@ -95,7 +95,13 @@
 
 (define (error-of-zero) (relative-error 1 0))
 
-(says [(error-of-zero) "relative-error: an error relative to 0 has no size\n  value: 1"])
+(says [(rigid-sysder 0 1 2)
+       "rigid-sysder: a moment of inertia is a positive number; given the number 0"]
+      [(qw-sysder 1 -2 3)
+       "qw-sysder: a moment of inertia is a positive number; given the number -2"]
+      [(rigid-sysder (up 1 2 3) 'B 'C)
+       "rigid-sysder: a moment of inertia is a positive number; given (up 1 2 3), an up tuple of 3"]
+      [(error-of-zero) "relative-error: an error relative to 0 has no size\n  value: 1"])
 
 ;; ---------------------------------------------------------------------------
 ;; Where Euler angles fail
