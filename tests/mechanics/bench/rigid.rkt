@@ -30,7 +30,7 @@
 
 (define rigid-tasks
   (list
-   (make-task 'R4 "angular velocity of a body from the matrix of its Euler angles, simplified"
+   (make-task 'R6 "angular velocity of a body from the matrix of its Euler angles, simplified"
               omega-from-matrix)
    (make-task 'R5 "the angular momentum of a free rigid body is conserved, proved"
               momentum-conserved #:size m:verdict-status)
