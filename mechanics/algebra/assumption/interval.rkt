@@ -91,13 +91,18 @@
   (define exactly (and (exact? x) (f x)))
   (cond [(and exactly (exact? exactly)) exactly]
         [else
-         (define near (if (exact? x) (real->double-flonum x) x))
-         (define argument
-           (if (or (infinite? near) (= (inexact->exact near) x)) near (further near direction)))
-         (define y (f argument))
+         (define y (f (flonum-beyond x direction)))
          (cond [(not (and (real? y) (= y y))) (* direction +inf.0)]
                [(infinite? y) (if (eqv? (infinite-sign y) direction) y (* direction (- largest)))]
                [else (inexact->exact (further y direction))])]))
+
+;; A flonum that is x, or lies beyond it in the direction.  Numbers greater than all flonums have
+;; infinity beyond them on one side alone.
+(define (flonum-beyond x direction)
+  (define near (real->double-flonum x))
+  (cond [(not (infinite? near)) (if (= (inexact->exact near) x) near (further near direction))]
+        [(or (infinite? x) (eqv? (infinite-sign near) direction)) near]
+        [else (* (infinite-sign near) 1e308)]))
 
 (define largest (inexact->exact 1e308))
 

@@ -40,6 +40,13 @@
         (check-true (inside? (f x) (interval-of-operation name (interval a b)))
                     (format "~a on ~a ~a at ~a" name a b x))))))
 
+(test-case "numbers greater than all flonums are no infinities"
+  (define huge (expt 10 400))
+  (check-true (<= (car (of 'log huge +inf.0)) 921))
+  (check-true (<= 1 (car (of 'sqrt (+ huge 1) +inf.0)) (integer-sqrt (+ huge 1))))
+  (check-true (>= (cadr (of 'sinh -inf.0 (- huge))) (- huge)))
+  (check-equal? (cadr (of 'exp 0 huge)) +inf.0))
+
 (test-case "a polynomial in one unknown knows that its terms are of one number"
   (define e (datum->expression '(+ (square x) (* -2 x) 2)))
   (define (places leaf) (interval 2 +inf.0))
