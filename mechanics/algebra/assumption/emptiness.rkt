@@ -8,7 +8,8 @@
 
 (require racket/list
          "assumption-set.rkt" "interval.rkt" "leaf-bounds.rkt" "polynomial-range.rkt"
-         "range.rkt" "reference.rkt")
+         "range.rkt" "reference.rkt"
+         "../expression/expression.rkt" "../expression/pi.rkt")
 
 (provide impossible-among)
 
@@ -46,11 +47,15 @@
            (define halves (halved (car boxes)))
            (and halves (loop (append halves (cdr boxes)) (- left 1)))])))
 
+;; Bounds that π is part of are near it, not outside (leaf-bounds.rkt): they exclude nothing.
 (define (first-box relations)
-  (define table (bounds-from relations))
+  (define table (bounds-from (filter-not speaks-of-pi? relations)))
   (for/hash ([leaf (in-hash-keys (leaves-of (map relation-expression relations)))])
     (define b (bounds-of table leaf))
     (values leaf (interval (or (bounds-low b) -inf.0) (or (bounds-high b) +inf.0)))))
+
+(define (speaks-of-pi? r)
+  (node-fold (relation-expression r) pi-symbol? (lambda (n parts) (ormap values parts))))
 
 ;; Does one of the relations hold nowhere in the box?
 (define (excluded? box relations)

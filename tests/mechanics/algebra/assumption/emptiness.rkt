@@ -48,7 +48,9 @@
     ((< (- (square x) (* 2 x)) -2))
     ((> x 0) (< (+ x (/ 1 x)) 1))
     ((> (V 0) 2) (< (square (V 0)) 3))
-    ((< 0 x) (< x 1) (> (+ (sin x) (square x)) 2))))
+    ((< 0 x) (< x 1) (> (+ (sin x) (square x)) 2))
+    ((> x :pi) (< x 3))
+    ((> x :pi) (< x 31415926/10000000))))
 
 (test-case "contradictions are found"
   (for ([row impossible]) (check-not-false (because row) (format "~s" row))))
@@ -59,12 +61,15 @@
                 '((> x 3) (> y 4) (< (* x y) 12))))
 
 (test-case "what can hold at one point, or in a narrow place, is not refused"
-  (for ([row '(((>= x 1) (<= x 1))
+  (for ([row `(((>= x 1) (<= x 1))
                ((>= (square x) 0) (<= (square x) 0))
                ((> x 0) (< (exp x) 1001/1000))
                ((< (abs (- (sin x) (* 1/3 x))) 1/1000) (> x 1))
                ((<= (+ (square x) (square y)) 1) (>= (* x y) 1/2))
                ((> (log x) 20))
+               ((> x :pi) (< x 31415927/10000000))
+               ((< x (* 2 :pi)) (> x 62831853/10000000))
+               ((> x ,(expt 10 400)) (< (log x) 1000))
                ((> (- (log x) (* 1/3 x)) 0))
                ((< (+ (square x) (* -2 x)) -999999/1000000)))])
     (check-false (because row) (format "~s" row))))
