@@ -127,7 +127,9 @@
 
 (define most 100)
 
-;; a x² + b x + c = 0 with the least coefficients.  Flonums tell where to look closer.
+;; a x² + b x + c = 0 with the least coefficients.  Flonums tell where to look closer.  How far
+;; the root is from x, the slope 2 a x + b tells.  A root that is a fraction was looked for among
+;; these.
 (define (read-quadratic x)
   (define z (exact->inexact x))
   (define (c-of a b)
@@ -138,11 +140,12 @@
        (for*/or ([a (in-range 1 (+ most 1))] [b (in-range (- most) (+ most 1))])
          (define c (c-of a b))
          (and c
-              (<= (abs (+ (* a x x) (* b x) c)) (* 2 unit x (+ (* 2 a x) (abs b))))
+              (<= (abs (+ (* a x x) (* b x) c)) (* 2 unit x (abs (+ (* 2 a x) b))))
               (quadratic-root a b c x)))))
 
 (define (quadratic-root a b c x)
   (define D (- (* b b) (* 4 a c)))
   (define sign (if (>= (* 2 a x) (- b)) 1 -1))
   (and (positive? D)
+       (not (exact? (sqrt D)))
        (e:/ (e:+ (- b) (e:* sign (make-node op:sqrt (list D)))) (* 2 a))))

@@ -1,9 +1,12 @@
 #lang racket/base
 ;; What decimals are read as, and when they are not read.
 
-(require rackunit
+(require (only-in math/flonum epsilon.0 flstep)
+         rackunit
+         mechanics/algebra/assumption/reference
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/read
+         mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/decimals
          mechanics/algebra/zero/zero-test)
 
@@ -25,11 +28,24 @@
   (check-false (different? 2.0 1.5 -2.0000000000000004))
   (check-true (different? 0.3 -0.3 0.1 1.4142135623730951)))
 
+;; x, and the next flonums above it
+(define (neighbours x) (for/list ([k (in-range 9)]) (flstep x k)))
+
+(test-case "a decimal is read as what it is near to, and what is rational as a fraction"
+  (for* ([x (in-list (list 0.1 0.25 2/3 1.5 7.0 (sqrt 2) (/ (+ 1 (sqrt 5)) 2)))]
+         [y (in-list (neighbours (exact->inexact x)))]
+         [e (in-value (read-decimal y))]
+         #:when e)
+    (define value (real-value e void))
+    (check-true (<= (abs (- y value)) (* 4 epsilon.0 value)) (format "~a as ~a" y e))
+    (check-equal? (rational? e) (rational? (simplify-expression e)) (format "~a" y))))
+
 (define (status d) (zero-test-status (zero-test (datum->expression d))))
 
 (test-case "no proof takes decimals that were written differently for one"
   (check-equal? (status '(- (* 2.0000000000000004 x) (* 2.0 x))) 'undecided)
   (check-equal? (status '(+ (* 0.1 x) (* -0.10000000000000002 x))) 'undecided)
+  (check-equal? (status '(- (* 0.1 x) (* 0.1000000000000001 x))) 'undecided)
   (check-equal? (status '(- (cos (* 0.3 x)) (cos (* 0.30000000000000004 x)))) 'undecided))
 
 (test-case "but a decimal may be the exact number beside it"
