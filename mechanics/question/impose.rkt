@@ -3,13 +3,15 @@
 ;; about, and the question is asked again.
 ;;
 ;; A condition is a list of equations that hold together.  Each is solved for one of its
-;; symbols, which is replaced wherever it stands.  In a function it is replaced in the value;
+;; symbols, which is replaced wherever it stands; if it may be either root of a square, by the
+;; one that is not negative, and the verdict says so.  In a function it is replaced in the value;
 ;; of derivatives of the function in their parts.  Only the tape of a gradient knows values
 ;; from before: a function is given symbols in place of those, and what it makes of them is
 ;; evaluated on the tape.
 
-(require (only-in racket/string string-join)
-         "../algebra/expression/expression.rkt"
+(require (only-in racket/list count)
+         (only-in racket/string string-join)
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../calculus/expression-function.rkt" "../calculus/perturbed.rkt"
          "../calculus/recorded.rkt"
          "../constraint/constraint.rkt"
@@ -38,7 +40,10 @@
     (call-assuming (known-relations (map change (verdict-given v)))
                    (lambda () ((verdict-question v) change))
                    'verify-again))
-  (with-remark again (string-append "under the condition " (equations->text equations))))
+  (define roots (roots-taken equations replacements))
+  (with-remark again
+               (string-append "under the condition " (equations->text equations)
+                              (if (null? roots) "" ", with ") (equations->text roots))))
 
 (define (equations->text equations)
   (string-join (for/list ([q (in-list equations)])
@@ -102,7 +107,28 @@
     (complain who (string-append "the equation cannot be solved for one of its symbols\n"
                                  "  equation: ~a\n  write it as (= symbol expression)")
               (value->text q)))
+  (for ([q (in-list equations)] #:when (product-alone? q))
+    (complain who (string-append "a product is zero with any of its factors\n  equation: ~a\n"
+                                 "  write the factor that is meant, as (= ~a 0)")
+              (value->text q) (value->text (car (car replacements)))))
   replacements)
+
+;; Does the equation say that a product of several unknowns is zero?
+(define (product-alone? q)
+  (define (several? e)
+    (and (headed? e op:*) (> (count (lambda (f) (not (number? f))) (node-args e)) 1)))
+  (or (and (eqv? (caddr q) 0) (several? (cadr q)))
+      (and (eqv? (cadr q) 0) (several? (caddr q)))))
+
+;; Equations x = 2 for what is replaced by one root of two, as where x² = 4.
+(define (roots-taken equations replacements)
+  (for/list ([r (in-list replacements)]
+             #:unless (eqv? (cdr r) 0)
+             #:when (let ([others (map (lambda (s) (if (eq? s r) (negated s) s)) replacements)])
+                      (andmap (lambda (q) (kept? q others)) equations)))
+    (list '= (car r) (simplify-expression (cdr r)))))
+
+(define (negated r) (cons (car r) (e:negate (cdr r))))
 
 ;; Does the equation hold after the replacements?
 (define (kept? q replacements)

@@ -130,6 +130,15 @@
   (check-equal? (verdict-remarks (verify-again v '((= k 2) (= m 1))))
                 '("under the condition k = 2, m = 1")))
 
+(test-case "of two roots it tells which is taken"
+  (define w (prove-zero (- 'x 2)))
+  (check-equal? (verdict-remarks (verify-again w '(= (expt x 2) 4)))
+                '("under the condition (expt x 2) = 4, with x = 2"))
+  (check-equal? (verdict-remarks (verify-again w '((= m 1) (= (* m (expt x 2)) k))))
+                '("under the condition m = 1, (* m (expt x 2)) = k, with x = (sqrt k)"))
+  (check-equal? (verdict-remarks (verify-again w '(= (expt x 2) 0)))
+                '("under the condition (expt x 2) = 0")))
+
 (test-case "under another condition the answer is what that makes it"
   (check-pred refuted? (verify-again v '(= k m)))
   (check-equal? (verdict-alternatives (verify-again v '(= k (* c m))))
@@ -180,6 +189,12 @@
  [(impose '(= (+ a b) (+ c d)) 'a)
   "impose: the equation cannot be solved for one of its symbols\n"
   "  equation: (= (+ a b) (+ c d))\n  write it as (= symbol expression)"]
+ [(impose '(= (* 2 x y) 0) 'y)
+  "impose: a product is zero with any of its factors\n"
+  "  equation: (= (* 2 x y) 0)\n  write the factor that is meant, as (= x 0)"]
+ [(verify-again (prove-zero 'x) '(= 0 (* x (sin y))))
+  "verify-again: a product is zero with any of its factors\n"
+  "  equation: (= 0 (* x (sin y)))\n  write the factor that is meant, as (= x 0)"]
  [(impose '(= a (up 1 2)) 'a)
   "impose: an equation is between numbers or expressions\n  given: (= a (up 1 2))"]
  [(impose '(= a) 'a)
