@@ -86,7 +86,9 @@
 (define (variable-value name mapped?)
   (namespace-variable-value name mapped? (lambda () unknown)))
 
-;; That of a procedure with keywords, which is syntax.
+;; That of a procedure with keywords, which is syntax for a variable.  Of other syntax nothing is
+;; evaluated; whatever it does not like in a name that stands alone is its own affair.
 (define (value-of-syntax name)
-  (with-handlers ([exn:fail:syntax? (lambda (e) unknown)])
-    (call-with-values (lambda () (eval name)) (case-lambda [(x) x] [_ unknown]))))
+  (define meant (with-handlers ([exn:fail? (lambda (e) #f)])
+                  (expand (namespace-symbol->identifier name))))
+  (if (identifier? meant) (eval meant) unknown))

@@ -64,3 +64,17 @@
   (check-equal? output '("1"))
   (check-regexp-match #rx"bad syntax for require sub-form" (string-join errors "\n"))
   (check-regexp-match #rx"collection not found" (string-join errors "\n")))
+
+(test-case "whatever syntax a library exports, it is required without a word"
+  (define-values (output errors)
+    (talk "(define (g) (thrice 2))"
+          "(module m racket/base (provide thrice shout) (define (thrice x #:by [n 3]) (* n x))"
+          "  (require (for-syntax racket/base))"
+          "  (define-syntax (shout stx)"
+          "    (if (identifier? stx) #'(displayln 'used) (cadr (syntax-e stx)))))"
+          "(require 'm)"
+          "(g)"
+          "(require mechanics racket/unit)"
+          "(+ 1 1)"))
+  (check-equal? output '("6" "2"))
+  (check-equal? errors '()))
