@@ -33,7 +33,7 @@
 ;; relations : in the order of declaration    table : normalized terms -> known
 ;; sums : keys of the table that have several terms, from relations
 ;; automatic? : may simplification assume more by itself?
-;; reference : #f, or a promise of the point at which it does so (reference.rkt), or of #f
+;; reference : #f, or -> the point at which it does so (reference.rkt), or #f
 (struct assumptions (relations table sums automatic? reference) #:authentic)
 
 (define no-assumptions (assumptions '() (hash) '() #t #f))

@@ -43,7 +43,7 @@
 ;; That of a question of which this is a part.
 (define (common-point A)
   (define point (assumptions-reference A))
-  (and point (force point)))
+  (and point (point)))
 
 ;; What all rests on, as datums such as (>= R 0), in the order they were needed.
 (define (simplifier-grounds s) (reverse (ledger-grounds (simplifier-ledger s))))

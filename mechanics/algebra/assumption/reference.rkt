@@ -10,11 +10,11 @@
 ;; alphabet the greatest: lengths and masses are positive there, and sines and cosines of
 ;; angles.  Then come others, positive ones first, always the same ones.
 
-(require racket/promise
-         "assumption-set.rkt" "leaf-bounds.rkt" "signs.rkt"
+(require "assumption-set.rkt" "leaf-bounds.rkt" "signs.rkt"
          "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
-         "../expression/symbols.rkt")
+         "../expression/symbols.rkt"
+         "../../error/once.rkt")
 
 (provide find-reference at-common-reference
          reference-sign holds-at? real-value leaves-of concerning)
@@ -36,7 +36,7 @@
 ;; A for each of several expressions that are asked about together, so that their signs are
 ;; taken at one point, if there is one where all have a value.
 (define (at-common-reference A expressions)
-  (with-reference A (delay (find-reference expressions A))))
+  (with-reference A (once (lambda () (find-reference expressions A)))))
 
 (define (all-real? expressions lookup)
   (for/and ([e (in-list expressions)]) (real-value e lookup)))

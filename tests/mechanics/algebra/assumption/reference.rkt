@@ -1,0 +1,26 @@
+#lang racket/base
+;; The point at which several expressions take open signs is looked for when it is first asked
+;; for.
+
+(require rackunit
+         mechanics/algebra/assumption/assumption-set
+         mechanics/algebra/assumption/reference
+         mechanics/algebra/expression/read)
+
+(define large-sum
+  (for/fold ([d 'x]) ([k (in-range 60000)])
+    `(+ ,d (* ,(string->symbol (format "a~a" k)) (sqrt x)))))
+
+(test-case "a break while the point is looked for leaves it to be found by the next who asks"
+  (define A (at-common-reference no-assumptions (list (datum->expression large-sum))))
+  (define started (make-semaphore))
+  (define interrupted
+    (thread (lambda ()
+              (with-handlers ([exn:break? void])
+                (semaphore-post started)
+                ((assumptions-reference A))))))
+  (semaphore-wait started)
+  (sleep 0.02)
+  (break-thread interrupted)
+  (thread-wait interrupted)
+  (check-pred procedure? ((assumptions-reference A))))
