@@ -11,7 +11,8 @@
 
 (require (only-in racket/list count)
          (only-in racket/string string-join)
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt"
          "../calculus/expression-function.rkt" "../calculus/perturbed.rkt"
          "../calculus/recorded.rkt"
          "../constraint/constraint.rkt"
@@ -116,7 +117,7 @@
 ;; Does the equation say that a product of several unknowns is zero?
 (define (product-alone? q)
   (define (several? e)
-    (and (headed? e op:*) (> (count (lambda (f) (not (number? f))) (node-args e)) 1)))
+    (and (headed? e op:*) (> (count (lambda (f) (not (constant-value f))) (node-args e)) 1)))
   (or (and (eqv? (caddr q) 0) (several? (cadr q)))
       (and (eqv? (cadr q) 0) (several? (caddr q)))))
 

@@ -32,7 +32,8 @@
 
 (test-case "what stands left need not be a symbol"
   (check-equal? (impose '(= (* m v) p) 'm) (/ 'p 'v))
-  (check-equal? (impose '(= (sin beta) 0) (+ 1 (sin 'beta))) 1))
+  (check-equal? (impose '(= (sin beta) 0) (+ 1 (sin 'beta))) 1)
+  (check-equal? (impose '(= (* 2 :pi nu) 0) (+ 1 'nu)) 1))
 
 ;; ---------------------------------------------------------------------------
 ;; On functions
