@@ -7,6 +7,7 @@
 
 (require "local-tuple.rkt"
          "../calculus/derivative.rkt"
+         (only-in "../calculus/literal-function.rkt" literal-function? literal-function-takes?)
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt")
@@ -24,10 +25,21 @@
   (when (and Q (not (accepts? Q 1))) (raise-arity-of-force who Q))
   (unless (or (not F) (and (procedure? F) (accepts? F 1)))
     (raise-argument-error who "a dissipation function: a function of the local tuple" F))
+  (when (and (literal-function? F) (not (literal-function-takes? F (list (up 't 'q 'v)))))
+    (raise-path-as-dissipation who F))
   (define slope (and F ((partial 2) (scalar-dissipation who F))))
   (cond [(and Q F) (g:- Q slope)]
         [F (g:negate slope)]
         [else Q]))
+
+;; One pair of parentheses was left out, most likely.
+(define (raise-path-as-dissipation who F)
+  (complain who "a dissipation function takes the local tuple (up t q v); given ~a~a"
+            (describe-function F)
+            (if (eq? who 'Lagrange-equations)
+                (format "\n  a path comes in parentheses of its own: ((Lagrange-equations L) ~a)"
+                        (value->text F))
+                "")))
 
 ;; Newton's forces are functions of time, positions and velocities; these are not.
 (define (raise-arity-of-force who Q)

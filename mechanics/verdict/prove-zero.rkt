@@ -5,7 +5,7 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
-         "fresh-name.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt" "ways.rkt"
+         "fresh-name.rkt" "off-kinks.rkt" "rounding.rkt" "smoothness.rkt" "verdict.rkt" "ways.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/once.rkt" "../error/words.rkt"
@@ -45,7 +45,8 @@
                   (zero-test-residual z))
                 judged))
   (for ([t (in-list tests)]) (note-used! (zero-test-assumptions (cdr t))))
-  (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks remarks
+  (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks
+                (lambda () (append (remarks-on-rounding residual) (remarks)))
                 (once (lambda () (ways-told (reverse tests) meaning A)))
                 (or again
                     (lambda (change)

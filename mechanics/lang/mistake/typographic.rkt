@@ -25,6 +25,15 @@
 ;; The text with the signs of the keyboard.
 (define (as-typed text)
   (apply string-append
-         (for/list ([c (in-string text)])
+         (for/list ([c (in-string (without-closing-quote text))])
            (define entry (assv c signs))
            (if entry (caddr entry) (string c)))))
+
+;; Of ‘x’ the symbol 'x was meant, which has no quote at its end.
+(define (without-closing-quote text)
+  (define last (- (string-length text) 1))
+  (if (and (> last 0)
+           (memv (string-ref text 0) '(#\‘ #\’ #\' #\´))
+           (memv (string-ref text last) '(#\‘ #\’ #\´)))
+      (substring text 0 last)
+      text))

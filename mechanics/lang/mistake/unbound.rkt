@@ -82,6 +82,8 @@
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
                [else #f])]
         [(exn:fail:contract? e) (hint-for-call message e)]
+        [(and (exn:fail:syntax? e) (regexp-match? #rx"unquote: not in quasiquote" message))
+         "\n  no comma separates arguments, and a decimal has a point: (up 1 2.5)"]
         [else #f]))
 
 ;; Names that the prompt knows nothing of, not those that a module uses too

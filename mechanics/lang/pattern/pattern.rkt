@@ -19,7 +19,17 @@
 (begin-for-syntax
   ;; Racket's form, on the syntax as it was written.
   (define (as form stx)
+    (when (identifier? stx) (raise-alone stx))
     (datum->syntax stx (cons form (cdr (syntax-e stx))) stx stx))
+
+  (define (raise-alone id)
+    (raise-syntax-error
+     #f (format "stands first within parentheses, as in ~s"
+                (case (syntax-e id)
+                  [(define) '(define m 3)]
+                  [(let let*) `(,(syntax-e id) ([m 3]) (* 2 m))]
+                  [else `(,(syntax-e id) (t) (* 2 t))]))
+     id))
 
   ;; What a procedure made here will be called, or `other`.
   (define (inferred-name stx other)

@@ -301,8 +301,8 @@ whole powers, and of the exponential and the circular and hyperbolic sine and co
 
 @defproc[(= [x value] [y value] ...) boolean?]{
 
-Whether all are equal. Numbers are compared as numbers, expressions by their form as it
-was computed, without simplification; @racket[verify-equal] does more. Tuples are compared
+Whether all are equal: numbers as numbers, expressions by their form as it was computed,
+which is no proof that they differ; @racket[verify-equal] decides. Tuples are compared
 component by component.
 
 @examples[#:eval session
@@ -327,12 +327,13 @@ shows it.
 @deftogether[(@defproc[(zero? [x value]) boolean?]
               @defproc[(one? [x value]) boolean?])]{
 
-Whether @racket[x] is 0 or 1. For expressions this asks about a generic point, by
-form: a symbol is not zero. A tuple is zero when all its components are.
+Whether @racket[x] is 0 or 1, of an expression by its form as it was computed: what is 0 only
+when it is simplified is not. @racket[prove-zero] decides. A tuple is zero when all its
+components are.
 
 @examples[#:eval session
 (zero? (- 'x 'x))
-(zero? 'x)
+(zero? (- (* 2 'x) 'x 'x))
 (zero? (up 0 0))
 (one? 1)]}
 

@@ -119,7 +119,8 @@ function whose values have it replaced; of a constraint it is a constraint, of a
               @defproc[(refuted? [v verdict?]) boolean?]
               @defproc[(undecided? [v verdict?]) boolean?])]{
 
-What a verdict says: it is proved, refuted, or undecided.
+What a verdict says: it is proved, refuted, or undecided. A verdict itself is a value like
+others, and true in an @racket[if] whatever it says: ask @racket[(if (proved? v) ...)].
 
 @examples[#:eval session
 (define v (prove-zero (* 'a (- 'k (* 'm (square 'omega))))))
