@@ -5,7 +5,8 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
-         "fresh-name.rkt" "off-kinks.rkt" "rounding.rkt" "smoothness.rkt" "verdict.rkt" "ways.rkt"
+         "fresh-name.rkt" "left-by-rounding.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt"
+         "ways.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/once.rkt" "../error/words.rkt"
