@@ -7,9 +7,11 @@
 ;;
 ;; A point with the other sign, at which the result is not what was asked about, tells at once
 ;; that the assumption is needed, as of √(r²) = r.  If there is none, the difference of both is
-;; simplified with that sign: it is to be 0.  Of what is large nothing is asked.
+;; simplified with that sign: it is to be 0.  What was declared and makes it 0 is needed then.  Of
+;; what is large nothing is asked.
 
-(require "declare.rkt" "simplify-expression.rkt"
+(require (only-in racket/list remove-duplicates)
+         "declare.rkt" "simplify-expression.rkt"
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../assumption/relation.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
@@ -36,18 +38,28 @@
           (> (length taken) most-taken)
           (> (tape-length (expression->plain-tape e)) most-nodes))
       grounds
-      (let ([idle (idle-grounds e simple A taken)])
-        (filter (lambda (d) (not (member d idle))) grounds))))
+      (let-values ([(idle reasons) (idle-grounds e simple A taken)])
+        (remove-duplicates
+         (append (filter (lambda (d) (member d declared)) reasons)
+                 (filter (lambda (d) (not (member d idle))) grounds))))))
 
-;; Those that may all be left out.
+;; -> those that may all be left out, and what it rests on that they may
 (define (idle-grounds e simple A taken)
-  (for/fold ([idle '()]) ([d (in-list taken)])
-    (if (and (not (wrong-beyond? e simple A d taken))
-             (for/and ([signs (in-list (choices idle))])
-               (same-under? e simple A (append (cons (opposite d) signs)
-                                               (remove* (cons d idle) taken)))))
-        (cons d idle)
-        idle)))
+  (for/fold ([idle '()] [reasons '()]) ([d (in-list taken)])
+    (define more
+      (and (not (wrong-beyond? e simple A d taken))
+           (reasons-for-all (for/list ([signs (in-list (choices idle))])
+                              (append (cons (opposite d) signs) (remove* (cons d idle) taken)))
+                            (lambda (data) (reasons-under e simple A data)))))
+    (if more
+        (values (cons d idle) (append more reasons))
+        (values idle reasons))))
+
+;; reasons-of : x -> list, or #f; -> all of them together, or #f
+(define (reasons-for-all xs reasons-of)
+  (for/fold ([all '()]) ([x (in-list xs)] #:break (not all))
+    (define more (reasons-of x))
+    (and more (append more all))))
 
 ;; All lists of the relations or their opposites, one for each.
 (define (choices data)
@@ -71,9 +83,10 @@
         (values #f #f)))
   (and x y (> (abs (- x y)) (* 1e-9 (+ 1.0 (abs x))))))
 
-;; Nothing is taken for granted here; what cannot hold says nothing.
-(define (same-under? e simple A data)
-  (with-handlers ([exn:algebra:contradiction? (lambda (x) #t)])
+;; Is it the same under these, too?  -> what that rests on, or #f.  Nothing is taken for granted
+;; here; of what cannot hold all is true.
+(define (reasons-under e simple A data)
+  (with-handlers ([exn:algebra:contradiction? exn:algebra:contradiction-because])
     (define-values (F f grounds)
       (normal-form (e:- e simple) (declare-relations (with-automatic-assumptions A #f) data)))
-    (fraction-zero? f)))
+    (and (fraction-zero? f) grounds)))

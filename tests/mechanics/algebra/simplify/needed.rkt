@@ -7,6 +7,7 @@
          mechanics/algebra/assumption/reference
          mechanics/algebra/assumption/relation
          mechanics/algebra/expression/read
+         mechanics/algebra/simplify/declare
          mechanics/algebra/simplify/needed
          mechanics/algebra/simplify/simplify-expression
          "../../support/random.rkt")
@@ -28,6 +29,17 @@
   (check-equal? (needed '(sqrt (* (expt r 2) (expt (- a b) 2)))) '((>= r 0) (>= (- a b) 0)))
   (check-equal? (needed '(* (sqrt (expt r 2)) (sqrt (+ (expt (+ x (/ a b)) 2) (expt y 2)))))
                 '((>= r 0))))
+
+(test-case "what was declared and makes an assumption needless is needed itself"
+  (define A (declare-relations no-assumptions '((< (* a b) 0) (> c 0))))
+  (define (needed-under-A d)
+    (define-values (simple grounds) (simplify-expression/needed (datum->expression d) A))
+    grounds)
+  (check-equal? (needed-under-A '(+ (* a b) (* (sqrt (expt a 2)) (sqrt (expt b 2)))))
+                '((< (* a b) 0)))
+  (check-equal? (needed-under-A '(+ (/ (sqrt (expt a 2)) a) (/ (sqrt (expt b 2)) b)))
+                '((< (* a b) 0)))
+  (check-equal? (needed-under-A '(sqrt (+ (expt (/ x b) 2) (expt y 2)))) '()))
 
 ;; ---------------------------------------------------------------------------
 ;; Random expressions
