@@ -28,7 +28,7 @@
            "(define (g x) (+ 1 (car x)))" "(g 3)" "(nothing-such 1)" ")" "'after"
            ",help" ",nonsense" ",more"
            "(define-syntax-rule (help about) (list 'help-on 'about))"
-           ",help Gamma" ",help 'Gamma of" "(up 1"))
+           ",help Gamma" ",help 'Gamma of" ",help \"Gamma of\"" "(up 1"))
 
 (define (told? pattern) (regexp-match? pattern errors))
 
@@ -52,7 +52,7 @@
 (test-case "commands answer, and what is none says so"
   (define text (string-join piped "\n"))
   (for ([pattern '(#rx"(?m:,quit  +leave)" #rx",nonsense is no command; ,help lists them"
-                   #rx"help-on Gamma\\)" #rx"help-on \"'Gamma of\""
+                   #rx"help-on Gamma\\)" #rx"help-on \"'Gamma of\"" #rx"help-on \"Gamma of\""
                    #rx"nothing is left of the last result")])
     (check-regexp-match pattern text)))
 
