@@ -74,11 +74,15 @@
   (list op:+ op:- op:* op:/ op:exp op:sin op:cos op:tan op:sinh op:cosh op:tanh))
 
 (define (conjugate-expression e)
-  (cond [(number? e) (g:- (racket:real-part e) (g:* +i (racket:imag-part e)))]
-        [(real-valued? e) e]
-        [(conjugated-inside? e)
-         (rebuild (node-head e) (map conjugate-expression (node-args e)))]
-        [else (raise-no-parts 'conjugate e)]))
+  (node-fold e
+             (lambda (leaf)
+               (if (or (symbol? leaf) (real? leaf))
+                   leaf
+                   (g:- (racket:real-part leaf) (g:* +i (racket:imag-part leaf)))))
+             (lambda (n arguments)
+               (cond [(andmap eqv? arguments (node-args n)) n]        ; it is real
+                     [(conjugated-inside? n) (rebuild (node-head n) arguments)]
+                     [else (raise-no-parts 'conjugate n)]))))
 
 (define (conjugated-inside? e)
   (or (memq (node-head e) conjugated-inside)
@@ -91,37 +95,53 @@
   (node-fold e (lambda (leaf) (or (symbol? leaf) (real? leaf)))
              (lambda (n arguments) (andmap values arguments))))
 
+;; Real and imaginary part
+(struct rectangular (re im) #:authentic)
+
 ;; -> real and imaginary part
 (define (parts who e)
-  (define (walk e)
-    (cond [(number? e) (values (racket:real-part e) (racket:imag-part e))]
-          [(real-valued? e) (values e 0)]
-          [else (of-operation (node-head e) (node-args e))]))
-  (define (of-operation head args)
-    (cond [(eq? head op:+) (fold-parts sum 0 args)]
-          [(eq? head op:*) (fold-parts product 1 args)]
-          [else
-           (define-values (a b) (walk (car args)))
-           (cond [(eq? head op:-) (combine difference a b (cadr args))]
-                 [(eq? head op:/) (combine quotient-of a b (cadr args))]
-                 [(and (eq? head op:expt) (exact-integer? (cadr args))) (power a b (cadr args))]
-                 [(eq? head op:exp) (exponential a b)]
-                 [(eq? head op:sin)
-                  (values (g:* (g:sin a) (g:cosh b)) (g:* (g:cos a) (g:sinh b)))]
-                 [(eq? head op:cos)
-                  (values (g:* (g:cos a) (g:cosh b)) (g:negate (g:* (g:sin a) (g:sinh b))))]
-                 [(eq? head op:sinh)
-                  (values (g:* (g:sinh a) (g:cos b)) (g:* (g:cosh a) (g:sin b)))]
-                 [(eq? head op:cosh)
-                  (values (g:* (g:cosh a) (g:cos b)) (g:* (g:sinh a) (g:sin b)))]
-                 [else (raise-no-parts who e)])]))
-  (define (combine operation a b other)
-    (define-values (c d) (walk other))
+  (define found
+    (node-fold e leaf-parts
+               (lambda (n arguments)
+                 (node-parts n arguments (lambda () (raise-no-parts who e))))))
+  (values (rectangular-re found) (rectangular-im found)))
+
+(define (leaf-parts leaf)
+  (if (number? leaf)
+      (rectangular (racket:real-part leaf) (racket:imag-part leaf))
+      (rectangular leaf 0)))
+
+;; arguments : the parts of the node's
+(define (node-parts n arguments fail)
+  (if (andmap (lambda (a given) (eqv? (rectangular-re a) given)) arguments (node-args n))
+      (rectangular n 0)                 ; it is real
+      (call-with-values (lambda () (parts-of-operation n arguments fail)) rectangular)))
+
+(define (parts-of-operation n arguments fail)
+  (define head (node-head n))
+  (define-values (a b) (both (car arguments)))
+  (define (with-second operation)
+    (define-values (c d) (both (cadr arguments)))
     (operation a b c d))
-  (define (fold-parts operation start args)
-    (for/fold ([a start] [b 0]) ([x (in-list args)])
-      (combine operation a b x)))
-  (walk e))
+  (cond [(eq? head op:+) (fold-parts sum 0 arguments)]
+        [(eq? head op:*) (fold-parts product 1 arguments)]
+        [(eq? head op:-) (with-second difference)]
+        [(eq? head op:/) (with-second quotient-of)]
+        [(and (eq? head op:expt) (exact-integer? (cadr (node-args n))))
+         (power a b (cadr (node-args n)))]
+        [(eq? head op:exp) (exponential a b)]
+        [(eq? head op:sin) (values (g:* (g:sin a) (g:cosh b)) (g:* (g:cos a) (g:sinh b)))]
+        [(eq? head op:cos)
+         (values (g:* (g:cos a) (g:cosh b)) (g:negate (g:* (g:sin a) (g:sinh b))))]
+        [(eq? head op:sinh) (values (g:* (g:sinh a) (g:cos b)) (g:* (g:cosh a) (g:sin b)))]
+        [(eq? head op:cosh) (values (g:* (g:cosh a) (g:cos b)) (g:* (g:sinh a) (g:sin b)))]
+        [else (fail)]))
+
+(define (both x) (values (rectangular-re x) (rectangular-im x)))
+
+(define (fold-parts operation start arguments)
+  (for/fold ([a start] [b 0]) ([x (in-list arguments)])
+    (operation a b (rectangular-re x) (rectangular-im x))))
 
 (define (sum a b c d) (values (g:+ a c) (g:+ b d)))
 (define (difference a b c d) (values (g:- a c) (g:- b d)))
