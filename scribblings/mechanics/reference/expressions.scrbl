@@ -10,7 +10,8 @@
 @defproc[(simplify [x value]) value]{
 
 The same value with each of its scalars simplified, of a list each of the values in it.
-Functions are returned as they are. The result is equal to @racket[x] wherever both are defined, under the
+Functions are returned as they are. The result is equal to @racket[x] wherever both are
+defined, under the
 assumptions that were declared and those that were made; @racket[assumptions] lists
 both.
 

@@ -44,7 +44,8 @@ The operator that does what @racket[f] does, a procedure of functions, and print
 as @racket[name]. Sums, differences and multiples of operators are formed value by
 value. A product composes: @racket[((* A B) f)] is @racket[(A (B f))], and
 @racket[expt] repeats. In sums and products with operators, a number is that
-multiple of the identity, and a function the multiplication by it. The subtype and arity that scmutils
+multiple of the identity, and a function the multiplication by it. The subtype and arity that
+scmutils
 wants to be told are accepted and not needed.
 
 @examples[#:eval session

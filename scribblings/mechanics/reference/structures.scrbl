@@ -84,7 +84,8 @@ The orientation, and its opposite.
 
 Component i, and within it component j, and so on. Indices start at 0; negative
 ones count from the end. A list is taken apart as a tuple is, and component i of a matrix
-is its row, a @racket[down], so that @racket[(ref m i j)] is an entry. Of a series, @racket[ref] is the term of order i; of a
+is its row, a @racket[down], so that @racket[(ref m i j)] is an entry. Of a series,
+@racket[ref] is the term of order i; of a
 function, the function that gives that component of its value. An index outside raises
 an error that names the
 range.

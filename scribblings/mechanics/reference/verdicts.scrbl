@@ -100,7 +100,8 @@ asked
 
 The value under the condition: an equation @racket['(= k 1)], a list of equations that hold
 together, or a verdict, whose first choice it is. Each equation is solved for a symbol, which is
-replaced by what it equals, a square's by the root that is not negative. Of a function, such as a Lagrangian or a path, the result is the
+replaced by what it equals, a square's by the root that is not negative. Of a function, such
+as a Lagrangian or a path, the result is the
 function whose values have it replaced; of a constraint it is a constraint, of a list a list.
 
 @examples[#:eval session
@@ -150,7 +151,8 @@ and its value there. The pairs can be given to
 @defproc[(verdict-conditions [v verdict?]) list?]{
 
 Equations between parameters, as lists @racket[(= left right)], for which the scalars of
-the residual vanish: of each scalar the first of the ways that are printed. There are none where no short equation would do, and none that
+the residual vanish: of each scalar the first of the ways that are printed. There are none
+where no short equation would do, and none that
 speak of the arguments of a function: a residual that varies with the time has to
 vanish at all times, for which several equations may be needed.
 
