@@ -4,7 +4,7 @@
 ;; A promise that a break interrupts raises that break for ever; here the next who asks
 ;; begins anew.  Two threads may both compute.
 
-(provide once)
+(provide once at-last)
 
 ;; f : -> values; -> a procedure that gives the same, calling f when it is first called
 (define (once f)
@@ -12,3 +12,6 @@
   (lambda ()
     (unless known (set! known (call-with-values f list)))
     (apply values known)))
+
+;; x : what gives values when it is called, as `once` does; or a value itself
+(define (at-last x) (if (procedure? x) (x) x))

@@ -35,4 +35,5 @@
   zero-test zero-test-status zero-test-residual zero-test-witness zero-test-value
   zero-test-bound zero-test-points zero-test-reason zero-test-decimals
   zero-test-factor zero-test-core
-  zero-test-conditions zero-test-ways zero-test-assumptions zero-test-left-unexpanded])
+  zero-test-conditions zero-test-ways zero-test-left-unexpanded
+  zero-test-grounds zero-test-assumptions])

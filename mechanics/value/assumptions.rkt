@@ -11,6 +11,7 @@
          (except-in "../algebra/assumption/assumption-set.rkt" assumptions)
          "../algebra/assumption/relation.rkt"
          "../algebra/expression/expression.rkt"
+         "../error/once.rkt"
          "../generic/describe.rkt")
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions
@@ -22,7 +23,8 @@
 
 (define current-declared (make-parameter no-assumptions))
 
-;; Datums of what was taken for granted, newest first.
+;; What was taken for granted, newest first: lists of datums, or procedures that find them.  To
+;; find what a result needs costs as much as the result, so it waits until somebody asks.
 (define current-used (make-parameter '()))
 
 ;; May simplification take for granted that what comes out of a root is not
@@ -41,19 +43,31 @@
               x)
   (if (or (null? found) (null? (cdr found))) A (at-common-reference A (reverse found))))
 
-;; More than these are not remembered.
+;; So many wait at most; and of datums more than these are not remembered.
+(define waiting-limit 100)
 (define used-limit 1000)
 
-;; notes : grounds, and what was left unexpanded
+;; notes : grounds, and what was left unexpanded; or what finds them
 (define (note-used! notes)
-  (for ([d (in-list (undeclared notes))] #:unless (eq? (car d) 'left-unexpanded))
-    (define used (current-used))
-    (unless (or (member d used) (= (length used) used-limit))
-      (current-used (cons d used)))))
+  (unless (null? notes)
+    (define A (current-declared))
+    (current-used (cons (lambda () (undeclared (at-last notes) A)) (current-used)))
+    (when (> (length (current-used)) waiting-limit) (settle-used!))))
 
-;; Those of the datums that are not declared.
-(define (undeclared grounds)
-  (define declared (if (null? grounds) '() (declared-relations (current-declared))))
+;; -> the datums, oldest first
+(define (settle-used!)
+  (define data
+    (for*/fold ([known '()] #:result (reverse known))
+               ([notes (in-list (reverse (current-used)))] [d (in-list (at-last notes))])
+      (if (or (eq? (car d) 'left-unexpanded) (member d known) (= (length known) used-limit))
+          known
+          (cons d known))))
+  (current-used (if (null? data) '() (list data)))
+  data)
+
+;; Those of the datums that are not declared in A.
+(define (undeclared grounds [A (current-declared)])
+  (define declared (if (null? grounds) '() (declared-relations A)))
   (filter (lambda (d) (not (member d declared))) grounds))
 
 ;; ---------------------------------------------------------------------------
@@ -89,7 +103,7 @@
 ;; What was declared, then what was used without being declared; or one of both.
 (define (assumptions [which #f])
   (define declared (declared-relations (current-declared)))
-  (define used (undeclared (reverse (current-used))))
+  (define used (undeclared (settle-used!)))
   (case which
     [(#f) (append declared used)]
     [(declared) declared]
@@ -118,7 +132,7 @@
         [else
          (define-values (simple notes) (simplify-expression/needed e A))
          (note-used! notes)
-         (request-form simple notes)]))
+         (request-form simple (at-last notes))]))
 
 ;; ---------------------------------------------------------------------------
 ;; The forms: a relation without a quote is noticed where it is written

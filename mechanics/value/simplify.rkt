@@ -4,7 +4,7 @@
 (require racket/list
          "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
-         "../error/complain.rkt" "../error/hint.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/once.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt")
 
 (provide expression simplify simplify/assumptions as-shown substitute with-literals)
@@ -20,14 +20,18 @@
                    (quoted-hint x))]
         [(list? x) (map simplify x)]
         [else
-         (define-values (simple assumptions) (simplify/assumptions x))
+         (define-values (simple assumptions) (simplify/found x))
          simple]))
 
 ;; The simplified value, and what that assumed without being declared.
 (define (simplify/assumptions x)
-  (define A (assumptions-in-force))
-  (define B (common-assumptions A x))
-  (map-expressions (lambda (e) (simplified e B)) x))
+  (define-values (simple assumptions) (simplify/found x))
+  (values simple (assumptions)))
+
+;; -> the simplified value, and what finds what that assumed
+(define (simplify/found x)
+  (define A (common-assumptions (assumptions-in-force) x))
+  (map-expressions (lambda (e) (simplified e A)) x))
 
 (define (simplified e A)
   (define-values (simple grounds) (simplify-expression/needed e A))
@@ -38,13 +42,16 @@
 ;; but for scalars in a form that was asked for.
 (define (as-shown x)
   (define A (common-assumptions (assumptions-in-force) x))
-  (map-expressions (lambda (e)
-                     (if (requested? e)
-                         (values e (requested-assumptions e))
-                         (simplified e A)))
-                   x))
+  (define-values (shown assumptions)
+    (map-expressions (lambda (e)
+                       (if (requested? e)
+                           (values e (requested-assumptions e))
+                           (simplified e A)))
+                     x))
+  (values shown (assumptions)))
 
-;; rewrite : expression -> expression and what it rests on
+;; rewrite : expression -> expression and what it rests on, or what finds that
+;; -> the value, and what finds what all of it rests on
 (define (map-expressions rewrite x)
   (define assumptions '())
   (define value
@@ -52,12 +59,14 @@
      (lambda (leaf)
        (cond [(symbolic? leaf)
               (define-values (e used) (rewrite leaf))
-              (set! assumptions (append assumptions used))
+              (set! assumptions (cons used assumptions))
               e]
              [else leaf]))
      x))
   (value->datum value)                  ; a series gets the terms that are shown
-  (values value (undeclared (remove-duplicates assumptions))))
+  (values value
+          (lambda ()
+            (undeclared (remove-duplicates (append-map at-last (reverse assumptions)))))))
 
 ;; (substitute value 'm 3 'k (expt omega 2) ...), all at once.
 (define (substitute x . names-and-replacements)

@@ -45,7 +45,7 @@
                   (set! tests (cons (cons leaf z) tests))
                   (zero-test-residual z))
                 judged))
-  (for ([t (in-list tests)]) (note-used! (zero-test-assumptions (cdr t))))
+  (for ([t (in-list tests)]) (note-used! (zero-test-grounds (cdr t))))
   (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks
                 (lambda () (append (remarks-on-rounding residual) (remarks)))
                 (once (lambda () (ways-told (reverse tests) meaning A)))

@@ -5,6 +5,9 @@
 ;; was.  That is right with the other sign of b as well, and what is right with either sign is
 ;; so without an assumption on it; of several, with every choice of signs.
 ;;
+;; Whether an assumption is needed costs as much as the simplification, and is found when somebody
+;; wants to know.
+;;
 ;; A point with the other sign, at which the result is not what was asked about, tells at once
 ;; that the assumption is needed, as of √(r²) = r.  If there is none, the difference of both is
 ;; simplified with that sign: it is to be 0.  What was declared and makes it 0 is needed then.  Of
@@ -12,6 +15,7 @@
 
 (require (only-in racket/list remove-duplicates)
          "declare.rkt" "simplify-expression.rkt"
+         "../../error/once.rkt"
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../assumption/relation.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
@@ -19,7 +23,7 @@
 
 (provide needed-grounds simplify-expression/needed)
 
-;; -> the simplified expression and what it needs, as datums
+;; -> the simplified expression and what it needs: datums, or what finds them
 (define (simplify-expression/needed e A)
   (define-values (simple grounds) (simplify-expression/assumptions e A))
   (values simple (needed-grounds e simple A grounds)))
@@ -29,7 +33,7 @@
 (define most-taken 3)
 
 ;; simple : what e results in under A and the grounds, datums such as (>= R 0)
-;; -> those of the grounds that it needs
+;; -> those of the grounds that it needs: datums, or what finds them
 (define (needed-grounds e simple A grounds)
   (define declared (map relation-datum (assumptions-relations A)))
   (define (taken? d) (and (not (eq? (car d) 'left-unexpanded)) (not (member d declared))))
@@ -38,10 +42,13 @@
           (> (length taken) most-taken)
           (> (tape-length (expression->plain-tape e)) most-nodes))
       grounds
-      (let-values ([(idle reasons) (idle-grounds e simple A taken)])
-        (remove-duplicates
-         (append (filter (lambda (d) (member d declared)) reasons)
-                 (filter (lambda (d) (not (member d idle))) grounds))))))
+      (once (lambda () (without-idle e simple A grounds taken declared)))))
+
+(define (without-idle e simple A grounds taken declared)
+  (define-values (idle reasons) (idle-grounds e simple A taken))
+  (remove-duplicates
+   (append (filter (lambda (d) (member d declared)) reasons)
+           (filter (lambda (d) (not (member d idle))) grounds))))
 
 ;; -> those that may all be left out, and what it rests on that they may
 (define (idle-grounds e simple A taken)

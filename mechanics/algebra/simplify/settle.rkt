@@ -25,9 +25,10 @@
 (define settle-limit 4)
 
 ;; Would e, presented from this field, come out again?  Flonums are rounded when they are
-;; shown, so that what they have in common may change.
+;; shown, so that what they have in common may change; one that multiplies all has nothing in
+;; common with another.
 (define (settled? F e s)
-  (and (not (field-inexact? F))
+  (and (or (not (field-inexact? F)) (flonum-in-front? e))
        (or (not (or (atlas-dependent? (field-atlas F))
                     (new-roots? F e)
                     (new-angles? F e)))
@@ -87,3 +88,25 @@
   (define degree (if (eq? (node-head n) op:sqrt) 2 (denominator (cadr (node-args n)))))
   (define u (car (node-args n)))
   (if (eqv? degree 2) (make-node op:sqrt (list u)) (make-node op:expt (list u (/ 1 degree)))))
+
+;; Is at most one flonum in e, as a factor of the whole?  A whole one is an integer when it is
+;; read again, which has common factors with others.
+(define (flonum-in-front? e)
+  (define exact? (exactness))
+  (define (in-front? e)
+    (cond [(and (node? e) (eq? (node-head e) op:/))
+           (and (in-front? (car (node-args e))) (andmap exact? (cdr (node-args e))))]
+          [(and (node? e) (eq? (node-head e) op:*))
+           (and (factor? (car (node-args e))) (andmap exact? (cdr (node-args e))))]
+          [else (or (factor? e) (exact? e))]))
+  (define (factor? e) (and (real? e) (not (and (flonum? e) (integer? e)))))
+  (in-front? e))
+
+;; -> expression -> is there no flonum in it?  Shared parts are looked at once.
+(define (exactness)
+  (define memo (make-memo))
+  (define (exact-expression? e)
+    (cond [(number? e) (exact? e)]
+          [(node? e) (memo e (lambda () (andmap exact-expression? (node-args e))))]
+          [else #t]))
+  exact-expression?)

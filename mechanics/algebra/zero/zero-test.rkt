@@ -33,7 +33,8 @@
          zero-test-status zero-test-residual zero-test-witness zero-test-value
          zero-test-bound zero-test-points zero-test-reason zero-test-decimals
          zero-test-factor zero-test-core
-         zero-test-conditions zero-test-ways zero-test-assumptions zero-test-left-unexpanded)
+         zero-test-conditions zero-test-ways zero-test-left-unexpanded
+         zero-test-grounds zero-test-assumptions)
 
 ;; status : 'proved, 'refuted or 'undecided
 ;; witness : #f or ((expression . number) ...)  value : the residual's there
@@ -51,19 +52,18 @@
 ;; residual : expression, simplified             factor, core : residual = factor · core
 ;; conditions : equations, as data, for which core = 0
 ;; ways : -> lists of equations, each of which makes the residual 0
-;; notes : datums, such as (>= R 0) for what the residual rests on and
-;; (left-unexpanded e) for what would have grown too large
-(struct form (residual factor core conditions ways notes) #:authentic)
+;; grounds : datums, such as (>= R 0), what the residual rests on; or what finds them
+;; unexpanded : expressions that would have grown too large
+(struct form (residual factor core conditions ways grounds unexpanded) #:authentic)
 
 (define (zero-test-residual z) (form-residual (settled-form z)))
 (define (zero-test-factor z) (form-factor (settled-form z)))
 (define (zero-test-core z) (form-core (settled-form z)))
 (define (zero-test-conditions z) (form-conditions (settled-form z)))
 (define (zero-test-ways z) ((form-ways (settled-form z))))
-(define (zero-test-assumptions z) (filter assumption? (form-notes (settled-form z))))
-(define (zero-test-left-unexpanded z)
-  (for/list ([note (in-list (form-notes (settled-form z)))] #:unless (assumption? note))
-    (cadr note)))
+(define (zero-test-grounds z) (form-grounds (settled-form z)))
+(define (zero-test-assumptions z) (at-last (zero-test-grounds z)))
+(define (zero-test-left-unexpanded z) (form-unexpanded (settled-form z)))
 
 (define (settled-form z)
   (define content (unbox (zero-test-form z)))
@@ -75,14 +75,16 @@
 
 (define (make-form e A variables)
   (if (and (number? e) (not (rational? (magnitude e))))
-      (form e 1 e '() no-ways '())
+      (form e 1 e '() no-ways '() '())
       (make-form-of-finite e A variables)))
 
 (define (make-form-of-finite e A variables)
-  (define-values (F f simple all-notes) (normal-form+simplified e A))
-  (define notes (needed-grounds e (if (fraction-zero? f) 0 simple) A all-notes))
-  (cond [(fraction-zero? f) (form 0 1 0 '() no-ways notes)]
-        [(and (readable? f) (andmap assumption? notes))
+  (define-values (F f simple notes) (normal-form+simplified e A))
+  (define grounds
+    (needed-grounds e (if (fraction-zero? f) 0 simple) A (filter assumption? notes)))
+  (define unexpanded (map cadr (filter-not assumption? notes)))
+  (cond [(fraction-zero? f) (form 0 1 0 '() no-ways grounds unexpanded)]
+        [(and (readable? f) (null? unexpanded))
          (define (may-be-0? p) (may-vanish? A F p))
          (define-values (factor core conditions)
            (if (holds-sum? simple)
@@ -94,8 +96,9 @@
                   (with-first conditions
                               (ways-to-vanish F f (lambda (e) (constant-expression? e variables))
                                               may-be-0?))))
-               notes)]
-        [else (form simple 1 simple '() no-ways notes)]))
+               grounds
+               '())]
+        [else (form simple 1 simple '() no-ways grounds unexpanded)]))
 
 (define (no-ways) '())
 
@@ -197,7 +200,7 @@
   (define grounds (prove-vanishing t A))
   (and grounds
        (hold-at-reference? (taken-relations A grounds) t A)
-       (vanishing-test t (form 0 1 0 '() no-ways grounds) A)))
+       (vanishing-test t (form 0 1 0 '() no-ways grounds '()) A)))
 
 (define (hold-at-reference? relations t A)
   (or (null? relations)
@@ -222,7 +225,7 @@
         [else (test-by-points e A t f)]))
 
 (define (test-by-points e A t f)
-  (define grounds (filter assumption? (form-notes f)))
+  (define grounds (at-last (form-grounds f)))
   (define-values (witness value bound points)
     (find-witness t
                   (expression->tape (form-residual f))

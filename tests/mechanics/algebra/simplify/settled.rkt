@@ -74,6 +74,14 @@
   (check-stays '(/ (+ (/ b 0.5) (/ -2/3 x)) (+ (- -0.1 x) (expt b 2))))
   (check-stays '(/ (- (+ c -0.1) (/ b b)) (* (/ b c) a x))))
 
+(test-case "a flonum that multiplies all is whole, or not, or lies in a denominator"
+  (for ([r '(0.1 0.3 1e-20 2.5e17 1e15 -0.7)])
+    (check-stays `(* ,r (+ (* 3 a) (* 5 b))))
+    (check-stays `(/ (* ,r (+ (* 3 a) (* 5 b))) (+ 7 x)))
+    (check-stays `(/ (+ (* 3 a) (* 5 b)) (* ,r (+ 7 x))))
+    (check-stays `(+ (* ,r a) (/ b ,r)))
+    (check-stays `(* (sqrt (* ,r a)) (sin (* ,r x))))))
+
 (test-case "logarithms of odd powers of what has no known sign"
   (check-stays '(+ (log (/ a x)) (expt (log (* 9 (expt (+ a b) 3))) 2)) '(>= x 0))
   (check-stays '(* (log x) (log (* 4 (expt (+ b b) 3)))) '(> c 0))

@@ -105,12 +105,20 @@
       (and (balls-wrong?) "balls")
       (and (singular-allowed?) "a mass of 0")
       (and (refused? '((> x 0) (> (- (log x) x) 0))) "refused without a proof")
+      (and (refused? one-point) "refused where there is a point")
       (for/or ([seed (in-range 1 201)])
         (with-handlers ([exn:fail? exn-message])
           (define failures (run-seed seed #:shrink? #f))
           (and (pair? failures) (failure->string (car failures)))))))
 
 (define (status d) (zero-test-status (zero-test (datum->expression d))))
+
+;; Holds at one point of many unknowns alone: more boxes than are looked at.
+(define one-point
+  '((>= (- 0 (expt (- a (sqrt 2)) 2) (expt (- b (sqrt 3)) 2) (expt (- c (sqrt 5)) 2)
+           (expt (- d (sqrt 7)) 2) (expt (- e (sqrt 11)) 2) (expt (- f (sqrt 13)) 2)
+           (expt (- g (sqrt 17)) 2) (expt (- h (sqrt 19)) 2))
+        0)))
 
 ;; May m be 0 where it is one of two masses?
 (define (singular-allowed?)
