@@ -77,11 +77,17 @@
 
 (define (hash-node head args)
   (define start (mask (head-hash head)))
-  (if (commutative? head)
-      (for/fold ([h start]) ([a (in-list args)])
-        (mask (+ h (scatter (expression-hash a)))))
-      (for/fold ([h start]) ([a (in-list args)])
-        (mask (+ (* 31 h) (expression-hash a))))))
+  (if (commutative? head) (hash-in-any-order args start) (hash-in-order args start)))
+
+(define (hash-in-any-order args h)
+  (if (null? args)
+      h
+      (hash-in-any-order (cdr args) (mask (+ h (scatter (expression-hash (car args))))))))
+
+(define (hash-in-order args h)
+  (if (null? args)
+      h
+      (hash-in-order (cdr args) (mask (+ (* 31 h) (expression-hash (car args)))))))
 
 ;; Pairs already found equal are remembered, so that two graphs built apart are
 ;; compared in time proportional to their nodes.
