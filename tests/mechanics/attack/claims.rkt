@@ -24,11 +24,13 @@
              [second (claim-again 'opposite subject)])
         (list first (with-both-proved first second subject) (claim-again 'form subject)))))
 
-;; The statement as the library gets it.  One with a number that is not real is another
-;; matter: its values may be complex.
+;; The statement as the library gets it.  One with a number that is not real, perhaps since
+;; something has cancelled, is another matter: its values may be complex.
 (define (settled s)
   (define-values (left right) (values (folded (statement-left s)) (folded (statement-right s))))
-  (when (or (complex-within? left) (complex-within? right)) (raise 'rejected))
+  (when (or (complex-within? left) (complex-within? right)
+            (complex-within? (as-handed-over left)) (complex-within? (as-handed-over right)))
+    (raise 'rejected))
   (struct-copy statement s [left left] [right right]))
 
 (define (complex-within? e)
