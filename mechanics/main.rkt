@@ -11,7 +11,8 @@
          "constraint/on-demand.rkt"
          "display/print-expression.rkt"
          "force/on-demand.rkt"
-         (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?)
+         (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
+                    asked-for-momentum?)
          "hamiltonian/on-demand.rkt"
          "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
          "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)

@@ -14,7 +14,7 @@
          momentum momenta state->p P state->qp
          literal-Hamiltonian-state degrees-of-freedom
          ;; for the functions of states
-         check-H-state state-of-momenta?)
+         check-H-state state-of-momenta? asked-for-momentum?)
 
 (define (->H-state t q p) (up t q p))
 
@@ -37,6 +37,7 @@
 ;; Taking apart
 
 (define (momentum state)
+  (note-asked! state)
   (unless (and (up? state) (> (structure-length (adopt state)) 2))
     (complain 'momentum "expected a Hamiltonian state (up t q p); given ~a~a"
               (describe-with-value state) (list-hint state "(up t q p)")))
@@ -47,6 +48,19 @@
 (define momenta momentum)
 (define state->p momentum)
 (define P momentum)
+
+;; Is this very state asked for its momentum while the thunk runs?
+(define (asked-for-momentum? state thunk)
+  (define noted (watch state #f))
+  (parameterize ([watched noted]) (thunk))
+  (watch-asked? noted))
+
+(struct watch (state [asked? #:mutable]) #:authentic)
+(define watched (make-parameter #f))
+
+(define (note-asked! state)
+  (define w (watched))
+  (when (and w (eq? state (watch-state w))) (set-watch-asked?! w #t)))
 
 ;; (up q p)
 (define (state->qp state)

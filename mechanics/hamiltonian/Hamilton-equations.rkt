@@ -7,12 +7,15 @@
 ;;
 ;; so the state (t, q, p) has the derivative (1, ∂₂H, −∂₁H).  The residual of paths q and p
 ;; is the derivative of their path of states less that (p. 203).
+;;
+;; A force F(t, q, p) outside H, such as friction, adds to the rate of the momenta.
 
 (require "H-state.rkt" "Hamiltonian.rkt" "declared.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
+         (only-in "../lagrangian/external-force.rkt" force-like force->datum)
          "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt")
 
@@ -21,25 +24,42 @@
          ;; for those who ask about motions
          flow-direction states-along)
 
-;; (Hamiltonian->state-derivative H) : (t, q, p) ↦ (1, ∂₂H, −∂₁H)
-(define (Hamiltonian->state-derivative H)
-  (derivative-of-states 'Hamiltonian->state-derivative H 1))
+;; (Hamiltonian->state-derivative H) : (t, q, p) ↦ (1, ∂₂H, −∂₁H + F)
+(define-plain (Hamiltonian->state-derivative H #:force [F #f])
+  (derivative-of-states 'Hamiltonian->state-derivative H 1 F))
 
 (define phase-space-derivative Hamiltonian->state-derivative)
 
 ;; The same without the clock (p. 347): (t, q, p) ↦ (0, ∂₂H, −∂₁H)
-(define (D-phase-space H) (derivative-of-states 'D-phase-space H 0))
+(define (D-phase-space H) (derivative-of-states 'D-phase-space H 0 #f))
 
-(define (derivative-of-states who H rate-of-time)
+(define (derivative-of-states who H rate-of-time F)
   (check-Hamiltonian who H)
-  (define flow (flow-direction who H))
-  (unary-function (lambda () (list who (value->datum H))) (state)
+  (define flow (flow-direction who H F))
+  (unary-function (lambda () (made-of who H F)) (state)
     (check-H-state who state)
     (define-values (velocity force) (flow state))
     (up rate-of-time velocity force)))
 
-;; state ↦ ∂₂H and −∂₁H
-(define (flow-direction who H)
+(define (made-of who H F) (list* who (value->datum H) (force->datum F)))
+
+;; state ↦ ∂₂H and −∂₁H + F, with F a function of the state or #f
+(define (flow-direction who H [F #f])
+  (define flow (own-flow who H))
+  (cond [F
+         (check-force who F)
+         (lambda (state)
+           (define-values (velocity force) (flow state))
+           (values velocity (g:+ force (force-like who force (F state)))))]
+        [else flow]))
+
+(define (check-force who F)
+  (unless (and (procedure? F) (accepts? F 1))
+    (complain who
+              "a force outside a Hamiltonian is a function of the state (up t q p); given ~a"
+              (describe-function F))))
+
+(define (own-flow who H)
   (cond [(flow-of-declared H)]
         [else
          (define number (number-valued who H))
@@ -50,9 +70,9 @@
 ;; Along paths
 
 ;; (((Hamilton-equations H) q p) t) : the residual, (up 0 (up …) (down …))
-(define (Hamilton-equations H)
-  (define slope (derivative-of-states 'Hamilton-equations H 1))
-  (define (name) (list 'Hamilton-equations (value->datum H)))
+(define-plain (Hamilton-equations H #:force [F #f])
+  (define slope (derivative-of-states 'Hamilton-equations H 1 F))
+  (define (name) (made-of 'Hamilton-equations H F))
   (define (residual q p)
     (define states (states-along 'Hamilton-equations q p))
     (g:- (D states) (compose slope states)))

@@ -1,15 +1,57 @@
 #lang racket/base
-;; Questions about a Lagrangian, asked of a Hamiltonian.
+;; Questions about a Lagrangian, asked of a Hamiltonian: of its Lagrangian, with forces and states
+;; in terms of velocities.
 
-(require "declared.rkt"
-         "../generic/on-demand.rkt")
+(require "H-state.rkt" "declared.rkt" "told.rkt"
+         "../error/refusal.rkt"
+         "../generic/function.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
+         "../generic/up-down.rkt"
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         (only-in "../value/structure.rkt" flip))
 
-(require-on-demand ["Legendre-transform.rkt" Hamiltonian->Lagrangian])
+(require-on-demand ["Legendre-transform.rkt" Hamiltonian->Lagrangian Lstate->Hstate])
 
-(provide as-Lagrangian)
+(provide as-Lagrangian as-Lagrangian-along as-Lagrangian-at as-local)
 
-;; The Lagrangian of a function that is known to be a Hamiltonian; any other is taken for one.
-(define (as-Lagrangian f)
-  (if (declared-Hamiltonian? f)
-      (or (Lagrangian-of-declared f) (Hamiltonian->Lagrangian f))
-      f))
+;; -> the Lagrangian, and the force outside as a function of local tuples, or #f
+;; A function that nothing tells to be a Hamiltonian is taken for a Lagrangian.
+;; q : coordinates; force : a function of the same states as f, or #f
+(define (as-Lagrangian who f q [force #f]) (checked who f force (Hamiltonian-told? f q)))
+
+;; The same where there is a path q.  It may be none, and f no function: those who solve the
+;; equations say so.
+(define (as-Lagrangian-along f q [force #f])
+  (define (position) (q (string->uninterned-symbol "t")))
+  (converted f force
+             (Hamiltonian-told? f (with-handlers ([raised? (lambda (e) 0)]) (position)))))
+
+;; The same where there is a state, of velocities or of momenta.
+(define (as-Lagrangian-at who f state [force #f])
+  (checked who f force (told-by-state? who f state)))
+
+;; The state with velocities of the same names in place of momenta.
+(define (as-local state)
+  (if (state-of-momenta? state)
+      (up (time state) (coordinate state) (flip (adopt (momentum state))))
+      state))
+
+(define (checked who f force Hamiltonian?)
+  (unless Hamiltonian? (check-Lagrangian who f))
+  (converted f force Hamiltonian?))
+
+(define (converted f force Hamiltonian?)
+  (cond [Hamiltonian?
+         (define L (Lagrangian-of f))
+         (values L (and force (force-of-velocities L force)))]
+        [else (values f force)]))
+
+(define (Lagrangian-of H)
+  (or (and (declared-Hamiltonian? H) (Lagrangian-of-declared H))
+      (Hamiltonian->Lagrangian H)))
+
+;; (t, q, v) ↦ F(t, q, ∂₂L); what is no function is left to those who check forces.
+(define (force-of-velocities L force)
+  (if (and (procedure? force) (accepts? force 1))
+      (unary-function (lambda () (value->datum force)) (local)
+        (force ((Lstate->Hstate L) local)))
+      force))

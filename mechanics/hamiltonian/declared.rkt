@@ -8,7 +8,8 @@
 ;; the terms with derivatives of v cancel, and ∂₂H = v and ∂₁H = −∂₁L at that v.  So the motion
 ;; follows without a derivative of the velocities, which are found by solving equations.
 
-(require "../generic/describe.rkt" "../generic/kind.rkt" "../generic/value-struct.rkt")
+(require "../generic/describe.rkt" "../generic/kind.rkt" "../generic/value-struct.rkt"
+         "../lagrangian/of-momenta.rkt")
 
 (provide declared-Hamiltonian declared-Hamiltonian? flow-of-declared Lagrangian-of-declared)
 
@@ -21,6 +22,7 @@
 ;; value : state ↦ number; flow : state ↦ ∂₂H and −∂₁H, or #f; Lagrangian : or #f
 (value-struct declared (value flow Lagrangian)
   #:kind kind:Hamiltonian
+  #:property prop:of-momenta #t
   #:property prop:procedure 0)
 
 (define (declared-Hamiltonian value [flow #f] [L #f]) (declared value flow L))

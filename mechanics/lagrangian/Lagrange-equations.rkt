@@ -11,7 +11,7 @@
 ;; (exercises 1.10 and 1.13).  Q is the force outside L; a dissipation function F
 ;; adds −∂₂F to it.
 
-(require "external-force.rkt" "local-tuple.rkt"
+(require "external-force.rkt" "local-tuple.rkt" "of-momenta.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
@@ -108,6 +108,7 @@
   (cond [(not (procedure? L))
          (complain who "a Lagrangian is a function of the local tuple (up t q v); given ~a"
                    (describe-with-value L))]
+        [(of-momenta? L) (raise-of-momenta who L)]
         [(not (accepts? L 1))
          (complain who
                    (string-append "a Lagrangian takes one argument, the local tuple, "

@@ -21,6 +21,8 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt"
+         (only-in "../hamiltonian/declared.rkt" declared-Hamiltonian?)
+         (only-in "../hamiltonian/Hamiltonian.rkt" check-quantity)
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/state-derivative.rkt" "../lagrangian/total-derivative.rkt"
@@ -32,9 +34,8 @@
 ;; Does Q keep its value along every motion?  A verdict on its rate of change at a
 ;; local tuple (up t q v) of symbols, or at a state (up t q p) if L is a Hamiltonian.
 (define (verify-conserved L Q local #:force [force #f])
-  (cond [(asked-of-Hamiltonian? L local)
-         (check-no-force 'verify-conserved force)
-         (conserved-by-Hamiltonian 'verify-conserved L Q local)]
+  (cond [(asked-of-Hamiltonian? 'verify-conserved L local)
+         (conserved-by-Hamiltonian 'verify-conserved L Q local force)]
         [else (conserved-by-Lagrangian L Q local force)]))
 
 (define (conserved-by-Lagrangian L Q local force)
@@ -67,22 +68,19 @@
 
 ;; (t, q, v) ↦ Q̇, of the shape of Q's value; of a Hamiltonian (t, q, p) ↦ Q̇
 (define (rate-of-change L Q #:force [force #f])
-  (check-arguments 'rate-of-change L Q)
+  (if (declared-Hamiltonian? L)
+      (check-quantity 'rate-of-change Q)
+      (check-arguments 'rate-of-change L Q))
   (define at (rate 'rate-of-change L Q force))
   (define (name)
     `(rate-of-change ,(value->datum L) ,(value->datum Q)
                      ,@(force->datum force)))
   (unary-function name (local)
-    (cond [(asked-of-Hamiltonian? L local)
-           (check-no-force 'rate-of-change force)
-           ((rate-by-Hamiltonian 'rate-of-change L Q) local)]
+    (cond [(asked-of-Hamiltonian? 'rate-of-change L local)
+           ((rate-by-Hamiltonian 'rate-of-change L Q force) local)]
           [else
            (check-local-tuple 'rate-of-change local)
            (at (state-of local))])))
-
-(define (check-no-force who force)
-  (when force
-    (complain who "a force outside goes with a Lagrangian; this is asked of a Hamiltonian")))
 
 (define (state-of local) ((clip-state 3) local))
 

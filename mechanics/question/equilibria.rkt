@@ -24,10 +24,9 @@
          equilibrium? equilibrium-coordinates equilibrium-conditions)
 
 ;; A verdict on the residual of a system at rest at q, at all times.
-(define (verify-equilibrium given q #:force [force #f])
-  (check-Lagrangian 'verify-equilibrium given)
-  (define L (as-Lagrangian given))
+(define (verify-equilibrium given q #:force [given-force #f])
   (check-coordinates 'verify-equilibrium q)
+  (define-values (L force) (as-Lagrangian 'verify-equilibrium given q given-force))
   (define t (string->uninterned-symbol "t"))
   (define (judge q)
     (prove-zero (residual-at-rest 'verify-equilibrium L force t q)
@@ -70,9 +69,10 @@
        (e:* (* 1/2 (inexact->exact turns)) exact-pi)))
 
 ;; A list of them, by formulas in the parameters.
-(define (equilibria given local #:force [force #f])
-  (check-Lagrangian 'equilibria given)
-  (define L (as-Lagrangian given))
+;; state : of symbols, with velocities or with momenta
+(define (equilibria given state #:force [given-force #f])
+  (define-values (L force) (as-Lagrangian-at 'equilibria given state given-force))
+  (define local (as-local state))
   (check-generic-states 'equilibria local L (external-force 'equilibria force #f))
   (define q (coordinate local))
   (define residual (simplify (residual-at-rest 'equilibria L force (time local) q)))
@@ -87,10 +87,9 @@
     (equilibrium (scalars->structure q value) (cdr s))))
 
 ;; The coordinates of one near the start, by numbers.
-(define (find-equilibrium given start #:force [force #f])
-  (check-Lagrangian 'find-equilibrium given)
-  (define L (as-Lagrangian given))
+(define (find-equilibrium given start #:force [given-force #f])
   (check-coordinates 'find-equilibrium start)
+  (define-values (L force) (as-Lagrangian 'find-equilibrium given start given-force))
   (define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))
   (check-no-symbols (residual-at start))
   (define q (find-root residual-at start))

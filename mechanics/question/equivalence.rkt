@@ -38,17 +38,17 @@
 (value-struct equivalence (kind factor gauge verdict)
   #:text equivalence->text)
 
-;; local : a local tuple of symbols (up t q v)
+;; local : a local tuple of symbols (up t q v), or of Hamiltonians a state (up t q p)
 (define (verify-equivalent-Lagrangians L1 L2 local)
   (equivalence-verdict (compared 'verify-equivalent-Lagrangians L1 L2 local)))
 
 (define (compare-Lagrangians L1 L2 local)
   (compared 'compare-Lagrangians L1 L2 local))
 
-(define (compared who first second given)
-  (check-Lagrangian who first)
-  (check-Lagrangian who second)
-  (define-values (L1 L2) (values (as-Lagrangian first) (as-Lagrangian second)))
+(define (compared who first second state)
+  (define-values (L1 _none1) (as-Lagrangian-at who first state))
+  (define-values (L2 _none2) (as-Lagrangian-at who second state))
+  (define given (as-local state))
   (check-generic-states who given L1 L2)
   (define local (lengthened ((clip-state 3) given) 4))
   (define-values (S1 S2) (values (scalar-valued who L1) (scalar-valued who L2)))

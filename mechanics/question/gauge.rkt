@@ -24,7 +24,8 @@
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
-         "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/of-momenta.rkt"
+         "../lagrangian/total-derivative.rkt"
          "../numeric/finite.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
@@ -60,6 +61,7 @@
   (unless (and (procedure? F) (accepts? F 1))
     (complain who "expected a function of the local tuple (up t q v); given ~a"
               (describe-function F)))
+  (when (of-momenta? F) (raise-of-momenta who F))
   (check-generic-state who local)
   (check-parameters who F local))
 

@@ -1,12 +1,15 @@
 #lang racket/base
 ;; Ignorable coordinates, also called cyclic: those that L does not depend on.  The
-;; momenta ∂₂L that belong to them are conserved (SICM 1.8, p. 79).
+;; momenta ∂₂L that belong to them are conserved (SICM 1.8, p. 79).  A Hamiltonian p v − L has
+;; the same ones (3.4), at states with those momenta.
 
 (require racket/list
          "what-is-asked.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../hamiltonian/told.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
@@ -14,47 +17,68 @@
 
 (provide verify-ignorable ignorable-coordinates conserved-momenta)
 
-;; A verdict on the component of ∂₁L at a local tuple of symbols.
+;; A verdict on the component of ∂₁L at a local tuple of symbols, or of ∂₁H at a state of such.
 ;; which : the coordinate's symbol, or its index, or a list of indices
-(define (verify-ignorable L which local)
-  (check-question 'verify-ignorable L local)
-  (define chain (index-chain which (coordinate local)))
-  (independence 'verify-ignorable L chain local))
-
-;; A verdict on the derivative of L by that coordinate alone.
-(define (independence who L chain local)
-  (define by-coordinate (apply partial 1 chain))
-  (define-values (slope survey)
-    (survey-derivatives
-     (lambda () ((by-coordinate (scalar-valued who L)) ((clip-state 3) local)))
-     (scalars local)))
-  (prove-zero slope #:variables (scalars local) #:surveys (list survey)
-              #:meaning (lambda () (meaning-of-Lagrangian L ((clip-state 3) local)))
-              #:again (lambda (change) (independence who (change L) chain local))))
+(define (verify-ignorable f which state)
+  (define s (subject-of 'verify-ignorable f state))
+  (independence s (index-chain which (coordinate state))))
 
 ;; The symbols of all coordinates for which that is proved.
-(define (ignorable-coordinates L local)
-  (check-question 'ignorable-coordinates L local)
-  (map leaf-symbol (ignorable 'ignorable-coordinates L local)))
+(define (ignorable-coordinates f state)
+  (map leaf-symbol (ignorable (subject-of 'ignorable-coordinates f state))))
 
 ;; A list of (up coordinate momentum), one for each.
-(define (conserved-momenta L local)
-  (check-question 'conserved-momenta L local)
-  (define found (ignorable 'conserved-momenta L local))
-  (define momenta
-    (((partial 2) (scalar-valued 'conserved-momenta L)) ((clip-state 3) local)))
-  (for/list ([entry (in-list found)])
+(define (conserved-momenta f state)
+  (define s (subject-of 'conserved-momenta f state))
+  (define momenta (momenta-of s))
+  (for/list ([entry (in-list (ignorable s))])
     (up (leaf-symbol entry) (simplify (component-at momenta (leaf-chain entry))))))
 
-(define (check-question who L local)
-  (check-Lagrangian who L)
-  (check-generic-states who local L))
-
 ;; Those of the coordinates that are.
-(define (ignorable who L local)
-  (for/list ([entry (in-list (leaves (coordinate local)))]
-             #:when (proved? (independence who L (leaf-chain entry) local)))
+(define (ignorable s)
+  (for/list ([entry (in-list (leaves (coordinate (subject-state s))))]
+             #:when (proved? (independence s (leaf-chain entry))))
     entry))
+
+;; A verdict on the derivative by that coordinate alone.
+(define (independence s chain)
+  (define by-coordinate (apply partial 1 chain))
+  (define-values (f state) (values (subject-function s) (subject-state s)))
+  (define-values (slope survey)
+    (survey-derivatives (lambda () ((by-coordinate (number-of s)) state)) (scalars state)))
+  (prove-zero slope #:variables (scalars state) #:surveys (list survey)
+              #:meaning (lambda () (if (subject-Hamiltonian? s)
+                                       (meaning-of-Hamiltonian f state)
+                                       (meaning-of-Lagrangian f state)))
+              #:again (lambda (change)
+                        (independence (struct-copy subject s [function (change f)]) chain))))
+
+;; ---------------------------------------------------------------------------
+;; What is asked about
+
+;; state : (t, q, v) of symbols, or (t, q, p) for a Hamiltonian
+(struct subject (who function state Hamiltonian?) #:authentic)
+
+(define (subject-of who f state)
+  (cond [(told-by-state? who f state)
+         (check-Hamiltonian who f)
+         (check-H-state who state)
+         (check-symbols who state "state")
+         (check-parameters who f state "state")
+         (subject who f state #t)]
+        [else
+         (check-Lagrangian who f)
+         (check-generic-states who state f)
+         (subject who f ((clip-state 3) state) #f)]))
+
+(define (number-of s)
+  (define-values (who f) (values (subject-who s) (subject-function s)))
+  (if (subject-Hamiltonian? s) (number-valued who f) (scalar-valued who f)))
+
+(define (momenta-of s)
+  (if (subject-Hamiltonian? s)
+      (momentum (subject-state s))
+      (((partial 2) (number-of s)) (subject-state s))))
 
 ;; ---------------------------------------------------------------------------
 ;; Coordinates by name and by place

@@ -1,11 +1,13 @@
 #lang racket/base
 ;; What is asked of a Hamiltonian: do paths of coordinates and momenta solve Hamilton's
-;; equations, and is a quantity conserved, which brackets decide: Q̇ = {Q, H} + ∂₀Q.
+;; equations, and is a quantity conserved, which brackets decide: Q̇ = {Q, H} + ∂₀Q, and + ∂₂Q F
+;; with a force F outside H.
 
 (require "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
-         "../hamiltonian/declared.rkt" "../hamiltonian/H-state.rkt"
+         "../generic/define-plain.rkt"
+         "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
-         "../hamiltonian/Poisson-bracket.rkt"
+         "../hamiltonian/Poisson-bracket.rkt" "../hamiltonian/told.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt")
@@ -18,40 +20,45 @@
 ;; Solutions
 
 ;; The verdict on the residual of paths q and p at a symbolic time.
-(define (verify-Hamiltonian-solution H q p)
+(define-plain (verify-Hamiltonian-solution H q p #:force [F #f])
   (check-Hamiltonian 'verify-Hamiltonian-solution H)
   (define states (states-along 'verify-Hamiltonian-solution q p))
-  (define residual ((Hamilton-equations H) q p))
+  (define residual ((Hamilton-equations H #:force F) q p))
   (prove-zero residual
               #:remarks (lambda () (remarks-on-states H states))
-              #:surveys (lambda () (surveys-of-states (Hamiltonian->state-derivative H) states
-                                                      residual))
-              #:meaning (lambda () (meaning-of-states H states))))
+              #:surveys (lambda () (surveys-of-states
+                                   (Hamiltonian->state-derivative H #:force F) states residual))
+              #:meaning (lambda () (meaning-of-states H states))
+              #:again (lambda (change)
+                        (verify-Hamiltonian-solution (change H) (change q) (change p)
+                                                     #:force (and F (change F))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Conserved quantities
 
 ;; Is it a Hamiltonian that is asked about, at a state of momenta?
-(define (asked-of-Hamiltonian? f state)
-  (or (declared-Hamiltonian? f) (state-of-momenta? state)))
+(define (asked-of-Hamiltonian? who f state) (told-by-state? who f state))
 
 ;; The verdict on the rate of Q at a state (up t q p) of symbols.
-(define (conserved-by-Hamiltonian who H Q state)
+(define (conserved-by-Hamiltonian who H Q state F)
   (check-Hamiltonian who H)
   (check-quantity who Q)
   (check-H-state who state)
   (check-symbols who state "state")
-  (for ([f (in-list (list H Q))]) (check-parameters who f state "state"))
+  (for ([f (in-list (list H Q F))] #:when (procedure? f)) (check-parameters who f state "state"))
   (define-values (change survey)
-    (survey-derivatives (lambda () ((rate-by-Hamiltonian who H Q) state)) (scalars state)))
+    (survey-derivatives (lambda () ((rate-by-Hamiltonian who H Q F) state)) (scalars state)))
   (prove-zero change #:variables (scalars state)
               #:surveys (list (survey-of-values (Q state)) survey)
               #:remarks (lambda () (remarks-on-quantity Q state))
-              #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))))
+              #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))
+              #:again (lambda (change)
+                        (conserved-by-Hamiltonian who (change H) (change Q) state
+                                                  (and F (change F))))))
 
 ;; state ↦ Q̇
-(define (rate-by-Hamiltonian who H Q)
-  (define flow (flow-direction who H))
+(define (rate-by-Hamiltonian who H Q F)
+  (define flow (flow-direction who H F))
   (lambda (state)
     (check-H-state who state)
     (define-values (velocity force) (flow state))

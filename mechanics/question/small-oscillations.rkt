@@ -38,9 +38,13 @@
 (define (gyroscopic-matrix L q) (second-derivatives 'gyroscopic-matrix L q gyroscopic-form))
 
 (define (second-derivatives who L q form)
-  (check-Lagrangian who L)
   (check-coordinates who q)
-  (form (scalar-valued who (as-Lagrangian L)) q))
+  (form (number-valued who L q) q))
+
+;; The Lagrangian, or that of a Hamiltonian, refusing values that are no numbers
+(define (number-valued who given q)
+  (define-values (L _none) (as-Lagrangian who given q))
+  (scalar-valued who L))
 
 (define (mass-form L q) (form-in-coordinates ((partial 2) ((partial 2) L)) q))
 (define (stiffness-form L q) (g:negate (form-in-coordinates ((partial 1) ((partial 1) L)) q)))
@@ -72,9 +76,8 @@
 
 ;; -> the entries of the three matrices, vectors of rows
 (define (forms-at-equilibrium who L given)
-  (check-Lagrangian who L)
   (check-coordinates who given)
-  (define L-scalar (scalar-valued who (as-Lagrangian L)))
+  (define L-scalar (number-valued who L given))
   (check-equilibrium who L-scalar given)
   (define (entries form)
     (define S (simplify (form L-scalar given)))

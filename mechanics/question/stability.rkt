@@ -37,9 +37,8 @@
 
 ;; q : coordinates of an equilibrium of an L that does not change in time
 (define (equilibrium-stability given q)
-  (check-Lagrangian 'equilibrium-stability given)
-  (define L (as-Lagrangian given))
   (check-coordinates 'equilibrium-stability q)
+  (define-values (L _none) (as-Lagrangian 'equilibrium-stability given q))
   (check-equilibrium L q)
   (check-autonomous 'equilibrium-stability (scalar-valued 'equilibrium-stability L) q)
   (define-values (M K G)

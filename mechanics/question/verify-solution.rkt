@@ -21,9 +21,9 @@
 (define (verify-solution given q [dissipation #f] #:force [Q #f] #:order [n 1]
                          #:constraints [constraints #f] #:multipliers [multipliers #f])
   (when (or constraints multipliers) (check-constrained n constraints))
-  (define L (as-Lagrangian given))
+  (define-values (L force) (as-Lagrangian-along given q Q))
   (with-handlers ([exn:fail:contract? (lambda (e) (check-not-swapped L q) (raise e))])
-    (define outside (external-force 'verify-solution Q dissipation))
+    (define outside (external-force 'verify-solution force dissipation))
     (define residual
       (cond [multipliers
              ((constrained-Lagrange-equations L constraints #:force outside) q multipliers)]
@@ -36,7 +36,7 @@
                 #:again (lambda (change)
                           (define (if-any x) (and x (change x)))
                           (verify-solution (change L) (change q) (if-any dissipation)
-                                           #:force (if-any Q) #:order n
+                                           #:force (if-any force) #:order n
                                            #:constraints (if-any constraints)
                                            #:multipliers (if-any multipliers))))))
 

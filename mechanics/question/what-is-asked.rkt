@@ -11,7 +11,7 @@
          "../value/algebra.rkt" "../value/shape.rkt")
 
 (provide meaning-of-solution meaning-of-quantity meaning-of-Lagrangian
-         meaning-of-states meaning-of-quantity-in-phase-space)
+         meaning-of-states meaning-of-quantity-in-phase-space meaning-of-Hamiltonian)
 
 ;; q : a path; n : the order of L; force : #f, or the force outside L
 (define (meaning-of-solution L q n force)
@@ -42,6 +42,9 @@
 
 ;; state : of symbols
 (define (meaning-of-Lagrangian L state) (about L state 1 #f '() '()))
+
+(define (meaning-of-Hamiltonian H state)
+  (make-meaning (expressions-in (lambda () (H state))) '() '() '()))
 
 (define (about L state n force moving variables)
   (make-meaning (append (expressions-in (lambda () (L state)))

@@ -50,9 +50,12 @@
   (define coordinates (tuple-shape 'Lagrangian UP* n))
   (-> (UP Real coordinates coordinates) Real))
 
-;; A function of a Hamiltonian state with n coordinates and n momenta.
+;; A function of a Hamiltonian state with n coordinates and n momenta.  The momentum of one is
+;; left open, which a number fits: so the signature says that it is none of a Lagrangian.
 (define (Hamiltonian [n #f])
-  (-> (UP Real (tuple-shape 'Hamiltonian UP* n) (tuple-shape 'Hamiltonian DOWN* n)) Real))
+  (define coordinates (tuple-shape 'Hamiltonian UP* n))
+  (define momenta (if (eqv? n 1) (DOWN* Real) (tuple-shape 'Hamiltonian DOWN* n)))
+  (-> (UP Real coordinates momenta) Real))
 
 (define (tuple-shape who make n)
   (unless (or (not n) (exact-positive-integer? n))

@@ -83,26 +83,27 @@ column
            [(make-Hamiltonian [H procedure?]) procedure?])]{
 
 The sum of two energies, functions of the state; or H itself, known from then on to be a
-Hamiltonian. What was made so, or by @racket[Lagrangian->Hamiltonian], may be given to what asks
-about a Lagrangian: @racket[find-equilibrium], @racket[equilibria], @racket[verify-equilibrium],
-@racket[equilibrium-stability], @racket[normal-modes] and its kin, @racket[compare-Lagrangians],
-@racket[verify-solution]. That answers in coordinates and velocities.
+Hamiltonian. It is needed for questions alone, and only where nothing else tells
+(@secref["asked-of-Hamiltonians"]). What takes Lagrangians only refuses what was made so, or by
+@racket[Lagrangian->Hamiltonian].
 
 @examples[#:eval session
 (define ((T m) s) (/ (square (momentum s)) (* 2 m)))
 (define ((V k) s) (* 1/2 k (square (coordinate s))))
 (define H-oscillator (make-Hamiltonian (T 'm) (V 'k)))
 (H-oscillator (up 't 'q 'p))
-(normal-modes H-oscillator 0)]}
+(normal-modes H-oscillator 0)
+(eval:error (Lagrangian->energy H-oscillator))]}
 
 @section{Hamilton's equations}
 
-@defproc[(Hamilton-equations [H Hamiltonian]) procedure?]{
+@defproc[(Hamilton-equations [H Hamiltonian] [#:force force (or/c #f procedure?) #f]) procedure?]{
 
 @racket[(((Hamilton-equations H) q p) t)] is the residual of the paths q and p at time t:
 @racket[(up 0 (up ...) (down ...))], with Dq − ∂@subscript{2}H in the place of the coordinates
 and Dp + ∂@subscript{1}H in that of the momenta. It is zero at all times exactly when the two
-are a motion.
+are a motion. A force outside H, as friction, is a function of the state with the shape of the
+momenta; their residual is then Dp + ∂@subscript{1}H − F.
 
 @examples[#:eval session
 (define ((H-rectangular m V) (up t (up x y) p))
@@ -125,10 +126,15 @@ q or not.
 
 @sicm{3.1, p. 204}}
 
-@deftogether[(@defproc[(Hamiltonian->state-derivative [H Hamiltonian]) procedure?]
-              @defproc[(phase-space-derivative [H Hamiltonian]) procedure?])]{
+@deftogether[(@defproc[(Hamiltonian->state-derivative [H Hamiltonian]
+                                                      [#:force force (or/c #f procedure?) #f])
+                       procedure?]
+              @defproc[(phase-space-derivative [H Hamiltonian]
+                                               [#:force force (or/c #f procedure?) #f])
+                       procedure?])]{
 
-The state derivative (t, q, p) ↦ (1, ∂@subscript{2}H, −∂@subscript{1}H), by two names: for
+The state derivative (t, q, p) ↦ (1, ∂@subscript{2}H, −∂@subscript{1}H + F), by two names, with
+a force F outside H if there is one: for
 @racket[evolve], @racket[state-advancer], @racket[evolve-trajectory] and by itself. Of an H made
 by @racket[Lagrangian->Hamiltonian] it takes the derivatives of the Lagrangian, which are
 shorter.
@@ -137,7 +143,9 @@ shorter.
 (define ((H-pendulum m l g) (up t theta p))
   (- (/ (square p) (* 2 m (square l))) (* m g l (cos theta))))
 ((Hamiltonian->state-derivative (H-pendulum 'm 'l 'g)) (up 't 'theta 'p))
-((phase-space-derivative (H-pendulum 'm 'l 'g)) (up 't 'theta 'p))
+((phase-space-derivative (H-pendulum 'm 'l 'g)
+                         #:force (lambda (s) (* -1 'c (momentum s))))
+ (up 't 'theta 'p))
 (define (swing) (Hamiltonian->state-derivative (H-pendulum 1 1 9.8)))
 ((state-advancer swing) (up 0 1.0 0.0) 1.0)]
 
@@ -152,9 +160,12 @@ The state derivative without the clock: (t, q, p) ↦ (0, ∂@subscript{2}H, −
 
 @sicm{5.2, p. 347}}
 
-@defproc[(verify-Hamiltonian-solution [H Hamiltonian] [q path] [p procedure?]) verdict?]{
+@defproc[(verify-Hamiltonian-solution [H Hamiltonian] [q path] [p procedure?]
+                                      [#:force force (or/c #f procedure?) #f])
+         verdict?]{
 
-Whether the paths q and p satisfy Hamilton's equations of H at all times.
+Whether the paths q and p satisfy Hamilton's equations of H, and of a force outside H, at all
+times.
 
 @examples[#:eval session
 (define ((H-harmonic m k) s)

@@ -115,11 +115,13 @@ In one tuple the numbers left open are the same. A range needs its numbers.
 
 The signature of a Lagrangian, a function of @racket[(up t q v)], or of a
 Hamiltonian, a function of @racket[(up t q p)] with a @racket[down] of momenta,
-with n coordinates, or with any number.
+with n coordinates, or with any number. Of one coordinate both parts are numbers; the
+signature still says that the second is a momentum.
 
 @examples[#:eval session
 (((Lagrange-equations (literal-function 'L (Lagrangian))) (literal-function 'q)) 't)
 (Lagrangian 2)
-(Hamiltonian 2)]}
+(Hamiltonian 2)
+(list (Lagrangian 1) (Hamiltonian 1))]}
 
 @(close-session session)

@@ -11,6 +11,36 @@ which may be any number. It also says how many coordinates there are, and the an
 are in its symbols. None of them may be a parameter of the Lagrangian as well.
 @racket[(literal-Lagrangian-state 2)] makes one.
 
+@section[#:tag "asked-of-Hamiltonians"]{Asked of a Hamiltonian}
+
+Each question below, and those about small oscillations (@secref["reference-oscillations"]), may
+be asked of a Hamiltonian instead, at a state @racket[(up t q p)] of symbols where there is a
+state; quantities and forces are then functions of such states. Total time derivatives are not:
+they are functions of local tuples. A function is taken for a Hamiltonian
+
+@itemlist[
+@item{at a state with a @racket[down] of momenta;}
+@item{if it was made by @racket[make-Hamiltonian] or @racket[Lagrangian->Hamiltonian], or is a
+literal function with a signature @racket[(Hamiltonian n)], one coordinate included;}
+@item{if it asks its state for its @racket[momentum];}
+@item{if, of several coordinates, it takes momenta and refuses velocities.}]
+
+Else it is a Lagrangian. With one coordinate, what takes its state apart by a pattern may be
+either; where the state's third part is named @racketidfont{p} or @racketidfont{p_theta} that
+is an error, and @racket[make-Hamiltonian] says what was meant. Answers about rest
+and small oscillations are in coordinates and velocities, by the Lagrangian of the Hamiltonian.
+
+@examples[#:eval session #:label #f
+(define ((H-spring m k) s)
+  (+ (/ (square (momentum s)) (* 2 m)) (* 1/2 k (square (coordinate s)))))
+(define (drag s) (* -1 'c (momentum s)))
+((rate-of-change (H-spring 'm 'k) (H-spring 'm 'k) #:force drag) (up 't 'q 'p))
+(normal-modes (H-spring 'm 'k) 0)
+(equilibria (H-spring 'm 'k) (up 't 'q 'p) #:force (lambda (s) (* -1 'm 'g)))
+(define (H-pattern (up t q p)) (+ (/ (square p) 2) (cos q)))
+(eval:error (verify-conserved H-pattern H-pattern (up 't 'q 'p)))
+(verify-conserved (make-Hamiltonian H-pattern) H-pattern (up 't 'q 'p))]
+
 @section{Conserved quantities}
 
 @defproc[(verify-conserved [L Lagrangian] [Q procedure?] [local local-tuple]
@@ -22,9 +52,8 @@ value along every motion of L. Its value may be a tuple; time may occur in it. T
 conditions of the verdict are equations between parameters. Where the mass matrix has no
 inverse, what cannot be proved raises @racket[exn:fail:mechanics:singular:matrix].
 
-At a state @racket[(up t q p)] with a @racket[down] of momenta, L is a Hamiltonian, and Q a
-function of such states; so it is with one coordinate if L was made by
-@racket[Lagrangian->Hamiltonian] or @racket[make-Hamiltonian]. The rate is then a Poisson bracket.
+Of a Hamiltonian (@secref["asked-of-Hamiltonians"]) the rate is {Q, H} + ∂@subscript{0}Q, and
+∂@subscript{2}Q F with a force F.
 
 @examples[#:eval session
 (define ((L-oscillator m k) (up t x v))
@@ -61,24 +90,28 @@ Q̇ does not follow without.
 
 @defproc[(ignorable-coordinates [L Lagrangian] [local local-tuple]) (listof symbol?)]{
 
-The coordinates, by their symbols in the local tuple, that L provably does not depend
-on. They are called cyclic, too. Nested coordinates are listed one by one.
+The coordinates, by their symbols in the local tuple, that L, or a Hamiltonian at a state of
+momenta, provably does not depend on. They are called cyclic, too. Nested coordinates are
+listed one by one.
 
 @examples[#:eval session
 (define ((L-polar m V) (up t (up r phi) (up rdot phidot)))
   (- (* 1/2 m (+ (square rdot) (square (* r phidot)))) (V r)))
 (define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))
 (define L (L-polar 'm (literal-function 'V)))
-(ignorable-coordinates L polar)]
+(ignorable-coordinates L polar)
+(ignorable-coordinates (Lagrangian->Hamiltonian L) (up 't (up 'r 'phi) (down 'p_r 'p_phi)))]
 
-@sicm{1.8, p. 79}}
+@sicm{1.8, p. 79, and 3.4}}
 
 @defproc[(conserved-momenta [L Lagrangian] [local local-tuple]) (listof up?)]{
 
 For each ignorable coordinate, @racket[(up coordinate momentum)]: the component of ∂@subscript{2}L
-that is conserved.
+that is conserved, or of a Hamiltonian's state that momentum itself.
 
-@examples[#:eval session (conserved-momenta L polar)]}
+@examples[#:eval session
+(conserved-momenta L polar)
+(conserved-momenta (Lagrangian->Hamiltonian L) (up 't (up 'r 'phi) (down 'p_r 'p_phi)))]}
 
 @defproc[(verify-ignorable [L Lagrangian]
                            [coordinate (or/c symbol? exact-nonnegative-integer?

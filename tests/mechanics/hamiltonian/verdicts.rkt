@@ -105,8 +105,8 @@
   (define L->H (Lagrangian->Hamiltonian (L-harmonic 'm 'k)))
   (check-pred proved? (verify-conserved L->H L->H line))
   ;; taken for a Lagrangian it has another energy
-  (define H-untold (H-harmonic 'm 'k))
-  (define untold (verify-conserved H-untold H-untold line))
+  (define (H-untold s) (+ (/ (square (ref s 2)) (* 2 'm)) (* 1/2 'k (square (ref s 1)))))
+  (define untold (verify-conserved H-untold H-untold (up 't 'q 'v)))
   (check-pred refuted? untold)
   (check-equal? (verdict-remarks untold)
                 (list (string-append "it was taken for a Lagrangian; with (make-Hamiltonian H) "
@@ -130,9 +130,12 @@
   "the third part of a Hamiltonian state is the momenta, dual to the coordinates\n"
   "  coordinates: (up x y)\n  in their place: (up vx vy)\n"
   "  momenta are written (down vx vy); velocities belong to a Lagrangian"]
- [(verify-conserved (H-harmonic 'm 'k) L_z plane #:force (lambda (s) (down 0 0)))
-  "verify-conserved: "
-  "a force outside goes with a Lagrangian; this is asked of a Hamiltonian"]
+ [(verify-conserved (H-harmonic 'm 'k) L_z plane #:force (lambda (s) (up 0 0)))
+  "verify-conserved: the force must be a down tuple of 2, like the momenta; "
+  "given (up 0 0), an up tuple of 2"]
+ [(verify-conserved (H-harmonic 'm 'k) L_z plane #:force 3)
+  "verify-conserved: a force outside a Hamiltonian is a function of the state (up t q p); "
+  "given the number 3"]
  [(verify-Hamiltonian-solution (H-harmonic 1 1) 'q sin)
   "verify-Hamiltonian-solution: a path is a function of time, or a tuple of such functions; "
   "given the symbol q\n  (literal-function 'q) makes a path of that name"]
