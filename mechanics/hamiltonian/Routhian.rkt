@@ -8,12 +8,16 @@
 ;;
 ;; x obeys Lagrange's equations with R (of which the sign does not matter), and y and p_y obey
 ;; Hamilton's.  Where y is ignorable, p_y is a parameter and x moves by itself.
+;;
+;; A Lagrangian of coordinates that are not in two parts may say which of them are y, by their
+;; places (two-parts.rkt).
 
-(require "Hamilton-equations.rkt" "H-state.rkt" "inverse-gradient.rkt"
+(require "Hamilton-equations.rkt" "H-state.rkt" "Routhian-state.rkt" "inverse-gradient.rkt"
+         "two-parts.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
          "../value/structure.rkt" "../value/linear/linear-algebra.rkt")
@@ -23,15 +27,20 @@
          Lagrangian-state->Routhian-state Routhian-state->Lagrangian-state)
 
 ;; (Lagrangian->Routhian L) : (t, (x, y), (ẋ, p_y)) ↦ p_y ẏ − L
-(define (Lagrangian->Routhian L)
+(define-plain (Lagrangian->Routhian L #:momenta [places #f])
   (check-Lagrangian 'Lagrangian->Routhian L)
-  (define number (scalar-valued 'Lagrangian->Routhian L))
+  (define number (scalar-valued 'Lagrangian->Routhian (parted L 'Lagrangian->Routhian places)))
   (define (L-of-y place vy)
     (number (up (ref place 0) (ref place 1) (up (ref place 2) vy))))
   (define i (make-inverter 'Lagrangian->Routhian L-of-y))
-  (unary-function (lambda () (list 'Lagrangian->Routhian (value->datum L))) (state)
+  (unary-function (lambda () (made-of 'Lagrangian->Routhian L places)) (state)
     (check-Routhian-state 'Lagrangian->Routhian state)
     (transform-at i (up (time state) (coordinate state) (part state 2 0)) (part state 2 1))))
+
+(define (parted L who places) (in-two-parts who L (check-places who places)))
+
+(define (made-of who f places)
+  (list* who (value->datum f) (if places (list '#:momenta (list 'quote places)) '())))
 
 ;; (((Routh-equations R) x y p_y) t) : (up residual-of-x (up 0 residual-of-y residual-of-p_y))
 (define (Routh-equations R)
@@ -110,51 +119,30 @@
 ;; ---------------------------------------------------------------------------
 ;; States
 
-;; ((Lagrangian-state->Routhian-state L) (up t (up x y) (up vx vy)))
-(define (Lagrangian-state->Routhian-state L)
-  (check-Lagrangian 'Lagrangian-state->Routhian-state L)
-  (unary-function (lambda () (list 'Lagrangian-state->Routhian-state (value->datum L))) (local)
-    (check-two-parts 'Lagrangian-state->Routhian-state local)
-    (up (time local)
-        (coordinate local)
-        (up (part local 2 0) (((partial 2 1) L) local)))))
-
-;; ((Routhian-state->Lagrangian-state R) (up t (up x y) (up vx p_y)))
-(define (Routhian-state->Lagrangian-state R)
-  (check-Routhian 'Routhian-state->Lagrangian-state R)
-  (unary-function (lambda () (list 'Routhian-state->Lagrangian-state (value->datum R))) (state)
-    (check-Routhian-state 'Routhian-state->Lagrangian-state state)
+;; ((Lagrangian-state->Routhian-state L) (up t (up x y) (up vx vy))), or with places of q the
+;; state of a local tuple (up t q v)
+(define-plain (Lagrangian-state->Routhian-state L #:momenta [given #f])
+  (define who 'Lagrangian-state->Routhian-state)
+  (check-Lagrangian who L)
+  (define places (check-places who given))
+  (define P_y ((partial 2 1) (in-two-parts who L places)))
+  (unary-function (lambda () (made-of who L given)) (local)
+    (define state (if places (parted-state who local places) local))
+    (check-two-parts who state)
     (up (time state)
         (coordinate state)
-        (up (part state 2 0) (((partial 2 1) R) state)))))
+        (up (part state 2 0) (P_y state)))))
 
-(define (part state i j) (ref state i j))
-
-;; ---------------------------------------------------------------------------
-;; Complaints
-
-(define (check-Routhian who R)
-  (unless (and (procedure? R) (accepts? R 1))
-    (complain who "a Routhian is a function of the state (up t (up x y) (up vx p_y)); given ~a"
-              (describe-function R))))
-
-(define (check-two-parts who state)
-  (define (pair? x) (and (up? x) (= (s:length x) 2)))
-  (unless (and (up? state) (= (s:length state) 3) (pair? (ref state 1)) (pair? (ref state 2)))
-    (complain who "~a\n  given: ~a~a~a"
-              (string-append "expected coordinates in two parts, of which the second has momenta: "
-                             "(up t (up x y) (up vx p_y))")
-              (value->text state)
-              "\n  more coordinates are tuples within: (up theta (up phi psi))"
-              (list-hint state "(up t (up x y) (up vx p_y))"))))
-
-(define (check-Routhian-state who state)
-  (check-two-parts who state)
-  (define-values (y p) (values (ref state 1 1) (ref state 2 1)))
-  (unless (H-state? (up (time state) y p))
-    (complain who "the momenta of a Routhian state are dual to their coordinates~a~a~a"
-              (format "\n  coordinates: ~a" (value->text y))
-              (format "\n  in the place of momenta: ~a" (value->text p))
-              (if (and (tuple? p) (same-shape? y p))
-                  (format "\n  momenta are written ~a" (value->text (flip p)))
-                  ""))))
+;; ((Routhian-state->Lagrangian-state R) (up t (up x y) (up vx p_y))), in two parts or with
+;; coordinates at their places
+(define-plain (Routhian-state->Lagrangian-state R #:momenta [given #f])
+  (define who 'Routhian-state->Lagrangian-state)
+  (check-Routhian who R)
+  (define places (check-places who given))
+  (unary-function (lambda () (made-of who R given)) (state)
+    (check-Routhian-state who state)
+    (define local
+      (up (time state)
+          (coordinate state)
+          (up (part state 2 0) (((partial 2 1) R) state))))
+    (if places (joined-state who local places) local)))

@@ -33,8 +33,18 @@
          (g:/ (g:square p_psi) (g:* 2 C))
          (g:* gMR (g:cos theta)))))
 
-;; The rate of spin, C ω = p, above which the top stands upright: 2 √(A gMR)/C
-(define (critical-spin A C gMR) (g:/ (g:* 2 (g:sqrt (g:* A gMR))) C))
+;; The rate of spin, C ω = p, above which the top stands upright: 2 √(A gMR)/C.  One that hangs,
+;; gMR < 0, needs none.
+(define (critical-spin A C gMR)
+  (for ([x (in-list (list A C))] #:when (known-not-positive? x))
+    (complain 'critical-spin "a moment of inertia is positive; given ~a" (describe-with-value x)))
+  (if (known-not-positive? gMR)
+      0
+      (g:/ (g:* 2 (g:sqrt (g:* A gMR))) C)))
+
+(define (known-not-positive? x)
+  (define r (comparand x))
+  (and (real? r) (<= r 0)))
 
 ;; The rates φ̇ of precession at a constant θ, with ω_c the spin along the axis: the roots of
 ;; A cos θ φ̇² − C ω_c φ̇ + gMR = 0, the slow one first; a list, empty if there is none.

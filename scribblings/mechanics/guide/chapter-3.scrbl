@@ -78,7 +78,8 @@ The rate of a quantity is its bracket with the Hamiltonian, and that of its expl
 
 @racket[verify-conserved] took the first argument for a Hamiltonian since the state has a
 @racket[down] of momenta. With a single coordinate one that asks for the @racket[momentum] of its
-state is known for a Hamiltonian, and of one by a pattern @racket[(make-Hamiltonian H)] says so. Jacobi's identity, for functions of which nothing is known:
+state is known for a Hamiltonian, and of one by a pattern @racket[(make-Hamiltonian H)] says so.
+Jacobi's identity, for functions of which nothing is known:
 
 @examples[#:eval session #:label #f
 (define F (literal-function 'F (Hamiltonian 2)))

@@ -293,7 +293,17 @@ Hamilton's equations is zero.
 Coordinates come in two parts, @racket[(up x y)], each a scalar or a tuple. Those of y have
 momenta in the state, @racket[(up t (up x y) (up vx p_y))].
 
-@defproc[(Lagrangian->Routhian [L Lagrangian]) procedure?]{
+A Lagrangian of coordinates @racket[(up q ...)] that are not parted says with @racket[#:momenta]
+which of them are y, by an index or a list of indices. The others are x, each part in the order
+of the coordinates, and one alone stands without a tuple: of a top, @racket[#:momenta '(1 2)]
+makes @racket[(up theta (up phi psi))] of @racket[(up theta phi psi)], and @racket[#:momenta 0]
+makes @racket[(up (up phi psi) theta)].
+
+@defproc[(Lagrangian->Routhian [L Lagrangian]
+                               [#:momenta places (or/c #f exact-nonnegative-integer?
+                                                       (listof exact-nonnegative-integer?))
+                                          #f])
+         procedure?]{
 
 The Routhian of a Lagrangian, its Legendre transform by the velocities of the second part of
 the coordinates: p@subscript{y} v@subscript{y} − L.
@@ -301,7 +311,14 @@ the coordinates: p@subscript{y} v@subscript{y} − L.
 @examples[#:eval session
 (define ((L-two m) (up t (up x y) (up vx vy)))
   (- (* 1/2 m (+ (square vx) (square vy))) (* 'k x (square y))))
-((Lagrangian->Routhian (L-two 'm)) (up 't (up 'x 'y) (up 'v_x 'p_y)))]
+((Lagrangian->Routhian (L-two 'm)) (up 't (up 'x 'y) (up 'v_x 'p_y)))
+(define (L-spherical (up t (up theta phi) (up thetadot phidot)))
+  (- (* 1/2 'm (+ (square thetadot) (square (* (sin theta) phidot))))
+     (* 'm 'g (cos theta))))
+((Lagrangian->Routhian L-spherical #:momenta 1)
+ (up 't (up 'theta 'phi) (up 'thetadot 'p_phi)))
+((Lagrangian->Routhian L-spherical #:momenta 0)
+ (up 't (up 'phi 'theta) (up 'phidot 'p_theta)))]
 
 @sicm{3.4.1, exercise 3.9}}
 
@@ -329,15 +346,24 @@ p@subscript{y})).
 ((Routhian->acceleration R) (up 't (up 'x 'y) (up 'v_x 'p_y)))
 ((Routhian->state-derivative R) (up 't (up 'x 'y) (up 'v_x 'p_y)))]}
 
-@deftogether[(@defproc[((Lagrangian-state->Routhian-state [L Lagrangian]) [local local-tuple])
+@deftogether[(@defproc[((Lagrangian-state->Routhian-state [L Lagrangian]
+                                                          [#:momenta places any #f])
+                        [local local-tuple])
                        structure?]
-              @defproc[((Routhian-state->Lagrangian-state [R procedure?]) [state structure?])
+              @defproc[((Routhian-state->Lagrangian-state [R procedure?]
+                                                          [#:momenta places any #f])
+                        [state structure?])
                        structure?])]{
 
-From the velocities of y to its momenta, and back.
+From the velocities of y to its momenta, and back; with @racket[#:momenta] as for
+@racket[Lagrangian->Routhian] also from coordinates that are not parted, and back to these.
 
 @examples[#:eval session
 ((Lagrangian-state->Routhian-state (L-two 'm)) (up 't (up 'x 'y) (up 'v_x 'v_y)))
-((Routhian-state->Lagrangian-state R) (up 't (up 'x 'y) (up 'v_x 'p_y)))]}
+((Routhian-state->Lagrangian-state R) (up 't (up 'x 'y) (up 'v_x 'p_y)))
+((Lagrangian-state->Routhian-state L-spherical #:momenta 0)
+ (up 't (up 'theta 'phi) (up 'thetadot 'phidot)))
+((Routhian-state->Lagrangian-state (Lagrangian->Routhian L-spherical #:momenta 0) #:momenta 0)
+ (up 't (up 'phi 'theta) (up 'phidot 'p_theta)))]}
 
 @(close-session session)

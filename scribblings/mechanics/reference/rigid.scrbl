@@ -427,11 +427,13 @@ second for p@subscript{φ} = p@subscript{ψ} = p, where the top can stand uprigh
 
 @defproc[(critical-spin [A scalar] [C scalar] [gMR scalar]) scalar]{
 
-The rate of spin above which a top stands upright: 2 √(A gMR)/C.
+The rate of spin above which a top stands upright: 2 √(A gMR)/C. One whose center of mass
+hangs below its point, with a gMR that is negative, needs no spin: the rate is 0.
 
 @examples[#:eval session
 (critical-spin 'A 'C 'gMR)
-(critical-spin 6.96e-4 1.32e-4 0.112)]
+(critical-spin 6.96e-4 1.32e-4 0.112)
+(critical-spin 6.96e-4 1.32e-4 -0.112)]
 
 @sicm{3.4, p. 232}}
 

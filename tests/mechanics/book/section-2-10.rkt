@@ -76,6 +76,10 @@
 (test-case "the critical rate of the book's top"
   (check-= (critical-spin A C gMR) 133.773378534 1e-9)
   (check-= (* C (critical-spin A C gMR)) .0176580859665 1e-13)
+  (check-equal? (critical-spin A C (- gMR)) 0 "it hangs")
+  (check-equal? (critical-spin A C 0.0) 0)
+  (check-message "critical-spin: a moment of inertia is positive; given the number -1"
+                 (critical-spin 1 -1 1))
   (check-= (* (/ 60 (* 2 pi)) (/ 7.734804457773965e-3 6.6e-5)) 1119.1203302763215 1e-9))
 
 ;; The greatest tilt within some time, from nearly upright
