@@ -17,7 +17,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
          "../value/structure.rkt" "../value/linear/linear-algebra.rkt")

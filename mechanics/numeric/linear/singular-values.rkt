@@ -2,6 +2,9 @@
 ;; Singular values by one-sided Jacobi rotations (Hestenes 1958): pairs of columns are turned
 ;; until each is orthogonal to all others.  Their lengths are then the singular values, small
 ;; ones with as many digits as great ones, and the turns together are V: A V = U Σ.
+;;
+;; A column of length 0, or of roundings only, has no direction of its own: its place in U is
+;; taken by any one at right angles to the others, so that U is orthogonal for singular A, too.
 
 (require racket/flonum
          racket/list
@@ -27,7 +30,7 @@
   (define order
     (sort (for/list ([u (in-vector turned)] [v (in-vector turns)]) (list (norm u) u v))
           > #:key first))
-  (values (for/list ([entry (in-list order)]) (scaled (first entry) (second entry)))
+  (values (directions (map first order) (map second order))
           (map first order)
           (map third order)))
 
@@ -51,8 +54,27 @@
     (flvector-set! u i (fl- (fl* c x) (fl* s y)))
     (flvector-set! w i (fl+ (fl* s x) (fl* c y)))))
 
-;; A column of length 0 has no direction, and stays.
-(define (scaled length u)
-  (if (fl= length 0.0)
-      u
-      (for/flvector #:length (flvector-length u) ([x (in-flvector u)]) (fl/ x length))))
+;; ---------------------------------------------------------------------------
+;; Columns of unit length, of those that fall in length
+
+(define (directions lengths columns)
+  (define rounding (fl* (fl* 100.0 epsilon) (first lengths)))
+  (for/fold ([found '()] #:result (reverse found))
+            ([length (in-list lengths)] [u (in-list columns)])
+    (define own (and (fl> length 0.0) (times (fl/ 1.0 length) u)))
+    (cons (if (fl> length rounding) own (beside found own (flvector-length u)))
+          found)))
+
+;; own, if it is at right angles to those found but for roundings, or else one that is
+(define (beside found own n)
+  (define (free u)
+    (for/fold ([u u]) ([v (in-list (append found found))]) (along u (- (dot u v)) v)))
+  (define candidates (cons own (for/list ([i (in-range n)]) (unit i n))))
+  (define freed (for/list ([u (in-list candidates)] #:when u) (free u)))
+  (define best
+    (or (and own (fl> (norm (first freed)) 0.9) (first freed)) (argmax norm freed)))
+  (times (fl/ 1.0 (norm best)) best))
+
+(define (unit i n) (for/flvector #:length n ([j (in-range n)]) (if (= i j) 1.0 0.0)))
+
+(define (times a u) (for/flvector #:length (flvector-length u) ([x (in-flvector u)]) (fl* a x)))

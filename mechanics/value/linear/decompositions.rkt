@@ -3,7 +3,7 @@
 
 (require racket/flonum
          racket/list
-         "eigenvalues.rkt" "linear-algebra.rkt" "matrix.rkt"
+         "eigenvalues.rkt" "linear-algebra.rkt" "matrix.rkt" "numeric-eigenvectors.rkt"
          "../simplify.rkt" "../structure.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
@@ -21,10 +21,9 @@
   (define rows (or (square-entries 'eigenvectors m) (raise-no-matrix 'eigenvectors m)))
   (cond [(not (inexact-entries? rows)) (vectors-of-null-spaces rows)]
         [(symmetric? rows) (vectors-of-symmetric rows)]
-        [else (for/list ([value (in-list (eigenvalues (exact->flonums rows)))])
-                (list value (by-inverse-iteration rows value)))]))
-
-(define (exact->flonums rows) (matrix (rows-map exact->inexact rows)))
+        [else
+         (define decimal (rows-map exact->inexact rows))
+         (numeric-eigenvectors decimal (eigenvalues (matrix decimal)))]))
 
 (define (inexact-entries? rows)
   (and (all-entries? number? rows) (not (all-entries? exact? rows))))
@@ -49,20 +48,6 @@
      n))
   (for/list ([value (in-flvector found)] [i (in-naturals)])
     (list value (apply up (for/list ([j (in-range n)]) (flvector-ref vectors (+ (* i n) j)))))))
-
-;; Near the eigenvalue the inverse of the matrix less it stretches one direction: that one.
-(define (by-inverse-iteration rows value)
-  (define n (vector-length rows))
-  (define size (for*/fold ([most 1e-300]) ([row (in-vector rows)] [x (in-vector row)])
-                 (max most (magnitude x))))
-  (define near (g:- (matrix rows) (+ value (* size 1e-10))))
-  (define start (apply up (for/list ([i (in-range n)]) (+ 1.0 (* 0.1 i)))))
-  (for/fold ([v start]) ([_ (in-range 4)])
-    (unit-length (solve-linear-left near v))))
-
-(define (unit-length v)
-  (define size (sqrt (for/sum ([x (in-list (structure->list v))]) (expt (magnitude x) 2))))
-  (g:/ v size))
 
 ;; ---------------------------------------------------------------------------
 ;; Singular values

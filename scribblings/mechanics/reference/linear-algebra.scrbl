@@ -230,21 +230,25 @@ derivative there have magnitude 1 @sicm{4.1}.}
 @defproc[(eigenvectors [m value]) (listof list?)]{
 
 For each eigenvalue a list: the eigenvalue, and after it its independent eigenvectors, as
-@racket[up] tuples; those of flonums have unit length, and each value has one.
+@racket[up] tuples. Those of flonums have unit length. If such a matrix is symmetric, each
+eigenvalue comes with one vector, orthogonal to all others; if it is not, eigenvalues that are
+the same but for roundings are one, with their mean as value.
 
 @examples[#:eval session
 (eigenvectors (matrix-by-rows '(a b) '(b a)))
 (eigenvectors (matrix-by-rows '(2.0 1.0) '(1.0 2.0)))
+(eigenvectors (matrix-by-rows '(2.0 0.0 0.0) '(0.0 2.0 0.0) '(0.0 1.0 2.0)))
 (eval:error (eigenvectors 3))]}
 
 @defproc[(svd [m value]) list?]{
 
 The singular value decomposition U Σ Vᵀ of a matrix of real numbers: the list of U, the
 singular values from the greatest on, and V. The columns of U and V have unit length and
-are orthogonal.
+are orthogonal, those of singular values 0 included.
 
 @examples[#:eval session
 (svd (matrix-by-rows '(3 0) '(4 5)))
+(svd (matrix-by-rows '(3 0) '(4 0)))
 (eval:error (svd (matrix-by-rows '(a b))))]}
 
 @defproc[(polynomial-roots [p scalar] [x symbol?]) (listof scalar)]{

@@ -39,7 +39,19 @@
   (check-= (car sizes) 5.0 1e-14)
   (check-= (cadr sizes) 0.0 1e-15))
 
-(test-case "a column of zeros stays one"
+(test-case "a column of zeros gets a direction of its own"
   (define-values (us sizes vs) (singular-values (list (flvector 0.0 0.0) (flvector 3.0 4.0))))
   (check-equal? sizes '(5.0 0.0))
-  (check-equal? (cadr us) (flvector 0.0 0.0)))
+  (check-= (norm (cadr us)) 1.0 1e-15)
+  (check-= (dot (car us) (cadr us)) 0.0 1e-15))
+
+(test-case "so do columns of which nothing but roundings is left"
+  (for ([columns (list (list (flvector 0.0 0.0) (flvector 0.0 0.0))
+                       (list (flvector 1.0 2.0) (flvector 2.0 4.0))
+                       (list (flvector 1.0 4.0 7.0) (flvector 2.0 5.0 8.0)
+                             (flvector 3.0 6.0 9.0))
+                       (list (flvector 1.0 1.0 1.0 1.0) (flvector 0.1 0.1 0.1 0.1)
+                             (flvector 0.3 0.3 0.3 0.3))
+                       (list (flvector 0.1 0.2 0.3) (flvector 0.7 1.4 2.1)
+                             (flvector 1e-300 0.0 1e-300)))])
+    (check-decomposition columns)))
