@@ -1,56 +1,70 @@
 #lang mechanics
-;; Exercise 2.21 (SICM 2.11): Mercury's resonance
-;; Checked: the rate at which Mercury librates about three turns in two orbits
-;; How: by averaging over two orbits, and against a motion
+;; Exercise 2.21 (SICM 2.14): the rotation of Mercury
+;; Checked: the orbit's equation; that three turns in two orbits are stable; how far off is caught
+;; How: Lagrange's equations of the orbit, a mean over two orbits, and motions
 
-;; Mercury turns three times while it goes round twice.  At which rate does it librate about that,
-;; with ε = 0.026 and the eccentricity 0.2?
+;; Mercury turns three times while it goes round twice.  With ε = 0.026 and the eccentricity 0.2,
+;; for which initial rates of turning does it stay there?
 
-;; Near the resonance θ = 3/2 n t + γ, with a γ that changes slowly.  Its mean acceleration is
-;; −½ n² ε² H sin 2γ, with H the mean of (a/R)³ cos(3 n t − 2 f): a Hansen coefficient.
+;; a. The true anomaly goes at n √(1 − e²) (a/R)², with a/R = (1 + e cos f)/(1 − e²): with this
+;; the orbit solves Lagrange's equations of Kepler's problem, n² a³ = μ.
+(define (R f) (/ (* 'a (- 1 (square 'e))) (+ 1 (* 'e (cos f)))))
+(define (fdot f) (* 'n (sqrt (- 1 (square 'e))) (square (/ 'a (R f)))))
+(define (L (up t (up r phi) (up rdot phidot)))
+  (+ (* 1/2 (+ (square rdot) (square (* r phidot)))) (/ (* (square 'n) (cube 'a)) r)))
+(define (along g) (lambda (f) (* ((D g) f) (fdot f))))
+(define accelerations
+  ((Lagrangian->acceleration L)
+   (up 't (up (R 'f) 'f) (up ((along R) 'f) (fdot 'f)))))
+(define right (verify-equal accelerations (up ((along (along R)) 'f) ((along fdot) 'f))))
+right
+
+;; A slip: equal areas, but at the rate of a circle.
+(define (fdot-slip f) (* 'n (square (/ 'a (R f)))))
+(define slip (verify-equal (fdot-slip 'f) (fdot 'f)))
+(verdict-status slip)
+(define on-circle (verify-again slip '(= e 0)))
+on-circle
+
+;; b. With θ = 3/2 n t + γ and γ slow, γ̈ = −½ n² ε² H sin 2γ, with H the mean of
+;; (a/R)³ cos(3 n t − 2 f): it librates at the rate n ε √H.  By the eccentric anomaly E,
 (define (H e)
-  ;; over an orbit, by the eccentric anomaly E: n t = E − e sin E
   (define (integrand E)
-    (define R (- 1 (* e (cos E))))
     (define f (* 2 (atan (* (sqrt (+ 1 e)) (sin (/ E 2))) (* (sqrt (- 1 e)) (cos (/ E 2))))))
-    (/ (cos (- (* 3 (- E (* e (sin E)))) (* 2 f))) (square R)))
+    (/ (cos (- (* 3 (- E (* e (sin E)))) (* 2 f))) (square (- 1 (* e (cos E))))))
   (/ (definite-integral integrand 0 (* 2 :pi)) (* 2 :pi)))
-
-;; An attempt, to first order in e; and the next term, of third order.
-(define (attempt e) (* 7/2 e))
-(define (better e) (- (* 7/2 e) (* 123/16 (cube e))))
-(for/list ([e '(0.001 0.01 0.1)]) (/ (H e) (attempt e)))
-(for/list ([e '(0.001 0.01 0.1)]) (/ (H e) (better e)))
-
-;; A slip: the mean for one turn in one orbit, which does not vanish on a circle.
-(define (slip e) (- 1 (* 5/2 (square e))))
-(/ (H 0.01) (slip 0.01))
-
-;; γ̈ = −½ n² ε² H sin 2γ librates at the rate n ε √H: in units of n,
 (define (rate h) (* 0.026 (sqrt h)))
-(map rate (list (attempt 0.2) (better 0.2) (H 0.2)))
+(map rate (list (* 7/2 0.2) (H 0.2)))
 
-;; A motion, seen at each second perihelion: γ returns to 0 after half a libration.
-(define orbit (* 2 :pi))
-(define mercury
-  (evolve-trajectory (spin-orbit-sysder orbit 0.026 0.2) (up 0 0. (* 3/2 1.0005 orbit) 0.) 60
-                     #:tolerance 1e-12))
-(define (gamma-at t) (- (ref (mercury t) 1) (* 3/2 orbit t)))
-(define-values (before after-that)
-  (let ((t (for/first ([t (in-range 2 60 2)] #:when (< (gamma-at t) 0)) t)))
-    (values (- t 2) t)))
-(define half-libration
-  (+ before (* 2 (/ (gamma-at before) (- (gamma-at before) (gamma-at after-that))))))
-(define measured (/ 1/2 half-libration))
-(list measured (/ measured (rate (H 0.2))))
+;; A motion, seen at each second perihelion: it starts at γ = 0, a little too fast.
+(define orbit (* 2 pi))
+(define (sysder) (spin-orbit-sysder orbit 0.026 0.2))
+(define (gammas turns n)
+  (define advance (state-advancer sysder))
+  (define start (up 0. 0. (* turns orbit) 0.))
+  (for/list ([k (in-range 1 (+ n 1))])
+    (- (ref (advance start (* 2. k) 1e-11) 1) (* 3/2 orbit 2 k))))
+
+;; c. γ̇ up to n ε √H is caught, for the energy ½ γ̇² − ¼ n² ε² H cos 2γ may not pass that at
+;; γ = π/2.  With initial rates of 3/2 ± that, and a little less and more:
+(define width (rate (H 0.2)))
+(define (caught? share)
+  (andmap (lambda (g) (< (abs g) (/ pi 2))) (gammas (+ 3/2 (* share width)) 60)))
+(list width (map caught? '(-0.9 0.5 0.9)) (map caught? '(-1.1 1.1)))
 
 (module+ test
   (require rackunit)
-  (test-case "to first order, and to third"
-    (check-= (rate (attempt 0.2)) .02175316069 1e-10)
-    (check-= (/ (H 0.001) (attempt 0.001)) 1 1e-5)
-    (check-= (/ (H 0.1) (better 0.1)) 1 1e-3))
-  (test-case "the slip is of another order"
-    (check-true (< (/ (H 0.01) (slip 0.01)) 0.04)))
-  (test-case "the motion librates at the mean rate"
-    (check-= (/ measured (rate (H 0.2))) 1 0.01)))
+  (test-case "the orbit is Kepler's, and the slip holds on a circle only"
+    (check-pred proved? right)
+    (check-pred refuted? slip)
+    (check-pred proved? on-circle))
+  (test-case "the rate of libration to first order in e, and with all orders"
+    (check-= (rate (* 7/2 0.2)) .02175316069 1e-10)
+    (check-= (rate (H 0.2)) 0.0207953 1e-7))
+  (test-case "small librations have that rate: γ is 0 again after half a period"
+    (define found (gammas (+ 3/2 0.0005) 30))
+    (define k (for/first ([g found] [k (in-naturals)] #:when (< g 0)) k))
+    (check-= (* 2 k) (/ 1/2 width) 2))
+  (test-case "what is caught and what is not"
+    (check-equal? (map caught? '(-0.9 0.5 0.9)) '(#t #t #t))
+    (check-equal? (map caught? '(-1.1 1.1)) '(#f #f))))

@@ -1,5 +1,5 @@
 #lang mechanics
-;; Exercise 2.5 (SICM 2.4): a constraint on the moments of inertia
+;; Exercise 2.5 (SICM 2.5): a constraint on the moments of inertia
 ;; Checked: that the sum of two moments is at least the third
 ;; How: the difference of both sides, as a sum of squares
 

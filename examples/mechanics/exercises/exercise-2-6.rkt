@@ -1,5 +1,5 @@
 #lang mechanics
-;; Exercise 2.6 (SICM 2.4): principal moments of inertia
+;; Exercise 2.6 (SICM 2.5): principal moments of inertia
 ;; Checked: moments and axes of a tetrahedron, a cube, and five points
 ;; How: by principal-moments and principal-axes, exact where they can be
 
