@@ -1,5 +1,5 @@
 #lang mechanics
-;; Momentum against angle of a driven pendulum  (SICM 3.5, p. 238)
+;; Momentum against angle of a driven pendulum  (SICM 3.5, p. 238, Figure 3.9)
 ;;
 ;; The support is shaken, and states cross contours of the energy: what is drawn is one motion
 ;; of 100 seconds, a point for each hundredth of one.
@@ -20,7 +20,7 @@ win
 
 (module+ main
   (require "save.rkt")
-  (save-figure win "driven-pendulum-in-phase-space.png"))
+  (save-figure win "figure-3-9.png"))
 
 (module+ test
   (require rackunit)
