@@ -14,7 +14,7 @@
          "../error/complain.rkt" "../error/failure.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
-         "../value/compose.rkt"
+         "../value/compose.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt")
 
 (provide Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
@@ -74,7 +74,7 @@
    'Lagrangian->acceleration
    (string-append "the mass matrix has no inverse; accelerations do not follow from the state"
                   (directions->text (or directions '()))
-                  (format "\n  mass matrix: ~a" (value->text mass-matrix)))
+                  (format "\n  mass matrix: ~a" (value->text (simplify mass-matrix))))
    mass-matrix
    directions
    e))

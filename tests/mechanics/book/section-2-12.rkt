@@ -181,6 +181,48 @@
                1e-10))
 
 ;; ---------------------------------------------------------------------------
+;; The mass matrix of four coordinates for three ways to turn
+
+(define local (up 't (up 'q_0 'q_1 'q_2 'q_3) (up 'v_0 'v_1 'v_2 'v_3)))
+(define T (T-quaternion-state 'A 'B 'C))
+(define S (((square (partial 2)) T) local))
+(define mass (s->m (velocity local) S (velocity local)))
+(define length^2 (square (coordinate local)))
+
+(test-case "turns about the axes of the body have the inertia 4 A, 4 B and 4 C over |q|²"
+  (for ([unit (list q:i q:j q:k)] [moment '(A B C)])
+    (define turn (* unit (coordinate local)))
+    (check-identity (* mass turn) (* 4 moment (/ turn length^2)))))
+
+;; Zeros, if two tuples of four are along one line
+(define (cross-minors a b)
+  (for/list ([i '(1 2 3)]) (- (* (ref a 0) (ref b i)) (* (ref a i) (ref b 0)))))
+
+(test-case "a change of the length has none: the determinant is 0, and the direction is named"
+  (check-identity (* mass (coordinate local)) (up 0 0 0 0))
+  (check-identity (determinant S) 0)
+  (check-equal? (rank mass) 3)
+  (define failure
+    (with-handlers ([exn:fail:mechanics:singular:matrix? values])
+      ((Lagrangian->acceleration T) local)))
+  (define directions (exn:fail:mechanics:singular:matrix-null-vectors failure))
+  (check-equal? (length directions) 1)
+  (for ([x (cross-minors (car directions) (coordinate local))]) (check-identity x 0))
+  (check-true (regexp-match? #rx"no inertia in the direction: [(]up q_0 q_1 q_2 q_3[)]"
+                             (exn-message failure)))
+  (check-true (< (string-length (exn-message failure)) 3000) "it is simplified"))
+
+(test-case "the energy is the one of the body, for a quaternion of any length"
+  (check-identity (T local) ((T-body 'A 'B 'C) (quaternion-state->omega-body local)))
+  (check-identity (T local) (* 1/2 (dot-product (velocity local) (* mass (velocity local))))))
+
+(test-case "with the length held the Hessian is positive: sums of squares of ω"
+  (define omega (quaternion-state->omega-body local))
+  (check-identity (* 2 (T local))
+                  (apply + (map (lambda (moment w) (* moment (square w)))
+                                '(A B C) (structure->list omega)))))
+
+;; ---------------------------------------------------------------------------
 ;; Mistakes
 
 (says

@@ -1,5 +1,5 @@
 #lang racket/base
-;; SICM 3.2, Poisson Brackets (pp. 218-222), and 3.3 on one degree of freedom.
+;; SICM 3.2, Poisson Brackets (pp. 218-222).
 
 (require mechanics
          rackunit
