@@ -8,7 +8,8 @@
 
 What to type while reading chapter 2 of @|the-book|, on rigid bodies. All names of the book
 and of its first edition are in @racketmodname[mechanics], but for those of 2.8, which draw a
-picture of errors and are in @racketmodname[mechanics/book].
+picture of errors and are in @racketmodname[mechanics/book]. What is of rigid bodies is loaded
+when it is first called.
 
 @section{2.2 Rotations and angular velocity}
 
@@ -188,6 +189,20 @@ These programs are in the source, with tests of what they claim.
 @subsection{Moons}
 
 @program["rigid/moons.rkt" #'here]
+
+@section{Figures}
+
+Each figure of the chapter that is computed is a program, which tests what it shows:
+the errors of @program-link["figures/figure-2-2.rkt"] and, with quaternions,
+@program-link["figures/figure-2-15.rkt"]; the paths of the angular momentum on the body,
+@program-link["figures/figure-2-3.rkt"]; nutation, precession and spin of the top,
+@program-link["figures/figure-2-5.rkt"], @program-link["figures/figure-2-6.rkt"] and
+@program-link["figures/figure-2-7.rkt"], and its loops, @program-link["figures/figure-2-8.rkt"];
+the Moon, Hyperion and the phase plane of both, @program-link["figures/figure-2-12.rkt"],
+@program-link["figures/figure-2-13.rkt"] and @program-link["figures/figure-2-14.rkt"]. Euler's
+angles are drawn by @program-link["figures/figure-2-1.rkt"] and
+@program-link["figures/figure-2-4.rkt"], those of an orbit by
+@program-link["figures/figure-2-11.rkt"].
 
 @section{Exercises}
 

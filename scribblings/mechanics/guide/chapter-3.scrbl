@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
+          "../program.rkt")
 
 @title[#:tag "chapter-3"]{Along with chapter 3 of the book}
 
@@ -90,6 +91,12 @@ Jacobi's identity, for functions of which nothing is known:
                 (Poisson-bracket K (Poisson-bracket F G)))
              state))]
 
+Friction is no part of a Hamiltonian; it is given beside it, as a force on the momenta:
+
+@examples[#:eval session #:label #f
+(define (friction s) (* -1 'c (momentum s)))
+((rate-of-change H-central H-central #:force friction) state)]
+
 @section{3.3 One degree of freedom}
 
 A Hamiltonian that does not depend on the time is constant along motions, and so motions are its
@@ -142,6 +149,12 @@ reduced:
                       (lambda (t) 'p_phi))
  't)]
 
+The momenta belong to the coordinates at the end, or to those that are named by their places:
+
+@examples[#:eval session #:label #f
+((Lagrangian->Routhian (L-axisymmetric-top 'A 'C 'gMR) #:momenta '(1 2))
+ (up 't (up 'theta (up 'phi 'psi)) (up 'thetadot (down 'p_phi 'p_psi))))]
+
 @section{3.5 Phase space evolution}
 
 A Hamiltonian that depends on the time: the pendulum with a shaken pivot. States are followed as
@@ -161,5 +174,21 @@ this and for any Hamiltonian.
 @examples[#:eval session #:label #f
 ((phase-space-divergence (H-pend-sysder 'm 'l 'g 'a 'omega)) (up 't 'theta 'p_theta))
 ((phase-space-divergence (Hamiltonian->state-derivative F)) state)]
+
+@section[#:tag "chapter-3-figures"]{Figures}
+
+The figures up to 3.5 are programs, which test what they show: a Legendre transform as areas,
+@program-link["figures/figure-3-1.rkt"]; a mass on a helical track,
+@program-link["figures/figure-3-2.rkt"]; the phase plane of the pendulum,
+@program-link["figures/figure-3-4.rkt"]; the potential of the sleeping top and its phase planes,
+@program-link["figures/figure-3-5.rkt"], @program-link["figures/figure-3-6.rkt"],
+@program-link["figures/figure-3-7.rkt"] and @program-link["figures/figure-3-8.rkt"]; the driven
+pendulum, @program-link["figures/figure-3-9.rkt"], and the same motion with two kinds of momenta,
+@program-link["figures/figure-3-10.rkt"].
+
+@section[#:tag "chapter-3-exercises"]{Exercises}
+
+For exercises of the chapter that have an answer to check there are programs that check one:
+@secref["guide-exercises"].
 
 @(close-session session)

@@ -9,7 +9,7 @@ A @italic{state} of momenta is @racket[(up t q p)]: the time, the coordinates, a
 which are of the other orientation, a @racket[down] where the coordinates are an @racket[up]. A
 @italic{Hamiltonian} is a function of such a state whose value is a scalar. What takes one
 complains if momenta are missing, as many as there are coordinates, or written as an
-@racket[up].
+@racket[up]. But for states, all of this is loaded when it is first called.
 
 @section{States}
 

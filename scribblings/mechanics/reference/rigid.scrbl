@@ -15,7 +15,7 @@ matrix of one column. @emph{Euler angles} are @racket[(up theta phi psi)]; a sta
 @racket[(up t angles rates)]. A, B and C are the moments of inertia about the principal axes
 of the body, along which ω@superscript{a}, ω@superscript{b} and ω@superscript{c} are taken.
 @secref["chapter-2"] goes through the chapter; @secref["reference-quaternions"] has the
-quaternions.
+quaternions. All of this is loaded when it is first called.
 
 @section{Rotations}
 

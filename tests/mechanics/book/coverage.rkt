@@ -97,7 +97,10 @@
     (Rx-matrix rotate-x-matrix) (Ry-matrix rotate-y-matrix) (Rz-matrix rotate-z-matrix)
     (angle-axis->rotation-matrix angle&axis->rotation-matrix)
     (T-body-Euler T-rigid-body) (L-body-Euler Euler-state->L-body)
-    (L-space-Euler Euler-state->L-space)))
+    (L-space-Euler Euler-state->L-space)
+    (compatible-zero dual-zero)
+    (Hamiltonian->state-derivative phase-space-derivative)
+    (Legendre-transform Legendre-transform-procedure)))
 
 ;; ---------------------------------------------------------------------------
 
