@@ -150,7 +150,7 @@
 ;; A structure of zeros that contracts with s to a scalar, and one of fresh
 ;; names, as the book uses to probe bilinear forms (SICM p. 351).
 (define (compatible-zero s) (s:map/r (lambda (x) 0) (flip s)))
-(define (dual-zero s) (compatible-zero s))
+(define dual-zero compatible-zero)
 
 ;; What is zero in the way that s is: a tuple, a matrix, a function, an operator.
 (define (zero-like s)

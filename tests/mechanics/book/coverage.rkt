@@ -99,7 +99,6 @@
     (T-body-Euler T-rigid-body) (L-body-Euler Euler-state->L-body)
     (L-space-Euler Euler-state->L-space)
     (compatible-zero dual-zero)
-    (Hamiltonian->state-derivative phase-space-derivative)
     (Legendre-transform Legendre-transform-procedure)))
 
 ;; ---------------------------------------------------------------------------
