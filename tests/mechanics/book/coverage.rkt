@@ -98,8 +98,7 @@
     (angle-axis->rotation-matrix angle&axis->rotation-matrix)
     (T-body-Euler T-rigid-body) (L-body-Euler Euler-state->L-body)
     (L-space-Euler Euler-state->L-space)
-    (compatible-zero dual-zero)
-    (Legendre-transform Legendre-transform-procedure)))
+    (compatible-zero dual-zero)))
 
 ;; ---------------------------------------------------------------------------
 
