@@ -8,7 +8,7 @@
          "error/failure.rkt"
          "generic/arithmetic.rkt" "generic/compare.rkt" "generic/elementary.rkt"
          "generic/loops.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
-         "lang/pattern/pattern.rkt"
+         "lang/conditional.rkt" "lang/pattern/pattern.rkt"
          (only-in "numeric/constants.rkt" pi :pi :-pi :pi/2 :2pi)
          (except-in "value/assumptions.rkt"
                     assumptions-in-force call-assuming note-used! undeclared)
@@ -21,11 +21,13 @@
          (only-in "value/on-demand.rkt" eigenvectors svd polynomial-roots read-expression)
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
-         "verdict/prove-zero.rkt" "verdict/verdict.rkt")
+         "verdict/equality.rkt" "verdict/prove-zero.rkt" "verdict/verdict.rkt")
 
 (provide
  ;; binding forms with structure patterns
  define lambda λ case-lambda let let*
+ ;; tests
+ if cond and or not when unless
  ;; arithmetic
  (rename-out [g:+ +] [g:- -] [g:* *] [quotient-of /] [g:expt expt] [g:sqrt sqrt]
              [g:square square] [g:square sqr] [g:cube cube]
@@ -41,8 +43,8 @@
  pi :pi :-pi :pi/2 :2pi principal-value
  make-rectangular make-polar real-part imag-part conjugate
  ;; comparison
- (rename-out [g:= =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]
-             [g:zero? zero?] [g:one? one?] [g:positive? positive?] [g:negative? negative?]
+ (rename-out [equal-by-proof? =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]
+             [zero-by-proof? zero?] [one-by-proof? one?] [g:positive? positive?] [g:negative? negative?]
              [g:max max] [g:min min] [g:add1 add1] [g:sub1 sub1]
              [g:number? number?] [g:real? real?] [g:rational? rational?]
              [g:integer? integer?] [g:exact? exact?] [g:inexact? inexact?]

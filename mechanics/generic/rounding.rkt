@@ -4,11 +4,15 @@
 ;;
 ;; exact->inexact is the identity as far as the mathematics goes.  Roundings are
 ;; constant between their jumps, where they have no derivative: their values are
-;; plain numbers, which may count and index.
+;; plain numbers, which may count and index.  Exact constants have exact ones: π is rounded
+;; down to 3.
 
-(require "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "elementary.rkt" "kind.rkt" "naming.rkt"
-         "record.rkt" "singular-derivative.rkt" "up-down.rkt"
-         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt")
+(require "arithmetic.rkt" "compare.rkt" "describe.rkt" "dispatch.rkt" "elementary.rkt" "kind.rkt"
+         "naming.rkt" "on-demand.rkt" "record.rkt" "singular-derivative.rkt" "up-down.rkt"
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+         "../error/complain.rkt")
+
+(require-on-demand ["../algebra/simplify/simplify-expression.rkt" simplify-expression])
 
 (provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude
          rounding-operations)
@@ -35,6 +39,10 @@
         (define c (comparand x))
         (cond [(real? x) (numeric x)]
               [(other-number? x) (numeric c)]
+              [(and (symbolic? c) (constant-value c))
+               => (lambda (size)
+                    (define value (rounded-constant 'name numeric c size))
+                    (if (or (eq? c x) (not (g:zero? (jump x value)))) value (raise-at-jump 'name x)))]
               [(real? c)                        ; x, of value c, is being differentiated
                (define value (numeric c))
                (if (g:zero? (jump c value)) (raise-at-jump 'name x) value)]
@@ -53,6 +61,21 @@
   (lambda (x value) (if (g:zero? value) 1 (g:- x value))))
 (define-rounding g:round generic:round round round
   (lambda (x value) (g:- (g:abs (g:- x value)) 1/2)))
+
+;; What is made of numbers and π alone is simplified first, as 2 sin(π/6) is 1.  It is rounded by
+;; its size then, unless that is nearer to a jump than a flonum can tell.
+(define (rounded-constant who numeric e size)
+  (define simple (simplify-expression e))
+  (cond [(real? simple) (numeric simple)]
+        [(near-jump? size)
+         (complain who "too near to where it jumps to be told by its decimals\n  value: ~a"
+                   (describe-with-value e))]
+        [else (inexact->exact (numeric size))]))
+
+;; Floors jump at integers, roundings half way between them.
+(define (near-jump? size)
+  (define twice (* 2 size))
+  (< (abs (- twice (round twice))) (* 1e-12 (max 1.0 (abs twice)))))
 
 (define (raise-at-jump who x)
   (raise-no-derivative-at who (list x) "where it jumps"))

@@ -23,7 +23,8 @@
          (only-in "../generic/dispatch.rkt" raise-unary-arity)
          (only-meta-in 1 "../generic/elementary.rkt")
          (only-in "../generic/up-down.rkt" vector->up)
-         (only-in "../value/linear/quotient.rkt" inverse-of quotient-of))
+         (only-in "../value/linear/quotient.rkt" inverse-of quotient-of)
+         (only-in "../verdict/equality.rkt" equal-by-proof?))
 
 (provide (rename-out [application #%app]))
 
@@ -67,7 +68,7 @@
 
 (define operations
   (list (cons g:+ '+) (cons g:* '*) (cons g:- '-) (cons quotient-of '/)
-        (cons g:= '=) (cons g:< '<) (cons g:> '>) (cons g:<= '<=) (cons g:>= '>=)))
+        (cons equal-by-proof? '=) (cons g:< '<) (cons g:> '>) (cons g:<= '<=) (cons g:>= '>=)))
 
 ;; : (* 'x 2), or of a longer formula its beginning
 (define (prefix operation first operands)

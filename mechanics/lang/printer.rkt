@@ -10,6 +10,7 @@
 ;; In a terminal a long result ends after a screen.
 
 (require "../display/advice.rkt" "../display/result.rkt"
+         "../error/note.rkt"
          "../generic/on-demand.rkt")
 
 (require-on-demand [racket/pretty pretty-print-columns]
@@ -98,11 +99,6 @@
                                    (exn-message e)))
                      (plain-result x (output-width)))])
     (simplified-result x (output-width))))
-
-(define (note text)
-  (define port (current-error-port))
-  (write-string (string-append "; " text "\n") port)
-  (flush-output port))
 
 ;; ---------------------------------------------------------------------------
 ;; Width

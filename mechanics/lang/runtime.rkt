@@ -3,8 +3,10 @@
 ;; `configure-runtime` submodules only, never by a library.
 
 (require "printer.rkt"
-         "mistake/unbound.rkt")
+         "mistake/unbound.rkt"
+         "../error/note.rkt")
 
 (print-as-expression #t)
 (install-printer!)
 (install-hints!)
+(start-session-of-notes!)

@@ -5,6 +5,7 @@
          "printer.rkt"
          "mistake/unbound.rkt"
          "redefinition/prompt.rkt"
+         (only-in "../error/note.rkt" start-session-of-notes!)
          (only-in "../numeric/progress.rkt" current-reporter terminal-reporter))
 
 (provide (rename-out [top-interaction #%top-interaction])
@@ -21,4 +22,5 @@
 (define (install-session!)
   (install-printer!)
   (install-hints!)
+  (start-session-of-notes!)
   (current-reporter (terminal-reporter)))

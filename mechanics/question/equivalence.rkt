@@ -19,7 +19,8 @@
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
          "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/truth.rkt"
+         "../generic/value-struct.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
@@ -36,7 +37,9 @@
 ;; factor : C with E₂ = C E₁, a scalar or a matrix; #f if not known
 ;; gauge : f at the local tuple with L₂ = C L₁ + D_t f; #f if not known
 (value-struct equivalence (kind factor gauge verdict)
-  #:text equivalence->text)
+  #:text equivalence->text
+  #:property prop:no-truth-value
+  "what two Lagrangians share is neither true nor false; ask (proved? (equivalence-verdict e))")
 
 ;; local : a local tuple of symbols (up t q v), or of Hamiltonians a state (up t q p)
 (define (verify-equivalent-Lagrangians L1 L2 local)

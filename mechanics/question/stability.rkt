@@ -21,7 +21,7 @@
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/truth.rkt" "../generic/value-struct.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt"
@@ -33,7 +33,9 @@
 ;; kind : 'stable 'linearly-stable 'unstable 'undecided
 ;; conditions : inequalities (> e 0) for it to be stable, unstable if e < 0 in one
 (value-struct stability (kind conditions)
-  #:text stability->text)
+  #:text stability->text
+  #:property prop:no-truth-value
+  "how stable it is, is neither true nor false; ask (eq? (stability-kind s) 'stable)")
 
 ;; q : coordinates of an equilibrium of an L that does not change in time
 (define (equilibrium-stability given q)

@@ -12,9 +12,10 @@
 
 ;; x ↦ the angle in [cut - 2π, cut) that differs from x by whole turns, for an angle
 ;; or a tuple of them.  Whole turns are constant in between: the derivative is 1.
-(define (principal-value cut)
+(define (principal-value given)
+  (define cut (if (symbolic? given) (constant-value given) given))
   (unless (finite? cut)
-    (raise-not-an-angle "expected a cut that is a real number" cut))
+    (raise-not-an-angle "expected a cut that is a real number" given))
   (define low (- cut :2pi))
   (define (principal x)
     (cond [(real? x) (wrap x low cut :2pi)]
@@ -23,7 +24,7 @@
           [(and (symbolic? x) (constant-value x)) => principal]
           [(symbolic? x) (raise-not-an-angle "expected an angle that is a real number" x)]
           [else (g:- x (g:* :2pi (g:floor (g:/ (g:- x low) :2pi))))]))
-  (unary-function (lambda () (list 'principal-value cut)) (x)
+  (unary-function (lambda () (list 'principal-value given)) (x)
     (principal x)))
 
 (define (raise-not-an-angle what x)

@@ -5,7 +5,7 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
-         "fresh-name.rkt" "left-by-rounding.rkt" "off-kinks.rkt" "smoothness.rkt" "verdict.rkt"
+         "fresh-name.rkt" "off-kinks.rkt" "remarks.rkt" "smoothness.rkt" "verdict.rkt"
          "ways.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
@@ -47,12 +47,22 @@
                 judged))
   (for ([t (in-list tests)]) (note-used! (zero-test-grounds (cdr t))))
   (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks
-                (lambda () (append (remarks-on-rounding residual) (remarks)))
+                (lambda (status)
+                  (append (remarks-on-residual residual status (map cdr tests))
+                          (if (eq? status 'undecided) '() (remarks))))
                 (once (lambda () (ways-told (reverse tests) meaning A)))
                 (or again
                     (lambda (change)
                       (prove-zero (change x) #:variables names #:surveys surveys
                                   #:remarks remarks #:meaning meaning)))))
+
+;; Of decimals in the way of a decision the tests tell themselves.
+(define (remarks-on-residual residual status tests)
+  (define (rounding? z) (eq? (zero-test-reason z) 'rounding))
+  (append (cond [(ormap rounding? tests) (remarks-on-rounding residual 0.0)]
+                [(eq? status 'undecided) '()]
+                [else (remarks-on-rounding residual)])
+          (remarks-on-pi residual)))
 
 ;; tests : ((expression . test) ...); find-meaning : #f or -> meaning, called if needed
 ;; -> for each the ways to make it zero, and those for all of them
@@ -94,9 +104,11 @@
 (define (verify-equal a b) (prove-zero (difference a b)))
 
 ;; a - b, where flonums are not subtracted yet: what is lost to rounding shows
-;; only beside the numbers themselves.
+;; only beside the numbers themselves.  Beside 0 there is nothing to show it.
 (define (difference a b)
-  (cond [(and (number? a) (number? b) (not (and (exact? a) (exact? b))))
+  (cond [(eqv? b 0) a]
+        [(eqv? a 0) (g:- b)]
+        [(and (number? a) (number? b) (not (and (exact? a) (exact? b))))
          (make-node op:- (list a b))]
         [(and (tuple? a) (tuple? b) (compatible? (adopt a) (adopt b)))
          (structure-map2 difference (adopt a) (adopt b))]

@@ -160,7 +160,7 @@
   (define points (zero-test-points z))
   (define size (zero-test-bound z))
   (line "evidence:"
-        (cond [(zero-test-reason z) => reason->text]
+        (cond [(reason->text (zero-test-reason z)) => values]
               [(eqv? size 0) (format "zero at ~a, exactly or modulo primes" (points->text points))]
               [else (format "at ~a, zero to within ~a" (points->text points)
                             (readable (* 1.05 size) 2))])))
@@ -168,7 +168,8 @@
 (define (reason->text reason)
   (case reason
     [(nowhere) "no point was found where it has a real value and the assumptions hold"]
-    [(decimals) "zero within rounding; exact numbers would tell"]))
+    [(decimals) "zero within rounding; exact numbers would tell"]
+    [else #f]))
 
 ;; Exact numbers in their place would lead to a proof or a refutation.
 (define (decimals-in-the-way z line)

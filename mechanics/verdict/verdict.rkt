@@ -3,7 +3,7 @@
 
 (require racket/list
          "report.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/truth.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/algebra.rkt"
          "../value/linear/matrix.rkt"
          "../value/series/series.rkt")
@@ -31,12 +31,13 @@
 ;;               about changed
 (value-struct verdict
               (status residual tests given endless? kinks-found grounds remarks told question)
-  #:text (lambda (v) (report->text (verdict-lines v))))
+  #:text (lambda (v) (report->text (verdict-lines v)))
+  #:property prop:no-truth-value "a verdict is neither true nor false; ask (proved? v)")
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
 ;; find-kinks : -> kinks and grounds, asked for unless the verdict is a refutation
-;; find-remarks : -> strings; called unless it is undecided
+;; find-remarks : status -> strings
 (define (make-verdict residual tests given endless? find-kinks find-remarks told question)
   (define statuses (map zero-test-status tests))
   (define refuted? (memq 'refuted statuses))
@@ -45,8 +46,7 @@
     (cond [refuted? 'refuted]
           [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
           [else 'proved]))
-  (define remarks (if (eq? status 'undecided) '() (find-remarks)))
-  (verdict status residual tests given endless? kinks grounds remarks told question))
+  (verdict status residual tests given endless? kinks grounds (find-remarks status) told question))
 
 ;; The verdict with one more remark, before the others.
 (define (with-remark v text)
@@ -122,9 +122,12 @@
         [(pair? (verdict-kinks-found v)) 'kinks]
         [(some? (lambda (z) (eq? (zero-test-reason z) 'nowhere))) 'nowhere-defined]
         [(some? (lambda (z) (pair? (zero-test-left-unexpanded z)))) 'too-large]
-        [(some? (lambda (z) (pair? (zero-test-decimals z)))) 'decimals]
+        [(some? rests-on-decimals?) 'decimals]
         [(verdict-endless? v) 'series]
         [else 'beyond-the-algebra]))
+
+(define (rests-on-decimals? z)
+  (or (pair? (zero-test-decimals z)) (eq? (zero-test-reason z) 'rounding)))
 
 ;; ---------------------------------------------------------------------------
 ;; In words

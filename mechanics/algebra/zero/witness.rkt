@@ -4,8 +4,8 @@
 ;; A witness is for a person to check, so the first points tried give small
 ;; integers to everything and 0 to what stands under a sine, an exponential or
 ;; the like, where the value is then exact.  If the expression vanishes there,
-;; points with integers for all leaves follow, and then small fractions.  The points
-;; are always the same.  Where assumptions were made they hold at every point.
+;; points with integers for all leaves follow, and then small fractions, sooner where angles
+;; are counted in turns.  The points are always the same.  Where assumptions were made they hold at every point.
 ;;
 ;; A point counts if each part of the expression has a real value there, and it is a
 ;; witness if the value of the expression as it is given is proved not to be 0, by balls.
@@ -15,8 +15,10 @@
 ;; Positive points come first: at √(b² - 4km) a person expects strong damping and
 ;; masses, not negative ones.
 
-(require "finding.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
-         "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")
+(require (only-in racket/list drop take)
+         "finding.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
+         "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
+         "../expression/symbols.rkt")
 
 (provide find-witness)
 
@@ -53,7 +55,7 @@
   (define found (exact-witness q))
   (if found
       (values (listed-point found) (shown found) 0 0)
-      (search q (all-tries (region-free? place) positive?))))
+      (search q (all-tries (region-free? place) positive? (counts-in-turns? residual)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Points where transcendental functions have exact values
@@ -70,12 +72,22 @@
 ;; ---------------------------------------------------------------------------
 ;; Points with numbers for all leaves
 
-(define (all-tries free? positive?)
+(define (all-tries free? positive? in-turns?)
   (define (tries make count positive-count)
     (for/list ([k (in-range count)])
       (make (if (or positive? (< k positive-count)) k (- positive-count k 1)) #hash())))
-  (append (tries integer-try (if free? point-limit point-limit/relations) positive-points)
-          (tries fraction-try fraction-points positive-fraction-points)))
+  (define integers
+    (tries integer-try (if free? point-limit point-limit/relations) positive-points))
+  (define fractions (tries fraction-try fraction-points positive-fraction-points))
+  (if in-turns?
+      (append (take integers positive-points) fractions (drop integers positive-points))
+      (append integers fractions)))
+
+;; Has it a sine or the like of a multiple of π, or of a decimal, which may be one?  At
+;; integers sin 2πt is 0.
+(define (counts-in-turns? t)
+  (and (for/or ([head (in-vector (tape-heads t))]) (memq head (list op:sin op:cos op:tan)))
+       (for/or ([x (in-vector (tape-items t))]) (or (flonum? x) (pi-symbol? x)))))
 
 ;; zeros : ((try . finding) ...), the points that gave no decision, latest first
 (define (search q tries)

@@ -42,7 +42,8 @@
 ;; those were points modulo primes
 ;; points : how many those were
 ;; reason : why it is undecided: 'nowhere if no point was found where it has a value,
-;; 'decimals if it vanishes but for these; or #f
+;; 'decimals if it vanishes but for these, 'rounding for a flonum as small as rounding
+;; leaves; or #f
 ;; decimals : readings (decimals.rkt): those a proof rests on, those that stand in the way
 ;; form : box of a form, or of a thunk that makes it
 (struct zero-test (status witness value bound points reason decimals form)
@@ -157,7 +158,7 @@
 (define (test-flonum x A)
   (define size (magnitude x))
   (define form (later x A '()))
-  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 #f '() form)]
+  (cond [(< size 1e-14) (make-zero-test 'undecided #f x size 1 'rounding '() form)]
         [(eqv? size +inf.0) (make-zero-test 'refuted '() x 0 0 #f '() form)]
         [(rational? size) #f]
         [else (make-zero-test 'undecided #f x 0 0 #f '() form)]))

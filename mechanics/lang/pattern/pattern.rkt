@@ -5,7 +5,7 @@
 
 (require (for-syntax racket/base
                      (only-in racket/list append-map)
-                     "miswritten.rkt" "pattern-syntax.rkt")
+                     "miswritten.rkt" "pattern-syntax.rkt" "../plain-form.rkt")
          "tuple.rkt")
 
 (provide up down
@@ -20,7 +20,7 @@
   ;; Racket's form, on the syntax as it was written.
   (define (as form stx)
     (when (identifier? stx) (raise-alone stx))
-    (datum->syntax stx (cons form (cdr (syntax-e stx))) stx stx))
+    (plain-form form stx))
 
   (define (raise-alone id)
     (raise-syntax-error

@@ -6,7 +6,8 @@
 (require "command.rkt" "typed-forms.rkt" "lines.rkt"
          (only-in "../mistake/unbound.rkt" install-hints!)
          (only-in "../printer.rkt" install-printer!)
-         "../../error/complain.rkt")
+         "../../error/complain.rkt"
+         (only-in "../../error/note.rkt" start-session-of-notes!))
 
 (provide run-prompt read-entry)
 
@@ -24,6 +25,7 @@
     (print-as-expression #t)
     (install-printer! ",more shows the next screen")
     (install-hints!)
+    (start-session-of-notes!)
     (read-eval-print-loop))
   (when (terminal-port? (current-output-port)) (newline)))
 

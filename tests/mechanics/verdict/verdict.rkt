@@ -80,8 +80,8 @@
 (define (last-line v) (cadr (regexp-match #rx"([^\n]*)$" (format "~a" v))))
 
 (test-case "a bound is given to two digits, rounded upwards"
-  (check-equal? (last-line (prove-zero 1.234e-15))
-                "  evidence: at one point, zero to within 1.3e-15")
+  (check-regexp-match #rx"\n  evidence: at one point, zero to within 1.3e-15\n"
+                      (format "~a" (prove-zero 1.234e-15)))
   (check-regexp-match #px"\n  evidence: at 12 points, zero to within [0-9]([.][0-9])?e-[0-9]+\n"
                       (format "~a" (verify-equal (g:* 0.12345678901 'x)
                                                  (g:* 0.12345678901000001 'x)))))

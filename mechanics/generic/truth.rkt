@@ -1,0 +1,24 @@
+#lang racket/base
+;; Values that are answers and yet neither true nor false: a verdict may be undecided, and
+;; Racket takes for true whatever is not #f, a refutation too.
+;;
+;; A struct with the property says in a sentence what to ask instead.
+
+(require "../error/complain.rkt")
+
+(provide prop:no-truth-value truth)
+
+;; Its value is such a sentence.
+(define-values (prop:no-truth-value no-truth-value? what-to-ask)
+  (make-struct-type-property 'no-truth-value))
+
+;; x, where who asks whether it is true.
+(define-syntax-rule (truth who x)
+  (let ([v x])
+    (if (boolean? v) v (checked 'who v))))
+
+(define (checked who v)
+  (when (no-truth-value? v) (complain who "~a\n  given: ~a" (what-to-ask v) (first-line (format "~a" v))))
+  v)
+
+(define (first-line text) (regexp-replace #rx"\n.*" text ""))

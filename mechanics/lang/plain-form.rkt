@@ -1,0 +1,10 @@
+#lang racket/base
+;; Racket's form behind a name that is ours too.
+
+(provide plain-form)
+
+;; stx, with the keyword `form` in place of the one it begins with, or that it is.
+(define (plain-form form stx)
+  (if (identifier? stx)
+      (datum->syntax form (syntax-e form) stx stx)
+      (datum->syntax stx (cons form (cdr (syntax-e stx))) stx stx)))

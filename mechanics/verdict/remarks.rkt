@@ -1,0 +1,50 @@
+#lang racket/base
+;; What a residual alone gives cause to say beside its verdict.
+;;
+;; A number as small as rounding leaves, such as the sine of the decimal pi, is refuted as a
+;; factor, being a number like others, and undecided where it stands alone.  A symbol that
+;; is spelt like π is an unknown.  Either may be meant otherwise.
+
+(require (only-in racket/list append-map)
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../generic/describe.rkt")
+
+(provide remarks-on-rounding remarks-on-pi)
+
+;; Each -> a list of no string or one
+
+;; default : what to speak of where simplification made an exact 0 of it
+(define (remarks-on-rounding residual [default #f])
+  (define found (or (ormap smallest-size (expressions-of residual)) default))
+  (if found
+      (list (format (string-append "~a may be no more than what rounding leaves, as of (sin pi): "
+                                   "exact numbers would tell, ':pi for π")
+                    (value->text found)))
+      '()))
+
+;; A flonum in e of the size of rounding, or #f.
+(define (smallest-size e)
+  (if (flonum? e)
+      (and (< (abs e) rounding) e)
+      (node-fold e
+                 (lambda (leaf) (and (flonum? leaf) (< 0.0 (abs leaf) rounding) leaf))
+                 (lambda (n parts) (ormap values parts)))))
+
+(define rounding 1e-14)
+
+(define (remarks-on-pi x)
+  (define name
+    (for/or ([s (in-list (append-map symbols-in (expressions-of x)))]) (and (memq s spelt-pi) s)))
+  (if name
+      (list (format "the symbol ~a is an unknown like others; the number π is written ':pi" name))
+      '()))
+
+(define spelt-pi '(pi Pi PI π))
+
+(define (expressions-of x)
+  (define found '())
+  (map-leaves (lambda (leaf)
+                (when (expression? leaf) (set! found (cons leaf found)))
+                leaf)
+              x)
+  (reverse found))

@@ -1,0 +1,82 @@
+#lang racket/base
+;; `=` and `zero?` of expressions: a proof counts, what it rests on is told, and where forms
+;; alone tell, that is told.
+
+(require racket/port
+         racket/string
+         rackunit
+         mechanics
+         mechanics/error/note
+         "../support/run-text.rkt")
+
+(define one-by-Pythagoras (+ (square (sin 'x)) (square (cos 'x))))
+
+;; What a new session is told while the expression is evaluated.
+(define-syntax-rule (told expression ...)
+  (let ([port (open-output-string)])
+    (define t
+      (parameterize ([current-error-port port])
+        (thread (lambda () (start-session-of-notes!) expression ... (void)))))
+    (thread-wait t)
+    (get-output-string port)))
+
+(test-case "expressions that are equal are equal however they are written"
+  (check-true (= (square (sin 'x)) (- 1 (square (cos 'x)))))
+  (check-true (= (* 2 (+ 'a 'b)) (+ (* 2 'a) (* 2 'b)) (+ 'a 'b 'a 'b)))
+  (check-true (zero? (- one-by-Pythagoras 1)))
+  (check-true (one? one-by-Pythagoras))
+  (check-true (= (up one-by-Pythagoras (down 'a)) (up 1 (down (+ (/ 'a 2) (/ 'a 2))))))
+  (check-true (= (matrix-by-rows (list one-by-Pythagoras 0)) (matrix-by-rows '(1 0))))
+  (check-true (zero? (up (- one-by-Pythagoras 1) 0))))
+
+(test-case "multiples of π have several names"
+  (check-true (= ':2pi (* 2 ':pi)))
+  (check-true (= ':-pi (- ':pi)))
+  (check-false (= ':2pi ':pi)))
+
+(test-case "what differs somewhere differs, without a word"
+  (check-equal? (told (check-false (= 'a 'b))
+                      (check-false (= 'x 0))
+                      (check-false (zero? 'x))
+                      (check-false (= (+ 'a 1) (- 'a 1)))
+                      (check-false (= (up 1 'a) (up 1 'b)))
+                      (check-false (= (up 1 2) (up 1 2 3)))
+                      (check-false (= (up 1 2) 3))
+                      (check-false (zero? (up 0 'a))))
+                ""))
+
+(test-case "numbers are compared as ever"
+  (check-true (= 1 1.0 1))
+  (check-false (= 0.3 (+ 0.1 0.2)))
+  (check-false (= +nan.0 +nan.0))
+  (check-true (zero? -0.0))
+  (check-eq? (object-name =) '=)
+  (check-eq? (object-name zero?) 'zero?))
+
+(test-case "what a proof takes for granted is told"
+  (check-equal? (told (check-true (= (sqrt (square 'm)) 'm)) (= (sqrt (square 'm)) 'm))
+                "; = takes (sqrt (* m m)) and m for equal assuming (>= m 0)\n")
+  (check-equal? (told (assuming ('(>= m 0)) (= (sqrt (square 'm)) 'm))) ""))
+
+(test-case "where the form alone tells, that is told once"
+  (check-regexp-match #rx"^; = answers #f for .* written differently: whether they are equal is not"
+                      (told (check-false (= (* 0.1 3 'x) (* 0.3 'x)))))
+  (define text (told (check-false (= sin cos)) (= (D sin) cos) (= sin sin)))
+  (check-regexp-match #rx"^; = answers #f for two functions .*\n;   [(]verify-equal f g[)]" text)
+  (check-equal? (length (string-split text "\n")) 2))
+
+(test-case "where there is no session nothing is said"
+  (check-equal? (with-output-to-string
+                  (lambda ()
+                    (parameterize ([current-error-port (current-output-port)]) (= sin cos))))
+                ""))
+
+(test-case "a branch on equality is taken by what is equal, in derivatives too"
+  (define (f x) (if (= (square x) (* x x)) (* 3 x) 0))
+  (check-equal? ((D f) 'a) 3))
+
+(test-case "notes go to the error port of a program, and not among its results"
+  (check-equal? (prints "(= sin cos)") "#f\n")
+  (define-values (output errors) (session '("-I" "mechanics") "(= sin cos)" "(= cos tan)"))
+  (check-equal? output '("#f" "#f"))
+  (check-equal? (length (regexp-match* #rx"; = answers" errors)) 1))
