@@ -14,7 +14,7 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "phase-space.rkt" "remarks.rkt" "what-is-asked.rkt"
+(require "order.rkt" "phase-space.rkt" "remarks.rkt" "what-is-asked.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
@@ -34,6 +34,8 @@
 ;; Does Q keep its value along every motion?  A verdict on its rate of change at a
 ;; local tuple (up t q v) of symbols, or at a state (up t q p) if L is a Hamiltonian.
 (define (verify-conserved L Q local #:force [force #f])
+  (check-order-of-arguments 'verify-conserved '(L Q local) (list L Q local))
+  (check-Hamiltonian-first 'verify-conserved L Q)
   (cond [(asked-of-Hamiltonian? 'verify-conserved L local)
          (conserved-by-Hamiltonian 'verify-conserved L Q local force)]
         [else (conserved-by-Lagrangian L Q local force)]))
@@ -47,12 +49,15 @@
   (define v (prove-zero change #:variables (scalars local)
                         #:surveys (list (survey-of-values (Q state)) survey)
                         #:remarks (lambda () (append (remarks-on-quantity Q state)
-                                                     (remarks-on-kind L Q)))
+                                                     (remarks-on-kind L Q)
+                                                     (remarks-on-order L Q state)))
                         #:meaning (lambda () (meaning-of-quantity L Q state force))
                         #:again (lambda (change)
                                   (verify-conserved (change L) (change Q) local
                                                     #:force (and force (change force))))))
-  (when (refuted? v) (check-accelerations L force state))
+  (when (refuted? v)
+    (call-with-quantity-last 'verify-conserved L Q state
+                             (lambda () (check-accelerations L force state))))
   v)
 
 ;; With one coordinate nothing tells a Hamiltonian from a Lagrangian.
@@ -68,6 +73,7 @@
 
 ;; (t, q, v) ↦ Q̇, of the shape of Q's value; of a Hamiltonian (t, q, p) ↦ Q̇
 (define (rate-of-change L Q #:force [force #f])
+  (check-Hamiltonian-first 'rate-of-change L Q)
   (if (declared-Hamiltonian? L)
       (check-quantity 'rate-of-change Q)
       (check-arguments 'rate-of-change L Q))
@@ -97,6 +103,9 @@
 ;; The rate at a state
 
 (define ((rate who L Q force) state)
+  (call-with-quantity-last who L Q state (lambda () (rate-at who L Q force state))))
+
+(define (rate-at who L Q force state)
   (define L-scalar (scalar-valued who L))
   (let rate-of ([Q Q] [value (Q state)])
     (cond [(tuple? value)

@@ -5,7 +5,7 @@
 ;; (t, q, 0, 0); of an L that does not change in time that is −∂₁L there.
 
 (require racket/list
-         "equilibrium.rkt"
+         "equilibrium.rkt" "order.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/rewriting/solve.rkt"
@@ -25,6 +25,7 @@
 
 ;; A verdict on the residual of a system at rest at q, at all times.
 (define (verify-equilibrium given q #:force [given-force #f])
+  (check-order-of-arguments 'verify-equilibrium '(L q) (list given q))
   (check-coordinates 'verify-equilibrium q)
   (define-values (L force) (as-Lagrangian 'verify-equilibrium given q given-force))
   (define t (string->uninterned-symbol "t"))
@@ -71,6 +72,7 @@
 ;; A list of them, by formulas in the parameters.
 ;; state : of symbols, with velocities or with momenta
 (define (equilibria given state #:force [given-force #f])
+  (check-order-of-arguments 'equilibria '(L local) (list given state))
   (define-values (L force) (as-Lagrangian-at 'equilibria given state given-force))
   (define local (as-local state))
   (check-generic-states 'equilibria local L (external-force 'equilibria force #f))
@@ -88,6 +90,7 @@
 
 ;; The coordinates of one near the start, by numbers.
 (define (find-equilibrium given start #:force [given-force #f])
+  (check-order-of-arguments 'find-equilibrium '(L start) (list given start))
   (check-coordinates 'find-equilibrium start)
   (define-values (L force) (as-Lagrangian 'find-equilibrium given start given-force))
   (define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))

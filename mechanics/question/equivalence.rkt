@@ -14,7 +14,7 @@
 ;; general.  Where both equations restrict states, as y = 0 and y = 1 do, no motion is at
 ;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
 
-(require "gauge.rkt"
+(require "gauge.rkt" "order.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
@@ -49,6 +49,7 @@
   (compared 'compare-Lagrangians L1 L2 local))
 
 (define (compared who first second state)
+  (check-order-of-arguments who '(L1 L2 local) (list first second state))
   (define-values (L1 _none1) (as-Lagrangian-at who first state))
   (define-values (L2 _none2) (as-Lagrangian-at who second state))
   (define given (as-local state))

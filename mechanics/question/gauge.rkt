@@ -17,6 +17,7 @@
 ;; from the k-th on, which may be 0 while it is evaluated.
 
 (require racket/list
+         "order.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"
@@ -58,6 +59,7 @@
         (line-integral F slopes start at))))
 
 (define (check-question who F local)
+  (check-order-of-arguments who '(F local) (list F local))
   (unless (and (procedure? F) (accepts? F 1))
     (complain who "expected a function of the local tuple (up t q v); given ~a"
               (describe-function F)))

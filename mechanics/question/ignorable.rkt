@@ -4,7 +4,7 @@
 ;; the same ones (3.4), at states with those momenta.
 
 (require racket/list
-         "what-is-asked.rkt"
+         "order.rkt" "what-is-asked.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
@@ -20,6 +20,7 @@
 ;; A verdict on the component of ∂₁L at a local tuple of symbols, or of ∂₁H at a state of such.
 ;; which : the coordinate's symbol, or its index, or a list of indices
 (define (verify-ignorable f which state)
+  (check-order-of-arguments 'verify-ignorable '(L which local) (list f which state))
   (define s (subject-of 'verify-ignorable f state))
   (independence s (index-chain which (coordinate state))))
 
@@ -60,6 +61,7 @@
 (struct subject (who function state Hamiltonian?) #:authentic)
 
 (define (subject-of who f state)
+  (check-order-of-arguments who '(L local) (list f state))
   (cond [(told-by-state? who f state)
          (check-Hamiltonian who f)
          (check-H-state who state)

@@ -9,10 +9,10 @@
 ;; from before: a function is given symbols in place of those, and what it makes of them is
 ;; evaluated on the tape.
 
-(require (only-in racket/list count)
+(require (only-in racket/list append-map count remove-duplicates)
          (only-in racket/string string-join)
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/operation.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt" "../calculus/perturbed.rkt"
          "../calculus/recorded.rkt"
          "../constraint/constraint.rkt"
@@ -27,24 +27,52 @@
 ;; condition : an equation, a list of them, or a verdict, whose first choice it is
 ;; x : a value, a function, a constraint, or a list of these
 (define (impose condition x)
-  (define equations (equations-of 'impose condition))
+  (define equations (equations-of 'impose condition x))
   (check-thing x)
   (put (solved 'impose equations) equations x))
 
 ;; The verdict on the question of v under the condition, by default the one that v tells.
 (define (verify-again v [condition v])
-  (unless (verdict? v) (raise-argument-error 'verify-again "verdict?" v))
+  (check-verdict v condition)
   (define equations (equations-of 'verify-again condition))
   (define replacements (solved 'verify-again equations))
-  (define (change x) (put replacements equations x))
+  (define met (make-hasheq))
+  (define (change x)
+    (put replacements equations x (lambda (replaced) (hash-set! met replaced #t))))
   (define again
     (call-assuming (known-relations (map change (verdict-given v)))
                    (lambda () ((verdict-question v) change))
                    'verify-again))
+  (unless (eq? condition v) (check-met v equations replacements met))
   (define roots (roots-taken equations replacements))
   (with-remark again
                (string-append "under the condition " (equations->text equations)
                               (if (null? roots) "" ", with ") (equations->text roots))))
+
+(define (check-verdict v condition)
+  (unless (verdict? v)
+    (if (verdict? condition)
+        (complain 'verify-again
+                  "the verdict comes first, then the condition: (verify-again v '(= k m))")
+        (raise-argument-error 'verify-again "verdict?" v))))
+
+;; met : those symbols that were replaced in what was asked.  Others may stand in another
+;; equation.
+(define (check-met v equations replacements met)
+  (define (linked? s)
+    (> (count (lambda (q) (or (occurs? s (cadr q)) (occurs? s (caddr q)))) equations) 1))
+  (for ([r (in-list replacements)])
+    (define s (car r))
+    (unless (or (not (symbol? s)) (hash-ref met s #f) (linked? s))
+      (complain 'verify-again
+                (string-append "the symbol ~a does not occur in what was asked, so that the "
+                               "condition changes nothing\n  symbols of the residual: ~a")
+                s (value->text (residual-symbols v))))))
+
+(define (residual-symbols v)
+  (remove-duplicates
+   (append-map (lambda (e) (if (expression? e) (symbols-in e) '()))
+               (scalars (verdict-residual v)))))
 
 (define (equations->text equations)
   (string-join (for/list ([q (in-list equations)])
@@ -64,24 +92,28 @@
 ;; ---------------------------------------------------------------------------
 ;; The condition
 
+;; other : what came with the condition
 ;; -> ((= value value) ...)
-(define (equations-of who condition)
+(define (equations-of who condition [other #f])
   (cond [(verdict? condition) (equations-of who (first-alternative who condition))]
         [(equation? condition) (list (read-equation who condition))]
-        [(and (pair? condition) (list? condition) (andmap equation? condition))
+        [(list-of-equations? condition)
          (for/list ([q (in-list condition)]) (read-equation who q))]
         [else
          (complain who "expected a verdict, an equation '(= k 1) or a list of them; given ~a~a"
                    (describe-with-value condition)
-                   (condition-hint condition))]))
+                   (condition-hint condition other))]))
 
-(define (condition-hint x)
+(define (condition-hint x other)
   (define (list-of? what?) (and (pair? x) (list? x) (andmap what? x)))
   (cond [(list-of? (lambda (c) (and (list? c) (andmap equation? c))))
          "\n  these are alternatives: choose one, as (car (verdict-alternatives v))"]
         [(and (pair? x) (memq (car x) '(< > <= >=))) "\n  an inequality is declared by assume"]
-        [(procedure? x) "\n  the condition comes first"]
+        [(or (procedure? x) (verdict? other) (equation? other) (list-of-equations? other))
+         "\n  the condition comes first"]
         [else ""]))
+
+(define (list-of-equations? x) (and (pair? x) (list? x) (andmap equation? x)))
 
 (define (equation? x)
   (and (list? x) (= (length x) 3) (eq? (car x) '=)))
@@ -114,10 +146,14 @@
               (value->text q) (value->text (car (car replacements)))))
   replacements)
 
-;; Does the equation say that a product of several unknowns is zero?
+;; Does the equation say that a product of several unknowns is zero, or a quotient or root of
+;; one?
 (define (product-alone? q)
   (define (several? e)
-    (and (headed? e op:*) (> (count (lambda (f) (not (constant-value f))) (node-args e)) 1)))
+    (cond [(or (headed? e op:/) (headed? e op:sqrt)) (several? (car (node-args e)))]
+          [else
+           (and (headed? e op:*)
+                (> (count (lambda (f) (not (constant-value f))) (node-args e)) 1))]))
   (or (and (eqv? (caddr q) 0) (several? (cadr q)))
       (and (eqv? (cadr q) 0) (several? (caddr q)))))
 
@@ -149,10 +185,11 @@
          (complain 'impose "expected a value, a function or a constraint; given ~a"
                    (describe-with-value x))]))
 
-(define (put replacements equations x)
+;; note! : called with what is replaced somewhere
+(define (put replacements equations x [note! void])
   (define (at-leaf leaf)
     (cond [(number? leaf) leaf]
-          [(symbolic? leaf) (replaced leaf replacements)]
+          [(symbolic? leaf) (replaced-noting leaf replacements note!)]
           [(perturbed? leaf) ((parts-map (parts-of leaf)) within leaf)]
           [(other-number? leaf) leaf]
           [(constraint? leaf)
@@ -163,6 +200,12 @@
           [else leaf]))
   (define (within x) (map-leaves at-leaf x))
   (within x))
+
+(define (replaced-noting e replacements note!)
+  (for/fold ([e e]) ([r (in-list replacements)])
+    (define new (replaced e (list r)))
+    (unless (eq? new e) (note! (car r)))
+    new))
 
 ;; within : value -> value with the condition imposed
 (define (function-under f within equations)

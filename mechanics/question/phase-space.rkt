@@ -3,14 +3,14 @@
 ;; equations, and is a quantity conserved, which brackets decide: Q̇ = {Q, H} + ∂₀Q, and + ∂₂Q F
 ;; with a force F outside H.
 
-(require "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
+(require "order.rkt" "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
          "../generic/define-plain.rkt"
-         "../hamiltonian/H-state.rkt"
+         "../hamiltonian/declared.rkt" "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../hamiltonian/Poisson-bracket.rkt" "../hamiltonian/told.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-Hamiltonian-solution
          ;; for verify-conserved and rate-of-change
@@ -21,7 +21,20 @@
 
 ;; The verdict on the residual of paths q and p at a symbolic time.
 (define-plain (verify-Hamiltonian-solution H q p #:force [F #f])
+  (check-order-of-arguments 'verify-Hamiltonian-solution '(H q p) (list H q p))
+  (check-Hamiltonian-first 'verify-Hamiltonian-solution H q p)
   (check-Hamiltonian 'verify-Hamiltonian-solution H)
+  (define v (judged-along H q p F))
+  (if (and (refuted? v) (solve-exchanged? H q p F))
+      (with-remark v "with q and p exchanged it is proved; the coordinates come first, then the momenta")
+      v))
+
+;; Paths of one coordinate may stand for momenta as well.
+(define (solve-exchanged? H q p F)
+  (and (plain-function? q) (plain-function? p)
+       (proved? (prove-zero ((Hamilton-equations H #:force F) p q)))))
+
+(define (judged-along H q p F)
   (define states (states-along 'verify-Hamiltonian-solution q p))
   (define residual ((Hamilton-equations H #:force F) q p))
   (prove-zero residual

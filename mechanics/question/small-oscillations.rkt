@@ -11,7 +11,7 @@
 ;; solution v e^{iωt}: a null vector v of K − ω²M + iωG.  M and K are symmetric and G is
 ;; not: its entries are what turning frames and magnetic fields add.
 
-(require "equilibrium.rkt"
+(require "equilibrium.rkt" "order.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
@@ -38,6 +38,7 @@
 (define (gyroscopic-matrix L q) (second-derivatives 'gyroscopic-matrix L q gyroscopic-form))
 
 (define (second-derivatives who L q form)
+  (check-order-of-arguments who '(L q) (list L q))
   (check-coordinates who q)
   (form (number-valued who L q) q))
 
@@ -76,6 +77,7 @@
 
 ;; -> the entries of the three matrices, vectors of rows
 (define (forms-at-equilibrium who L given)
+  (check-order-of-arguments who '(L q) (list L given))
   (check-coordinates who given)
   (define L-scalar (number-valued who L given))
   (check-equilibrium who L-scalar given)

@@ -15,7 +15,8 @@
 ;; K is positive if its leading minors are; if one of them is negative it is not.
 
 (require racket/list
-         "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "small-oscillations.rkt"
+         "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "order.rkt"
+         "small-oscillations.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/rewriting/solve.rkt"
          "../algebra/simplify/simplify-expression.rkt"
@@ -39,6 +40,7 @@
 
 ;; q : coordinates of an equilibrium of an L that does not change in time
 (define (equilibrium-stability given q)
+  (check-order-of-arguments 'equilibrium-stability '(L q) (list given q))
   (check-coordinates 'equilibrium-stability q)
   (define-values (L _none) (as-Lagrangian 'equilibrium-stability given q))
   (check-equilibrium L q)

@@ -140,21 +140,41 @@
 (begin-for-syntax
   (define (check-quoted stx relations)
     (for ([r (in-list (syntax->list relations))] #:when (relation? r))
-      (raise-syntax-error
-       #f (format "a relation is quoted here: write '~s" (unquoted (syntax->datum r))) stx r)))
+      (raise-syntax-error #f (format "a relation is quoted here: write '~s" (prefix r)) stx r)))
 
+  ;; Is it written as (> m 0), or as (m > 0)?
   (define (relation? stx)
     (syntax-case stx ()
+      [(left name right) (comparison? #'name) #t]
       [(name . operands)
        (and (identifier? #'name)
-            (memq (syntax-e #'name) '(> >= < <= = positive negative nonpositive nonnegative)))]
+            (memq (syntax-e #'name)
+                  '(> >= < <= = positive negative nonpositive nonnegative)))]
       [_ #f]))
 
-  ;; A relation, quoted or not, where a list of them is due.
-  (define (bare-relation stx)
+  (define (comparison? stx) (memq (syntax-e stx) '(> >= < <= =)))
+
+  ;; As it is written, with the name first and without quotes.
+  (define (prefix stx)
+    (syntax-case stx ()
+      [(left name right)
+       (comparison? #'name)
+       (unquoted (syntax->datum #'(name left right)))]
+      [_ (unquoted (syntax->datum stx))]))
+
+  (define (nested? stx) (pair? (syntax-e stx)))
+
+  (define (quotation? stx) (syntax-case stx (quote) [(quote x) #t] [_ #f]))
+
+  ;; Relations, quoted or not, where a list of them is due: as data, or #f.
+  (define (bare-relations stx)
     (syntax-case stx (quote)
-      [(quote r) #'r]
-      [_ (and (relation? stx) stx)]))
+      [(quote (r ...)) (andmap nested? (syntax->list #'(r ...)))
+                       (map prefix (syntax->list #'(r ...)))]
+      [(quote r) (nested? #'r) (list (prefix #'r))]
+      [_ (and (relation? stx) (list (prefix stx)))]))
+
+  (define (quoted-text d) (format "'~s" d))
 
   ;; The datum without the quotes in it: (> m 0) for (> 'm 0).
   (define (unquoted d)
@@ -171,13 +191,14 @@
 
 (define-syntax (assuming stx)
   (syntax-case stx ()
-    [(_ relation . rest)
-     (bare-relation #'relation)
+    [(_ relations . rest)
+     (bare-relations #'relations)
      (raise-syntax-error
-      #f (format "relations stand in parentheses: (assuming ('~s) body)"
-                 (unquoted (syntax->datum (bare-relation #'relation))))
-      stx #'relation)]
+      #f (format "relations stand in parentheses: (assuming ~a body)"
+                 (map quoted-text (bare-relations #'relations)))
+      stx #'relations)]
     [(_ (relation ...) body0 body ...)
+     (not (quotation? #'(relation ...)))
      (begin (check-quoted stx #'(relation ...))
             (syntax/loc stx (call-assuming (list relation ...) (lambda () body0 body ...))))]
     [_ (raise-syntax-error

@@ -79,17 +79,18 @@
            [else (raise-nothing-to-replace leaf)]))
    x))
 
-;; In a number there is nothing to replace.  Where the replacement is an expression that
-;; holds what it replaces, the arguments were meant in the order of scmutils.
+;; In a number or another symbol there is nothing to replace.  Where the replacement is an
+;; expression that holds what it replaces, the arguments were meant in the order of scmutils.
 (define (check-order x alist)
-  (when (and (number? x) (= (length alist) 1))
+  (when (and (or (number? x) (symbol? x)) (= (length alist) 1))
     (define-values (name expression) (values (caar alist) (cdar alist)))
-    (when (and (node? expression) (occurs? name expression))
+    (when (and (node? expression) (not (eq? x name)) (occurs? name expression))
       (complain 'substitute
-                (string-append "there is nothing to replace in the number ~a; the expression comes "
+                (string-append "there is nothing to replace in the ~a ~a; the expression comes "
                                "first here: (substitute ~a ~a ~a)")
+                (if (number? x) "number" "symbol")
                 (value->text x) (argument->text expression) (argument->text name)
-                (value->text x)))))
+                (argument->text x)))))
 
 (define (argument->text e) (format (if (symbol? e) "'~a" "~a") (value->text e)))
 

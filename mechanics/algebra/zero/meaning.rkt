@@ -93,7 +93,8 @@
         [(solved-for right left) => list]
         [else '()]))
 
-;; A factor of left to the first power, by the others; else a power by its root.
+;; A factor of left to the first power, by the others; else a power by its root; else what is
+;; divided, or under a root.
 (define (solved-for left right)
   (define factors (if (headed? left op:*) (node-args left) (list left)))
   (define (free? e)
@@ -106,6 +107,10 @@
         [power
          (cons (car (node-args power))
                (e:expt (e:/ right (others power)) (e:/ 1 (cadr (node-args power)))))]
+        [(headed? left op:/)
+         (solved-for (car (node-args left)) (e:* right (cadr (node-args left))))]
+        [(and (headed? left op:sqrt) (not (and (real? right) (negative? right))))
+         (solved-for (car (node-args left)) (e:expt right 2))]
         [(and (eqv? right 0) (node? left)) (cons left 0)]
         [else #f]))
 

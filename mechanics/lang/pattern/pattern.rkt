@@ -5,7 +5,7 @@
 
 (require (for-syntax racket/base
                      (only-in racket/list append-map)
-                     "miswritten.rkt" "pattern-syntax.rkt" "../plain-form.rkt")
+                     "miswritten.rkt" "pattern-syntax.rkt" "slips.rkt" "../plain-form.rkt")
          "tuple.rkt")
 
 (provide up down
@@ -59,7 +59,9 @@
 ;; bears the name that is defined.
 (define-syntax (define/pattern stx)
   (check-definition stx)
+  (check-pattern-in-head stx)
   (check-head stx)
+  (tell-slips-of-definition stx)
   (syntax-case stx ()
     [(_ (name . formals) body ...)
      (and (identifier? #'name) (has-pattern? #'formals) (not (as-variable? stx)))
@@ -85,6 +87,14 @@
   ;; function with keywords.
   (define (as-variable? stx) (syntax-property stx 'as-variable))
 
+  ;; Of a curried head those of the first procedure: the others are lambdas.
+  (define (tell-slips-of-definition stx)
+    (syntax-case stx ()
+      [(_ (name . formals) body ...)
+       (identifier? #'name)
+       (tell-slips (syntax-e #'name) #'formals (syntax->list #'(body ...)))]
+      [_ (void)]))
+
   ;; The arguments of every procedure that a head makes.
   (define (check-head stx)
     (syntax-case stx ()
@@ -103,6 +113,7 @@
 (begin-for-syntax
   (define ((expand-lambda plain) stx)
     (check-formals stx)
+    (tell-slips-of-lambda stx)
     (syntax-case stx ()
       [(_ formals body ...)
        (has-pattern? #'formals)
@@ -119,6 +130,12 @@
       [(_ formals . _)
        (begin (check-quoted #'formals stx)
               (check-arguments #'formals stx))]
+      [_ (void)]))
+
+  (define (tell-slips-of-lambda stx)
+    (syntax-case stx ()
+      [(_ formals body ...)
+       (tell-slips (inferred-name stx 'lambda) #'formals (syntax->list #'(body ...)))]
       [_ (void)])))
 
 (begin-for-syntax

@@ -19,7 +19,10 @@
 
 ;; library : what was required, as a datum
 (define (tell-clash library clashes)
-  (define port (current-error-port))
+  (parameterize ([print-reader-abbreviations #t])
+    (tell-clash-on (current-error-port) library clashes)))
+
+(define (tell-clash-on port library clashes)
   (fprintf port "; ~s: your own definitions stay\n" library)
   (for ([c (in-list clashes)]) (write-string (clash->text c library) port))
   (fprintf port ";   the library's: (require (prefix-in its: ~s)), then its:~s\n"

@@ -2,8 +2,7 @@
 ;; Names that a module both imports and defines.
 
 (require (only-in racket/list append-map partition)
-         racket/require-transform
-         "clash.rkt" "definitions.rkt"
+         "clash.rkt" "definitions.rkt" "specification.rkt"
          (for-template racket/base
                        "start-with.rkt"))
 
@@ -35,24 +34,16 @@
   (syntax-case form ()
     [(keyword spec ...)
      (and (identifier? #'keyword) (free-identifier=? #'keyword #'require))
-     (let* ([specs (syntax->list #'(spec ...))]
+     (let* ([specs (distinct-specifications (syntax->list #'(spec ...)))]
             [clashes (for/list ([spec (in-list specs)]) (clashing-names ds spec))])
        (and (ormap pair? clashes)
             (append-map (lambda (spec ids) (without-clashes ds #'keyword spec ids))
                         specs clashes)))]
     [_ #f]))
 
-;; A specification that is wrong, or of a library that cannot be read, has none:
-;; `require` itself will say so.
 (define (clashing-names ds spec)
-  (define (none e) (values '() '()))
-  (define-values (imports sources)
-    (with-handlers ([exn:fail:syntax? none] [exn:fail:filesystem? none])
-      (expand-import spec)))
-  (for/list ([i (in-list imports)]
-             #:when (and (eqv? (import-mode i) 0)
-                         (defining-occurrence ds (import-local-id i))))
-    (import-local-id i)))
+  (for/list ([id (in-list (or (names-imported spec) '()))] #:when (defining-occurrence ds id))
+    id))
 
 ;; keyword : `require` as it was written, for editors
 (define (without-clashes ds keyword spec ids)

@@ -7,8 +7,7 @@
 ;; such a procedure need not be defined again.
 
 (require (for-syntax racket/base
-                     racket/require-transform
-                     "forms.rkt")
+                     "forms.rkt" "specification.rkt")
          (only-in racket/list partition)
          "../imported.rkt" "clash.rkt")
 
@@ -18,7 +17,8 @@
 (define-syntax (at-prompt stx)
   (syntax-case stx (require)
     [(_ (require spec ...))
-     #`(begin #,@(for/list ([spec (in-list (syntax->list #'(spec ...)))])
+     #`(begin #,@(for/list ([spec (in-list (distinct-specifications
+                                            (syntax->list #'(spec ...))))])
                    (required spec (cadr (syntax->list stx)))))]
     [(_ form)
      (let ([id (defined-by-define #'form)])
@@ -32,13 +32,7 @@
     (define names (names-imported spec))
     (if names
         #`(require-beside! #'#,spec '#,names)
-        (datum->syntax form (list (car (syntax-e form)) spec) form)))
-
-  ;; -> identifiers, or #f
-  (define (names-imported spec)
-    (with-handlers ([exn:fail:syntax? (lambda (e) #f)] [exn:fail:filesystem? (lambda (e) #f)])
-      (define-values (imports sources) (expand-import spec))
-      (for/list ([i (in-list imports)] #:when (eqv? 0 (import-mode i))) (import-local-id i)))))
+        (datum->syntax form (list (car (syntax-e form)) spec) form))))
 
 ;; ---------------------------------------------------------------------------
 

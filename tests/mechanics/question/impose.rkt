@@ -203,3 +203,32 @@
  [(impose v v) "impose: a verdict's question is asked again by (verify-again v condition)"]
  [(impose '(= a 1) "a")
   "impose: expected a value, a function or a constraint; given \"a\", a string"])
+
+(test-case "a quotient or a root is solved for what is divided, or under the root"
+  (check-equal? (impose '(= (/ x y) 0) (+ 'x 'y)) 'y)
+  (check-equal? (impose '(= (/ x y) z) 'x) (* 'y 'z))
+  (check-equal? (impose '(= 3 (/ x y)) 'x) (* 3 'y))
+  (check-equal? (impose '(= (sqrt x) 3) (+ 'x 'y)) (+ 9 'y))
+  (check-true (= (impose '(= (/ (sqrt x) y) 2) 'x) (square (* 2 'y))))
+  (check-pred proved? (verify-again v '(= (/ k m) (expt omega 2))))
+  (check-pred proved? (verify-again v '(= (sqrt (/ k m)) omega)))
+  (check-exn #rx"^impose: a product is zero with any of its factors"
+             (lambda () (impose '(= (/ (* x z) y) 0) 'x)))
+  (check-exn #rx"^impose: the equation cannot be solved" (lambda () (impose '(= (/ 1 y) 0) 'y)))
+  (check-exn #rx"^impose: the equation cannot be solved" (lambda () (impose '(= (sqrt x) -3) 'x))))
+
+(test-case "a condition that changes nothing is refused"
+  (check-message (string-append
+                  "verify-again: the symbol z does not occur in what was asked, "
+                  "so that the condition changes nothing\n"
+                  "  symbols of the residual: (a k m omega phi t)")
+                 (verify-again v '(= z 3)))
+  (check-exn #rx"the symbol z does not occur" (lambda () (verify-again v '((= k m) (= z 3)))))
+  (check-pred refuted? (verify-again v '((= z 3) (= k (* z m))))))
+
+(test-case "a condition before what it is imposed on, a verdict before its condition"
+  (check-message "verify-again: the verdict comes first, then the condition: (verify-again v '(= k m))"
+                 (verify-again '(= k m) v))
+  (check-exn #rx"\n  the condition comes first$" (lambda () (impose (* 'k 'x) '(= k 3))))
+  (check-exn #rx"\n  the condition comes first$" (lambda () (impose (* 'k 'x) '((= k 3)))))
+  (check-exn #rx"\n  the condition comes first$" (lambda () (impose 'k v))))

@@ -77,13 +77,22 @@
     (check-regexp-match
      #rx"^assuming: relations stand in parentheses: [(]assuming [(]'[(]> m 0[)][)] body[)]"
      (syntax-complaint form)))
+  (for ([form '((assuming (m > 0) (sqrt (square 'm))) (assuming ('m > 0) (sqrt (square 'm))))])
+    (check-regexp-match #rx"relations stand in parentheses: [(]assuming [(]'[(]> m 0[)][)] body[)]"
+                        (syntax-complaint form)))
+  (check-regexp-match #rx"stand in parentheses: [(]assuming [(]'[(]> m 0[)] '[(]> k 0[)][)] body[)]"
+                      (syntax-complaint '(assuming '((> m 0) (k > 0)) 'm)))
+  (check-regexp-match #rx"expected relations in parentheses, then a body"
+                      (syntax-complaint '(assuming 'm (sqrt (square 'm)))))
   (define relation '(> m 0))
   (check-equal? (assuming (relation) (simplify (sqrt (square 'm)))) 'm)
   (check-equal? (assuming () 3) 3))
 
 (test-case "the relation to write has no quotes within"
   (check-regexp-match #rx"a relation is quoted here: write '[(]> m 0[)]"
-                      (syntax-complaint '(assume (> 'm 0)))))
+                      (syntax-complaint '(assume (> 'm 0))))
+  (check-regexp-match #rx"a relation is quoted here: write '[(]> m 0[)]"
+                      (syntax-complaint '(assume ('m > 0)))))
 
 (test-case "series:print speaks for itself"
   (check-exn

@@ -78,3 +78,12 @@
           "(+ 1 1)"))
   (check-equal? output '("6" "2"))
   (check-equal? errors '()))
+
+(test-case "what is required twice in one form is told once, and 'm is written so"
+  (define-values (output errors)
+    (talk "(module m racket/base (provide a) (define a 3))" "(define a 4)" "(require 'm 'm)" "a"))
+  (check-equal? output '("4"))
+  (check-equal? errors
+                '("; 'm: your own definitions stay"
+                  ";   a"
+                  ";   the library's: (require (prefix-in its: 'm)), then its:a")))

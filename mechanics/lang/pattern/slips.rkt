@@ -1,0 +1,168 @@
+#lang racket/base
+;; Definitions that Racket takes without a word, and that hardly mean what they say:
+;;
+;;     (define (L (up t q v)) (* 'm 'v))       'v is a constant, not the velocity
+;;     (define (L (up t q v)) (+ ...) (- ...))  the first expression is without effect
+;;     (define (L (up q v t)) ...)              the time comes first
+;;
+;; They are told where they are expanded, so when a file is compiled.  One of them can mean
+;; nothing, and is refused: (define (L m) (up t q v) ...), where the pattern belongs into
+;; the head.
+
+(require (only-in racket/list append-map index-where)
+         "../../error/note.rkt")
+
+(provide check-pattern-in-head tell-slips)
+
+;; ---------------------------------------------------------------------------
+;; A pattern outside of the head
+
+;; stx : a form that begins with `define`
+(define (check-pattern-in-head stx)
+  (syntax-case stx ()
+    [(_ head pattern form . body)
+     (shaped-like-pattern? #'pattern)
+     (raise-syntax-error
+      #f (format "a pattern stands among the arguments: ~s"
+                 `(define (,(syntax->datum #'head) ,(syntax->datum #'pattern)) ...))
+      stx #'pattern)]
+    [_ (void)]))
+
+(define (shaped-like-pattern? stx)
+  (syntax-case stx ()
+    [(head part ...)
+     (and (memq (syntax-e #'head) '(up down))
+          (for/and ([p (in-list (syntax->list #'(part ...)))])
+            (or (identifier? p) (shaped-like-pattern? p))))]
+    [_ #f]))
+
+;; ---------------------------------------------------------------------------
+;; What is told
+
+;; name : of the procedure, a symbol; formals, body : its argument list and its forms
+(define (tell-slips name formals body)
+  (define arguments (arguments-of formals))
+  (for ([form (in-list body)])
+    (tell-quoted name (append-map named-in arguments) form))
+  (tell-unused name body)
+  (for ([a (in-list arguments)]) (tell-time name a)))
+
+;; Told once: a form may be expanded more often.
+(define told (make-hash))
+
+(define (tell name place text)
+  (define line (and (path? (syntax-source place)) (syntax-line place)))
+  (define whole (format "~a~a: ~a" name (if line (format ", line ~a" line) "") text))
+  (unless (hash-ref told whole #f)
+    (hash-set! told whole #t)
+    (note whole)))
+
+;; The arguments, without keywords and defaults.
+(define (arguments-of formals)
+  (syntax-case formals ()
+    [(a . more) (keyword? (syntax-e #'a)) (arguments-of #'more)]
+    [(a . more) (cons (without-default #'a) (arguments-of #'more))]
+    [rest (if (identifier? #'rest) (list #'rest) '())]))
+
+(define (without-default a)
+  (syntax-case a ()
+    [(name default) (not (shaped-like-pattern? a)) #'name]
+    [_ a]))
+
+;; ---------------------------------------------------------------------------
+;; Quoted arguments
+
+;; symbol : what is bound; pattern : that of which it is a part, as a datum, or #f
+(struct named (symbol pattern))
+
+(define (named-in argument)
+  (define pattern (and (not (identifier? argument)) (syntax->datum argument)))
+  (let names ([a argument])
+    (cond [(identifier? a) (list (named (syntax-e a) pattern))]
+          [(shaped-like-pattern? a) (append-map names (cdr (syntax->list a)))]
+          [else '()])))
+
+;; Among the operands of arithmetic, for elsewhere a symbol may well be meant.
+(define (tell-quoted name arguments form)
+  (let walk ([form form])
+    (syntax-case form ()
+      [(head . _) (memq (syntax-e #'head) '(quote quasiquote quote-syntax)) (void)]
+      [(head . operands)
+       (begin
+         (when (arithmetic? #'head)
+           (for ([s (in-list (quoted-among #'operands))])
+             (define a (findf (lambda (a) (eq? (named-symbol a) (syntax-e s))) arguments))
+             (when a (tell name s (quoted-text a)))))
+         (walk #'head)
+         (walk #'operands))]
+      [_ (void)])))
+
+(define (quoted-among operands)
+  (syntax-case operands ()
+    [((q s) . more)
+     (and (eq? (syntax-e #'q) 'quote) (identifier? #'s))
+     (cons #'s (quoted-among #'more))]
+    [(_ . more) (quoted-among #'more)]
+    [_ '()]))
+
+(define (quoted-text a)
+  (define s (named-symbol a))
+  (format "'~a is a symbol, a constant here; ~a is written ~a without a quote"
+          s
+          (if (named-pattern a) (format "the ~a of ~s" s (named-pattern a)) "the argument")
+          s))
+
+(define (arithmetic? head)
+  (and (memq (syntax-e head) operations)
+       (not (eq? (identifier-binding head) 'lexical))))
+
+(define operations
+  '(+ - * / expt square cube sqrt exp log abs sin cos tan asin acos atan sinh cosh tanh
+    dot-product cross-product magnitude))
+
+;; ---------------------------------------------------------------------------
+;; Expressions without effect
+
+(define (tell-unused name body)
+  (for ([form (in-list body)] [more (in-list (if (null? body) '() (cdr body)))])
+    (when (without-effect? form)
+      (tell name form
+            (format "the value of ~a is not used; that of the last expression is the value"
+                    (short form))))))
+
+(define (without-effect? form)
+  (syntax-case form ()
+    [(head . _) (identifier? #'head)
+                (or (arithmetic? #'head) (shaped-like-pattern? form))]
+    [_ (or (identifier? form) (number? (syntax-e form)))]))
+
+(define (short form)
+  (define text (format "~s" (syntax->datum form)))
+  (if (<= (string-length text) 50) text (string-append (substring text 0 46) " ...")))
+
+;; ---------------------------------------------------------------------------
+;; The order in a local tuple
+
+(define (tell-time name argument)
+  (define parts
+    (if (shaped-like-pattern? argument) (map syntax->datum (cdr (syntax->list argument))) '()))
+  (define late (and (>= (length parts) 3) (index-where parts time-name?)))
+  (define (tell-order text) (tell name argument (format "~s: ~a" (syntax->datum argument) text)))
+  (cond [(and late (> late 0))
+         (tell-order (format "a local tuple begins with the time, and ~a stands ~a"
+                             (list-ref parts late) (if (= late 1) "second" "behind")))]
+        [(and (= (length parts) 3) (rate-of? (cadr parts) (caddr parts)))
+         (tell-order "coordinates come before velocities in a local tuple")]))
+
+(define (time-name? x) (memq x '(t time)))
+
+;; Are the two called as a velocity and its coordinate are?
+(define (rate-of? rate coordinate)
+  (define (together? f) (equal? (format "~a" rate) (f (format "~a" coordinate))))
+  (and (symbol? rate) (symbol? coordinate)
+       (or (and (memq rate '(v velocity qd qdot rate)) (memq coordinate '(q x position coordinate)))
+           (for/or ([end (in-list '("d" "dot" "-dot" "'" "prime"))])
+             (together? (lambda (c) (string-append c end))))
+           (together? (lambda (c) (string-append "v" c)))
+           (together? (lambda (c) (string-append "v_" c))))
+       #t))
