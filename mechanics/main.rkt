@@ -9,7 +9,7 @@
                   definite-integral-with-tolerance)
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
-         "display/print-expression.rkt"
+         "display/output.rkt" "display/print-expression.rkt"
          "force/on-demand.rkt"
          (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
                     asked-for-momentum?)
@@ -103,7 +103,8 @@
  Rx Ry Rz
  rotating->inertial inertial->rotating accelerated->inertial inertial->accelerated
  ;; showing
- print-expression pe show-expression se series:print)
+ print-expression pe show-expression se series:print
+ (all-from-out "display/output.rkt"))
 
 ;; Run by `racket -I mechanics` and by programs written in `#lang mechanics`.
 (module configure-runtime racket/base

@@ -11,7 +11,10 @@
 
 (require "../display/advice.rkt" "../display/result.rkt"
          "../error/note.rkt"
-         "../generic/on-demand.rkt")
+         (only-in "../generic/on-demand.rkt" require-on-demand)
+         (only-in "../generic/up-down.rkt" tuple?)
+         (only-in "../algebra/expression/expression.rkt" symbolic?)
+         (only-in "../verdict/remarks.rkt" remarks-on-pi))
 
 (require-on-demand [racket/pretty pretty-print-columns]
                    ["screen.rkt" first-screen])
@@ -31,7 +34,8 @@
     (cond [(screen?)
            (print-screen printer (printed other shown))
            (print-advice x)]
-          [else (other shown)])))
+          [else (other shown)])
+    (note-unknowns x)))
 
 ;; Make the current printer ours; again is no harm.
 (define (install-printer! [how-to-go-on "(print-expression ...) prints all of it"])
@@ -44,7 +48,13 @@
 (define (print-result x)
   (define printer (current-print))
   ((if (session-printer? printer) (session-printer-other printer) printer)
-   (simplify-or-say-why x)))
+   (simplify-or-say-why x))
+  (note-unknowns x))
+
+;; What a symbol in a result may have been meant to be, once in a session.
+(define (note-unknowns x)
+  (when (or (symbolic? x) (tuple? x))
+    (for-each note-once (remarks-on-pi x))))
 
 ;; ---------------------------------------------------------------------------
 ;; Screens

@@ -13,7 +13,7 @@
 
 (require "equilibrium.rkt" "order.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/note.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
@@ -27,7 +27,7 @@
          ;; for stability
          check-autonomous)
 
-(require-on-demand ["normal-modes.rkt" modes-of frequencies-of])
+(require-on-demand ["normal-modes.rkt" modes-of frequencies-of constant-value])
 
 ;; ---------------------------------------------------------------------------
 ;; The linearised equations
@@ -67,13 +67,27 @@
 ;; A list of (up frequency shape), slow before fast where all are numbers.
 (define (normal-modes L q)
   (define-values (M K G) (forms-at-equilibrium 'normal-modes L q))
-  (for/list ([mode (in-list (modes-of 'normal-modes M K G))])
+  (define modes (modes-of 'normal-modes M K G))
+  (note-growth (map car modes))
+  (for/list ([mode (in-list modes)])
     (up (car mode) (like-coordinates (cdr mode) q))))
 
 ;; The frequencies only.
 (define (small-oscillation-frequencies L q)
   (define-values (M K G) (forms-at-equilibrium 'small-oscillation-frequencies L q))
-  (frequencies-of 'small-oscillation-frequencies M K G))
+  (define omegas (frequencies-of 'small-oscillation-frequencies M K G))
+  (note-growth omegas)
+  omegas)
+
+;; With e^{iωt} goes e^{-iωt}: where ω is not real, one of the two grows.
+(define (note-growth omegas)
+  (define sizes (filter values (map constant-value omegas)))
+  (define scale (apply max 0 (map magnitude sizes)))
+  (define rate (apply max 0 (for/list ([w (in-list sizes)]) (abs (imag-part w)))))
+  (when (> rate (* 1e-7 scale))
+    (note-once (format (string-append "a frequency that is not real belongs to no oscillation: this "
+                                      "one grows as (exp (* ~a t)); the equilibrium is unstable")
+                       rate))))
 
 ;; -> the entries of the three matrices, vectors of rows
 (define (forms-at-equilibrium who L given)
