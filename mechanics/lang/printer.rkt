@@ -14,7 +14,7 @@
          (only-in "../generic/on-demand.rkt" require-on-demand)
          (only-in "../generic/up-down.rkt" tuple?)
          (only-in "../algebra/expression/expression.rkt" symbolic?)
-         (only-in "../verdict/remarks.rkt" remarks-on-pi))
+         (only-in "../verdict/meant-otherwise.rkt" remarks-on-pi))
 
 (require-on-demand [racket/pretty pretty-print-columns]
                    ["screen.rkt" first-screen])

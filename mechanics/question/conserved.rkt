@@ -14,7 +14,7 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "order.rkt" "phase-space.rkt" "remarks.rkt" "what-is-asked.rkt"
+(require "argument-order.rkt" "phase-space.rkt" "remarks.rkt" "what-is-asked.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"

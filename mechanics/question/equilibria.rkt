@@ -5,7 +5,7 @@
 ;; (t, q, 0, 0); of an L that does not change in time that is −∂₁L there.
 
 (require racket/list
-         "equilibrium.rkt" "order.rkt"
+         "equilibrium.rkt" "argument-order.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/rewriting/solve.rkt"

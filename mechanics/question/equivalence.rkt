@@ -14,7 +14,7 @@
 ;; general.  Where both equations restrict states, as y = 0 and y = 1 do, no motion is at
 ;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
 
-(require "gauge.rkt" "order.rkt"
+(require "gauge.rkt" "argument-order.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"

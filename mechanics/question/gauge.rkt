@@ -17,7 +17,7 @@
 ;; from the k-th on, which may be 0 while it is evaluated.
 
 (require racket/list
-         "order.rkt"
+         "argument-order.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"

@@ -4,7 +4,7 @@
 ;; the same ones (3.4), at states with those momenta.
 
 (require racket/list
-         "order.rkt" "what-is-asked.rkt"
+         "argument-order.rkt" "what-is-asked.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"

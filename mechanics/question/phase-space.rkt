@@ -3,7 +3,7 @@
 ;; equations, and is a quantity conserved, which brackets decide: Q̇ = {Q, H} + ∂₀Q, and + ∂₂Q F
 ;; with a force F outside H.
 
-(require "order.rkt" "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
+(require "argument-order.rkt" "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
          "../generic/define-plain.rkt"
          "../hamiltonian/declared.rkt" "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"

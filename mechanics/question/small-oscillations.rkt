@@ -11,7 +11,7 @@
 ;; solution v e^{iωt}: a null vector v of K − ω²M + iωG.  M and K are symmetric and G is
 ;; not: its entries are what turning frames and magnetic fields add.
 
-(require "equilibrium.rkt" "order.rkt"
+(require "equilibrium.rkt" "argument-order.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/note.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"

@@ -15,7 +15,7 @@
 ;; K is positive if its leading minors are; if one of them is negative it is not.
 
 (require racket/list
-         "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "order.rkt"
+         "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "argument-order.rkt"
          "small-oscillations.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/rewriting/solve.rkt"

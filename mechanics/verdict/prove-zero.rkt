@@ -5,7 +5,7 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
-         "fresh-name.rkt" "off-kinks.rkt" "remarks.rkt" "smoothness.rkt" "verdict.rkt"
+         "fresh-name.rkt" "off-kinks.rkt" "meant-otherwise.rkt" "smoothness.rkt" "verdict.rkt"
          "ways.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"

@@ -112,6 +112,58 @@ What is quoted as a whole is a list of symbols, which only looks like an express
 (eval:error (simplify '(+ a a)))
 (read-expression '(+ a a))]
 
+@section[#:tag "silent-mistakes"]{What Racket would take in silence}
+
+Some programs run, and answer another question than was meant. Where that shows in what is
+written you are told, on lines that begin with a semicolon, once: beside the answers of a
+prompt, and in a program on the error port, when it is compiled or run.
+
+In a definition:
+
+@itemlist[
+@item{@racket[(* 1/2 'm (square 'v))] where @racketidfont{v} is an argument: @racket['v] is a
+symbol, a constant of this name, and the argument is written without a quote.}
+@item{Two sums, one after the other, for a body: the value is that of the last one, and the
+first is without effect.}
+@item{@racket[(up theta thetadot t)]: a local tuple begins with the time, and has the
+coordinates before the velocities.}
+@item{@racket[(define (L m) (up t q v) ...)] is refused: the pattern stands among the arguments,
+@racket[(define ((L m) (up t q v)) ...)].}]
+
+In a question:
+
+@examples[#:eval session #:label #f
+(define ((L-free m) (up t q v)) (* 1/2 m (square v)))
+(define free (L-free 'm))
+(eval:error (if (verify-equal 'a 'b) 'equal 'different))
+(if (proved? (verify-equal 'a 'b)) 'equal 'different)
+(eval:error (verify-equilibrium 0 free))
+(eval:error (verify-again (prove-zero (- 'a 'b)) '(= z 3)))
+(eval:error (assuming (m > 0) (sqrt (square 'm))))]
+
+A verdict is neither true nor false. A Lagrangian comes first, then what is asked about it.
+A condition speaks of what was asked about. Relations stand quoted, in parentheses of their
+own, with the name first.
+
+In numbers and symbols:
+
+@examples[#:eval session #:label #f
+(verify-equal (sin pi) 0)
+(verify-equal (sin ':pi) 0)
+(prove-zero (sin 'pi))
+(= (square (sin 'x)) (- 1 (square (cos 'x))))
+(equal? (square (sin 'x)) (- 1 (square (cos 'x))))]
+
+@racket[pi] is a decimal, whose sine is not quite 0; π itself is @racket[':pi], and
+@racket['pi] an unknown like others, which is told where it occurs in a result. @racket[=]
+proves, and says so once where it cannot; @racket[equal?] is Racket's, and compares how
+expressions are written.
+
+A frequency that is not real, in @racket[normal-modes], is told to belong to a motion that
+grows. @racket[displayln] and @racket[printf] show results as the prompt does, and
+@racket[write] as they stand. What a library that you require defines as you did stays
+yours, and is named with both signatures (@secref["redefinition"]).
+
 @section{And three more}
 
 A list is not a structure:

@@ -254,13 +254,14 @@ through.
               @defproc[(truncate [x value]) value]
               @defproc[(round [x value]) value])]{
 
-The integer below, above, towards 0, and the nearest one. Of real numbers only; the
-derivative is 0 between the jumps. Their values are plain
+The integer below, above, towards 0, and the nearest one. Of real numbers only, and of what
+is made of numbers and π; the derivative is 0 between the jumps. Their values are plain
 numbers within a derivative too, so that they may count and index.
 
 @examples[#:eval session
 (floor 2.5)
 (list (ceiling 2.5) (truncate -2.5) (round 3.5))
+(floor (* 10 ':pi))
 ((D floor) 2.5)
 (eval:error ((D floor) 2))
 (eval:error (floor 'x))]}
@@ -301,14 +302,19 @@ whole powers, and of the exponential and the circular and hyperbolic sine and co
 
 @defproc[(= [x value] [y value] ...) boolean?]{
 
-Whether all are equal: numbers as numbers, expressions by their form as it was computed,
-which is no proof that they differ; @racket[verify-equal] decides. Tuples are compared
-component by component.
+Whether all are equal: numbers as numbers, expressions wherever both have a value, and
+tuples and matrices component by component. Expressions that are written differently are
+judged as by @racket[verify-equal], and are equal if that proves it; what a proof takes for
+granted is told beside the answer. Where there is neither proof nor refutation, and for two
+functions, @racket[#f] says no more than that they are not written alike, which is told once
+in a session. Racket's @racket[equal?] compares forms only.
 
 @examples[#:eval session
 (= 1 1.0)
-(= 'a 'a)
-(= (up 1 'a) (up 1 'a))
+(= (square (sin 'x)) (- 1 (square (cos 'x))))
+(equal? (square (sin 'x)) (- 1 (square (cos 'x))))
+(= 'a 'b)
+(= ':2pi (* 2 ':pi))
 (= (up 1 2) (down 1 2))]}
 
 @deftogether[(@defproc[(< [x scalar] [y scalar] ...) boolean?]
@@ -327,13 +333,13 @@ shows it.
 @deftogether[(@defproc[(zero? [x value]) boolean?]
               @defproc[(one? [x value]) boolean?])]{
 
-Whether @racket[x] is 0 or 1, of an expression by its form as it was computed: what is 0 only
-when it is simplified is not. @racket[prove-zero] decides. A tuple is zero when all its
-components are.
+Whether @racket[x] is 0 or 1, of an expression as @racket[=] tells: where it is proved, as by
+@racket[prove-zero]. A tuple is zero when all its components are.
 
 @examples[#:eval session
 (zero? (- 'x 'x))
 (zero? (- (* 2 'x) 'x 'x))
+(zero? 'x)
 (zero? (up 0 0))
 (one? 1)]}
 
@@ -379,7 +385,9 @@ x + 1 and x − 1.
               @defform[(case x [(datum ...) body ...+] ...)])]{
 
 What a value is, and whether it is the same as others. They answer as those of
-@racketmodname[racket/base] do, in which a symbol is no number. While a function is being
+@racketmodname[racket/base] do, in which a symbol is no number, and expressions are the same
+if they are written alike, up to the order of sums and products: whether they are equal,
+@racket[=] and @racket[verify-equal] tell. While a function is being
 compiled (@racket[compile-function]) they notice
 that they are asked about a number that is not known yet.
 

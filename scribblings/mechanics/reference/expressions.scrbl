@@ -256,6 +256,36 @@ Prints the value, simplified, as the prompt does, and ends the line.
 
 @sicm{1.4, p. 16}}
 
+@deftogether[(@defproc[(display [x any/c] [port output-port? (current-output-port)]) void?]
+              @defproc[(displayln [x any/c] [port output-port? (current-output-port)]) void?]
+              @defproc[(print [x any/c] [port output-port? (current-output-port)]
+                              [quote-depth (or/c 0 1) 0]) void?]
+              @defproc[(println [x any/c] [port output-port? (current-output-port)]
+                                [quote-depth (or/c 0 1) 0]) void?])]{
+
+Racket's procedures, which show a value of ours as the prompt does: simplified, in lines, with
+what that took for granted beneath. @racket[write] and @racket[write-line] show it as it
+stands.
+
+@examples[#:eval session
+(displayln (up (+ 'a 'a) (sqrt (square 'm))))
+(display (+ (square (sin 'x)) (square (cos 'x))))
+(print (list (+ 'a 'a) "text"))
+(println (prove-zero 0))]}
+
+@deftogether[(@defproc[(printf [form string?] [x any/c] ...) void?]
+              @defproc[(eprintf [form string?] [x any/c] ...) void?]
+              @defproc[(fprintf [port output-port?] [form string?] [x any/c] ...) void?]
+              @defproc[(format [form string?] [x any/c] ...) string?])]{
+
+Racket's procedures, in whose text values of ours are simplified, each on one line.
+
+@examples[#:eval session
+(printf "x is ~a\n" (+ 'a 'a))
+(format "~a at ~a" (+ (square (sin 'x)) (square (cos 'x))) (up 't 'x))
+(fprintf (current-output-port) "~a" (* 2 'x 3))
+(eprintf "")]}
+
 @deftogether[(@defproc[(show-expression [x value]) void?]
               @defproc[(se [x value]) void?])]{
 

@@ -157,6 +157,32 @@ Names for values within a body; with @racket[let*], each for those after it as w
 (let ([(up x y) (up 3 4)]) (+ (square x) (square y)))
 (let* ([(up x y) (up 3 4)] [r (sqrt (+ (square x) (square y)))]) (/ x r))]}
 
+@section{Tests}
+
+@deftogether[(@defform[(if test then-expr else-expr)]
+              @defform[(cond [test body ...] ...)]
+              @defform[(when test body ...+)]
+              @defform[(unless test body ...+)]
+              @defform[(and expr ...)]
+              @defform[(or expr ...)]
+              @defproc[(not [x any/c]) boolean?])]{
+
+What depends on a test, as in Racket, where all but @racket[#f] is true. So a verdict
+would pass for true whatever it says; these refuse it, and say what to ask instead. The
+same holds of the answers of @racket[equilibrium-stability] and
+@racket[compare-Lagrangians]. Racket's @racket[filter], @racket[ormap] and loops do not see
+the difference.
+
+@examples[#:eval session
+(define v (verify-equal 'a 'b))
+(eval:error (if v 'equal 'different))
+(if (proved? v) 'equal 'different)
+(cond [(refuted? v) 'different] [else 'unknown])
+(when (proved? v) 'equal)
+(unless (proved? v) 'not-proved)
+(and (verdict? v) (not (undecided? v)) 'known)
+(or #f v)]}
+
 @section{Loops}
 
 @deftogether[(@defform[(for/sum (for-clause ...) body ...+)]

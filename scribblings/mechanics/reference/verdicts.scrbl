@@ -35,13 +35,16 @@ number within two units of its last place: a fraction, a root of one up to the s
 root of a quadratic equation with coefficients up to 100, a fraction or square root times a
 power of π or e. If that leads to a proof, @racket[verdict-readings] tells how they were
 read; else the verdict is undecided. Numbers that meet numbers, as in @racket[(* 2 4.9)],
-are rounded by Racket before anyone can tell.
+are rounded by Racket before anyone can tell: a number as small as rounding leaves, as the
+sine of the decimal @racket[pi], is undecided. π itself is @racket[':pi].
 
 @examples[#:eval session
 (verify-equal (sin (+ 'a 'b))
               (+ (* (sin 'a) (cos 'b)) (* (cos 'a) (sin 'b))))
 (verify-equal (* 'm (- (/ 9.8 'l) 9.8)) (/ (* 9.8 'm (- 1 'l)) 'l))
-(verify-equal (* 0.5 'm) (* 1/2 'm))]}
+(verify-equal (* 0.5 'm) (* 1/2 'm))
+(verify-equal (sin pi) 0)
+(verify-equal (sin ':pi) 0)]}
 
 @defproc[(verify-solution [L Lagrangian] [q path]
                           [dissipation (or/c #f procedure?) #f]
@@ -84,7 +87,8 @@ The verdict on what @racket[v] was asked, under a condition: by default the firs
 the first of its @racket[verdict-alternatives]. The condition is imposed on all that the question
 is about, the Lagrangian and the path, forces and constraints, and the question is asked of
 these, so that kinks are looked for, and conditions found, anew. What was declared when
-@racket[v] was asked is known of what takes the place of a symbol.
+@racket[v] was asked is known of what takes the place of a symbol. A condition on a symbol that
+does not occur in the question is refused.
 
 @examples[#:eval session
 (define ((L-oscillator m k) (up t q v))
@@ -94,6 +98,7 @@ these, so that kinks are looked for, and conditions found, anew. What was declar
 asked
 (verify-again asked)
 (verify-again asked '(= k m))
+(eval:error (verify-again asked '(= z 3)))
 (eval:error (verify-again (verify-again asked)))]}
 
 @defproc[(impose [condition (or/c verdict? list?)] [x value]) value]{
@@ -121,7 +126,7 @@ function whose values have it replaced; of a constraint it is a constraint, of a
               @defproc[(undecided? [v verdict?]) boolean?])]{
 
 What a verdict says: it is proved, refuted, or undecided. A verdict itself is a value like
-others, and true in an @racket[if] whatever it says: ask @racket[(if (proved? v) ...)].
+others, neither true nor false, and @racket[if] refuses it: ask @racket[(if (proved? v) ...)].
 
 @examples[#:eval session
 (define v (prove-zero (* 'a (- 'k (* 'm (square 'omega))))))
