@@ -68,7 +68,8 @@
 
 (define operations
   (list (cons g:+ '+) (cons g:* '*) (cons g:- '-) (cons quotient-of '/)
-        (cons equal-by-proof? '=) (cons g:< '<) (cons g:> '>) (cons g:<= '<=) (cons g:>= '>=)))
+        (cons equal-by-proof? '=) (cons g:= '=)
+        (cons g:< '<) (cons g:> '>) (cons g:<= '<=) (cons g:>= '>=)))
 
 ;; : (* 'x 2), or of a longer formula its beginning
 (define (prefix operation first operands)

@@ -43,7 +43,7 @@
      (define found (verify-solution (L-harmonic 'm (* 'm (square 'omega))) path))
      (set! text (format "~a" found))
      (set! verdict found)))
-  (list (if verdict (verdict-status verdict) 'failed) text))
+  (list (if (verdict? verdict) (verdict-status verdict) 'failed) text))
 
 ;; What was raised inside is not printed, nor asked for its message.
 (define (failed? e) (not (exn:break? e)))

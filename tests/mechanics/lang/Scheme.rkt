@@ -16,7 +16,7 @@
 
 (test-case "values are written as they stand, on a line"
   (define x (+ (* 'a 'b) (* 'a 'b)))
-  (check-equal? (printed (lambda () (write-line x))) (format "~a\n" x))
+  (check-equal? (printed (lambda () (write-line x))) "(+ (* a b) (* a b))\n")
   (check-equal? (printed (lambda () (write-line "a b"))) "\"a b\"\n")
   (define port (open-output-string))
   (write-line (up 1 2) port)
