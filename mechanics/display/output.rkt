@@ -1,14 +1,15 @@
 #lang racket/base
 ;; Racket's procedures that print, for values of ours: a program that displays a result shows
 ;; what the prompt would, simplified and in lines, with what that took for granted beneath.
-;; Within the text of `format` and its kin a value is simplified, and stays on one line.
+;; Within the text of `format` and its kin a value is simplified, and stays on one line; as
+;; nothing is told beneath, nothing is taken for granted.
 ;;
 ;; What is not ours is Racket's affair, and so is `write`, whose text is for programs to read.
 
 (require "result.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/kind.rkt" "../generic/naming.rkt"
-         "../value/simplify.rkt")
+         "../value/assumptions.rkt" "../value/simplify.rkt")
 
 (provide (rename-out [show:display display] [show:displayln displayln]
                      [show:print print] [show:println println]
@@ -54,7 +55,8 @@
 (define (within-text x)
   (cond [(plain? x) x]
         [(or (node? x) (has-kind? x) (vector? x))
-         (define-values (simple assumptions) (as-shown x))
+         (define-values (simple assumptions)
+           (parameterize ([automatic-assumptions #f]) (as-shown x)))
          (if (unprintable-alone? simple) (shown simple) simple)]
         [(pair? x) (cons (within-text (car x)) (within-text (cdr x)))]
         [(unprintable-alone? x) (shown x)]

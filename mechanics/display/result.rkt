@@ -5,7 +5,8 @@
 ;; What is ours becomes text that prints as itself; what is not (strings, lists,
 ;; pictures) stays as it is for Racket to print, its elements simplified.
 
-(require "text.rkt"
+(require (only-in racket/list remove-duplicates)
+         "text.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../value/simplify.rkt"
@@ -20,15 +21,22 @@
          (define-values (shown assumptions) (as-shown x))
          (laid-out (value->lines shown width assumptions))]
         [(and (list? x) (ormap ours? x) (textual? x)) (list-result x width)]
-        [else (simplified-elements x width)]))
+        [else
+         (define-values (shown assumptions) (simplified-elements x width))
+         (if (and (pair? assumptions) (textual? x))
+             (laid-out (with-notes (format "~v" shown) assumptions))
+             shown)]))
 
 ;; Each element of a list begins a line if one is told in words, as a verdict is, so that
 ;; nothing else would part it from the next; and if together they are too long for a line.
+;; What was taken for granted is told beneath.
 (define (list-result xs width)
-  (define row (and (not (ormap in-words? xs)) (simplified-elements xs width)))
-  (if (and row (<= (string-length (format "~v" row)) width))
-      row
-      (laid-out (stacked xs width))))
+  (define-values (row assumptions)
+    (if (ormap in-words? xs) (values #f '()) (simplified-elements xs width)))
+  (define text (and row (format "~v" row)))
+  (cond [(or (not row) (> (string-length text) width)) (laid-out (stacked xs width))]
+        [(null? assumptions) row]
+        [else (laid-out (with-notes text assumptions))]))
 
 (define (in-words? x)
   (or (verdict? x)
@@ -48,18 +56,24 @@
 ;; Nothing that an editor would show as more than text.
 (define (textual? x)
   (or (ours? x) (number? x) (string? x) (boolean? x)
-      (and (list? x) (andmap textual? x))))
+      (and (list? x) (andmap textual? x))
+      (and (vector? x) (andmap textual? (vector->list x)))))
 
+;; -> the same with its elements simplified, and what that took for granted
 (define (simplified-elements x width)
+  (define assumptions '())
   (define (simplified-element e)
-    (cond [(unprintable? e) (laid-out (value->lines e width))]
-          [(in-notation? e)
-           (define-values (shown assumptions) (as-shown e))
-           shown]
-          [else (simplified-elements e width)]))
-  (cond [(list? x) (map simplified-element x)]
-        [(vector? x) (list->vector (map simplified-element (vector->list x)))]
-        [else x]))
+    (define-values (shown grounds)
+      (cond [(unprintable? e) (values (laid-out (value->lines e width)) '())]
+            [(in-notation? e) (as-shown e)]
+            [else (simplified-elements e width)]))
+    (set! assumptions (append assumptions grounds))
+    shown)
+  (define shown
+    (cond [(list? x) (map simplified-element x)]
+          [(vector? x) (list->vector (map simplified-element (vector->list x)))]
+          [else x]))
+  (values shown (remove-duplicates assumptions)))
 
 ;; The same without simplification.
 (define (plain-result x width)

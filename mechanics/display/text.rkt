@@ -7,18 +7,20 @@
          "../generic/describe.rkt"
          "../verdict/verdict.rkt")
 
-(provide value->lines note->text)
+(provide value->lines with-notes note->text)
 
 ;; The text of a value; beneath it, as comments, what its simplification took
 ;; for granted and what it left unexpanded.
 ;; value->lines : value width [list-of-notes] -> string
 (define (value->lines x width [notes '()])
-  (apply string-append
-         (if (verdict? x)
-             (layout-report (verdict-lines x) width)
-             (layout (value->datum x) width))
-         (for/list ([n (in-list notes)])
-           (string-append "\n" (note->text n)))))
+  (with-notes (if (verdict? x)
+                  (layout-report (verdict-lines x) width)
+                  (layout (value->datum x) width))
+              notes))
+
+(define (with-notes text notes)
+  (apply string-append text
+         (for/list ([n (in-list notes)]) (string-append "\n" (note->text n)))))
 
 (define (note->text n)
   (if (eq? (car n) 'left-unexpanded)

@@ -3,6 +3,7 @@
 
 (require racket/list
          "report.rkt"
+         "../algebra/expression/expression.rkt"
          "../generic/truth.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/algebra.rkt"
          "../value/linear/matrix.rkt"
@@ -103,10 +104,10 @@
     (cons (zero-test-factor z) (zero-test-core z))))
 
 ;; (sort expression equation ...) for each place that keeps it from being proved, sort being
-;; kink, jump or no-value.
+;; kink, jump or no-value.  Simplified, the expression would have lost its kink.
 (define-of-verdict (verdict-kinks v)
   (for/list ([k (in-list (verdict-kinks-found v))])
-    (list* (kink-sort k) (kink-expression k) (kink-equations k))))
+    (list* (kink-sort k) (request-form (kink-expression k) '()) (kink-equations k))))
 
 ;; ((decimal expression) ...): how decimals were read for the proofs that rest on it.
 (define-of-verdict (verdict-readings v)

@@ -15,6 +15,9 @@
   (check-equal? (text (displayln (up (+ 'a 'a) 'b))) "(up (* 2 a) b)\n")
   (check-equal? (text (displayln (sqrt (square 'm)))) "m\n; assuming (>= m 0)\n")
   (check-equal? (text (displayln (list (+ 'a 'a) "s" 3))) "((* 2 a) s 3)\n")
+  (for ([x (list (list (sqrt (square 'm))) (list (list (sqrt (square 'm))))
+                 (vector (sqrt (square 'm))))])
+    (check-regexp-match #rx"m[)]+\n; assuming [(]>= m 0[)]\n$" (text (displayln x))))
   (check-equal? (text (displayln (vector 1 (+ 'a 'a)))) "#(1 (* 2 a))\n")
   (check-equal? (text (displayln (prove-zero 0))) "proved: the residual is zero\n"))
 
@@ -34,6 +37,7 @@
   (check-equal? (format "~a and ~a, ~s ~v" one 3 "s" (up (+ 'a 'a))) "1 and 3, \"s\" (up (* 2 a))")
   (check-equal? (format "~a" (list (+ 'a 'a) sin)) "((* 2 a) sin)")
   (check-equal? (text (printf "~a\n" one)) "1\n")
+  (check-equal? (format "~a" (sqrt (square 'm))) "(abs m)")
   (check-equal? (text (fprintf (current-output-port) "~a" one)) "1")
   (check-equal? (text (parameterize ([current-error-port (current-output-port)])
                         (eprintf "~a" one)))

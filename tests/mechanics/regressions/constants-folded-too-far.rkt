@@ -4,7 +4,7 @@
 
 (require (except-in rackunit fail)
          racket/flonum
-         mechanics
+         (except-in mechanics format)
          "../support/random.rkt")
 
 ;; Of the function, of its code, and of its expression; equal up to rounding.

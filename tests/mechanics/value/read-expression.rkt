@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What is printed can be read back.
 
-(require mechanics
+(require (except-in mechanics format)
          mechanics/lang/printer
          rackunit
          (only-in mechanics/algebra/expression/expression expression->datum)
