@@ -44,7 +44,8 @@
  make-rectangular make-polar real-part imag-part conjugate
  ;; comparison
  (rename-out [equal-by-proof? =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]
-             [zero-by-proof? zero?] [one-by-proof? one?] [g:positive? positive?] [g:negative? negative?]
+             [zero-by-proof? zero?] [one-by-proof? one?]
+             [g:positive? positive?] [g:negative? negative?]
              [g:max max] [g:min min] [g:add1 add1] [g:sub1 sub1]
              [g:number? number?] [g:real? real?] [g:rational? rational?]
              [g:integer? integer?] [g:exact? exact?] [g:inexact? inexact?]

@@ -42,7 +42,9 @@
               [(and (symbolic? c) (constant-value c))
                => (lambda (size)
                     (define value (rounded-constant 'name numeric c size))
-                    (if (or (eq? c x) (not (g:zero? (jump x value)))) value (raise-at-jump 'name x)))]
+                    (if (or (eq? c x) (not (g:zero? (jump x value))))
+                        value
+                        (raise-at-jump 'name x)))]
               [(real? c)                        ; x, of value c, is being differentiated
                (define value (numeric c))
                (if (g:zero? (jump c value)) (raise-at-jump 'name x) value)]

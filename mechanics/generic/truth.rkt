@@ -18,7 +18,8 @@
     (if (boolean? v) v (checked 'who v))))
 
 (define (checked who v)
-  (when (no-truth-value? v) (complain who "~a\n  given: ~a" (what-to-ask v) (first-line (format "~a" v))))
+  (when (no-truth-value? v)
+    (complain who "~a\n  given: ~a" (what-to-ask v) (first-line (format "~a" v))))
   v)
 
 (define (first-line text) (regexp-replace #rx"\n.*" text ""))

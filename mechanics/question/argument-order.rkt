@@ -49,8 +49,8 @@
   (with-handlers ([exn:fail:mechanics:singular?
                    (lambda (e)
                      (when (and (inert? Q state) (not (inert? L state)))
-                       (complain who (string-append "the Lagrangian comes first, then the quantity; "
-                                                    "these look swapped")))
+                       (complain
+                        who "the Lagrangian comes first, then the quantity; these look swapped"))
                      (raise e))])
     (thunk)))
 
@@ -72,6 +72,7 @@
                     (value->text L) (value->text Q)))
       '()))
 
-(define (called-Lagrangian? f) (regexp-match? #rx"^[(]?(L|Lagrangian)($|[_0-9 ]|-[^>])" (value->text f)))
+(define (called-Lagrangian? f)
+  (regexp-match? #rx"^[(]?(L|Lagrangian)($|[_0-9 ]|-[^>])" (value->text f)))
 
 (define (named? f) (not (eq? (value->datum f) '<function>)))

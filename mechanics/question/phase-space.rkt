@@ -26,7 +26,8 @@
   (check-Hamiltonian 'verify-Hamiltonian-solution H)
   (define v (judged-along H q p F))
   (if (and (refuted? v) (solve-exchanged? H q p F))
-      (with-remark v "with q and p exchanged it is proved; the coordinates come first, then the momenta")
+      (with-remark v (string-append "with q and p exchanged it is proved; "
+                                    "the coordinates come first, then the momenta"))
       v))
 
 ;; Paths of one coordinate may stand for momenta as well.

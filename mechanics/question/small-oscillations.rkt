@@ -85,9 +85,10 @@
   (define scale (apply max 0 (map magnitude sizes)))
   (define rate (apply max 0 (for/list ([w (in-list sizes)]) (abs (imag-part w)))))
   (when (> rate (* 1e-7 scale))
-    (note-once (format (string-append "a frequency that is not real belongs to no oscillation: this "
-                                      "one grows as (exp (* ~a t)); the equilibrium is unstable")
-                       rate))))
+    (note-once
+     (format (string-append "a frequency that is not real belongs to no oscillation: this one "
+                            "grows as (exp (* ~a t)); the equilibrium is unstable")
+             rate))))
 
 ;; -> the entries of the three matrices, vectors of rows
 (define (forms-at-equilibrium who L given)

@@ -5,7 +5,8 @@
 ;; integers to everything and 0 to what stands under a sine, an exponential or
 ;; the like, where the value is then exact.  If the expression vanishes there,
 ;; points with integers for all leaves follow, and then small fractions, sooner where angles
-;; are counted in turns.  The points are always the same.  Where assumptions were made they hold at every point.
+;; are counted in turns.  The points are always the same.  Where assumptions were made they
+;; hold at every point.
 ;;
 ;; A point counts if each part of the expression has a real value there, and it is a
 ;; witness if the value of the expression as it is given is proved not to be 0, by balls.

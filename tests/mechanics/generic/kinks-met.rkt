@@ -3,7 +3,7 @@
 ;; differentiated, and before anything is simplified.
 
 (require rackunit
-         (except-in mechanics expression)
+         (except-in mechanics expression format)
          mechanics/generic/kinks-met)
 
 ;; What the derivative of f at a symbol meets, as data.

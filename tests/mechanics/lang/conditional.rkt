@@ -4,7 +4,6 @@
 (require rackunit
          mechanics
          (only-in racket/base [expand racket:expand])
-         (only-in mechanics/book L-harmonic)
          "../support/messages.rkt")
 
 (define v (prove-zero 'x))
@@ -60,7 +59,8 @@
   (check-regexp-match #rx"^if: missing an \"else\" expression" (complaint '(if 1 2)))
   (check-regexp-match #rx"cond: bad syntax [(]clause is not a test-value pair[)]"
                       (complaint '(cond 3)))
-  (check-regexp-match #rx"cond: bad syntax [(]`else' clause must be last[)].* in: [(]cond [(]else 1[)] [(]#t 2[)][)]"
+  (check-regexp-match (string-append "cond: bad syntax [(]`else' clause must be last[)].*"
+                                     " in: [(]cond [(]else 1[)] [(]#t 2[)][)]")
                       (complaint '(cond [else 1] [#t 2])))
   (for ([name '(if when unless)])
     (check-regexp-match (format "^~a: bad syntax" name) (complaint name))))

@@ -227,7 +227,8 @@
   (check-pred refuted? (verify-again v '((= z 3) (= k (* z m))))))
 
 (test-case "a condition before what it is imposed on, a verdict before its condition"
-  (check-message "verify-again: the verdict comes first, then the condition: (verify-again v '(= k m))"
+  (check-message (string-append "verify-again: the verdict comes first, then the condition: "
+                                "(verify-again v '(= k m))")
                  (verify-again '(= k m) v))
   (check-exn #rx"\n  the condition comes first$" (lambda () (impose (* 'k 'x) '(= k 3))))
   (check-exn #rx"\n  the condition comes first$" (lambda () (impose (* 'k 'x) '((= k 3)))))
