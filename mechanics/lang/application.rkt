@@ -13,11 +13,15 @@
 ;; itself comes first, for it may be undefined.  A name imported
 ;; from another module is trusted; any other operator, as in ((D f) x), is
 ;; tested on its way: ((callable operator) argument ...).
+;;
+;; Where the form looks as if it were meant otherwise (mistake/misread.rkt), that is advice for
+;; the refusal, and for whoever finds a name in it unknown.
 
 (require (only-in racket/list add-between)
          (for-syntax racket/base
-                     "imported.rkt")
+                     "imported.rkt" "mistake/misread.rkt")
          (only-in "pattern/mismatch.rkt" short-text tuple-advice)
+         "mistake/advised.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          (only-in "../generic/dispatch.rkt" raise-unary-arity)
@@ -31,22 +35,23 @@
 ;; ---------------------------------------------------------------------------
 ;; At run time
 
-(define (callable f)
-  (if (procedure? f) f (stand-in f #f)))
+(define (callable f advice)
+  (if (procedure? f) f (stand-in f #f advice)))
 
 ;; A procedure to apply in place of f, which is none; `name` is the variable
-;; that holds it, if any.
-(define (stand-in f name)
+;; that holds it, if any; `advice` is a text, or #f.
+(define (stand-in f name advice)
   (if (vector? f)
       (vector->up f)
       (make-keyword-procedure
-       (lambda (keywords values . arguments) (refuse f name arguments))
-       (lambda arguments (refuse f name arguments)))))
+       (lambda (keywords values . arguments) (refuse f name advice arguments))
+       (lambda arguments (refuse f name advice arguments)))))
 
-(define (refuse f name arguments)
+(define (refuse f name advice arguments)
   (define who (or name 'application))
   (define operation (and (pair? arguments) (operation-sign (car arguments))))
   (cond
+    [advice (complain who "~a" advice)]
     [operation
      (complain who "operations come first~a"
                (prefix operation (or name (quoted f)) (cdr arguments)))]
@@ -58,8 +63,15 @@
      (complain who "the empty list cannot be applied; parentheses around nothing are no value")]
     [(list? f) (complain who "~a" (tuple-advice f))]
     [else
-     (complain who "the value ~a is ~a; it cannot be applied to ~a"
-               (short-text f) (describe f) (describe-arguments arguments))]))
+     (complain who "the value ~a is ~a; it cannot be applied to ~a~a"
+               (short-text f) (describe f) (describe-arguments arguments)
+               (if name "" (product-hint f arguments)))]))
+
+;; 2 (x + 1), with nothing between.
+(define (product-hint f arguments)
+  (if (and (number? f) (pair? arguments) (null? (cdr arguments)))
+      (format "; a product is (* ~a ~a)" f (quoted (car arguments)))
+      ""))
 
 ;; (x * 2), as formulas are written elsewhere
 
@@ -92,43 +104,58 @@
 (define-syntax (application stx)
   (syntax-case stx ()
     [(_ operator argument ...)
-     (expand-application stx #'operator (syntax->list #'(argument ...)))]
-    [_ (plain-application stx)]))
+     (expand-application stx (called-beside (syntax->list #'(operator argument ...))))]
+    [_ (plain-application stx (cdr (syntax-e stx)))]))
 
 (begin-for-syntax
-  (define (expand-application stx operator arguments)
+  ;; row : the operator and its arguments
+  (define (expand-application stx row)
+    (define operator (car row))
+    (cond
+      [(and (identifier? operator) (imported? operator)) (application-of-import stx row)]
+      [(lambda-form? operator) (plain-application stx row)]
+      [else
+       (define advice (advice-on-call stx row))
+       (define advised-row (if advice (map (lambda (x) (with-advice x advice)) row) row))
+       (application-of-own stx (car advised-row) (cdr advised-row) advice)]))
+
+  (define (application-of-import stx row)
+    (define operator (car row))
+    (define arguments (cdr row))
+    (if (and (unary? operator) (not (one? arguments)) (not (ormap keyword-argument? arguments)))
+        #`(#%plain-app raise-unary-arity (#%plain-app object-name #,operator)
+                       (#%plain-app list #,@arguments))
+        (plain-application stx row)))
+
+  (define (application-of-own stx operator arguments advice)
     (cond
       [(not (identifier? operator))
-       (if (lambda-form? operator)
-           (plain-application stx)
-           (apply-to stx #`(#%plain-app callable #,operator) arguments))]
-      [(imported? operator)
-       (if (and (unary? operator) (not (one? arguments)) (not (ormap keyword-argument? arguments)))
-           #`(#%plain-app raise-unary-arity (#%plain-app object-name #,operator)
-                          (#%plain-app list #,@arguments))
-           (plain-application stx))]
+       (apply-to stx #`(#%plain-app callable #,operator '#,advice) arguments)]
       [(ormap keyword-argument? arguments)
        (apply-to stx #`(if (#%plain-app procedure? #,operator)
                            #,operator
-                           (#%plain-app stand-in #,operator '#,operator))
+                           #,(other-than-procedure operator advice))
                  arguments)]
-      [else (application-of-variable stx operator arguments)]))
+      [else (application-of-variable stx operator arguments advice)]))
+
+  (define (other-than-procedure f advice)
+    #`(#%plain-app stand-in #,f '#,f '#,advice))
 
   ;; Racket's own application of the same syntax.
-  (define (plain-application stx)
-    (datum->syntax stx (cons #'#%app (cdr (syntax-e stx))) stx stx))
+  (define (plain-application stx row)
+    (datum->syntax stx (cons #'#%app row) stx stx))
 
   (define (apply-to stx operator arguments)
     (datum->syntax stx (list* #'#%app operator arguments) stx stx))
 
-  (define (application-of-variable stx f arguments)
+  (define (application-of-variable stx f arguments advice)
     (define temporaries (temporary-names arguments))
     (define operands
       (for/list ([a (in-list arguments)] [t (in-list temporaries)]) (or t a)))
     (define call
       #`(if (#%plain-app procedure? #,f)
             #,(datum->syntax stx (list* #'#%plain-app f operands) stx stx)
-            (#%plain-app (#%plain-app stand-in #,f '#,f) #,@operands)))
+            (#%plain-app #,(other-than-procedure f advice) #,@operands)))
     (define bindings
       (for/list ([a (in-list arguments)] [t (in-list temporaries)] #:when t)
         #`[(#,t) #,(without-name a)]))

@@ -1,6 +1,7 @@
 #lang racket/base
 ;; Names that other programs, and books, have for what is called otherwise here.  Letters of
-;; physics (e, i, N) are left out: who writes one means a symbol.
+;; physics (e, i, N) are left out: who writes one means a symbol.  Of some there are too many
+;; to list: they are known by their pattern, as dx/dt is.
 
 (provide notation-names notation-sentence)
 
@@ -35,7 +36,7 @@
     ("its name is dot-product" dot)
     ("its name is cross-product" cross)
     ("its name is euclidean-norm" norm)
-    ("tuples are (up x y ...)" vec Vector tuple)
+    ("tuples are (up x y ...)" vec Vector tuple array Array)
     ("its name is substitute" subs subst replace-all)
     ("its name is exact->inexact" evalf float)
     ("roots are found by (find-root f low high), linear systems solved by solve-linear-left"
@@ -47,7 +48,17 @@
     ("infinity is +inf.0" inf Inf infinity Infinity oo ∞)
     ("the true value is #t, the false one #f" true false True False)
     ("a definition is (define (f x) ...)" def defun function)
-    ("a function without a name is (lambda (x) ...)" fn fun)))
+    ("a function without a name is (lambda (x) ...)" fn fun)
+    ("angles are in radians: 30 degrees are (* 30 (/ pi 180))" deg degree degrees :degree °)
+    ("numbers have no units here; any consistent ones will do, as kilograms, meters and seconds in (* 5 9.8)"
+     kg meter meters metre metres newton newtons joule joules m/s m/s^2 m/s² m/s/s rad/s)
+    ("a library is loaded by (require mechanics/plot)" import from using)
+    ("numbers in a row are (in-range 10), or as a list (iota 10)" range linspace arange)
+    ("a component is (ref x 0), one of a list (list-ref x 0)" first second third nth getitem)
+    ("what is typed is printed; in a program, (print-expression x) prints" disp puts)
+    ("leave with (exit) or Ctrl-D" quit bye)
+    ("ask (help), (help verify-solution) or (help \"constraint\")" ? ?? man info apropos doc)
+    ("a definition is (define x 3)" := ≔ <-)))
 
 (define advice-of
   (for*/hasheq ([entry (in-list notations)] [name (in-list (cdr entry))])
@@ -56,4 +67,31 @@
 (define notation-names (hash-keys advice-of))
 
 ;; -> text or #f
-(define (notation-sentence name) (hash-ref advice-of name #f))
+(define (notation-sentence name)
+  (or (hash-ref advice-of name #f)
+      (let ([text (symbol->string name)])
+        (or (sentence-about-rate text) (sentence-about-power text)))))
+
+;; ---------------------------------------------------------------------------
+;; Patterns
+
+;; dx/dt, x_dot, x-dot, ẋ in one character or two
+(define (sentence-about-rate text)
+  (define found
+    (or (regexp-match #px"^d((?:\\p{L}|[_0-9])+)/dt$" text)
+        (regexp-match #px"^(\\p{L}+)[-_]dot$" text)
+        (regexp-match #px"^(\\p{L})\u307$" (string-normalize-nfd text))))
+  (and found
+       (format "the rate of a path ~a is (D ~a), at a time ((D ~a) 't)"
+               (cadr found) (cadr found) (cadr found))))
+
+;; sin^2, sin², sin^-1
+(define (sentence-about-power text)
+  (define found
+    (regexp-match #px"^(a?(?:sin|cos|tan)h?|exp|log|sqrt)(?:\\^(-?[0-9]+)|([²³]))$" text))
+  (and found
+       (let ([name (cadr found)] [power (or (caddr found) (cadddr found))])
+         (cond [(member power '("2" "²")) (format "powers come outside: (square (~a x))" name)]
+               [(member power '("3" "³")) (format "powers come outside: (cube (~a x))" name)]
+               [(equal? power "-1") (format "the inverse is (a~a x), one over it (/ 1 (~a x))" name name)]
+               [else (format "powers come outside: (expt (~a x) ~a)" name power)]))))

@@ -10,18 +10,40 @@
                    ["other-notation.rkt" notation-sentence]
                    ["typed-formula.rkt" typed-formula])
 
-(provide suggestion)
+(provide suggestion what-was-meant)
 
-;; known : list of symbols; stop : what ends a sentence that is no question
+;; name : that is unknown; known : list of symbols; advice : what the form it stands in was
+;; meant for, or #f  -> sentences, what is likelier first
+(define (what-was-meant name known advice)
+  (define formula (typed-formula name))
+  (define meant (or advice (suggestion name known)))
+  (append (if meant (list meant) '())
+          (if (and formula (notation-sentence name))
+              '()
+              (list (symbol-sentence name formula)))))
+
 ;; -> text or #f
-(define (suggestion name known [stop ""])
+(define (suggestion name known)
   (define library (library-of name))
   (define later (and (not library) (later-sentence name)))
   (define elsewhere (and (not library) (not later) (notation-sentence name)))
   (define names (if (or library later elsewhere) '() (likely-names name known)))
-  (cond [library (format "(require ~a) defines it~a" library stop)]
-        [later (string-append later stop)]
-        [elsewhere (string-append elsewhere stop)]
+  (cond [library (format "(require ~a) defines it" library)]
+        [later later]
+        [elsewhere elsewhere]
         [(pair? names) (format "did you mean ~a?" (alternatives names))]
-        [(typed-formula name) => (lambda (f) (format "operations come first: ~a~a" f stop))]
+        [(typed-formula name) => (lambda (f) (format "operations come first: ~a" f))]
+        [else #f]))
+
+;; How a symbol of that name is written; in what looks like a formula, the letters are symbols.
+(define (symbol-sentence name formula)
+  (define letter (and formula (first-letter (read (open-input-string formula)))))
+  (if letter
+      (format "a symbol in it is quoted, as '~s" letter)
+      (format "as a symbol it is written '~s" name)))
+
+;; In a formula, a datum: the first symbol that is no operation; or #f.
+(define (first-letter formula)
+  (cond [(symbol? formula) formula]
+        [(pair? formula) (ormap first-letter (cdr formula))]
         [else #f]))

@@ -9,8 +9,12 @@
 
 ;; name : symbol -> text such as (expt x 2), or #f if it is no formula
 (define (typed-formula name)
-  (define text (symbol->string name))
+  (define text (with-powers (symbol->string name)))
   (and (not (number-or-name? text)) (formula text)))
+
+;; x² as x^2
+(define (with-powers text)
+  (regexp-replace* #rx"²" (regexp-replace* #rx"³" text "^3") "^2"))
 
 (define (formula text)
   (or (number-or-name? text)

@@ -2,7 +2,7 @@
 ;; Signs of print, which a program pasted from a page of a PDF may hold where those of the
 ;; keyboard belong: Racket takes them for letters of names.
 
-(provide typographic-sentence)
+(provide typographic-sentence typographic-sentences)
 
 ;; character, what it is called, what to type
 (define signs
@@ -21,6 +21,11 @@
   (define found (for/first ([c (in-string text)] #:when (assv c signs)) (assv c signs)))
   (and found
        (format "~a in it is ~a; type ~a" (car found) (cadr found) (as-typed text))))
+
+;; The same as a list, or #f.
+(define (typographic-sentences name)
+  (define sentence (typographic-sentence name))
+  (and sentence (list sentence)))
 
 ;; The text with the signs of the keyboard.
 (define (as-typed text)

@@ -10,7 +10,7 @@
 
 (require (for-syntax racket/base
                      "suggestion.rkt" "typographic.rkt")
-         "call-hint.rkt" "suggestion.rkt" "typographic.rkt"
+         "advised.rkt" "call-hint.rkt" "suggestion.rkt" "typographic.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["whereabouts.rkt" whereabouts])
@@ -29,7 +29,10 @@
      (identifier? #'id)
      (cond
        [(or (not (syntax-transforming-module-expression?)) (identifier-binding #'id))
-        (syntax/loc stx (#%top . id))]
+        (let ([advice (advice-on #'id)])
+          (if advice
+              (quasisyntax/loc stx (advised #,advice (#%top . id)))
+              (syntax/loc stx (#%top . id))))]
        [(eq? (syntax-local-context) 'expression) (raise-unbound #'id)]
        [else (syntax/loc stx (#%expression id))])]
     [(_ . other) (syntax/loc stx (#%top . other))]))
@@ -37,15 +40,20 @@
 (begin-for-syntax
   (define (raise-unbound id)
     (define name (syntax-e id))
-    (raise-syntax-error
-     #f (string-append "unbound identifier; "
-                       (or (typographic-sentence name)
-                           (what-was-meant name (suggestion name (syntax-bound-symbols id) ";"))))
-     id #:exn exn:fail:syntax:unbound))
+    (define sentences
+      (or (typographic-sentences name)
+          (what-was-meant name (syntax-bound-symbols id) (advice-on id))))
+    (raise-syntax-error #f (string-append "unbound identifier; " (in-one-line sentences))
+                        id #:exn exn:fail:syntax:unbound))
 
-  ;; meant : text or #f
-  (define (what-was-meant name meant)
-    (format "~aas a symbol it is written '~s" (if meant (string-append meant " ") "") name)))
+  ;; A question ends by itself.
+  (define (in-one-line sentences)
+    (define first-one (car sentences))
+    (if (null? (cdr sentences))
+        first-one
+        (string-append first-one
+                       (if (regexp-match? #rx"[?]$" first-one) " " "; ")
+                       (in-one-line (cdr sentences))))))
 
 ;; ---------------------------------------------------------------------------
 ;; At the prompt
@@ -78,7 +86,7 @@
   (cond [(exn:fail:contract:variable? e)
          (define id (exn:fail:contract:variable-id e))
          (cond [(regexp-match? #rx"cannot reference an identifier before its definition" message)
-                (hint-for-unknown id message)]
+                (hint-for-unknown id message (advice-in (exn-continuation-marks e)))]
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
                [else #f])]
         [(exn:fail:contract? e) (hint-for-call message e)]
@@ -88,15 +96,16 @@
 
 ;; Names that the prompt knows nothing of, not those that a module uses too
 ;; early: they need no quote.
-(define (hint-for-unknown id message)
+;; advice : what the form it stands in was meant for, or #f
+(define (hint-for-unknown id message advice)
   (and (or (regexp-match? #rx"in module: top-level$" message)
            (unknown-in-module? id))
-       (let ([sign (typographic-sentence id)])
-         (if sign (string-append "\n  " sign) (hint-for-name id)))))
+       (on-lines-of-their-own
+        (or (typographic-sentences id)
+            (what-was-meant id (namespace-mapped-symbols) advice)))))
 
-(define (hint-for-name id)
-  (define meant (suggestion id (namespace-mapped-symbols)))
-  (format "~a\n  as a symbol it is written '~s" (if meant (string-append "\n  " meant) "") id))
+(define (on-lines-of-their-own sentences)
+  (apply string-append (map (lambda (s) (string-append "\n  " s)) sentences)))
 
 ;; What a module defines once is built into what it defines besides.
 (define (hint-for-constant id)

@@ -73,8 +73,9 @@
 (define (own-function name place)
   (define source (and place (srcloc-source place)))
   (cond [(not (and name (srcloc? place))) #f]
+        [(not (written? name)) #f]
         [(eq? source 'prompt) (symbol->string name)]
-        [(and (path? source) (not (of-library? source)) (written? name))
+        [(and (path? source) (not (of-library? source)))
          (format "~a (~a, line ~a)" name (short source) (srcloc-line place))]
         [else #f]))
 

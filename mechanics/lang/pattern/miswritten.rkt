@@ -6,6 +6,8 @@
 ;; among arguments for an optional argument of that name; and nothing quoted would be what
 ;; it was.  Others bring the sign = along, and the name before its arguments, f(t).
 
+(require "../as-written.rkt")
+
 (provide check-definition check-quoted)
 
 ;; stx : a form that begins with `define`
@@ -26,7 +28,7 @@
     (raise-quoted stx found (list (datum (car (syntax-e stx))) clean '...))))
 
 (define (raise-quoted stx found written)
-  (raise-syntax-error #f (format "a name being defined is not quoted: ~a" (text written))
+  (raise-syntax-error #f (format "a name being defined is not quoted: ~a" (form->text written))
                       stx found))
 
 ;; ---------------------------------------------------------------------------
@@ -84,19 +86,16 @@
 ;; A body in a message: itself if it is short.
 (define (shown body)
   (define forms (datum body))
-  (if (and (list? forms) (= (length forms) 1) (<= (string-length (text (car forms))) 30))
+  (if (and (list? forms) (= (length forms) 1) (<= (string-length (form->text (car forms))) 30))
       (car forms)
       '...))
-
-(define (text d)
-  (parameterize ([print-reader-abbreviations #t]) (format "~s" d)))
 
 ;; ---------------------------------------------------------------------------
 ;; The sign =, and f(t)
 
 (define (check-equals stx)
   (define (fail written)
-    (raise-syntax-error #f (format "a definition is written ~a" (text written)) stx))
+    (raise-syntax-error #f (format "a definition is written ~a" (form->text written)) stx))
   (syntax-case stx ()
     [(_ head sign . body)
      (and (equals? #'sign) (pair? (syntax-e #'body)))
@@ -110,9 +109,3 @@
     [_ (void)]))
 
 (define (equals? stx) (eq? (syntax-e stx) '=))
-
-;; Is there nothing between the two?
-(define (adjacent? one other)
-  (define-values (start span next)
-    (values (syntax-position one) (syntax-span one) (syntax-position other)))
-  (and start span next (= (+ start span) next)))

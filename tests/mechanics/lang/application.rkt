@@ -37,9 +37,13 @@
 
 (test-case "an operator without a name is an application"
   (check-equal? (message-of (3 't))
-                "application: the value 3 is a number; it cannot be applied to the argument t")
+                (string-append "application: the value 3 is a number; it cannot be applied to the "
+                               "argument t; a product is (* 3 't)"))
   (check-equal? (message-of ((values 3) 't))
-                "application: the value 3 is a number; it cannot be applied to the argument t"))
+                (string-append "application: the value 3 is a number; it cannot be applied to the "
+                               "argument t; a product is (* 3 't)"))
+  (check-equal? (message-of ((values 3) 't 2))
+                "application: the value 3 is a number; it cannot be applied to the arguments t 2"))
 
 (test-case "a symbol suggests a literal function"
   (check-equal? (message-of (x 't))

@@ -41,7 +41,44 @@
   (check-suggestion 'PI "its name is pi; exactly it is ':pi")
   (check-suggestion 'simplfy "did you mean simplify?")
   (check-suggestion 'frame "(require mechanics/plot) defines it")
-  (check-suggestion 'e #f))
+  (check-suggestion 'e #f)
+  (check-suggestion 'range "numbers in a row are (in-range 10), or as a list (iota 10)")
+  (check-suggestion 'first
+                    "a component is (ref x 0), one of a list (list-ref x 0)")
+  (check-suggestion 'import "a library is loaded by (require mechanics/plot)")
+  (check-suggestion 'quit "leave with (exit) or Ctrl-D")
+  (check-suggestion '? "ask (help), (help verify-solution) or (help \"constraint\")")
+  (check-suggestion ':= "a definition is (define x 3)"))
+
+(test-case "units and degrees"
+  (check-suggestion 'degrees "angles are in radians: 30 degrees are (* 30 (/ pi 180))")
+  (define units
+    (string-append "numbers have no units here; any consistent ones will do, as kilograms, "
+                   "meters and seconds in (* 5 9.8)"))
+  (check-suggestion 'kg units)
+  (check-suggestion 'm/s^2 units))
+
+(test-case "rates as they are printed"
+  (for ([name '(dx/dt x_dot x-dot ẋ)])
+    (check-suggestion name "the rate of a path x is (D x), at a time ((D x) 't)"))
+  (check-suggestion 'dtheta/dt "the rate of a path theta is (D theta), at a time ((D theta) 't)")
+  (check-suggestion (string->symbol "\u03b8\u0307")
+                    "the rate of a path θ is (D θ), at a time ((D θ) 't)")
+  (check-suggestion 'xdot "did you mean Qdot?"))
+
+(test-case "powers of functions"
+  (for ([name '(sin^2 sin²)]) (check-suggestion name "powers come outside: (square (sin x))"))
+  (check-suggestion 'cos³ "powers come outside: (cube (cos x))")
+  (check-suggestion 'log^4 "powers come outside: (expt (log x) 4)")
+  (check-suggestion 'tan^-1 "the inverse is (atan x), one over it (/ 1 (tan x))"))
+
+(test-case "a symbol of that name is told where one may be meant"
+  (check-equal? (what-was-meant 'theta ours #f) '("as a symbol it is written 'theta"))
+  (check-equal? (what-was-meant 'x² ours #f)
+                '("operations come first: (expt x 2)" "a symbol in it is quoted, as 'x"))
+  (check-equal? (what-was-meant 'sin² ours #f) '("powers come outside: (square (sin x))"))
+  (check-equal? (what-was-meant 'm ours "operations come first: (* m v)")
+                '("operations come first: (* m v)" "as a symbol it is written 'm")))
 
 (test-case "formulas as in print"
   (check-suggestion 'x^2 "operations come first: (expt x 2)")
@@ -89,7 +126,7 @@
   (check-regexp-match (beneath "arctan" "its name is atan" "as a symbol it is written 'arctan")
                       errors)
   (check-regexp-match (beneath "x^2" "operations come first: (expt x 2)"
-                               "as a symbol it is written 'x^2")
+                               "a symbol in it is quoted, as 'x")
                       errors)
   (check-regexp-match (beneath "‘x" "‘ in it is a curly quote; type 'x\n") errors)
   (check-regexp-match (beneath "−2" "− in it is a minus of print; type -2\n") errors)
@@ -100,7 +137,7 @@
 (test-case "in a module"
   (check-equal? (refusal "(define (f m) (* m v^2))")
                 (string-append "example:2:19: v^2: unbound identifier; operations come first: "
-                               "(expt v 2); as a symbol it is written 'v^2\n  in: v^2"))
+                               "(expt v 2); a symbol in it is quoted, as 'v\n  in: v^2"))
   (check-equal? (refusal "(pow 2 3)")
                 (string-append "example:2:1: pow: unbound identifier; powers are (expt x 2); "
                                "as a symbol it is written 'pow\n  in: pow"))
