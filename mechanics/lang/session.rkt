@@ -16,11 +16,12 @@
   (syntax-case stx ()
     [(_ . form)
      (eq? (syntax-local-context) 'top-level)
-     #'(begin (#%plain-app install-session!) (at-prompt form))]
+     #'(begin (#%plain-app begin-entry! 'form) (at-prompt form))]
     [_ (raise-syntax-error #f "not at top level" stx)]))
 
-(define (install-session!)
+(define (begin-entry! form)
   (install-printer!)
   (install-hints!)
   (start-session-of-notes!)
+  (note-entry! form)
   (current-reporter (terminal-reporter)))

@@ -2,29 +2,43 @@
 ;; Calls that a procedure does not take.  Racket's message names the procedure and the
 ;; keyword it does not know; of a number of arguments it says no more than that another is
 ;; expected, where several are.  A procedure of the library is known by its entry in the
-;; manual (signature-hint.rkt).  Of another that the prompt knows, what it takes is told.
+;; manual (signature-hint.rkt), one of the reader's by its definition (own-signature.rkt).
 
-(require "spelling.rkt"
-         "../../generic/function.rkt" "../../generic/on-demand.rkt")
+(require "procedure-called.rkt" "spelling.rkt"
+         "../../generic/on-demand.rkt")
 
-(require-on-demand ["signature-hint.rkt" count-hint keyword-names constraint-hint])
+(require-on-demand ["count-message.rkt" restated]
+                   ["own-signature.rkt" own-count-hint tuple-hint-of-library]
+                   ["signature-hint.rkt" count-hint keyword-names constraint-hint])
 
-(provide hint-for-call)
+(provide hint-for-call in-our-words)
 
-;; e : what was raised, with this message  -> lines to add, or #f
-(define (hint-for-call message e)
+;; e : what was raised, with this message; entry : the form that was typed, a datum, or #f
+;; -> lines to add, or #f
+(define (hint-for-call message e entry)
   (or (hint-for-keyword message)
-      (and (about-number? message e)
-           (or (count-hint message) (hint-for-arity message)))
+      (and (about-number? message e) (hint-for-number message e entry))
       (and (about-constraint? message) (constraint-hint message))
       (and (regexp-match? applied-number message) "\n  operations come first, as in (* 2 pi)")))
+
+(define (hint-for-number message e entry)
+  (define marks (exn-continuation-marks e))
+  (or (own-count-hint message marks entry)
+      (let* ([hint (or (count-hint message) "")]
+             [tuple (or (tuple-hint-of-library message hint marks entry) "")])
+        (string-append hint tuple))))
+
+;; The message itself, if it is about something else than a number of arguments.
+(define (in-our-words message e)
+  (if (about-number? message e) (restated message) message))
 
 ;; (pi * 2): names of the library are applied by Racket itself.
 (define applied-number
   #rx"^application: not a procedure;\n[^\n]*\n  given: -?[0-9.:]")
 
 (define (about-number? message e)
-  (or (exn:fail:contract:arity? e) (regexp-match? no-case message)))
+  (or (exn:fail:contract:arity? e)
+      (regexp-match? #rx"^application: no case matching [0-9]+ non-keyword argument" message)))
 
 (define (about-constraint? message)
   (regexp-match? #rx"^[^ \n]+: contract violation\n.*\n  given: [(](non)?holonomic " message))
@@ -68,30 +82,3 @@
 
 (define (bare k) (string->symbol (keyword->string k)))
 (define (dressed name) (string->symbol (format "#:~a" name)))
-
-;; ---------------------------------------------------------------------------
-;; Numbers of arguments
-
-(define another-number
-  (regexp
-   (string-append "^([^ \n]+): arity mismatch;\n"
-                  " the expected number of arguments does not match the given number\n"
-                  "  expected: a different number plus")))
-
-;; The same where keywords are given.
-(define no-case
-  #rx"^application: no case matching [0-9]+ non-keyword arguments?\n  procedure: ([^ \n]+)")
-
-(define (hint-for-arity message)
-  (define found (or (regexp-match another-number message) (regexp-match no-case message)))
-  (define f (and found (procedure-called (cadr found))))
-  (and f (format "\n  it takes ~a" (arity->text f))))
-
-;; ---------------------------------------------------------------------------
-;; -> the procedure that the prompt knows by this name, or #f
-;; It is evaluated, for a function with keywords is a macro.
-(define (procedure-called name)
-  (define (unknown e) #f)
-  (with-handlers ([exn:fail:contract:variable? unknown] [exn:fail:syntax? unknown])
-    (define f (eval (namespace-symbol->identifier (string->symbol name))))
-    (and (procedure? f) f)))

@@ -93,5 +93,6 @@
        (let ([name (cadr found)] [power (or (caddr found) (cadddr found))])
          (cond [(member power '("2" "²")) (format "powers come outside: (square (~a x))" name)]
                [(member power '("3" "³")) (format "powers come outside: (cube (~a x))" name)]
-               [(equal? power "-1") (format "the inverse is (a~a x), one over it (/ 1 (~a x))" name name)]
+               [(equal? power "-1") (format "the inverse is (a~a x), one over it (/ 1 (~a x))"
+                                             name name)]
                [else (format "powers come outside: (expt (~a x) ~a)" name power)]))))

@@ -16,7 +16,7 @@
 (require-on-demand ["whereabouts.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
-         install-hints!)
+         install-hints! note-entry!)
 
 ;; ---------------------------------------------------------------------------
 ;; In a module
@@ -58,20 +58,23 @@
 ;; ---------------------------------------------------------------------------
 ;; At the prompt
 
-;; A value of `error-display-handler`; `other` is the handler it wraps.
-(struct hinting-display (other)
+;; A value of `error-display-handler`; `other` is the handler it wraps; `entry` is the form
+;; that was typed last, a datum, or #f.
+(struct hinting-display (other [entry #:mutable])
   #:property prop:procedure
   (lambda (display message e)
-    (define hint (hint-for message e))
     (define other (hinting-display-other display))
-    (define-values (told told-e)
-      (if hint
-          (values (string-append message hint) (with-hint e hint))
-          (values message e)))
+    (define told (explained message e (hinting-display-entry display)))
+    (define told-e (if (equal? told message) e (with-message e told)))
     (if (shows-frames? (current-error-port))
         (other told told-e)
         (parameterize ([error-print-context-length 0])
           (other (string-append told (if (exn:fail? e) (whereabouts e) "")) told-e)))))
+
+;; The message in words of ours, with what there is to add.
+(define (explained message e entry)
+  (string-append (if (exn:fail:contract? e) (in-our-words message e) message)
+                 (or (hint-for message e entry) "")))
 
 ;; DrRacket has a way of its own to show them.
 (define (shows-frames? port) (port-writes-special? port))
@@ -80,16 +83,21 @@
 (define (install-hints!)
   (define display (error-display-handler))
   (unless (hinting-display? display)
-    (error-display-handler (hinting-display display))))
+    (error-display-handler (hinting-display display #f))))
 
-(define (hint-for message e)
+;; What was typed, for what is said if it fails.
+(define (note-entry! form)
+  (define display (error-display-handler))
+  (when (hinting-display? display) (set-hinting-display-entry! display form)))
+
+(define (hint-for message e entry)
   (cond [(exn:fail:contract:variable? e)
          (define id (exn:fail:contract:variable-id e))
          (cond [(regexp-match? #rx"cannot reference an identifier before its definition" message)
                 (hint-for-unknown id message (advice-in (exn-continuation-marks e)))]
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
                [else #f])]
-        [(exn:fail:contract? e) (hint-for-call message e)]
+        [(exn:fail:contract? e) (hint-for-call message e entry)]
         [(and (exn:fail:syntax? e) (regexp-match? #rx"unquote: not in quasiquote" message))
          "\n  no comma separates arguments, and a decimal has a point: (up 1 2.5)"]
         [else #f]))
@@ -122,9 +130,9 @@
     (and (variable-reference->module-source (eval '(#%variable-reference)))
          (not (identifier-binding (namespace-symbol->identifier id))))))
 
-(define (with-hint e hint)
-  (define message (string-append (exn-message e) hint))
+(define (with-message e message)
   (define marks (exn-continuation-marks e))
-  (if (exn:fail:contract:variable? e)
-      (exn:fail:contract:variable message marks (exn:fail:contract:variable-id e))
-      (exn:fail:contract message marks)))
+  (cond [(exn:fail:contract:variable? e)
+         (exn:fail:contract:variable message marks (exn:fail:contract:variable-id e))]
+        [(exn:fail:syntax? e) (exn:fail:syntax message marks (exn:fail:syntax-exprs e))]
+        [else (exn:fail:contract message marks)]))

@@ -12,7 +12,7 @@
          setup/dirs
          "marked-line.rkt")
 
-(provide whereabouts)
+(provide whereabouts of-library?)
 
 ;; exception -> lines to add to its message, or ""
 (define (whereabouts e)
@@ -82,6 +82,7 @@
 ;; Racket calls a function without a name after its place in the file.
 (define (written? name) (not (regexp-match? #rx"[/:]|^body of" (symbol->string name))))
 
+;; Does the file belong to this library, or to Racket's?
 (define (of-library? source)
   (for/or ([folder (in-list (library-folders))])
     (and folder (within? (path->complete-path source) folder))))

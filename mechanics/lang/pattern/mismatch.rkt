@@ -5,9 +5,11 @@
 (require (only-in racket/list add-between)
          "../../algebra/expression/write.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
-         "../../generic/describe.rkt"
+         "../../generic/describe.rkt" "../../generic/on-demand.rkt"
          (only-in "../../generic/up-down.rkt" structure? structure-orientation structure-elements
                   up? down?))
+
+(require-on-demand ["regroup.rkt" regrouped])
 
 (provide components short-text tuple-advice)
 
@@ -67,7 +69,12 @@
             (if (null? path) "" (string-append " at " (place path) ","))
             (expectation (departure-pattern d))
             (given (departure-part d)) (hint (departure-part d))
-            (if (null? path) "" (format "\n  in: ~a" (short-text whole)))))
+            (if (null? path) (shape-hint pattern whole) (format "\n  in: ~a" (short-text whole)))))
+
+;; The parts are as many, but grouped otherwise.
+(define (shape-hint pattern x)
+  (define grouped (and (structure? x) (regrouped pattern x)))
+  (if grouped (string-append "\n  " grouped) ""))
 
 ;; "component 0 of component 1", for what (ref x 1 0) selects.
 (define (place path)

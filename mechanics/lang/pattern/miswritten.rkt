@@ -4,11 +4,13 @@
 ;; A name is quoted where it is used as a symbol, never where it is defined.  Racket would
 ;; take (define 'm 5), which is (define (quote m) 5), for a definition of `quote`, and ('t)
 ;; among arguments for an optional argument of that name; and nothing quoted would be what
-;; it was.  Others bring the sign = along, and the name before its arguments, f(t).
+;; it was.  Others bring the sign = along, and the name before its arguments, f(t).  And a
+;; pattern that lost its parentheses, (lambda (up t q v) ...), makes a function of four
+;; arguments, the first of them called `up`.
 
 (require "../as-written.rkt")
 
-(provide check-definition check-quoted)
+(provide check-definition check-argument-list)
 
 ;; stx : a form that begins with `define`
 (define (check-definition stx)
@@ -17,10 +19,16 @@
      (let ([found (quoted-in-head #'head)])
        (when found
          (raise-quoted stx found (list 'define (unquoted-head (datum #'head)) (shown #'body))))
-       (check-equals stx))]
+       (check-equals stx)
+       (check-bare-in-head #'head #'body stx))]
     [_ (void)]))
 
-;; formals : an argument list of `stx`, a form such as lambda
+;; formals : an argument list of `stx`, a form such as lambda; body : its forms
+(define (check-argument-list formals body stx)
+  (check-quoted formals stx)
+  (when (bare-pattern? formals body)
+    (raise-bare stx formals (list (datum (car (syntax-e stx))) (list (datum formals)) '...))))
+
 (define (check-quoted formals stx)
   (define found (or (quoted-name formals) (quoted-among formals)))
   (when found
@@ -109,3 +117,41 @@
     [_ (void)]))
 
 (define (equals? stx) (eq? (syntax-e stx) '=))
+
+;; ---------------------------------------------------------------------------
+;; (lambda (up t q v) ...)
+
+;; Is this argument list a pattern?  A parameter called `up` is used; what is only called, as
+;; (up 1 2), is the constructor.
+(define (bare-pattern? formals body)
+  (syntax-case formals ()
+    [(head next . _)
+     (and (pattern-head? (syntax-e #'head))
+          (not (used-among? (syntax-e #'head) (datum body))))]
+    [_ #f]))
+
+(define (used? name d)
+  (cond [(pair? d) (or (and (pair? (car d)) (used? name (car d)))
+                       (used-among? name (cdr d)))]
+        [else (eq? d name)]))
+
+(define (used-among? name ds)
+  (and (pair? ds) (or (used? name (car ds)) (used-among? name (cdr ds)))))
+
+(define (check-bare-in-head head body stx)
+  (syntax-case head ()
+    [(inner . formals)
+     (begin
+       (when (bare-pattern? #'formals body)
+         (raise-bare stx #'formals
+                     (list 'define (with-parentheses (datum head) (datum #'formals)) '...)))
+       (check-bare-in-head #'inner body stx))]
+    [_ (void)]))
+
+(define (with-parentheses head formals) (list (car head) formals))
+
+(define (raise-bare stx formals written)
+  (raise-syntax-error
+   #f
+   (format "an argument that is a tuple has parentheses of its own: ~a" (form->text written))
+   stx formals))

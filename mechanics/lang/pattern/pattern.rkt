@@ -127,8 +127,8 @@
 
   (define (check-formals stx)
     (syntax-case stx ()
-      [(_ formals . _)
-       (begin (check-quoted #'formals stx)
+      [(_ formals . body)
+       (begin (check-argument-list #'formals #'body stx)
               (check-arguments #'formals stx))]
       [_ (void)]))
 
@@ -141,8 +141,10 @@
 (begin-for-syntax
   (define (check-cases stx)
     (syntax-case stx ()
-      [(_ [formals . _] ...)
-       (for ([formals (in-list (syntax->list #'(formals ...)))]) (check-quoted formals stx))]
+      [(_ [formals . body] ...)
+       (for ([formals (in-list (syntax->list #'(formals ...)))]
+             [body (in-list (syntax->list #'(body ...)))])
+         (check-argument-list formals body stx))]
       [_ (void)])))
 
 (define-syntax lambda/pattern (expand-lambda #'lambda))

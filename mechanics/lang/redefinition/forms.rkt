@@ -2,7 +2,8 @@
 ;; Forms as they are written, before they are expanded: which define, which make
 ;; procedures, which bind.  A keyword is told by what it means, not by its spelling.
 
-(require (only-in "../pattern/pattern-syntax.rkt" head-name)
+(require "heads.rkt"
+         (only-in "../pattern/pattern-syntax.rkt" head-name)
          (for-template racket/base (prefix-in pattern: "../pattern/pattern.rkt")))
 
 (provide among? definition-forms procedure-forms let-forms sequential-let-forms
@@ -27,11 +28,7 @@
 
 ;; How what a `define` defines is called, as a datum: (L m k) where ((L m k) local) is
 ;; defined, and the name of what is no procedure.
-(define (definition-header form)
-  (syntax-case form ()
-    [(_ head . _)
-     (let inner ([d (syntax->datum #'head)])
-       (if (and (pair? d) (pair? (car d))) (inner (car d)) d))]))
+(define (definition-header form) (head->header (definition-head (syntax->datum form))))
 
 ;; Of a definition (define id expression): is the expression more than a procedure
 ;; that is written out?

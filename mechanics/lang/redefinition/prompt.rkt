@@ -7,11 +7,11 @@
 ;; such a procedure need not be defined again.
 
 (require (for-syntax racket/base
-                     "forms.rkt" "specification.rkt")
+                     "forms.rkt" "heads.rkt" "specification.rkt")
          (only-in racket/list partition)
-         "../imported.rkt" "clash.rkt")
+         "../imported.rkt" "clash.rkt" "heads.rkt")
 
-(provide at-prompt)
+(provide at-prompt head-at-prompt)
 
 ;; A form as it is to be evaluated at the prompt.
 (define-syntax (at-prompt stx)
@@ -23,7 +23,7 @@
     [(_ form)
      (let ([id (defined-by-define #'form)])
        (if id
-           #`(begin form (note-header! '#,id '#,(definition-header #'form)))
+           #`(begin form (note-head! '#,id '#,(definition-head (syntax->datum #'form))))
            #'form))]))
 
 (begin-for-syntax
@@ -56,16 +56,20 @@
       (not (imported? id))
       (known? (variable-value name #f))))
 
-;; namespace -> table: name -> how its definition begins
-(define headers (make-weak-hasheq))
+;; namespace -> table: name -> head of its definition
+(define heads (make-weak-hasheq))
 
-(define (note-header! name header)
-  (hash-set! (hash-ref! headers (current-namespace) make-hasheq) name header))
+(define (note-head! name head)
+  (hash-set! (hash-ref! heads (current-namespace) make-hasheq) name head))
+
+;; -> how what was defined at the prompt is called, a datum, or #f
+(define (head-at-prompt name)
+  (hash-ref (hash-ref heads (current-namespace) hasheq) name #f))
 
 (define (tell-clashes library names)
-  (define table (hash-ref headers (current-namespace) hasheq))
   (tell-clash library
-              (for/list ([name (in-list names)]) (clash name (hash-ref table name name) #f))))
+              (for/list ([name (in-list names)])
+                (clash name (head->header (or (head-at-prompt name) name)) #f))))
 
 ;; Procedures that were defined before find these names, as variables of the namespace.
 (define (show-to-procedures! names)

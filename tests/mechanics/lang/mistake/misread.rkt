@@ -40,7 +40,8 @@
     (undefined "m" "operations come first: (* m v)" "as a symbol it is written 'm")
     (undefined "mass" "operations come first: (* 1/2 mass (expt speed 2))"
                "as a symbol it is written 'mass")
-    (undefined "weight" "operations come first: (* weight rate)" "as a symbol it is written 'weight")
+    (undefined "weight" "operations come first: (* weight rate)"
+               "as a symbol it is written 'weight")
     "three: operations come first: (+ (* three 2) 1)\n"
     "application: sin(4) is written (sin 4)\n"
     (undefined "unknown" "unknown(5) is written (unknown 5)"

@@ -1,29 +1,9 @@
 #lang racket/base
 ;; Errors of a program, told with the reader's own lines and without those of libraries.
 
-(require compiler/find-exe
-         racket/file
-         racket/list
-         racket/port
-         racket/string
+(require racket/list
          rackunit
-         "../../support/run-text.rkt")
-
-;; What running a file of these lines writes to its error port.
-(define (errors-of . text)
-  (define folder (make-temporary-file "mechanics-errors-~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (define file (build-path folder "my.rkt"))
-     (display-to-file (apply lines text) file)
-     (define-values (process out in err) (subprocess #f #f #f (find-exe) file))
-     (close-output-port in)
-     (define written (port->string err))
-     (close-input-port out)
-     (close-input-port err)
-     (string-split (string-trim written) "\n"))
-   (lambda () (delete-directory/files folder))))
+         "../../support/errors-of.rkt")
 
 (test-case "the form that was evaluated is told after the message, with its line"
   (check-equal? (errors-of "#lang mechanics" "(define a 1)" "" "(up 1 (car a))")

@@ -354,3 +354,20 @@
   (check-regexp-match (regexp-quote "define: a definition is written (define (f t) (* 2 t))\n")
                       (said "(define f(t) (* 2 t))"))
   (check-regexp-match #rx"multiple expressions" (said "(define E (f t) (* 2 t))")))
+
+(test-case "a pattern among arguments has parentheses of its own"
+  (define said "an argument that is a tuple has parentheses of its own: ")
+  (for ([row '(((lambda (up t q v) (* q v)) "lambda: ~a(lambda ((up t q v)) ...)")
+               ((λ (down a b) (down b a)) "λ: ~a(λ ((down a b)) ...)")
+               ((define (L up t q v) (* v v)) "define: ~a(define (L (up t q v)) ...)")
+               ((define ((L m) up t (up x y) v) x)
+                "define: ~a(define ((L m) (up t (up x y) v)) ...)")
+               ((define ((L up q v) m) q) "define: ~a(define (L (up q v)) ...)")
+               ((case-lambda [(a) a] [(up t q) q]) "case-lambda: ~a(case-lambda ((up t q)) ...)"))])
+    (check-says (car row) (format (cadr row) said))))
+
+(test-case "an argument may be called up, if it is used"
+  (define (climb up down) (list up down))
+  (define f (lambda (up) 'one))
+  (define (g up n) (map up (list n)))
+  (check-equal? (list (climb 2 1) (f 1) (g - 3)) '((2 1) one (-3))))

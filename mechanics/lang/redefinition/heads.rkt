@@ -1,0 +1,26 @@
+#lang racket/base
+;; How what a definition defines is called, as it is written: ((L m k) local).
+
+(provide definition-head head-name-in head->header)
+
+;; A definition, a datum -> its head, a procedure written out as a value being part of it:
+;; (f x) for (define f (lambda (x) ...)), also
+(define (definition-head d)
+  (define head (cadr d))
+  (if (and (pair? (cddr d)) (null? (cdddr d))) (with-procedure head (caddr d)) head))
+
+(define (with-procedure head value)
+  (if (and (list? value) (> (length value) 2) (memq (car value) '(lambda λ)))
+      (let ([inner (cons head (cadr value))])
+        (if (null? (cdddr value)) (with-procedure inner (caddr value)) inner))
+      head))
+
+;; The name that is defined; #f if there is none
+(define (head-name-in head)
+  (cond [(pair? head) (head-name-in (car head))]
+        [(symbol? head) head]
+        [else #f]))
+
+;; How it is called first: (L m k).
+(define (head->header head)
+  (if (and (pair? head) (pair? (car head))) (head->header (car head)) head))
