@@ -38,7 +38,8 @@
              [g:sinh sinh] [g:cosh cosh] [g:tanh tanh]
              [g:sech sech] [g:csch csch] [g:coth coth]
              [g:asinh asinh] [g:acosh acosh] [g:atanh atanh] [g:sgn sgn]
-             [g:exact->inexact exact->inexact] [g:magnitude magnitude]
+             [g:exact->inexact exact->inexact] [g:inexact->exact inexact->exact]
+             [g:magnitude magnitude]
              [g:floor floor] [g:ceiling ceiling] [g:truncate truncate] [g:round round])
  pi :pi :-pi :pi/2 :2pi principal-value
  make-rectangular make-polar real-part imag-part conjugate

@@ -2,7 +2,7 @@
 ;; Conversion and rounding, generic: functions of numbers only, which neither
 ;; stop a derivative on its way nor enter expressions.
 ;;
-;; exact->inexact is the identity as far as the mathematics goes.  Roundings are
+;; exact->inexact and its inverse are the identity as far as the mathematics goes.  Roundings are
 ;; constant between their jumps, where they have no derivative: their values are
 ;; plain numbers, which may count and index.  Exact constants have exact ones: π is rounded
 ;; down to 3.
@@ -10,11 +10,12 @@
 (require "arithmetic.rkt" "compare.rkt" "describe.rkt" "dispatch.rkt" "elementary.rkt" "kind.rkt"
          "naming.rkt" "on-demand.rkt" "record.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+         (only-in "../algebra/expression/substitute.rkt" rebuild)
          "../error/complain.rkt")
 
 (require-on-demand ["../algebra/simplify/simplify-expression.rkt" simplify-expression])
 
-(provide g:exact->inexact g:floor g:ceiling g:truncate g:round g:magnitude
+(provide g:exact->inexact g:inexact->exact g:floor g:ceiling g:truncate g:round g:magnitude
          rounding-operations)
 
 ;; A symbol stands for an inexact number as well as for an exact one, but what is made of
@@ -27,6 +28,27 @@
           [else (dispatch-unary generic:exact->inexact x)])))
 
 (define-composite-record generic:exact->inexact exact->inexact exact->inexact g:exact->inexact)
+
+;; In an expression, each of its numbers.
+(define-named g:inexact->exact inexact->exact
+  (lambda (x)
+    (cond [(number? x) (exact x)]
+          [(expression? x) (with-exact-numbers x)]
+          [(tuple? x) (structure-map g:inexact->exact (adopt x))]
+          [else (dispatch-unary generic:inexact->exact x)])))
+
+(define (with-exact-numbers e)
+  (node-fold e
+             (lambda (leaf) (if (number? leaf) (exact leaf) leaf))
+             (lambda (node parts) (rebuild (node-head node) parts))))
+
+(define (exact x)
+  (unless (and (rational? (real-part x)) (rational? (imag-part x)))
+    (complain 'inexact->exact "~a has no exact value" x))
+  (inexact->exact x))
+
+(define generic:inexact->exact
+  (generic-op 'inexact->exact #f g:inexact->exact (list (lambda (x value) 1)) #f '((-2.0 2.0))))
 
 (define-named g:magnitude magnitude
   (lambda (x) (if (number? x) (magnitude x) (g:abs x))))
@@ -84,4 +106,5 @@
 
 ;; Every record above: what a test that checks each derivative goes through.
 (define rounding-operations
-  (list generic:exact->inexact generic:floor generic:ceiling generic:truncate generic:round))
+  (list generic:exact->inexact generic:inexact->exact
+        generic:floor generic:ceiling generic:truncate generic:round))

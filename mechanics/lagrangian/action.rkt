@@ -2,7 +2,7 @@
 ;; The action of a path: ∫ L ∘ Γ[q] from t₁ to t₂ (SICM 1.4, p. 17).
 ;; Of a Lagrangian that depends on derivatives up to order n, ∫ L ∘ Γ[q; n + 2].
 
-(require "Lagrange-equations.rkt" "local-tuple.rkt"
+(require "Lagrange-equations.rkt" "local-tuple.rkt" "swapped.rkt"
          "../compile/definite-integral.rkt")
 
 (provide Lagrangian-action)
@@ -14,5 +14,7 @@
   (check-order 'Lagrangian-action n)
   (define along (Gamma (path 'Lagrangian-action q) (+ n 2)))
   (define value (scalar-valued 'Lagrangian-action L))
-  (integrate 'Lagrangian-action (lambda (t) (value (along t))) t1 t2 tolerance
-             #:report report))
+  (with-handlers ([exn:fail:contract?
+                   (lambda (e) (check-not-swapped 'Lagrangian-action L q) (raise e))])
+    (integrate 'Lagrangian-action (lambda (t) (value (along t))) t1 t2 tolerance
+               #:report report)))

@@ -2,11 +2,10 @@
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
 (require "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
-         "../lagrangian/local-tuple.rkt"
+         "../lagrangian/swapped.rkt"
          "../verdict/prove-zero.rkt")
 
 (require-on-demand
@@ -22,7 +21,8 @@
                          #:constraints [constraints #f] #:multipliers [multipliers #f])
   (when (or constraints multipliers) (check-constrained n constraints))
   (define-values (L force) (as-Lagrangian-along given q Q))
-  (with-handlers ([exn:fail:contract? (lambda (e) (check-not-swapped L q) (raise e))])
+  (with-handlers ([exn:fail:contract?
+                   (lambda (e) (check-not-swapped 'verify-solution L q) (raise e))])
     (define outside (external-force 'verify-solution force dissipation))
     (define residual
       (cond [multipliers
@@ -47,16 +47,3 @@
   (unless (eqv? n 1)
     (raise-arguments-error 'verify-solution "with constraints, the order of a Lagrangian is 1"
                            "order" n)))
-
-(define (check-not-swapped L q)
-  (when (swapped? L q)
-    (complain 'verify-solution
-              "the Lagrangian comes first, then the path; these look swapped")))
-
-;; Would the arguments do in the other order?  Asked only when they fail in this; if they
-;; fail in that one, too, it is the first failure that the user gets to see.
-(define (swapped? L q)
-  (define (works? thunk) (with-handlers ([raised? (lambda (x) #f)]) (thunk) #t))
-  (and (procedure? L) (procedure? q)
-       (not (works? (lambda () (q 't))))
-       (works? (lambda () ((scalar-valued 'verify-solution q) ((Gamma L) 't))))))

@@ -21,8 +21,10 @@
      (format "unknown relation ~a; known are ~a\n  given: ~a~a"
              (value->text (car part)) known-relations (value->text part) (instead part))]
     [(equation)
-     (format "~a; put the value in, with substitute\n  given: ~a"
-             "an equation is no assumption about a sign" (value->text part))]
+     (format (string-append "an equation is no assumption about a sign\n  given: ~a\n"
+                            "  (impose '~a L) puts it into L, (verify-again verdict '~a) into a "
+                            "question")
+             (value->text part) (value->text part) (value->text part))]
     [(number) (format "only real numbers are greater or less than others; given ~a" part)]
     [else (format "expected an expression in the relation; given ~a" (describe-with-value part))]))
 

@@ -92,6 +92,7 @@
   (define name (generic-op-name op))
   (define f (operation-on-bigfloats name 1))
   (cond [(eq? name 'exact->inexact) (m:bigfloat->flonum (unwrap x))]
+        [(eq? name 'inexact->exact) (bigfloat->exact x)]
         [f (wrap (call-with-bits (bits x) (lambda () (f (unwrap x)))))]
         [else (raise-inapplicable op x)]))
 

@@ -164,7 +164,7 @@
     [(abs magnitude) (q:magnitude q)]
     [(conjugate) (q:conjugate q)]
     [(real-part) (hamilton-r q)]
-    [(exact->inexact) (scale (generic-op-procedure op) q)]
+    [(exact->inexact inexact->exact) (scale (generic-op-procedure op) q)]
     [else (raise-inapplicable op q)]))
 
 (define (exponential q)

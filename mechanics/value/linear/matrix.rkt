@@ -33,9 +33,11 @@
                                (cons 'list (map value->datum (vector->list row))))))
              #:map (lambda (f m) (matrix-map (lambda (x) (map-leaves f x)) m))
              #:unary (lambda (op m)
-                       (if (eq? (generic-op-name op) 'exp)
-                           (matrix (rows-exponential (square-rows 'exp m)))
-                           (raise-inapplicable op m)))
+                       (case (generic-op-name op)
+                         [(exp) (matrix (rows-exponential (square-rows 'exp m)))]
+                         [(exact->inexact inexact->exact)
+                          (matrix-map (generic-op-procedure op) m)]
+                         [else (raise-inapplicable op m)]))
              #:component (lambda (m i) (m:nth-row m i))
              #:arity (lambda (m)
                        (for*/fold ([mask -1])

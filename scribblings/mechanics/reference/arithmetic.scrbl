@@ -242,12 +242,24 @@ a tuple of angles each is brought there. Its derivative is 1, away from the cut.
 
 @defproc[(exact->inexact [x value]) value]{
 
-The flonum nearest to a number. Symbols stay as they are, and a derivative passes
-through.
+The flonum nearest to a number; of a tuple, a matrix or a quaternion, of each part. Symbols stay
+as they are, and a derivative passes through.
 
 @examples[#:eval session
 (exact->inexact 1/3)
+(exact->inexact (matrix-by-rows '(1/2 1) '(2 x)))
 ((D (lambda (x) (* x (exact->inexact x)))) 3)]}
+
+@defproc[(inexact->exact [x value]) value]{
+
+The exact number that a flonum is; of a tuple, a matrix or a quaternion, of each part, and of an
+expression, in place of each number in it. Decimals become fractions with a power of 2 below:
+0.5 is 1/2, but 0.1 is not quite 1/10. What is not finite is refused.
+
+@examples[#:eval session
+(inexact->exact (up 0.5 (* 0.25 'x)))
+(inexact->exact 0.1)
+(eval:error (inexact->exact +inf.0))]}
 
 @deftogether[(@defproc[(floor [x value]) value]
               @defproc[(ceiling [x value]) value]

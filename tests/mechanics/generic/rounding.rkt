@@ -5,8 +5,11 @@
          mechanics/calculus/derivative
          mechanics/error/failure
          mechanics/generic/arithmetic
+         mechanics/generic/describe
          mechanics/generic/rounding
-         "../support/random.rkt")
+         mechanics/value/linear/matrix
+         mechanics/value/structure
+         "../support/messages.rkt" "../support/random.rkt")
 
 (define pairs
   (list (cons g:floor floor) (cons g:ceiling ceiling)
@@ -44,3 +47,31 @@
 (test-case "the message names the rounding and the place"
   (check-exn #rx"^floor: has no derivative where it jumps, at 2$" (lambda () ((D g:floor) 2)))
   (check-exn #rx"^round: has no derivative where it jumps, at 1/2$" (lambda () ((D g:round) 1/2))))
+
+;; ---------------------------------------------------------------------------
+;; Exact and inexact
+
+(test-case "each part of a value is converted"
+  (define m (matrix-by-rows '(1/2 1) '(2 x)))
+  (define decimals (matrix-by-rows '(0.5 1.0) '(2.0 x)))
+  (check-equal? (g:exact->inexact m) decimals)
+  (check-equal? (g:inexact->exact decimals) m)
+  (check-equal? (g:exact->inexact (up 1/2 m)) (up 0.5 decimals))
+  (check-equal? (g:inexact->exact (down 0.5 (up 'x 2.0))) (down 1/2 (up 'x 2)))
+  (check-equal? (g:inexact->exact 0.5+2.0i) 1/2+2i)
+  (check-equal? ((g:inexact->exact g:square) 1.5) 9/4))
+
+(test-case "an expression gets exact numbers"
+  (check-equal? (value->text (g:inexact->exact (g:* 0.5 (g:square 'x))))
+                "(* 1/2 x x)"))
+
+(test-case "a derivative passes through"
+  (check-equal? ((D (lambda (x) (g:* x (g:inexact->exact x)))) 3) 6))
+
+(test-case "what has no exact value is refused"
+  (check-message "inexact->exact: +inf.0 has no exact value" (g:inexact->exact +inf.0))
+  (check-message "inexact->exact: +nan.0 has no exact value" (g:inexact->exact (up 1.0 +nan.0)))
+  (check-message
+   (string-append "inexact->exact: cannot be taken of a list\n  argument 1: (1.0 2), a list\n"
+                  "  a list is not a tuple; use (up x y ...)")
+   (g:inexact->exact '(1.0 2))))

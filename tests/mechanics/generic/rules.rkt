@@ -137,7 +137,7 @@
 (define (in-bigfloats r)
   (case (generic-op-name r)
     [(cube) (lambda (x) ((big 'bf*) x ((big 'bfsqr) x)))]
-    [(exact->inexact) values]
+    [(exact->inexact inexact->exact) values]
     [(atan) (if (= (arity r) 2) (big 'bfatan2) (big 'bfatan))]
     [else (big (cadr (assq (generic-op-name r) same-in-bigfloats)))]))
 

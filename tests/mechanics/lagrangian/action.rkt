@@ -79,3 +79,11 @@
              (lambda () (Lagrangian-action 3 test-path 0 1)))
   (check-exn #rx"a path is a function of time"
              (lambda () (Lagrangian-action (L-free-particle 3) 'q 0 1))))
+
+(test-case "a path and a Lagrangian in the wrong order"
+  (check-message
+   "Lagrangian-action: the Lagrangian comes first, then the path; these look swapped"
+   (Lagrangian-action g:cos (L-harmonic 1 1) 0 1))
+  ;; What fails in either order is told as it fails.
+  (define (fails t) (raise-arguments-error 'fails "at all times"))
+  (check-message "fails: at all times" (Lagrangian-action (L-harmonic 1 1) fails 0 1)))

@@ -133,9 +133,10 @@
                                 " expressions, and positive, negative, nonpositive, nonnegative before some\n"
                                 "  given: (~ r 0)")
                  (assume '(> k 0) '(~ r 0)))
-  (check-message (string-append "assume: an equation is no assumption about a sign;"
-                                " put the value in, with substitute\n"
-                                "  given: (= r 0)")
+  (check-message (string-append "assume: an equation is no assumption about a sign\n"
+                                "  given: (= r 0)\n"
+                                "  (impose '(= r 0) L) puts it into L, (verify-again verdict '(= r 0)) "
+                                "into a question")
                  (assume '(= r 0)))
   (check-message "assume: the relation lacks an operand: (> r)" (assume '(> r)))
   (check-message (string-append "assume: expected an expression in the relation;"
