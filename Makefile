@@ -34,10 +34,7 @@ repl: compile editing
 	@$(RACKET) -l mechanics/lang/prompt/start
 
 run: compile
-	@if [ ! -f "$(FILE)" ]; then \
-	    echo 'make run FILE=my-system.rkt runs a file; given: FILE=$(FILE)' >&2; exit 2; \
-	fi
-	@$(RACKET) "$(FILE)" $(ARGS)
+	@$(RACKET) -l mechanics/lang/run-file "$(FILE)" $(ARGS)
 
 # What takes long says so at once.
 test: begin-tests compile libraries
@@ -76,7 +73,7 @@ docs: compile
 
 # Files are compiled in parallel where there are many.
 ROOTS = mechanics/main.rkt mechanics/lang/help/table.rkt mechanics/lang/prompt/start.rkt \
-        mechanics/lang/prompt/editor.rkt
+        mechanics/lang/prompt/editor.rkt mechanics/lang/run-file.rkt
 
 compile: racket
 	@$(RACKET) tests/mechanics/runner/compile.rkt --jobs $(JOBS) $(ROOTS:%=--root %) mechanics

@@ -49,6 +49,7 @@
   (define printer (current-print))
   ((if (session-printer? printer) (session-printer-other printer) printer)
    (simplify-or-say-why x))
+  (when (screen?) (print-advice x))
   (note-unknowns x))
 
 ;; What a symbol in a result may have been meant to be, once in a session.
