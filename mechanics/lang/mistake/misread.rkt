@@ -10,7 +10,7 @@
 
 (require-on-demand ["infix.rkt" prefix-form])
 
-(provide advice-on-call called-beside)
+(provide advice-on-call called-beside call-in-print? as-called without-commas)
 
 ;; A call, and its operator and arguments, syntaxes -> text or #f
 (define (advice-on-call stx row)
@@ -54,11 +54,37 @@
        (not (memq (if (pair? (syntax-e stx)) (syntax-e (car (syntax-e stx))) #f)
                   '(quote quasiquote unquote)))))
 
+;; f(x + 1), a name and what touches it -> "f(x + 1) is written (f (+ x 1))"
 (define (as-called f arguments)
-  (define-values (name given) (values (syntax-e f) (syntax->datum arguments)))
   (format "~a~a is written ~a"
-          name (form->text given) (form->text (cons name (without-commas given)))))
+          (syntax-e f) (typed-text arguments) (form->text (call-form f arguments))))
 
-(define (without-commas arguments)
-  (for/list ([a (in-list arguments)])
-    (if (and (list? a) (= (length a) 2) (eq? (car a) 'unquote)) (cadr a) a)))
+(define (call-form f arguments)
+  (define data (argument-forms (syntax->list arguments)))
+  (cons (syntax-e f)
+        (or (and (infix? data) (let ([form (prefix-form data)]) (and form (list form)))) data)))
+
+;; Data of syntaxes in a row, calls among them being taken together, without commas.
+(define (argument-forms row)
+  (cond [(null? row) '()]
+        [(and (pair? (cdr row)) (call-in-print? (car row) (cadr row)))
+         (cons (call-form (car row) (cadr row)) (argument-forms (cddr row)))]
+        [else (append (without-commas (list (syntax->datum (car row))))
+                      (argument-forms (cdr row)))]))
+
+(define (without-commas data)
+  (for/list ([d (in-list data)])
+    (if (and (list? d) (= (length d) 2) (eq? (car d) 'unquote)) (cadr d) d)))
+
+;; As it stands in the program, but for spaces at the ends.
+(define (typed-text stx)
+  (define parts (syntax->list stx))
+  (cond [(not (and parts (parenthesized? stx))) (form->text (syntax->datum stx))]
+        [else
+         (apply string-append
+                "("
+                (append (for/list ([p (in-list parts)]
+                                   [before (in-list (cons #f parts))])
+                          (string-append (if (and before (not (adjacent? before p))) " " "")
+                                         (typed-text p)))
+                        '(")")))]))

@@ -13,7 +13,8 @@
          "advised.rkt" "call-hint.rkt" "suggestion.rkt" "typographic.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["whereabouts.rkt" whereabouts])
+(require-on-demand ["pasted.rkt" pasted-sentence]
+                   ["whereabouts.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
          install-hints! note-entry!)
@@ -94,7 +95,7 @@
   (cond [(exn:fail:contract:variable? e)
          (define id (exn:fail:contract:variable-id e))
          (cond [(regexp-match? #rx"cannot reference an identifier before its definition" message)
-                (hint-for-unknown id message (advice-in (exn-continuation-marks e)))]
+                (hint-for-unknown id message (advice-in (exn-continuation-marks e)) entry)]
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
                [else #f])]
         [(exn:fail:contract? e) (hint-for-call message e entry)]
@@ -104,13 +105,18 @@
 
 ;; Names that the prompt knows nothing of, not those that a module uses too
 ;; early: they need no quote.
-;; advice : what the form it stands in was meant for, or #f
-(define (hint-for-unknown id message advice)
+;; advice : what the form it stands in was meant for, or #f; entry : the form that was typed
+(define (hint-for-unknown id message advice entry)
   (and (or (regexp-match? #rx"in module: top-level$" message)
            (unknown-in-module? id))
        (on-lines-of-their-own
         (or (typographic-sentences id)
-            (what-was-meant id (namespace-mapped-symbols) advice)))))
+            (append (what-was-meant id (namespace-mapped-symbols) advice)
+                    (if advice '() (pasted-sentences entry)))))))
+
+(define (pasted-sentences entry)
+  (define sentence (and entry (pasted-sentence entry)))
+  (if sentence (list sentence) '()))
 
 (define (on-lines-of-their-own sentences)
   (apply string-append (map (lambda (s) (string-append "\n  " s)) sentences)))

@@ -1,16 +1,20 @@
 #lang racket/base
-;; Commands of the prompt: what is typed after a comma.
+;; Commands of the prompt: what is typed after a comma, and words that are commands elsewhere,
+;; as long as the reader has not defined them: help, ?, quit, exit.
 
 (require "help-command.rkt"
          "../printer.rkt")
 
 (provide command? run-command)
 
-(define (command? text) (regexp-match? #px"^\\s*," text))
+(define (command? text)
+  (or (regexp-match? #px"^\\s*," text)
+      (and (as-command text) #t)))
 
 ;; -> forms to evaluate in place of the command, or eof to end the session
 (define (run-command text)
-  (define found (regexp-match #px"^\\s*,\\s*([^\\s()]*)\\s*(.*?)\\s*$" text))
+  (define found
+    (regexp-match #px"^\\s*,\\s*([^\\s()]*)\\s*(.*?)\\s*$" (or (as-command text) text)))
   (define-values (name argument) (values (cadr found) (caddr found)))
   (cond [(equal? argument "")
          (case name
@@ -20,6 +24,22 @@
            [else (print-unknown name) '()])]
         [(member name '("help" "h" "?")) (help-on argument)]
         [else (print-unknown name) '()]))
+
+;; quit, quit(), help, help D, ?, ? D, ?D -> the same with a comma, or #f
+(define (as-command text)
+  (define found
+    (or (regexp-match #px"^\\s*(quit|exit|bye)\\s*(?:\\(\\s*\\))?\\s*()$" text)
+        (regexp-match #px"^\\s*(help)(?:\\s*\\(\\s*\\)|\\s+([^\\s(].*)|)$" text)
+        (regexp-match #px"^\\s*(\\?)\\s*([^\\s(?].*|)$" text)))
+  (and found
+       (not (defined? (string->symbol (cadr found))))
+       (format ",~a ~a" (if (equal? (cadr found) "bye") "quit" (cadr found))
+               (or (caddr found) ""))))
+
+(define (defined? name)
+  (with-handlers ([exn:fail:contract:variable? (lambda (e) #f)] [exn:fail:syntax? (lambda (e) #f)])
+    (namespace-variable-value name #f)
+    #t))
 
 (define (print-commands)
   (write-string #<<text

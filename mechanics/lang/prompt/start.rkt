@@ -7,7 +7,10 @@
          (only-in "../mistake/unbound.rkt" install-hints!)
          (only-in "../printer.rkt" install-printer!)
          "../../error/complain.rkt"
-         (only-in "../../error/note.rkt" start-session-of-notes!))
+         (only-in "../../error/note.rkt" start-session-of-notes!)
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["line-habits.rkt" meant-as-one prime-alone])
 
 (provide run-prompt read-entry)
 
@@ -75,6 +78,10 @@
 
 (define (read-to-end lines text)
   (define forms (with-handlers ([exn:fail:read? (lambda (e) e)]) (forms-in text)))
+  (define habit (other-meaning forms text))
+  (when habit
+    ((line-source-remember lines) text)
+    (complain 'prompt "~a" habit))
   (define line (if forms #f ((line-source-next lines) (continuation))))
   (cond [(string? line) (read-to-end lines (string-append text "\n" line))]
         [else
@@ -82,6 +89,12 @@
          (cond [(exn? forms) (raise forms)]
                [forms forms]
                [else (raise-unfinished)])]))
+
+;; forms : a list, #f if the text is unfinished, or an exception -> text or #f
+(define (other-meaning forms text)
+  (cond [(not forms) (and (regexp-match? #rx"'[ \t]*$" text) (prime-alone text))]
+        [(and (pair? forms) (pair? (cdr forms))) (meant-as-one forms)]
+        [else #f]))
 
 (define (raise-unfinished)
   (complain 'prompt "the input ends inside a form, which is left out"))

@@ -1,0 +1,92 @@
+#lang racket/base
+;; Lines that were meant as one form.
+
+(require mechanics/lang/prompt/line-habits
+         mechanics/lang/prompt/typed-forms
+         racket/string
+         rackunit
+         "../../support/run-text.rkt")
+
+(define space (make-base-namespace))
+(parameterize ([current-namespace space])
+  (namespace-require 'mechanics)
+  (eval '(define (f x) x))
+  (eval '(define three 3)))
+
+(define-check (check-line text said)
+  (define found (parameterize ([current-namespace space]) (meant-as-one (forms-in text))))
+  (unless (equal? found said)
+    (with-check-info (['text text] ['expected said] ['found found]) (fail-check))))
+
+(test-case "calls as on paper"
+  (check-line "f(3)" "f(3) is written (f 3)")
+  (check-line "sin( 'x )" "sin('x) is written (sin 'x)")
+  (check-line "f(g(3))" "f(g(3)) is written (f (g 3))")
+  (check-line "L(t,q,v)" "L(t,q,v) is written (L t q v)")
+  (check-line "f(x + 1)" "f(x + 1) is written (f (+ x 1))")
+  (check-line "f()" "f() is written (f)")
+  (check-line "sin x" "a call stands in parentheses: (sin x)")
+  (check-line "* 2 'x" "a call stands in parentheses: (* 2 'x)"))
+
+(test-case "definitions"
+  (check-line "x = 3" "a definition is written (define x 3)")
+  (check-line "x := 3" "a definition is written (define x 3)")
+  (check-line "L = 1/2 m v^2" "a definition is written (define L (* 1/2 m (expt v 2)))")
+  (check-line "f(x, y) = x*y" "a definition is written (define (f x y) (* x y))")
+  (check-line "define m = 3" "it stands in parentheses: (define m 3)")
+  (check-line "define (g x) (* x x)" "it stands in parentheses: (define (g x) (* x x))")
+  (check-line "require mechanics/plot" "it stands in parentheses: (require mechanics/plot)"))
+
+(test-case "operations and primes"
+  (check-line "m * v" "operations come first: (* m v)")
+  (check-line "1 + 2" "operations come first: (+ 1 2)")
+  (define said "a prime is read as a quote; the derivative of x is (D x)")
+  (check-line "x'(t)" said)
+  (check-equal? (prime-alone "x'") said)
+  (check-equal? (prime-alone "  x'' ") said)
+  (check-false (prime-alone "(list '"))
+  (check-false (prime-alone "'")))
+
+(test-case "several forms in a line may be meant"
+  (check-line "1 (+ 'a 'a)" #f)
+  (check-line "(define a 1)(define b 2)" #f)
+  (check-line "'a 'b" #f)
+  (check-line "three three" #f)
+  (check-line "f\n(f 3)" #f)
+  (check-line "sin^2(x)" #f)
+  (check-line "f" #f)
+  (check-line "" #f))
+
+(test-case "the prompt says so, and evaluates nothing of the line"
+  (define-values (output errors)
+    (session '("-l" "mechanics/lang/prompt/start")
+             "(define (f x) (* x x))" "f(3)" "x'" "x = 3" "(begin (display 'seen) 1) (f 2)"
+             "(+ 1 1)"))
+  (check-equal? (cddr output) '("seen1" "4" "2"))
+  (check-equal? errors
+                (lines "prompt: f(3) is written (f 3)"
+                       "prompt: a prime is read as a quote; the derivative of x is (D x)"
+                       "prompt: a definition is written (define x 3)")))
+
+;; ---------------------------------------------------------------------------
+;; Words that are commands elsewhere
+
+(define (answers-of . input)
+  (define-values (output errors) (apply session '("-l" "mechanics/lang/prompt/start") input))
+  (check-equal? errors "")
+  (cddr output))
+
+(test-case "help and ? are commands"
+  (define commands (answers-of ",help"))
+  (for ([line '("help" "help()" "?" " ? ")]) (check-equal? (answers-of line) commands line))
+  (define card (answers-of "(help cube)"))
+  (for ([line '("help cube" "? cube" "?cube")]) (check-equal? (answers-of line) card line))
+  (check-equal? (answers-of "help \"Noether\"") (answers-of "(help \"Noether\")")))
+
+(test-case "quit and exit leave, unless they are the reader's"
+  (for ([line '("quit" "exit" "bye" "quit()" "exit ( )")])
+    (check-equal? (answers-of "1" line "2") '("1") line))
+  (check-equal? (answers-of "(define quit 3)" "quit" "(+ quit 1)") '("3" "4")))
+
+(test-case "other words are none"
+  (check-true (string-contains? (car (answers-of "(define help? 3)" "help?")) "3")))
