@@ -43,11 +43,14 @@
         [(rackets? name)
          (list (format "~s is Racket's own, and means here what it means there." name)
                (format "  https://docs.racket-lang.org/search/?q=~s" name))]
-        [(written-otherwise name)
-         => (lambda (advice)
-              (filled (string-split (format "~s is not a name of mechanics: ~a." name advice))
-                      columns))]
+        [(otherwise-lines name)]
         [else (about-unknown name)]))
+
+;; -> lines or #f
+(define (otherwise-lines name)
+  (define advice (written-otherwise name))
+  (and advice
+       (filled (string-split (format "~s is not a name of mechanics: ~a." name advice)) columns)))
 
 ;; What to write for a name of another program, a formula or a sign of print; or #f.
 (define (written-otherwise name)
@@ -75,9 +78,12 @@
 (define (about-text text)
   (define found (found-cards text (all-cards)))
   (define later (later-found text))
-  (cond [(and (null? found) (null? later))
+  (define otherwise
+    (or (and (regexp-match? #px"^\\S+$" text) (otherwise-lines (string->symbol text))) '()))
+  (cond [(and (null? found) (null? later) (null? otherwise))
          (list (format "Nothing is found for ~s; (help) tells what can be asked." text))]
-        [else (append (if (null? found) '() (found-lines found))
+        [else (append otherwise
+                      (if (null? found) '() (found-lines found))
                       (if (null? later) '() (later-lines later)))]))
 
 (define (later-found text)

@@ -99,8 +99,14 @@
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
                [else #f])]
         [(exn:fail:contract? e) (hint-for-call message e entry)]
-        [(and (exn:fail:syntax? e) (regexp-match? #rx"unquote: not in quasiquote" message))
+        [(exn:fail:syntax? e) (hint-for-syntax message)]
+        [else #f]))
+
+(define (hint-for-syntax message)
+  (cond [(regexp-match? #rx"unquote: not in quasiquote" message)
          "\n  no comma separates arguments, and a decimal has a point: (up 1 2.5)"]
+        [(regexp-match? #rx"missing procedure expression" message)
+         "\n  f() is written (f); the empty list is '()"]
         [else #f]))
 
 ;; Names that the prompt knows nothing of, not those that a module uses too

@@ -1,7 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics) "../eval.rkt")
 
-@title[#:tag "mistakes"]{Ten mistakes and their messages}
+@title[#:tag "mistakes"]{Mistakes and their messages}
 
 @(define session (make-session))
 
@@ -94,23 +94,127 @@ always a slip. @racket[dot-product] checks.
 (eval:error (ref (up 1 2) 5))
 (eval:error (((partial 3) square) (up 1 2)))]
 
-@section{Habits of other notations}
+@section[#:tag "notation-habits"]{Habits of other notations}
 
-Operations come first, with a space between all names:
+Operations come first, with a space between all names, and a function stands inside the
+parentheses with its arguments:
 
 @examples[#:eval session #:label #f
-(eval:error (2 * 'x))]
+(eval:error (2 * 'x))
+(eval:error (1/2 * 'm * 'v + 3))]
+
+Brackets are parentheses, too:
+
+@verbatim[#:indent 2]{
+> (+ 1 sin(3))
+application: sin(3) is written (sin 3)
+> [1 2]
+application: brackets are parentheses here; a tuple is (up 1 2)
+}
 
 At the prompt, and in a program, you are told as well what to type for @litchar{2x} and
-@litchar{x^2}, for @racketidfont{arctan}, @racketidfont{ln} or @racketidfont{diff}, as other
+@litchar{x^2}, for @litchar{dx/dt} and @litchar{sin²}, for @racketidfont{arctan},
+@racketidfont{ln}, @racketidfont{diff} or @racketidfont{range}, as other
 programs call what has another name here, and for the quotes and minus signs of print, as in
-@litchar{‘x}, that come along when you paste from a page.
+@litchar{‘x}, that come along when you paste from a page. In a formula as on paper all of it is
+told how it is written:
+
+@verbatim[#:indent 2]{
+> (1/2 * m * v^2)
+m: undefined;
+ cannot reference an identifier before its definition
+  in module: top-level
+  operations come first: (* 1/2 m (expt v 2))
+  as a symbol it is written 'm
+}
+
+The prompt of @exec{make repl} reads a line at a time, and so knows more: there a line such as
+@litchar{f(3)}, @litchar{sin x}, @litchar{x = 3} or @litchar{f(x) = x^2} is told how it is
+written, and nothing of it is evaluated.
+
+@verbatim[#:indent 2]{
+> L = 1/2 m v^2
+prompt: a definition is written (define L (* 1/2 m (expt v 2)))
+}
 
 What is quoted as a whole is a list of symbols, which only looks like an expression:
 
 @examples[#:eval session #:label #f
 (eval:error (simplify '(+ a a)))
 (read-expression '(+ a a))]
+
+A result that was printed, and is typed or pasted again, holds names that are not defined. At the
+prompt you are told so; @racket[read-expression] makes the value of it.
+
+@examples[#:eval session #:label #f
+(read-expression '(+ (* m (((expt D 2) x) t)) (* k (x t))))]
+
+@section[#:tag "wrong-arguments"]{A local tuple in parts, or in the wrong parts}
+
+A Lagrangian has one argument, which is a tuple of three parts. At the prompt, and in a program
+that is run, a wrong number of arguments is told with how the procedure is called, also if you
+defined it:
+
+@verbatim[#:indent 2]{
+> (define ((L m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+> ((L 'm 'k) 't 'q 'v)
+L: takes 1 argument; it was given 3
+  it is called as ((L m k) (up t q v))
+  one local tuple: ((L 'm 'k) (up 't 'q 'v))
+> (L 'm)
+L: takes 2 arguments; it was given 1
+  it is called as ((L m k) (up t q v))
+  missing: k
+}
+
+Several coordinates are a tuple of their own, as their velocities are; and the parentheses around
+a pattern cannot be left out:
+
+@examples[#:eval session #:label #f
+(define ((L-flat m) (up t x y vx vy))
+  (* 1/2 m (+ (square vx) (square vy))))
+(eval:error ((L-flat 'm) (up 0 (up 1 2) (up 3 4))))
+(eval:error (lambda (up t q v) (* q v)))]
+
+@section{Degrees, units, and functions beyond their domain}
+
+Angles are in radians, and there are no units: numbers are in any consistent ones. Nobody can see
+that 30 was meant as degrees.
+
+@examples[#:eval session #:label #f
+(sin 90)
+(sin (* 90 (/ pi 180)))]
+
+Beyond the reals, functions have the complex values that they have in mathematics. If there is an
+imaginary part where a real number was expected, an argument left its domain:
+
+@examples[#:eval session #:label #f
+(asin 2)
+(log -1)
+(sqrt -4)
+(eval:error (log 0))]
+
+@section{A Lagrangian where its motion is wanted}
+
+To be integrated, a Lagrangian must be made a state derivative first:
+
+@examples[#:eval session #:label #f
+(define ((L-harmonic m k) (up t q v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
+(eval:error (evolve-trajectory (L-harmonic 1 1) (up 0 1 0) 10))
+(evolve-trajectory (Lagrangian->state-derivative (L-harmonic 1 1)) (up 0 1 0) 10)]
+
+The Lagrangian comes before the path:
+
+@examples[#:eval session #:label #f
+(eval:error (Lagrangian-action cos (L-harmonic 1 1) 0 1))]
+
+@section{An equation among the assumptions}
+
+Assumptions are about signs. An equation is put in.
+
+@examples[#:eval session #:label #f
+(eval:error (assume '(= k (* m (square omega)))))]
 
 @section[#:tag "silent-mistakes"]{What Racket would take in silence}
 
@@ -175,14 +279,12 @@ A list is not a structure:
 A function that takes another number of arguments:
 
 @examples[#:eval session #:label #f
-(eval:error (expt 'x))
+(eval:error (square 'x 'y))
 (eval:error ((compose V g) 'x))]
 
 A Lagrangian without its parameters, or one whose value is no number:
 
 @examples[#:eval session #:label #f
-(define ((L-harmonic m k) (up t q v))
-  (- (* 1/2 m (square v)) (* 1/2 k (square q))))
 (eval:error (((Lagrange-equations L-harmonic) (literal-function 'x)) 't))
 (define ((L-wrong m) (up t q v)) (* 1/2 m v v))
 (eval:error (((Lagrange-equations (L-wrong 'm))

@@ -16,7 +16,7 @@ prompt asks for more.
       (list @exec{Ctrl-C} @elem{gives up what is being typed, or stops a computation: there is a
                                new prompt at once})
       (list @exec{Ctrl-D} @elem{leaves, as @exec{,quit} does})
-      (list @exec{,help} @elem{lists the commands})
+      (list @exec{,help} @elem{lists the commands; so do @exec{help} and @exec{?}})
       (list @exec{,help NAME} @elem{tells what is known of a name})
       (list @exec{,more} @elem{the next screen of a long result}))]
 
@@ -28,7 +28,13 @@ What was typed is kept among Racket's preferences, in the file
 
 @exec{racket -I mechanics}, where the package is installed, is Racket's own prompt with the
 names and the printing of mechanics; its commands are Racket's, and there
-@racket[print-expression] prints the whole of a result that was cut.
+@racket[print-expression] prints the whole of a result that was cut. With line editing, Ctrl-C
+while a form is being typed prints @litchar{user break} there and no new prompt, in whatever
+language, @exec{racket -I racket/base} being no exception: the port that reads lines for Racket's
+prompt does so in a thread of its own, which the break leaves waiting with what is on the line.
+Enter brings the new prompt; if something is on the line, Ctrl-A, Ctrl-K and Enter. Where the package is installed, @exec{racket -l
+mechanics/lang/prompt/start} opens the prompt of @exec{make repl}, which gives up the form at
+once.
 
 @section{Results}
 
@@ -50,6 +56,8 @@ car: contract violation
   within: L (swing.rkt, line 5)
 }
 
-What went on in libraries is left out. @exec{make run FILE=swing.rkt} tells the same. A
+What went on in libraries is left out. @exec{make run FILE=swing.rkt} tells the same, and says in a
+sentence if there is no such file, if its first line names no language, or where a parenthesis is
+missing. A
 function whose call was the last thing to do, or which the compiler has built into another,
 leaves no trace.

@@ -9,7 +9,7 @@
          mechanics/lang/help/search
          (only-in racket/list take)
          (only-in racket/port with-output-to-string)
-         (only-in racket/string string-contains? string-join)
+         (only-in racket/string string-contains? string-join string-prefix?)
          rackunit
          (only-in "../../support/run-text.rkt" lines prints refusal session))
 
@@ -82,6 +82,14 @@ end
   (check-equal? (text 'x^2) "x^2 is not a name of mechanics: operations come first, (expt x 2).")
   (check-equal? (text '’x) "’x is not a name of mechanics: ’ in it is a curly quote; type 'x.")
   (check-equal? (text 'zzyzx) "zzyzx is not a name of mechanics."))
+
+(test-case "what other programs have a name for is told for a text, too"
+  (define said
+    (string-append "degrees is not a name of mechanics: angles are in radians: 30 degrees are "
+                   "(* 30\n(/ pi 180))."))
+  (check-equal? (text 'degrees) said)
+  (check-true (string-prefix? (text "degrees") (string-append said "\ndegrees-of-freedom ")))
+  (check-equal? (text "arctan") "arctan is not a name of mechanics: its name is atan."))
 
 (test-case "a name of a later chapter"
   (check-equal? (text 'Lie-transform)
