@@ -1,5 +1,5 @@
 #lang racket/base
-;; What `make run FILE=my-system.rkt ARGS="..."` does: `racket -l mechanics/lang/run-file FILE ...`.
+;; What `make run FILE=... ARGS="..."` does: `racket -l mechanics/lang/run-file FILE ARGS`.
 ;;
 ;; As `racket FILE` would, but for what it says where there is no program in the file, or where
 ;; its parentheses do not match.

@@ -16,11 +16,16 @@
 (define (advice-on-call stx row)
   (or (syntax-property stx called)
       (advice-on-infix row)
-      (and (eqv? (syntax-property stx 'paren-shape) #\[)
-           (format "brackets are parentheses here; a tuple is ~a"
-                   (form->text (cons 'up (map syntax->datum row)))))
+      (advice-on-brackets stx row)
       (let ([f (syntax-e (car row))])
         (and (number? f) (null? (cdr row)) (format "f(~a) is written (f ~a)" f f)))))
+
+(define (advice-on-brackets stx row)
+  (define shape (syntax-property stx 'paren-shape))
+  (and (memv shape '(#\[ #\{))
+       (format "~a are parentheses here; a tuple is ~a"
+               (if (eqv? shape #\[) "brackets" "braces")
+               (form->text (cons 'up (map syntax->datum row))))))
 
 (define (advice-on-infix row)
   (and (infix? (map syntax-e row))

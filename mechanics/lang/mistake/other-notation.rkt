@@ -58,7 +58,12 @@
     ("what is typed is printed; in a program, (print-expression x) prints" disp puts)
     ("leave with (exit) or Ctrl-D" quit bye)
     ("ask (help), (help verify-solution) or (help \"constraint\")" ? ?? man info apropos doc)
-    ("a definition is (define x 3)" := ≔ <-)))
+    ("a definition is (define x 3)" := ≔ <-)
+    ("what is not equal is (not (= a b))" != ≠ /= <>)
+    ("what is repeated is (for ([i 10]) ...), or a function that calls itself" while loop repeat)
+    ("the value of a function is that of its last expression" return)
+    ("the empty list is '()" nil None)
+    ("curves are drawn by plot-function, after (require mechanics/plot)" plot Plot draw)))
 
 (define advice-of
   (for*/hasheq ([entry (in-list notations)] [name (in-list (cdr entry))])

@@ -70,7 +70,7 @@
   (and found (cadr found)))
 
 (define given-patterns
-  '(#rx"\n  given: ([0-9]+)" #rx"it was given ([0-9]+|none)" #rx", given ([0-9]+):"
+  '(#rx"\n  given: ([0-9]+)" #rx"it was given ([0-9]+|none)" #rx", given ([0-9]+)(?::|$)"
     #rx"no case matching ([0-9]+)"))
 
 (define expected-patterns

@@ -39,9 +39,16 @@
   (define right (and left (formula (caddr found))))
   (and right (format "(~a ~a ~a)" name left right)))
 
+;; -x and -3x
+(define (negative text)
+  (define found (regexp-match #px"^-((?:[0-9.]*)\\p{L}.*)$" text))
+  (define positive (and found (formula (cadr found))))
+  (and positive (format "(- ~a)" positive)))
+
 (define ways
   (list (splitting #px"^(.+)\\+(.+)$" "+")
         (splitting difference "-")
+        negative
         (splitting #px"^(.+)/(.+)$" "/")
         (splitting #px"^(.+)\\*(.+)$" "*")
         (splitting #px"^([0-9.]+)(\\p{L}.*)$" "*")

@@ -13,7 +13,8 @@
          "advised.rkt" "call-hint.rkt" "suggestion.rkt" "typographic.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["pasted.rkt" pasted-sentence]
+(require-on-demand ["other-hint.rkt" hint-for-syntax hint-for-value hint-for-module]
+                   ["pasted.rkt" pasted-sentence]
                    ["whereabouts.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
@@ -97,16 +98,11 @@
          (cond [(regexp-match? #rx"cannot reference an identifier before its definition" message)
                 (hint-for-unknown id message (advice-in (exn-continuation-marks e)) entry)]
                [(regexp-match? #rx"cannot re-define a constant" message) (hint-for-constant id)]
-               [else #f])]
-        [(exn:fail:contract? e) (hint-for-call message e entry)]
+               [else (hint-for-value message)])]
+        [(exn:fail:contract? e) (or (hint-for-call message e entry) (hint-for-value message))]
+        [(exn:fail:syntax:missing-module? e) (hint-for-module message)]
         [(exn:fail:syntax? e) (hint-for-syntax message)]
-        [else #f]))
-
-(define (hint-for-syntax message)
-  (cond [(regexp-match? #rx"unquote: not in quasiquote" message)
-         "\n  no comma separates arguments, and a decimal has a point: (up 1 2.5)"]
-        [(regexp-match? #rx"missing procedure expression" message)
-         "\n  f() is written (f); the empty list is '()"]
+        [(exn:fail:filesystem:missing-module? e) (hint-for-module message)]
         [else #f]))
 
 ;; Names that the prompt knows nothing of, not those that a module uses too
@@ -147,4 +143,5 @@
   (cond [(exn:fail:contract:variable? e)
          (exn:fail:contract:variable message marks (exn:fail:contract:variable-id e))]
         [(exn:fail:syntax? e) (exn:fail:syntax message marks (exn:fail:syntax-exprs e))]
+        [(exn:fail:filesystem? e) (exn:fail:filesystem message marks)]
         [else (exn:fail:contract message marks)]))

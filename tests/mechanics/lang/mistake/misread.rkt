@@ -22,6 +22,7 @@
            "(6)"
            "[1 2]"
            "['x 'y]"
+           "{1 2}"
            "[radius 3]"
            "[+ 1 2]"
            "(define (combine f g) (list (f 1 2) (g 3 4)))"
@@ -52,6 +53,7 @@
     "application: f(6) is written (f 6)\n"
     "application: brackets are parentheses here; a tuple is (up 1 2)\n"
     "application: brackets are parentheses here; a tuple is (up 'x 'y)\n"
+    "application: braces are parentheses here; a tuple is (up 1 2)\n"
     (undefined "radius" "brackets are parentheses here; a tuple is (up radius 3)"
                "as a symbol it is written 'radius")
     (undefined "dx/dt" "the rate of a path x is (D x), at a time ((D x) 't)")

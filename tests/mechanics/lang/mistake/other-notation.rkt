@@ -90,11 +90,13 @@
   (check-equal? (formula "a+b+c") "(+ (+ a b) c)")
   (check-equal? (formula "1.5t") "(* 1.5 t)")
   (check-equal? (formula "2π") "(* 2 π)")
-  (check-equal? (formula "x-1") "(- x 1)"))
+  (check-equal? (formula "x-1") "(- x 1)")
+  (check-equal? (formula "-x") "(- x)")
+  (check-equal? (formula "-3x^2") "(- (* 3 (expt x 2)))"))
 
 (test-case "names that are no formulas"
   (for ([name '(x omega x-dot L-free r1 x_1 theta0 kinetic-energy F->C m:dimension q* + x+
-                 ^2 /x -x x? part-2)])
+                 ^2 /x x? part-2 - -> -1+)])
     (check-false (typed-formula name) (format "~a" name))))
 
 (test-case "signs of print"

@@ -43,6 +43,8 @@
                       "  missing: f, low, high"))
   (check-equal? (count-hint "sin: expected 1 argument, given 2: 1, 2")
                 "\n  it is called as (sin x)")
+  (check-equal? (count-hint "sin: expected 1 argument, given 0")
+                "\n  it is called as (sin x)\n  missing: x")
   (check-equal? (count-hint (text "application: no case matching 0 non-keyword arguments"
                                   "  procedure: Gamma"))
                 "\n  it is called as (Gamma q [n])\n  missing: q"))

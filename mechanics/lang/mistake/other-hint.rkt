@@ -1,0 +1,31 @@
+#lang racket/base
+;; What is said beneath messages of Racket's own procedures and forms, by the message.
+
+(provide hint-for-syntax hint-for-value hint-for-module)
+
+;; pattern of the message, lines to add
+(define for-syntax-errors
+  '((#rx"unquote: not in quasiquote"
+     "no comma separates arguments, and a decimal has a point: (up 1 2.5)")
+    (#rx"missing procedure expression" "f() is written (f); the empty list is '()")
+    (#rx"(^|: )let: bad syntax" "it is written (let ([m 3]) (* 2 m))")
+    (#rx"(^|: )let[*]: bad syntax" "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))")
+    (#rx"(^|: )for[/a-z*]*: bad " "it is written (for/list ([i 10]) (* i i))")
+    (#rx"bad require spec" "as in (require mechanics/plot)")))
+
+(define for-values
+  '((#rx"\n  (expected: (list|pair)[?][^\n]*\n  given|in): [(](up|down) "
+     "a tuple is no list: (ref s 0) is a component, (structure->list s) a list of them")
+    (#rx"^set!: assignment disallowed" "a definition is (define x 3)")))
+
+(define for-modules
+  '((#rx"cannot open module file\n  module path: [^\n]*mechanics"
+     "the libraries are mechanics, mechanics/plot and mechanics/book")))
+
+(define ((hint-from table) message)
+  (for/or ([entry (in-list table)])
+    (and (regexp-match? (car entry) message) (string-append "\n  " (cadr entry)))))
+
+(define hint-for-syntax (hint-from for-syntax-errors))
+(define hint-for-value (hint-from for-values))
+(define hint-for-module (hint-from for-modules))

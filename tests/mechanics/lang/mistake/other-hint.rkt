@@ -1,0 +1,38 @@
+#lang racket/base
+;; What is said beneath messages of Racket's own forms and procedures, at the prompt.
+
+(require racket/string
+         rackunit
+         "../../support/run-text.rkt")
+
+;; What an input is answered with, on the error port, without its first line; which of those
+;; lines are ours is known by their end.
+(define (last-lines . inputs)
+  (for/list ([input (in-list inputs)])
+    (define-values (output errors) (session '("-I" "mechanics") input))
+    (define lines (string-split errors "\n"))
+    (and (pair? lines) (string-trim (car (reverse lines))))))
+
+(define no-list
+  "a tuple is no list: (ref s 0) is a component, (structure->list s) a list of them")
+(define libraries "the libraries are mechanics, mechanics/plot and mechanics/book")
+
+(test-case "forms"
+  (check-equal? (last-lines "(up 1,2)" "(let (x 3) (* x 2))" "(let* (x 3) x)"
+                            "(for/list i 10 i)" "(require mechanics.plot)" "(f ())")
+                '("no comma separates arguments, and a decimal has a point: (up 1 2.5)"
+                  "it is written (let ([m 3]) (* 2 m))"
+                  "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))"
+                  "it is written (for/list ([i 10]) (* i i))"
+                  "as in (require mechanics/plot)"
+                  "f() is written (f); the empty list is '()")))
+
+(test-case "values"
+  (check-equal? (last-lines "(car (up 1 2))" "(length (down 1 2))" "(list-ref (up 1 2) 0)"
+                            "(map sin (up 1 2))" "(set! never-defined 3)")
+                (list no-list no-list no-list no-list "a definition is (define x 3)"))
+  (check-equal? (last-lines "(car 3)") '("given: 3")))
+
+(test-case "libraries"
+  (check-equal? (last-lines "(require mechanics/books)" "(require \"mechanics\")")
+                (list libraries libraries)))
