@@ -9,7 +9,7 @@
 
 (require-on-demand ["count-message.rkt" restated]
                    ["own-signature.rkt" own-count-hint tuple-hint-of-library]
-                   ["signature-hint.rkt" count-hint keyword-names constraint-hint])
+                   ["signature-hint.rkt" count-hint order-hint keyword-names constraint-hint])
 
 (provide hint-for-call in-our-words)
 
@@ -19,6 +19,7 @@
   (or (hint-for-keyword message)
       (and (about-number? message e) (hint-for-number message e entry))
       (and (about-constraint? message) (constraint-hint message))
+      (and (regexp-match? about-order message) (order-hint message))
       (and (regexp-match? applied-number message) "\n  operations come first, as in (* 2 pi)")))
 
 (define (hint-for-number message e entry)
@@ -31,6 +32,11 @@
 ;; The message itself, if it is about something else than a number of arguments.
 (define (in-our-words message e)
   (if (about-number? message e) (restated message) message))
+
+;; A number where a Lagrangian belongs, say.
+(define about-order
+  (pregexp (string-append "^[^\\s]+: (?:a (?:Lagrangian|path) is a function|expected a final time |"
+                          "expected a state of real numbers; the procedure )")))
 
 ;; (pi * 2): names of the library are applied by Racket itself.
 (define applied-number

@@ -14,7 +14,7 @@
          "../help/card-lines.rkt" "../help/card.rkt" "../help/cards.rkt"
          (for-syntax racket/base))
 
-(provide count-hint keyword-names constraint-hint)
+(provide count-hint order-hint keyword-names constraint-hint)
 
 ;; The procedures that the manual describes under this name, as signatures; none if another is
 ;; meant, or where there is no table and no manual to make it of: a message must not fail.
@@ -63,6 +63,15 @@
                                (if (null? (cdr signatures))
                                    (list (what-differs (car signatures) given message))
                                    '())))))
+
+;; Of a procedure with three arguments and more, which may be in the wrong order: how it is
+;; called, or #f.
+(define (order-hint message)
+  (define name (name-in message))
+  (define signatures (if name (signatures-of (string->symbol name)) '()))
+  (and (pair? signatures)
+       (andmap (lambda (s) (>= (length (signature-needed s)) 3)) signatures)
+       (string-append* (map called-as signatures))))
 
 (define (name-in message)
   (define found (or (regexp-match #rx"^application: [^\n]*\n  procedure: ([^ \n]+)" message)

@@ -3,7 +3,8 @@
 ;; its arguments by name, the missing ones, the keyword that may have been meant.
 
 (require (for-label mechanics/lang/help/table)
-         (only-in mechanics/lang/mistake/signature-hint count-hint constraint-hint keyword-names)
+         (only-in mechanics/lang/mistake/signature-hint
+                  count-hint order-hint constraint-hint keyword-names)
          racket/string
          rackunit
          "../../support/run-text.rkt")
@@ -83,6 +84,14 @@
   (check-false (count-hint (arity 'L-harmonic 2 3)))
   (check-false (count-hint "arity mismatch")))
 
+(test-case "arguments in the wrong order"
+  (check-equal? (order-hint "find-path: a Lagrangian is a function of the local tuple")
+                (text ""
+                      "  it is called as (find-path L t0 q0 t1 q1 n [#:tolerance tolerance]"
+                      "      [#:observe observe] [#:progress progress?])"))
+  (check-false (order-hint "Lagrangian->energy: a Lagrangian is a function of the local tuple"))
+  (check-false (order-hint "my-own: a path is a function of time")))
+
 ;; ---------------------------------------------------------------------------
 ;; Keywords
 
@@ -113,6 +122,7 @@
              "(find-path L 0 0 1 1 2 #:observer 1)"
              "(define (minimize f) f)"
              "(minimize 1 2)"
+             "(Lagrangian-action L 0 1 sin)"
              "(require mechanics/book)"
              "(L-harmonic 'm)"
              "Lie-transform"))
@@ -126,6 +136,9 @@
   (check-regexp-match (regexp (string-append "minimize: takes 1 argument; it was given 2\n"
                                              "  it is called as [(]minimize f[)]\n"))
                       errors)
+  (check-regexp-match
+   #rx"given the number 0\n[^\n]*\n  it is called as [(]Lagrangian-action L q t1 t2 "
+   errors)
   (check-regexp-match #rx"  it is called as [(][(]L-harmonic m k[)] local[)]\n" errors)
   (check-regexp-match
    (regexp (string-append "\n  it belongs to section 6.4 of the book [(]Lie series, "
