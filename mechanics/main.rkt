@@ -9,7 +9,8 @@
                   definite-integral-with-tolerance)
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
-         "display/output.rkt" "display/print-expression.rkt"
+         "algebra/notation/formula-style.rkt"
+         "display/on-demand.rkt" "display/output.rkt" "display/print-expression.rkt"
          "force/on-demand.rkt"
          (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
                     asked-for-momentum?)
@@ -104,7 +105,8 @@
  rotating->inertial inertial->rotating accelerated->inertial inertial->accelerated
  ;; showing
  print-expression pe show-expression se series:print
- (all-from-out "display/output.rkt"))
+ (all-from-out "display/output.rkt" "display/on-demand.rkt")
+ derivative-style suppress-arguments)
 
 ;; Run by `racket -I mechanics` and by programs written in `#lang mechanics`.
 (module configure-runtime racket/base

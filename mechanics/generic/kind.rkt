@@ -30,16 +30,19 @@
 ;; closed?   : #t for kinds of function that can have captured no value
 ;; component : value index -> the part that `ref` gives; #f where there is none
 ;; parts     : of carriers, what their own floor wants to know of them
+;; notation  : value (value -> tree) -> the tree it is typeset by (notation.rkt); #f: that of
+;;             its datum
 (struct kind (rank describe datum map unary binary comparand zero? same? arity closed?
-              component parts)
+              component parts notation)
   #:authentic)
 
 (define (make-kind #:rank rank #:describe describe #:datum datum
                    #:map [map #f] #:unary [unary #f] #:binary [binary #f]
                    #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
                    #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f]
-                   #:component [component #f] #:parts [parts #f])
-  (kind rank describe datum map unary binary comparand zero? same? arity closed? component parts))
+                   #:component [component #f] #:parts [parts #f] #:notation [notation #f])
+  (kind rank describe datum map unary binary comparand zero? same? arity closed? component parts
+        notation))
 
 (define-values (prop:kind has-kind? kind-of-type) (make-struct-type-property 'kind))
 

@@ -8,7 +8,7 @@
 
 (require racket/flonum
          (submod racket/performance-hint begin-encourage-inline)
-         "describe.rkt" "kind.rkt" "scalar.rkt" "value-struct.rkt"
+         "describe.rkt" "kind.rkt" "notation.rkt" "scalar.rkt" "value-struct.rkt"
          "../error/complain.rkt"
          "../numeric/vector-map.rkt")
 
@@ -36,6 +36,9 @@
              (cons (structure-orientation s)
                    (for/list ([x (in-vector (structure-elements s))])
                      (value->datum x))))
+   #:notation (lambda (s see)
+                ((if (up? s) tree:column tree:across)
+                 (for/list ([x (in-vector (structure-elements s))]) (see x))))
    #:map (lambda (f s)
            (structure (structure-orientation s)
                       (vector-map (lambda (x) (map-leaves f x))

@@ -10,7 +10,7 @@
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/dispatch.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
-         "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
+         "../../generic/notation.rkt" "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt")
 
 (provide
@@ -31,6 +31,9 @@
                        (cons 'matrix-by-rows
                              (for/list ([row (in-vector (matrix-rows m))])
                                (cons 'list (map value->datum (vector->list row))))))
+             #:notation (lambda (m see)
+                          (tree:grid (for/list ([row (in-vector (matrix-rows m))])
+                                       (map see (vector->list row)))))
              #:map (lambda (f m) (matrix-map (lambda (x) (map-leaves f x)) m))
              #:unary (lambda (op m)
                        (case (generic-op-name op)

@@ -1,0 +1,153 @@
+#lang racket/base
+;; Sums, products, quotients and powers of trees, as a physicist writes them: minus signs are
+;; drawn to the front, factors stand in the order numbers, constants, variables, sums,
+;; functions, negative exponents become denominators, and parentheses are where they must be.
+
+(require racket/list
+         "name.rkt" "numeral.rkt" "tree.rkt")
+
+(provide sum-of difference-of product-of quotient-of power-of as-function)
+
+;; ---------------------------------------------------------------------------
+;; Sums
+
+(define (sum-of trees)
+  (define terms (append-map terms-of trees))
+  (cond [(null? terms) (digits "0")]
+        [(and (null? (cdr terms)) (not (term-negative? (car terms)))) (term-body (car terms))]
+        [else (sum terms)]))
+
+(define (terms-of t)
+  (cond [(sum? t) (sum-terms t)]
+        [else (list (term #f (if (relation? t) (parenthesized t) t)))]))
+
+(define (difference-of first rest)
+  (sum-of (cons first (map subtracted rest))))
+
+(define (subtracted t)
+  (cond [(negative-body t) => values]
+        [(or (sum? t) (relation? t)) (negated (parenthesized t))]
+        [else (negated t)]))
+
+;; ---------------------------------------------------------------------------
+;; Products
+
+;; commuting? : may factors change places?
+(define (product-of trees commuting?)
+  (define-values (negative? factors) (signs-apart trees))
+  (define flat (append-map factors-of factors))
+  (define t (if commuting?
+                (over-denominators (sort flat < #:key place #:cache-keys? #t))
+                (plain-product flat)))
+  (if negative? (negated t) t))
+
+;; An odd number of minus signs, and the factors without.
+(define (signs-apart trees)
+  (for/fold ([negative? #f] [factors '()] #:result (values negative? (reverse factors)))
+            ([t (in-list trees)])
+    (define body (negative-body t))
+    (values (if body (not negative?) negative?) (cons (or body t) factors))))
+
+(define (factors-of t) (if (product? t) (product-factors t) (list t)))
+
+;; Reciprocals among the factors make a quotient of the product.
+(define (over-denominators factors)
+  (define-values (below above) (partition reciprocal? factors))
+  (if (null? below)
+      (plain-product above)
+      (quotient-of (plain-product above)
+                   (plain-product (append-map factors-of (map fraction-denominator below))))))
+
+(define (reciprocal? t)
+  (and (fraction? t) (one? (fraction-numerator t)) (not (digits? (fraction-denominator t)))))
+
+(define (one? t) (equal? t (digits "1")))
+
+(define (plain-product factors)
+  (define needed (if (null? factors) factors (remove-ones factors)))
+  (cond [(null? needed) (digits "1")]
+        [(null? (cdr needed)) (car needed)]
+        [else (product (cons (as-factor (car needed))
+                             (for/list ([f (in-list (cdr needed))])
+                               (if (begins-with-digit? f) (parenthesized f) (as-factor f)))))]))
+
+(define (remove-ones factors)
+  (define others (filter (lambda (f) (not (one? f))) factors))
+  (if (null? others) (list (car factors)) others))
+
+(define (as-factor t)
+  (if (or (sum? t) (relation? t)) (parenthesized t) t))
+
+;; Beside another factor, 2 3 would read as 23.
+(define (begins-with-digit? t)
+  (or (digits? t) (scientific? t) (imaginary? t) (numeric-fraction? t)
+      (and (power? t) (begins-with-digit? (power-base t)))))
+
+(define (numeric-fraction? t)
+  (and (fraction? t) (digits? (fraction-numerator t)) (digits? (fraction-denominator t))))
+
+;; Where a factor stands among others.
+(define (place t)
+  (cond [(power? t) (max 1 (place (power-base t)))]
+        [(radical? t) (max 1 (place (radical-body t)))]
+        [(parenthesized? t) (place (parenthesized-body t))]
+        [(dotted? t) 5]
+        [(or (begins-with-digit? t) (word? t)) 0]
+        [(name? t) (if (eq? (name-symbol t) 'pi) 1 2)]
+        [(product? t) (apply max (map place (product-factors t)))]
+        [(or (sum? t) (fraction? t) (bars? t)) 4]
+        [(or (application? t) (derivative? t) (exponential? t)) 5]
+        [else 6]))
+
+;; ---------------------------------------------------------------------------
+;; Quotients
+
+(define (quotient-of above below)
+  (define-values (negative? parts) (signs-apart (list above below)))
+  (define t (quotient-of-positives (car parts) (cadr parts)))
+  (if negative? (negated t) t))
+
+;; A rational coefficient above is parted: (1/2 a)/b is a/(2 b).
+(define (quotient-of-positives above below)
+  (define factors (factors-of above))
+  (define coefficient (car factors))
+  (if (and (numeric-fraction? coefficient) (not (digits? below)))
+      (fraction (plain-product (cons (fraction-numerator coefficient) (cdr factors)))
+                (plain-product (cons (fraction-denominator coefficient) (factors-of below))))
+      (fraction above below)))
+
+;; ---------------------------------------------------------------------------
+;; Powers
+
+(define (power-of base exponent)
+  (define body (negative-body exponent))
+  (cond [body (fraction (digits "1") (if (one? body) base (power-of base body)))]
+        [(and (known-function? base) (digits? exponent))
+         (application (power (application-function base) exponent)
+                      (application-arguments base) (application-bare? base))]
+        [else (power (as-base base) exponent)]))
+
+;; sin x, whose square is sin² x
+(define (known-function? t) (and (application? t) (word? (application-function t))))
+
+(define (as-base t)
+  (if (or (sum? t) (product? t) (fraction? t) (power? t) (radical? t) (exponential? t)
+          (scientific? t) (imaginary? t) (relation? t) (derivative? t)
+          (and (application? t) (application-bare? t))
+          (and (application? t) (power? (application-function t)))
+          (and (name? t) (raised? t)))
+      (parenthesized t)
+      t))
+
+;; Has the name a superscript?
+(define (raised? t)
+  (for/or ([m (in-list (parts-marks (name-parts (name-symbol t))))]) (eqv? (car m) #\^)))
+
+;; ---------------------------------------------------------------------------
+
+;; What may stand before arguments in parentheses.
+(define (as-function t)
+  (if (or (name? t) (word? t) (derivative? t) (dotted? t) (parenthesized? t) (plain? t)
+          (and (application? t) (not (application-bare? t))))
+      t
+      (parenthesized t)))

@@ -1,0 +1,22 @@
+#lang racket/base
+;; What a reader may choose about the look of formulas.
+
+(provide derivative-style suppress-arguments)
+
+;; How derivatives of functions of one variable are marked: by dots or by D.  'automatic:
+;; those of functions of t by up to three dots where a formula is drawn, by D on one line.
+(define derivative-style
+  (make-parameter 'automatic
+                  (lambda (style)
+                    (unless (memq style '(automatic dots D))
+                      (raise-argument-error 'derivative-style "'automatic, 'dots or 'D" style))
+                    style)))
+
+;; Symbols: a literal function applied to these alone is shown without its arguments.
+(define suppress-arguments
+  (make-parameter '()
+                  (lambda (names)
+                    (unless (and (list? names) (andmap symbol? names))
+                      (raise-argument-error 'suppress-arguments
+                                            "a list of symbols, such as '(t)" names))
+                    names)))

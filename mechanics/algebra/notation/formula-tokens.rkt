@@ -1,0 +1,82 @@
+#lang racket/base
+;; The words and signs of a formula on one line.
+
+(require "line-name.rkt"
+         "../expression/operation.rkt")
+
+(provide tokens (struct-out token) known-word?)
+
+;; at : position in the text; spaced? : does a space stand before it?
+(struct token (kind text value at spaced?) #:authentic)
+
+;; text (text position what -> does not return) -> list of tokens, the last of kind 'end
+(define (tokens text fail)
+  (define n (string-length text))
+  (let loop ([at 0] [spaced? #f] [found '()])
+    (cond [(= at n) (reverse (cons (token 'end "" #f at #t) found))]
+          [(char-whitespace? (string-ref text at)) (loop (+ at 1) #t found)]
+          [else
+           (define t (token-at-position text at spaced?))
+           (unless t (fail text at (substring text at (min n (+ at 12)))))
+           (loop (+ at (string-length (token-text t))) #f (cons t found))])))
+
+(define (token-at-position text at spaced?)
+  (for/or ([rule (in-list rules)])
+    (define m (regexp-match (cadr rule) text at))
+    (and m (token (car rule) (car m) ((caddr rule) m) at spaced?))))
+
+(define letter "(?:\\p{Lu}|\\p{Ll}|\\p{Lt}|\\p{Lo})")
+
+(define rules
+  (list
+   (list 'number #px"^[½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞]" (lambda (m) (hash-ref small-numbers (car m))))
+   (list 'number #px"^([0-9]+(?:[.][0-9]*)?)(?:×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?" (lambda (m) (number-of m)))
+   (list 'number #px"^∞" (lambda (m) +inf.0))
+   (list 'number #px"^NaN(?!\\p{L})" (lambda (m) +nan.0))
+   (list 'partial #px"^∂(?:([₀-₉]+)|_[(]([0-9,]+)[)])" (lambda (m) (path-of m)))
+   (list 'plain #px"^<function>" (lambda (m) '<function>))
+   (list 'name #px"^D(?!_)" (lambda (m) 'D))
+   (list 'name
+         (pregexp (format "^~a+(?:-~a+)*[\u307\u308\u20DB]?[0-9]*(?:[_^](?:~a|[0-9])+|[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ]+)*"
+                          letter letter letter))
+         (lambda (m) (line-name->symbol (car m))))
+   (list 'quoted #px"^[|]((?:[^|\\\\]|\\\\.)*)[|]" (lambda (m) (quoted-symbol (cadr m))))
+   (list 'raised #px"^[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+" (lambda (m) (string->number (superscript->text (car m)))))
+   (list 'plus #rx"^[+]" void) (list 'minus #px"^[−-]" void) (list 'slash #rx"^/" void)
+   (list 'caret #rx"^\\^" void) (list 'root #rx"^√" void)
+   (list 'open #rx"^[(]" void) (list 'close #rx"^[)]" void)
+   (list 'bracket #rx"^[[]" void) (list 'bracket-close #rx"^[]]" void)
+   (list 'comma #rx"^," void) (list 'semicolon #rx"^;" void)
+   (list 'relation #px"^[=<>≤≥∘]" void)))
+
+(define small-numbers
+  (hash "½" 1/2 "⅓" 1/3 "⅔" 2/3 "¼" 1/4 "¾" 3/4 "⅕" 1/5 "⅖" 2/5 "⅗" 3/5 "⅘" 4/5 "⅙" 1/6
+        "⅚" 5/6 "⅛" 1/8 "⅜" 3/8 "⅝" 5/8 "⅞" 7/8))
+
+(define (number-of m)
+  (define exponent (caddr m))
+  (if exponent
+      (string->number (string-append (cadr m) "e" (superscript->text exponent)))
+      (string->number (cadr m))))
+
+(define (path-of m)
+  (if (cadr m)
+      (list (string->number (list->string (for/list ([c (in-string (cadr m))])
+                                            (integer->char (- (char->integer c) 8272))))))
+      (map string->number (regexp-match* #rx"[0-9]+" (caddr m)))))
+
+(define (quoted-symbol text)
+  (define (character all escaped) 
+    (if (regexp-match? #rx"^u" escaped)
+        (string (integer->char (string->number (substring escaped 1 (sub1 (string-length escaped)))
+                                               16)))
+        escaped))
+  (string->symbol (regexp-replace* #px"\\\\(u[0-9a-f]+;|.)" text character)))
+
+;; The name of a function that is applied without parentheses, too, or of a container.
+(define (known-word? text) (hash-has-key? known-words text))
+
+(define known-words
+  (for/hash ([s (in-list (append (map operation-name operations)
+                                 '(up down list sec csc cot sech csch coth)))])
+    (values (symbol->string s) #t)))

@@ -1,0 +1,150 @@
+#lang racket/base
+;; S-expressions as trees: what an expression, an operator or a relation prints as, in the
+;; notation of a physics book.
+
+(require "combine.rkt" "cut.rkt" "formula-style.rkt" "marks.rkt" "numeral.rkt" "tree.rkt"
+         "../expression/operation.rkt")
+
+(provide datum->tree plain-datum->tree (struct-out way) current-way)
+
+;; How a datum is to be written.
+;; dots?     : (datum of the argument -> boolean) are derivatives with respect to it marked by
+;;             dots?
+;; hidden    : symbols; arguments that consist of them are not shown
+;; commuting?: may factors be ordered?
+(struct way (dots? hidden commuting?) #:authentic)
+
+;; drawn? : is the formula drawn, and not on one line?
+(define (current-way drawn? commuting?)
+  (define style (derivative-style))
+  (way (lambda (argument)
+         (or (eq? style 'dots) (and (eq? style 'automatic) drawn? (eq? argument 't))))
+       (suppress-arguments)
+       commuting?))
+
+;; In the order in which it is written, and drawn.
+(define (plain-datum->tree d) (datum->tree d (current-way #t #f)))
+
+;; Trees may stand in the datum for themselves.
+(define (datum->tree d w)
+  (define known (make-hasheq))
+  (define (tree d)
+    (cond [(pair? d)
+           (or (hash-ref known d #f)
+               (let ([t (if (list? d) (form d w tree) (plain (format "~s" d)))])
+                 (hash-set! known d t)
+                 t))]
+          [(number? d) (number->tree d)]
+          [(symbol? d) (symbol->tree d w)]
+          [(or (string? d) (keyword? d) (boolean? d) (null? d)) (plain (format "~s" d))]
+          [else d]))
+  (tree (cut-datum d)))
+
+(define (symbol->tree s w)
+  (cond [(eq? s '<function>) (plain "<function>")]
+        [(and (not (way-commuting? w)) (known-function? s)) (hash-ref known-functions s)]
+        [else (name s)]))
+
+;; ---------------------------------------------------------------------------
+;; Forms
+
+(define (form d w tree)
+  (define head (car d))
+  (define arguments (cdr d))
+  (cond [(and (symbol? head) (hash-ref makers head #f))
+         => (lambda (make) (or (make (map tree arguments) w) (application-form d w tree)))]
+        [(matrix-rows d) => (lambda (rows) (grid (map (lambda (row) (map tree row)) rows)))]
+        [(marks-of d) => (lambda (marks) (derivative marks #f))]
+        [(and (marks-of head) (= 1 (length arguments)))
+         (derivative (marks-of head) (as-function (tree (car arguments))))]
+        [else (application-form d w tree)]))
+
+;; The rows of (matrix-by-rows (list a ...) ...), or #f
+(define (matrix-rows d)
+  (and (eq? (car d) 'matrix-by-rows)
+       (pair? (cdr d))
+       (andmap (lambda (row) (and (list? row) (pair? row) (eq? (car row) 'list))) (cdr d))
+       (map cdr (cdr d))))
+
+(define (application-form d w tree)
+  (define head (car d))
+  (define arguments (cdr d))
+  (cond [(and (pair? arguments) (hidden? arguments w) (not (known-function? head)))
+         (function-of head arguments w tree)]
+        [(known-function? head) (known-application head (map tree arguments))]
+        [else (application (as-function (function-of head arguments w tree))
+                           (map tree arguments) #f)]))
+
+(define (hidden? arguments w)
+  (andmap (lambda (a) (and (symbol? a) (memq a (way-hidden w)))) arguments))
+
+;; The function at the head of an application, dotted where that is the way.
+(define (function-of head arguments w tree)
+  (define order (dots-of head))
+  (if (and order (= 1 (length arguments)) ((way-dots? w) (car arguments)))
+      (dotted (tree (cadr head)) order)
+      (tree head)))
+
+;; ---------------------------------------------------------------------------
+;; Functions whose meaning is known
+
+(define known-functions
+  (for/hasheq ([f (in-list (append (map operation-name operations) '(sec csc cot sech csch coth)))]
+               #:unless (memq f '(+ - * / expt sqrt abs exp)))
+    (values f (word (symbol->string f)))))
+
+(define (known-function? head) (and (symbol? head) (hash-has-key? known-functions head)))
+
+(define (known-application head arguments)
+  (application (hash-ref known-functions head) arguments
+               (and (pair? arguments) (null? (cdr arguments)) (simple? (car arguments)))))
+
+;; May it follow a function without parentheses?
+(define (simple? t) (or (and (name? t) (short-name? t)) (digits? t)))
+
+;; ---------------------------------------------------------------------------
+;; Forms with a notation of their own: (trees way -> tree), #f where it does not apply
+
+(define (of-one make) (lambda (ts w) (and (pair? ts) (null? (cdr ts)) (make (car ts)))))
+(define (of-two make) (lambda (ts w) (and (= 2 (length ts)) (make (car ts) (cadr ts)))))
+
+(define ((chain sign) ts w)
+  (and (>= (length ts) 2)
+       (for/fold ([left (car ts)]) ([right (in-list (cdr ts))]) (relation left sign right))))
+
+(define ((adjective sign) ts w)
+  (and (= 1 (length ts)) (relation (car ts) sign (digits "0"))))
+
+(define (minus ts w)
+  (cond [(null? ts) #f]
+        [(null? (cdr ts)) (opposite (car ts))]
+        [else (difference-of (car ts) (cdr ts))]))
+
+(define (opposite t)
+  (cond [(negative-body t) => values]
+        [(or (sum? t) (relation? t)) (negated (parenthesized t))]
+        [else (negated t)]))
+
+(define (over ts w)
+  (cond [(null? ts) #f]
+        [(null? (cdr ts)) (quotient-of (digits "1") (car ts))]
+        [else (for/fold ([t (car ts)]) ([below (in-list (cdr ts))]) (quotient-of t below))]))
+
+(define makers
+  (hasheq '+ (lambda (ts w) (and (pair? ts) (sum-of ts)))
+          '- minus
+          '* (lambda (ts w) (and (pair? ts) (product-of ts (way-commuting? w))))
+          '/ over
+          'expt (of-two power-of)
+          'square (of-one (lambda (t) (power-of t (digits "2"))))
+          'cube (of-one (lambda (t) (power-of t (digits "3"))))
+          'sqrt (of-one radical)
+          'abs (of-one bars)
+          'exp (of-one exponential)
+          'up (lambda (ts w) (column ts))
+          'down (lambda (ts w) (across ts))
+          'list (lambda (ts w) (listing ts))
+          '= (chain "=") '< (chain "<") '> (chain ">") '<= (chain "≤") '>= (chain "≥")
+          'positive (adjective ">") 'negative (adjective "<")
+          'nonnegative (adjective "≥") 'nonpositive (adjective "≤")
+          'compose (chain "∘")))

@@ -1,0 +1,126 @@
+#lang racket/base
+;; Names on one line, and back: `theta_1` is θ₁, `xdotdot` is ẍ, `p_phi` is p_φ.
+;;
+;; What cannot be told from something else stands between bars.
+
+(require "name.rkt" "tree.rkt"
+         "../expression/operation.rkt")
+
+(provide line-name line-name->symbol speller
+         superscripts superscript->text raised-text)
+
+;; ---------------------------------------------------------------------------
+;; Writing
+
+;; A procedure that spells the names of a tree: two that look alike, such as theta and θ, are
+;; told apart.
+(define (speller tree)
+  (define names (make-hasheq))
+  (let collect ([t tree])
+    (if (name? t) (hash-set! names (name-symbol t) #t) (for-each collect (tree-parts t))))
+  (define texts (make-hash))            ; text -> the symbol that may have it
+  (for ([s (in-list (sort (hash-keys names) symbol<?))])
+    (define text (line-name s))
+    (when (or (not (hash-ref texts text #f)) (eq? s (line-name->symbol text)))
+      (hash-set! texts text s)))
+  (lambda (s)
+    (define text (line-name s))
+    (if (eq? s (hash-ref texts text s)) text (between-bars s))))
+
+(define (line-name s)
+  (define p (name-parts s))
+  (define text (if (eq? (parts-sort p) 'odd) "" (regular-text p)))
+  (if (or (string=? text "") (reserved? text)) (between-bars s) text))
+
+(define (regular-text p)
+  (string-append
+   (string-normalize-nfc (string-append (parts-base p) (vector-ref dots (parts-dots p))))
+   (parts-digits p)
+   (apply string-append
+          (for/list ([m (in-list (parts-marks p))])
+            (if (eqv? (car m) #\_)
+                (or (lowered-text (cdr m)) (string-append "_" (cdr m)))
+                (string-append "^" (cdr m)))))))
+
+(define dots (vector "" "\u307" "\u308" "\u20DB"))
+
+;; A name that reads as something else: of a function that is known, or D of one.
+(define (reserved? text)
+  (or (hash-has-key? reserved text)
+      (regexp-match? #rx"^D." text)))
+
+(define reserved
+  (for/hash ([s (in-list (append (map operation-name operations)
+                                 '(up down list sec csc cot sech csch coth)))])
+    (values (symbol->string s) #t)))
+
+(define (between-bars s)
+  (string-append "|"
+                 (regexp-replace* #px"[|\\\\]|\\p{C}|\\p{Z}" (symbol->string s) escaped)
+                 "|"))
+
+(define (escaped c)
+  (cond [(member c '("|" "\\")) (string-append "\\" c)]
+        [(string=? c " ") c]
+        [else (format "\\u~a;" (number->string (char->integer (string-ref c 0)) 16))]))
+
+;; ---------------------------------------------------------------------------
+;; Reading
+
+;; The symbol that a text without bars stands for.
+(define (line-name->symbol text)
+  (define m (regexp-match #px"^([^0-9₀-₉ₐ-ₜᵢᵣᵤᵥᵦ-ᵪ_^]+)([0-9]*)(.*)$" text))
+  (define-values (base n) (dots-apart (if m (cadr m) text)))
+  (string->symbol
+   (string-append (letter-name base)
+                  (apply string-append (for/list ([_ (in-range n)]) "dot"))
+                  (if m (caddr m) "")
+                  (if m (marks->text (cadddr m)) ""))))
+
+(define (dots-apart text)
+  (define decomposed (string-normalize-nfd text))
+  (define last (and (> (string-length decomposed) 1)
+                    (substring decomposed (sub1 (string-length decomposed)))))
+  (define n (or (for/first ([d (in-vector dots)] [i (in-naturals)] #:when (equal? d last)) i) 0))
+  (values (if (= n 0)
+              text
+              (string-normalize-nfc (substring decomposed 0 (sub1 (string-length decomposed)))))
+          n))
+
+(define (letter-name text) (or (letter->greek text) text))
+
+(define (marks->text text)
+  (apply string-append
+         (for/list ([m (in-list (regexp-match* #px"[_^][^_^₀-₉ₐ-ₜᵢᵣᵤᵥᵦ-ᵪ]+|[₀-₉ₐ-ₜᵢᵣᵤᵥᵦ-ᵪ]+"
+                                               text))])
+           (if (memv (string-ref m 0) '(#\_ #\^))
+               (string-append (substring m 0 1) (letter-name (substring m 1)))
+               (string-append "_" (list->string (for/list ([c (in-string m)]) (raise c))))))))
+
+;; ---------------------------------------------------------------------------
+;; Letters below and above the line
+
+(define lowered-letters
+  (hasheqv #\0 #\₀ #\1 #\₁ #\2 #\₂ #\3 #\₃ #\4 #\₄ #\5 #\₅ #\6 #\₆ #\7 #\₇ #\8 #\₈ #\9 #\₉
+           #\a #\ₐ #\e #\ₑ #\h #\ₕ #\i #\ᵢ #\j #\ⱼ #\k #\ₖ #\l #\ₗ #\m #\ₘ #\n #\ₙ #\o #\ₒ
+           #\p #\ₚ #\r #\ᵣ #\s #\ₛ #\t #\ₜ #\u #\ᵤ #\v #\ᵥ #\x #\ₓ))
+
+(define raised-letters (for/hasheqv ([(c low) (in-hash lowered-letters)]) (values low c)))
+(define (raise c) (hash-ref raised-letters c c))
+
+;; The text below the line, or #f where a letter cannot stand there.
+(define (lowered-text text)
+  (define all (for/list ([c (in-string text)]) (hash-ref lowered-letters c #f)))
+  (and (andmap values all) (list->string all)))
+
+(define superscripts
+  (hasheqv #\0 #\⁰ #\1 #\¹ #\2 #\² #\3 #\³ #\4 #\⁴ #\5 #\⁵ #\6 #\⁶ #\7 #\⁷ #\8 #\⁸ #\9 #\⁹
+           #\- #\⁻))
+
+(define lower (for/hasheqv ([(c high) (in-hash superscripts)]) (values high c)))
+
+;; Of digits and minus signs
+(define (raised-text text)
+  (list->string (for/list ([c (in-string text)]) (hash-ref superscripts c))))
+(define (superscript->text text)
+  (list->string (for/list ([c (in-string text)]) (hash-ref lower c))))

@@ -1,0 +1,173 @@
+#lang racket/base
+;; Formulas on one line, as infix.rkt writes them, read back as S-expressions.
+;;
+;;     relation := sum { (= < > ≤ ≥ ∘) sum }          sum     := [−] term { (+ −) term }
+;;     term     := product { / factor }               product := factor { factor }
+;;     factor   := primary { superscript | ^( ) | ( arguments ) }, none of them after a space
+
+(require "formula-tokens.rkt" "line-name.rkt"
+         "../../error/complain.rkt")
+
+(provide infix->datum)
+
+(define (infix->datum text)
+  (define in (reader (tokens text fail) text))
+  (define d (read-relation in))
+  (unless (eq? (kind-ahead in) 'end) (unexpected in))
+  d)
+
+;; left : the tokens not yet read
+(struct reader ([left #:mutable] text) #:authentic)
+
+(define (ahead in) (car (reader-left in)))
+(define (kind-ahead in) (token-kind (ahead in)))
+(define (ahead? in kind) (eq? (kind-ahead in) kind))
+(define (glued? in kind) (and (ahead? in kind) (not (token-spaced? (ahead in)))))
+
+(define (take! in)
+  (define t (ahead in))
+  (set-reader-left! in (cdr (reader-left in)))
+  t)
+
+(define (expect! in kind)
+  (unless (ahead? in kind) (unexpected in))
+  (take! in))
+
+(define (unexpected in)
+  (define t (ahead in))
+  (fail (reader-text in) (token-at t)
+        (if (eq? (token-kind t) 'end) "it ends here" (format "~a" (token-text t)))))
+
+(define (fail text at what)
+  (complain 'read-infix "not a formula on one line\n  at: ~a, position ~a\n  in: ~a"
+            what at text))
+
+;; ---------------------------------------------------------------------------
+;; Sums and products
+
+(define relation-names
+  (hash "=" '= "<" '< ">" '> "≤" '<= "≥" '>= "∘" 'compose))
+
+(define (read-relation in)
+  (let loop ([left (read-sum in)])
+    (if (ahead? in 'relation)
+        (let ([name (hash-ref relation-names (token-text (take! in)))])
+          (define right (read-sum in))
+          (loop (if (and (pair? left) (eq? (car left) name) (> (length left) 2))
+                    (append left (list right))
+                    (list name left right))))
+        left)))
+
+(define (read-sum in)
+  (define (next-term)
+    (define negative? (and (ahead? in 'minus) (take! in)))
+    (define t (read-term in))
+    (if negative? (negative t) t))
+  (let loop ([terms (list (next-term))])
+    (cond [(ahead? in 'plus) (take! in) (loop (cons (read-term in) terms))]
+          [(ahead? in 'minus) (loop (cons (next-term) terms))]
+          [(null? (cdr terms)) (car terms)]
+          [(andmap number? terms) (apply + terms)]
+          [else (cons '+ (reverse terms))])))
+
+(define (negative d)
+  (cond [(and (number? d) (not (eqv? d 0))) (- d)]
+        [(and (pair? d) (eq? (car d) '*) (real? (cadr d))) (list* '* (- (cadr d)) (cddr d))]
+        [(and (pair? d) (eq? (car d) '*)) (list* '* -1 (cdr d))]
+        [else (list '* -1 d)]))
+
+(define (read-term in)
+  (let loop ([t (read-product in)])
+    (cond [(ahead? in 'slash) (take! in) (loop (quotient-of t (read-factor in)))]
+          [else t])))
+
+(define (quotient-of a b)
+  (if (and (exact-integer? a) (exact-integer? b) (not (eqv? b 0))) (/ a b) (list '/ a b)))
+
+(define (read-product in)
+  (let loop ([factors (list (read-factor in))])
+    (cond [(memq (kind-ahead in) '(number name quoted open root bracket partial plain))
+           (loop (cons (read-factor in) factors))]
+          [(null? (cdr factors)) (car factors)]
+          [else (cons '* (reverse factors))])))
+
+;; ---------------------------------------------------------------------------
+;; Factors
+
+(define (read-factor in)
+  (if (ahead? in 'root)
+      (begin (take! in) (list 'sqrt (read-primary in)))
+      (let loop ([d (read-primary in)])
+        (cond [(glued? in 'raised) (loop (list 'expt d (token-value (take! in))))]
+              [(glued? in 'caret)
+               (take! in)
+               (loop (list 'expt d (parenthesized in)))]
+              [(glued? in 'open) (loop (cons d (read-arguments in)))]
+              [(and (glued? in 'name) (eq? 'i (token-value (ahead in))))
+               (take! in)
+               (loop (make-rectangular 0 d))]
+              [else d]))))
+
+(define (parenthesized in)
+  (expect! in 'open)
+  (define d (read-relation in))
+  (expect! in 'close)
+  d)
+
+(define (read-arguments in)
+  (expect! in 'open)
+  (if (ahead? in 'close)
+      (begin (take! in) '())
+      (let loop ([ds (list (read-relation in))])
+        (cond [(ahead? in 'comma) (take! in) (loop (cons (read-relation in) ds))]
+              [else (expect! in 'close) (reverse ds)]))))
+
+(define (read-primary in)
+  (case (kind-ahead in)
+    [(number) (token-value (take! in))]
+    [(open) (parenthesized in)]
+    [(bracket) (read-matrix in)]
+    [(quoted plain) (token-value (take! in))]
+    [(partial) (read-derivative in '())]
+    [(name) (read-name in)]
+    [else (unexpected in)]))
+
+(define (read-name in)
+  (define text (token-text (ahead in)))
+  (cond [(known-word? text) (take! in) (read-known (string->symbol text) in)]
+        [(string=? text "D") (read-derivative in '())]
+        [else (token-value (take! in))]))
+
+;; sin x, sin² x, sin(x + y); a tuple, a list
+(define (read-known name in)
+  (define exponent (and (glued? in 'raised) (token-value (take! in))))
+  (define d
+    (cond [(glued? in 'open) (cons name (read-arguments in))]
+          [(memq (kind-ahead in) '(name number quoted))
+           (list name (token-value (take! in)))]
+          [else name]))
+  (if exponent (list 'expt d exponent) d))
+
+;; D²x, ∂₁∂₀F; the operator itself where nothing follows at once
+(define (read-derivative in marks)
+  (define sign (take! in))
+  (define mark (if (eq? (token-kind sign) 'partial) (cons 'partial (token-value sign)) 'D))
+  (define raised (and (glued? in 'raised) (token-value (take! in))))
+  (define all (append marks (list (if raised (list 'expt mark raised) mark))))
+  (define how (if (null? (cdr all)) (car all) (cons '* all)))
+  (cond [(or (glued? in 'partial) (and (glued? in 'name) (string=? "D" (token-text (ahead in)))))
+         (read-derivative in all)]
+        [(glued? in 'open) (list how (parenthesized in))]
+        [(or (glued? in 'name) (glued? in 'quoted) (glued? in 'plain))
+         (list how (token-value (take! in)))]
+        [else how]))
+
+(define (read-matrix in)
+  (define (read-row)
+    (let loop ([ds (list (read-relation in))])
+      (cond [(ahead? in 'comma) (take! in) (loop (cons (read-relation in) ds))]
+            [else (cons 'list (reverse ds))])))
+  (expect! in 'bracket)
+  (let loop ([rows (list (read-row))])
+    (cond [(ahead? in 'semicolon) (take! in) (loop (cons (read-row) rows))]
+          [else (expect! in 'bracket-close) (cons 'matrix-by-rows (reverse rows))])))

@@ -1,0 +1,91 @@
+#lang racket/base
+;; The tree of a formula: what stands beside, above and below what.
+;;
+;; It is made at one place (formula.rkt for S-expressions, a kind's own layout for other
+;; values) and drawn in several ways: on one line, in lines of text, as TeX, as MathML, as a
+;; picture.  The tree says what is a sum, a quotient, a power; how these look is the affair of
+;; whoever draws it.  Parentheses that every way of drawing needs are in the tree; a line of
+;; text adds those that a fraction bar, a raised exponent or a roof makes unnecessary.
+
+(provide (struct-out name) (struct-out word) (struct-out digits) (struct-out scientific) (struct-out imaginary)
+         (struct-out plain)
+         (struct-out row) (struct-out sum) (struct-out term) (struct-out product)
+         (struct-out fraction) (struct-out power) (struct-out radical) (struct-out exponential)
+         (struct-out parenthesized) (struct-out bars) (struct-out dotted)
+         (struct-out derivative) (struct-out mark)
+         (struct-out application)
+         (struct-out column) (struct-out across) (struct-out grid) (struct-out listing)
+         (struct-out relation) (struct-out omitted)
+         (struct-out report) (struct-out report-line)
+         (struct-out broken) (struct-out continuation)
+         tree-parts)
+
+;; Leaves
+(struct name (symbol) #:transparent)          ; a variable or function, by the reader's name
+(struct word (text) #:transparent)            ; upright: sin, or a word of prose
+(struct digits (text) #:transparent)          ; a number without sign: 12, 0.5
+(struct scientific (digits exponent) #:transparent)   ; digits × 10^exponent
+(struct imaginary (coefficient) #:transparent)   ; a number times i
+(struct plain (text) #:transparent)           ; the plain form of what is no formula
+
+;; Formulas
+(struct row (items) #:transparent)            ; one beside the other, without space
+(struct sum (terms) #:transparent)            ; of `term`s
+(struct term (negative? body) #:transparent)
+(struct product (factors) #:transparent)
+(struct fraction (numerator denominator) #:transparent)
+(struct power (base exponent) #:transparent)
+(struct radical (body) #:transparent)         ; a square root
+(struct exponential (exponent) #:transparent) ; a power of e
+(struct parenthesized (body) #:transparent)
+(struct bars (body) #:transparent)            ; an absolute value
+(struct dotted (base dots) #:transparent)     ; a time derivative, marked by 1 to 3 dots
+(struct derivative (marks function) #:transparent)    ; function: #f of the operator alone
+(struct mark (path count) #:transparent)      ; path: #f for D, or the indices of a ∂
+;; bare?: without parentheses, as in sin x
+(struct application (function arguments bare?) #:transparent)
+
+;; Containers
+(struct column (items) #:transparent)         ; an up tuple
+(struct across (items) #:transparent)         ; a down tuple
+(struct grid (rows) #:transparent)            ; a matrix: lists of one length
+(struct listing (items) #:transparent)
+
+;; Statements
+(struct relation (left sign right) #:transparent)
+(struct omitted (count) #:transparent)        ; in place of so many atoms, a text
+(struct report (lines) #:transparent)
+;; label : a string; parts : trees, none where the label stands alone
+(struct report-line (depth label parts) #:transparent)
+
+;; A sum or product cut into lines, each a tree; what is within the width is never cut.
+(struct broken (lines) #:transparent)
+(struct continuation (sign body) #:transparent)   ; a line that goes on with this sign
+
+;; The trees that a tree consists of.
+(define (tree-parts t)
+  (cond [(row? t) (row-items t)]
+        [(sum? t) (map term-body (sum-terms t))]
+        [(product? t) (product-factors t)]
+        [(fraction? t) (list (fraction-numerator t) (fraction-denominator t))]
+        [(power? t) (list (power-base t) (power-exponent t))]
+        [(radical? t) (list (radical-body t))]
+        [(exponential? t) (list (exponential-exponent t))]
+        [(parenthesized? t) (list (parenthesized-body t))]
+        [(bars? t) (list (bars-body t))]
+        [(dotted? t) (list (dotted-base t))]
+        [(imaginary? t) (list (imaginary-coefficient t))]
+        [(derivative? t) (if (derivative-function t) (list (derivative-function t)) '())]
+        [(application? t) (cons (application-function t) (application-arguments t))]
+        [else (container-parts t)]))
+
+(define (container-parts t)
+  (cond [(column? t) (column-items t)]
+        [(across? t) (across-items t)]
+        [(grid? t) (apply append (grid-rows t))]
+        [(listing? t) (listing-items t)]
+        [(relation? t) (list (relation-left t) (relation-right t))]
+        [(report? t) (apply append (map report-line-parts (report-lines t)))]
+        [(broken? t) (broken-lines t)]
+        [(continuation? t) (list (continuation-body t))]
+        [else '()]))

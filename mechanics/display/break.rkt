@@ -1,0 +1,131 @@
+#lang racket/base
+;; Formulas that are wider than the page, cut into lines: sums at their signs, products between
+;; their factors, and within what stands between parentheses, above or below a fraction bar,
+;; before anything is cut outside.
+;;
+;; Widths are in columns of text, which serves the other ways of drawing well enough.
+
+(require "width.rkt"
+         "../algebra/notation/tree.rkt")
+
+(provide fit)
+
+;; Columns below which it is no use to cut: nesting is too deep.
+(define least-room 12)
+
+;; width : columns, or #f for a line of any length
+(define (fit t width)
+  (cond [(not width) t]
+        [else
+         (define wide (make-meter))
+         (fitted t (max width least-room) wide)]))
+
+(define (fitted t width wide)
+  (define (inner x [less 0]) (fitted x (max least-room (- width less)) wide))
+  (cond [(or (<= (wide t) width) (< width least-room)) t]
+        [(sum? t) (fit-sum t width wide)]
+        [(product? t) (fit-product t width wide)]
+        [(parenthesized? t) (parenthesized (inner (parenthesized-body t) 2))]
+        [(fraction? t) (fraction (inner (fraction-numerator t) 2) (inner (fraction-denominator t) 2))]
+        [(radical? t) (radical (inner (radical-body t) 2))]
+        [(bars? t) (bars (inner (bars-body t) 2))]
+        [(power? t) (power (inner (power-base t) (wide (power-exponent t))) (power-exponent t))]
+        [(relation? t) (fit-relation t width wide)]
+        [(application? t) (fit-application t width wide)]
+        [else (fit-container t width wide inner)]))
+
+(define (fit-container t width wide inner)
+  (cond [(column? t) (column (for/list ([x (in-list (column-items t))]) (inner x 2)))]
+        [(across? t) (across (list (in-lines (across-items t) (- width 2) wide)))]
+        [(listing? t) (listing (list (in-lines (listing-items t) width wide)))]
+        [(grid? t)
+         (define share (quotient (- width 2) (max 1 (length (car (grid-rows t))))))
+         (grid (for/list ([row (in-list (grid-rows t))])
+                 (for/list ([x (in-list row)]) (fitted x (max least-room (- share 2)) wide))))]
+        [(report? t) (report (for/list ([l (in-list (report-lines t))]) (fit-line l width wide)))]
+        [else t]))
+
+;; ---------------------------------------------------------------------------
+
+;; Terms are put on a line as long as they fit.  A line after the first goes on with a sign.
+(define (fit-sum t width wide)
+  (define rows (packed (sum-terms t) (lambda (x) (+ 3 (wide (term-body x)))) (- width 2)))
+  (define (fit-terms terms)
+    (for/list ([x (in-list terms)])
+      (term (term-negative? x) (fitted (term-body x) (max least-room (- width 5)) wide))))
+  (define (first-line terms)
+    (if (and (null? (cdr terms)) (not (term-negative? (car terms))))
+        (term-body (car terms))
+        (sum terms)))
+  (define lines
+    (cons (first-line (fit-terms (car rows)))
+          (for/list ([terms (in-list (map fit-terms (cdr rows)))])
+            (continuation (if (term-negative? (car terms)) "−" "+")
+                          (first-line (cons (term #f (term-body (car terms))) (cdr terms)))))))
+  (if (null? (cdr lines)) (car lines) (broken lines)))
+
+;; One long factor is cut within, if the others leave it room.
+(define (fit-product t width wide)
+  (define factors (product-factors t))
+  (define longest (for/fold ([best (car factors)]) ([f (in-list (cdr factors))])
+                    (if (> (wide f) (wide best)) f best)))
+  (define room (- width (- (wide t) (wide longest))))
+  (if (>= room (quotient width 2))
+      (product (for/list ([f (in-list factors)]) (if (eq? f longest) (fitted f room wide) f)))
+      (broken-product factors width wide)))
+
+(define (broken-product factors width wide)
+  (define rows (packed factors (lambda (f) (+ 1 (wide f))) (- width 2)))
+  (define lines
+    (for/list ([row (in-list rows)])
+      (define fs (for/list ([f (in-list row)]) (fitted f (max least-room (- width 4)) wide)))
+      (if (null? (cdr fs)) (car fs) (product fs))))
+  (if (null? (cdr lines))
+      (car lines)
+      (broken (cons (car lines) (for/list ([l (in-list (cdr lines))]) (continuation "·" l))))))
+
+(define (fit-relation t width wide)
+  (define left (relation-left t))
+  (define right (relation-right t))
+  (define sign (relation-sign t))
+  (define room (- width (wide left) 3))
+  (if (>= room (quotient width 2))
+      (relation left sign (fitted right room wide))
+      (broken (list (fitted left width wide)
+                    (continuation sign (fitted right (- width 4) wide))))))
+
+(define (fit-application t width wide)
+  (define f (application-function t))
+  (define room (- width (wide f) 2))
+  (define arguments (application-arguments t))
+  (application f
+               (if (and (pair? arguments) (null? (cdr arguments)))
+                   (list (fitted (car arguments) (max least-room room) wide))
+                   (list (in-lines arguments (max least-room room) wide)))
+               #f))
+
+;; Items with commas, as many on a line as there is room for.
+(define (in-lines items width wide)
+  (define with-commas
+    (for/list ([x (in-list items)] [left (in-range (length items) 0 -1)])
+      (define y (fitted x width wide))
+      (if (= left 1) y (row (list y (word ", "))))))
+  (broken (for/list ([xs (in-list (packed with-commas wide width))])
+            (if (null? (cdr xs)) (car xs) (row xs)))))
+
+;; The items in rows as long as there is room.
+(define (packed items size width)
+  (define-values (rows last total)
+    (for/fold ([rows '()] [current '()] [total 0]) ([x (in-list items)])
+      (define w (size x))
+      (if (or (null? current) (<= (+ total w) width))
+          (values rows (cons x current) (+ total w))
+          (values (cons (reverse current) rows) (list x) w))))
+  (reverse (cons (reverse last) rows)))
+
+;; The parts that do not fit beside the label have lines of their own.
+(define (fit-line l width wide)
+  (define used (+ (* 2 (report-line-depth l)) (string-length (report-line-label l)) 1))
+  (report-line (report-line-depth l) (report-line-label l)
+               (for/list ([p (in-list (report-line-parts l))])
+                 (fitted p (max least-room (- width used)) wide))))

@@ -1,0 +1,6 @@
+#lang racket/base
+;; Typeset formulas, loaded when the first one is asked for.
+
+(require "../generic/on-demand.rkt")
+
+(provide-on-demand ["typeset.rkt" ->infix ->TeX ->MathML read-infix])

@@ -1,0 +1,32 @@
+#lang racket/base
+;; Values as formulas: the tree of a value, drawn in one of several ways.
+
+(require "MathML.rkt" "TeX.rkt" "break.rkt"
+         "../algebra/notation/infix.rkt" "../algebra/notation/read-infix.rkt"
+         "../error/complain.rkt"
+         "../generic/define-plain.rkt" "../generic/value-tree.rkt"
+         "../value/read-expression.rkt")
+
+(provide ->infix ->TeX ->MathML read-infix check-width)
+
+;; On one line, in characters of Unicode.
+(define (->infix x) (tree->line (value->tree x #f)))
+
+;; For LaTeX's mathematics mode, with amsmath.
+(define-plain (->TeX x #:width [width 80])
+  (check-width '->TeX width)
+  (tree->TeX (fit (value->tree x #t) width)))
+
+(define-plain (->MathML x #:width [width 80] #:inline? [inline? #f])
+  (check-width '->MathML width)
+  (tree->MathML (fit (value->tree x #t) width) (not inline?)))
+
+;; The value of a formula that is written as ->infix writes it.
+(define (read-infix text)
+  (unless (string? text)
+    (raise-argument-error 'read-infix "a string such as \"½ m ẋ²\"" text))
+  (read-expression (infix->datum text)))
+
+(define (check-width who width)
+  (unless (or (not width) (exact-positive-integer? width))
+    (complain who "expected a width in columns, or #f for lines of any length\n  given: ~e" width)))

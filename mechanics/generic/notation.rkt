@@ -1,0 +1,27 @@
+#lang racket/base
+;; How a value is typeset: the constructors of the tree of its notation.
+;;
+;; A kind of value says it in its `notation` (kind.rkt), any other struct of ours by
+;; `prop:notation`; both are procedures that get the value and one that gives the tree of any
+;; value within it.  Who says nothing is typeset as the S-expression it prints as.
+;;
+;; The tree (algebra/notation/tree.rkt) is loaded when the first one is made.
+
+(require "on-demand.rkt")
+
+(provide prop:notation has-notation? notation-of
+         ;; trees
+         tree:column tree:across tree:grid tree:listing tree:word tree:plain tree:name tree:row
+         tree:relation tree:report tree:report-line tree:datum
+         tree:sum tree:product tree:power tree:application)
+
+(define-values (prop:notation has-notation? notation-of) (make-struct-type-property 'notation))
+
+(require-on-demand
+ ["../algebra/notation/tree.rkt"
+  [column tree:column] [across tree:across] [grid tree:grid] [listing tree:listing]
+  [word tree:word] [plain tree:plain] [name tree:name] [row tree:row] [relation tree:relation]
+  [report tree:report] [report-line tree:report-line] [application tree:application]]
+ ["../algebra/notation/combine.rkt"
+  [sum-of tree:sum] [product-of tree:product] [power-of tree:power]]
+ ["../algebra/notation/formula.rkt" [plain-datum->tree tree:datum]])

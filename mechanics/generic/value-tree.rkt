@@ -1,0 +1,37 @@
+#lang racket/base
+;; Any value as the tree of its notation.
+
+(require "describe.rkt" "kind.rkt" "notation.rkt"
+         (only-in "../algebra/expression/expression.rkt" expression->datum symbolic?)
+         (only-in "../algebra/expression/write.rkt" print-limit)
+         "../algebra/notation/formula.rkt" "../algebra/notation/numeral.rkt"
+         "../algebra/notation/tree.rkt")
+
+(provide value->tree)
+
+;; drawn? : will it be drawn, and not written on one line?
+(define (value->tree x drawn?)
+  (define ordered (current-way drawn? #t))
+  (define as-written (current-way drawn? #f))
+  (define left (or (print-limit) +inf.0))
+  (define (see x)
+    (set! left (- left 1))
+    (cond [(< left 0) (omitted "…")]
+          [(number? x) (number->tree x)]
+          [(and (has-kind? x) (kind-notation (kind-of x))) => (lambda (make) (make x see))]
+          [(has-notation? x) ((notation-of x) x see)]
+          [(symbolic? x) (datum->tree (expression->datum x) ordered)]
+          [(vector? x) (column (map see (vector->list x)))]
+          [(list? x) (listing (map see x))]
+          [(or (has-kind? x) (procedure? x)) (datum->tree (value->datum x) as-written)]
+          [else (plain (format "~s" x))]))
+  (if (cyclic? x) (plain (format "~s" x)) (see x)))
+
+;; Does a list or vector contain itself?
+(define (cyclic? x)
+  (let inside ([x x] [around (hasheq)])
+    (define (within) (hash-set around x #t))
+    (cond [(hash-ref around x #f) #t]
+          [(pair? x) (or (inside (car x) (within)) (inside (cdr x) (within)))]
+          [(vector? x) (for/or ([e (in-vector x)]) (inside e (within)))]
+          [else #f])))
