@@ -115,9 +115,9 @@
   (define arguments (add-between (map xexpr (application-arguments t)) comma))
   `(mrow ,head
          (mo "\u2061")                   ; the invisible sign of an application
-         ,@(if (application-bare? t)
-               (cons thin-space arguments)
-               (list (fenced "(" arguments ")")))))
+         ,@(cond [(application-bare? t) (cons thin-space arguments)]
+                 [(fenced-itself? (application-arguments t)) arguments]
+                 [else (list (fenced "(" arguments ")"))])))
 
 (define comma '(mo ([separator "true"]) ","))
 

@@ -98,9 +98,9 @@
                    (string-append (function->TeX (power-base f)) (raised (power-exponent f)))
                    (function->TeX f)))
   (define arguments (string-join (map tree->TeX (application-arguments t)) ",\\, "))
-  (if (application-bare? t)
-      (format "~a{~a}" head arguments)
-      (string-append head (fenced "(" arguments ")"))))
+  (cond [(application-bare? t) (format "~a{~a}" head arguments)]
+        [(fenced-itself? (application-arguments t)) (string-append head arguments)]
+        [else (string-append head (fenced "(" arguments ")"))]))
 
 (define (function->TeX f)
   (cond [(not (word? f)) (tree->TeX f)]

@@ -3,4 +3,4 @@
 
 (require "../generic/on-demand.rkt")
 
-(provide-on-demand ["typeset.rkt" ->infix ->TeX ->MathML read-infix])
+(provide-on-demand ["typeset.rkt" ->infix ->text ->TeX ->MathML read-infix])

@@ -1,16 +1,21 @@
 #lang racket/base
 ;; Values as formulas: the tree of a value, drawn in one of several ways.
 
-(require "MathML.rkt" "TeX.rkt" "break.rkt"
+(require "MathML.rkt" "TeX.rkt" "break.rkt" "drawn-text.rkt"
          "../algebra/notation/infix.rkt" "../algebra/notation/read-infix.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/value-tree.rkt"
          "../value/read-expression.rkt")
 
-(provide ->infix ->TeX ->MathML read-infix check-width)
+(provide ->infix ->text ->TeX ->MathML read-infix check-width)
 
 ;; On one line, in characters of Unicode.
 (define (->infix x) (tree->line (value->tree x #f)))
+
+;; In lines of text, fractions and roots drawn.
+(define-plain (->text x #:width [width 80])
+  (check-width '->text width)
+  (tree->text (fit (value->tree x #t) width)))
 
 ;; For LaTeX's mathematics mode, with amsmath.
 (define-plain (->TeX x #:width [width 80])

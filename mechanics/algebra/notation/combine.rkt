@@ -122,13 +122,21 @@
 (define (power-of base exponent)
   (define body (negative-body exponent))
   (cond [body (fraction (digits "1") (if (one? body) base (power-of base body)))]
-        [(and (known-function? base) (digits? exponent))
+        [(numeric-fraction? exponent) (power-of base (slashed exponent))]
+        [(and (known-function? base) (digits? exponent) (whole? exponent))
          (application (power (application-function base) exponent)
                       (application-arguments base) (application-bare? base))]
         [else (power (as-base base) exponent)]))
 
 ;; sin x, whose square is sin² x
 (define (known-function? t) (and (application? t) (word? (application-function t))))
+
+;; Small as an exponent is, it has its numbers on one line.
+(define (slashed t)
+  (digits (string-append (digits-text (fraction-numerator t)) "/"
+                         (digits-text (fraction-denominator t)))))
+
+(define (whole? t) (regexp-match? #rx"^[0-9]+$" (digits-text t)))
 
 (define (as-base t)
   (if (or (sum? t) (product? t) (fraction? t) (power? t) (radical? t) (exponential? t)

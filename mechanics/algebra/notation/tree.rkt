@@ -18,7 +18,7 @@
          (struct-out relation) (struct-out omitted)
          (struct-out report) (struct-out report-line)
          (struct-out broken) (struct-out continuation)
-         tree-parts)
+         tree-parts fenced-itself?)
 
 ;; Leaves
 (struct name (symbol) #:transparent)          ; a variable or function, by the reader's name
@@ -61,6 +61,10 @@
 ;; A sum or product cut into lines, each a tree; what is within the width is never cut.
 (struct broken (lines) #:transparent)
 (struct continuation (sign body) #:transparent)   ; a line that goes on with this sign
+
+;; A single argument that brings parentheses of its own when it is drawn.
+(define (fenced-itself? arguments)
+  (and (= 1 (length arguments)) (column? (car arguments))))
 
 ;; The trees that a tree consists of.
 (define (tree-parts t)

@@ -1,0 +1,34 @@
+#lang racket/base
+;; The letters of formulas as picts, and the measures of a line of them.
+
+(require (only-in pict blank text))
+
+(provide make-glyphs smaller glyphs-size
+         italic upright typewriter thin-space spaced-sign indentation axis rule)
+
+;; size : of the letters; known : text pict by style and text, each made once
+(struct glyphs (size known) #:authentic)
+
+(define (make-glyphs size) (glyphs size (make-hash)))
+
+;; Of exponents and indices; those of these are no smaller than can be read.
+(define (smaller g)
+  (hash-ref! (glyphs-known g) 'smaller
+             (lambda () (make-glyphs (max (min 7 (glyphs-size g)) (* 0.72 (glyphs-size g)))))))
+
+(define (glyph g style string)
+  (define styles (hash-ref! (glyphs-known g) style make-hash))
+  (hash-ref! styles string (lambda () (text string style (max 1 (inexact->exact (round (glyphs-size g))))))))
+
+(define (italic g string) (glyph g '(italic . roman) string))
+(define (upright g string) (glyph g 'roman string))
+(define (typewriter g string) (glyph g 'modern string))
+
+(define (em g) (glyphs-size g))
+(define (thin-space g) (* 0.15 (em g)))
+(define (indentation g n) (blank (* n (em g)) 0))
+(define (spaced-sign g sign) (upright g (string-append " " sign " ")))
+
+;; How high above the base line fraction bars are, and how thick.
+(define (axis g) (* 0.33 (em g)))
+(define (rule g) (max 0.75 (* 0.05 (em g))))
