@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Trees as presentation MathML, of the subset that today's browsers share (MathML Core).
 ;;
-;; The dots of time derivatives are accents of their own: as combining characters browsers
-;; misplace them.
+;; The dots of time derivatives stand over their letters as spacing characters: combining ones
+;; browsers misplace, and those of an accent lie on the letter.
 
 (require "../algebra/notation/name.rkt" "../algebra/notation/tree.rkt"
          (only-in racket/list add-between append*)
@@ -25,7 +25,8 @@
         [(product? t) (row-of (add-between (map xexpr (product-factors t)) thin-space))]
         [(fraction? t) `(mfrac ,(xexpr (fraction-numerator t)) ,(xexpr (fraction-denominator t)))]
         [(power? t) `(msup ,(xexpr (power-base t)) ,(xexpr (power-exponent t)))]
-        [(parenthesized? t) (fenced "(" (list (xexpr (parenthesized-body t))) ")")]
+        [(parenthesized? t) (fenced "(" (list (xexpr (parenthesized-body t))) ")"
+                                   (tall? (parenthesized-body t)))]
         [(application? t) (application->xexpr t)]
         [(derivative? t) (derivative->xexpr t)]
         [else (other->xexpr t)]))
@@ -85,14 +86,21 @@
 (define (with-dots base n)
   (if (= n 0)
       base
-      `(mover ([accent "true"]) ,base
+      `(mover ,base
               (mo ([stretchy "false"]) ,(vector-ref (vector "" "˙" "¨" "˙˙˙") n)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Formulas
 
-(define (fenced open items close)
-  `(mrow (mo ([fence "true"]) ,open) ,@items (mo ([fence "true"]) ,close)))
+;; Around what is no taller than a letter they need not stretch, and keep no distance.
+(define (fenced open items close [tall? #t])
+  (define (sign form text)
+    `(mo ([form ,form] [stretchy ,(if tall? "true" "false")]) ,text))
+  `(mrow ,(sign "prefix" open) ,@items ,(sign "postfix" close)))
+
+(define (tall? t)
+  (or (fraction? t) (radical? t) (column? t) (grid? t) (broken? t) (across? t)
+      (ormap tall? (tree-parts t))))
 
 (define (sum->xexpr t)
   (define terms (sum-terms t))
@@ -117,7 +125,7 @@
          (mo "\u2061")                   ; the invisible sign of an application
          ,@(cond [(application-bare? t) (cons thin-space arguments)]
                  [(fenced-itself? (application-arguments t)) arguments]
-                 [else (list (fenced "(" arguments ")"))])))
+                 [else (list (fenced "(" arguments ")" (ormap tall? (application-arguments t))))])))
 
 (define comma '(mo ([separator "true"]) ","))
 
@@ -141,7 +149,8 @@
 
 (define (container->xexpr t)
   (cond [(column? t) (fenced "(" (list (table (map list (column-items t)) "center")) ")")]
-        [(across? t) (fenced "[" (add-between (map xexpr (across-items t)) comma) "]")]
+        [(across? t) (fenced "[" (add-between (map xexpr (across-items t)) comma) "]"
+                             (ormap tall? (across-items t)))]
         [(grid? t) (fenced "[" (list (table (grid-rows t) "center")) "]")]
         [(listing? t) (if (ormap report? (listing-items t))
                           (table (map list (listing-items t)) "left")

@@ -76,7 +76,7 @@
   (draw-name (struct-copy parts p [dots (dotted-dots t)]) g))
 
 (define (tall-letter? p)
-  (regexp-match? #px"^[\\p{Lu}bdfhikltjβδζθλξϕψ]" (parts-base p)))
+  (regexp-match? #px"^(?:\\p{Lu}|[bdfhikltjβδζθλξϕψ])" (parts-base p)))
 
 ;; -> a pict, or #f
 (define (index texts g)
