@@ -6,12 +6,13 @@
 ;; being further literal functions.  One whose range is a structure is that
 ;; structure of literal functions: `f^0 f^1` when up, `f_0 f_1` when down.
 
-(require "dual.rkt" "jet.rkt" "perturbed.rkt" "recorded.rkt"
+(require (only-in racket/string string-join)
+         "dual.rkt" "jet.rkt" "perturbed.rkt" "recorded.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/write.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/recurrence.rkt" "../generic/up-down.rkt"
+         "../generic/kind.rkt" "../generic/notation.rkt" "../generic/recurrence.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt"
          "../value/signature.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")
@@ -26,6 +27,7 @@
              #:closed? #t
              #:describe (lambda (f) (format "a literal function ~a" (signature->text f)))
              #:datum (lambda (f) (head->datum (unknown-head f)))
+             #:notation (lambda (f see) (unknown-notation f))
              #:arity (lambda (f) (signature-arity-mask (unknown-signature f)))))
 
 (value-struct unknown (head signature)
@@ -41,6 +43,27 @@
 
 (define (literal-function? x) (unknown? x))
 (define (signature->text f) (datum->text (signature-datum (unknown-signature f))))
+
+;; With its signature, where that is not the one of any function of time.
+(define (unknown-notation f)
+  (define s (unknown-signature f))
+  (define shown (tree:datum (head->datum (unknown-head f))))
+  (if (or (eq? s default-signature) (pair? (literal-head-index (unknown-head f))))
+      shown
+      (tree:relation shown ":" (tree:word (signature->line (signature-datum s))))))
+
+;; up(ℝ, ℝ) → ℝ
+(define (signature->line d)
+  (define (listed ds separator)
+    (string-join (map signature->line ds) separator))
+  (cond [(eq? d 'Real) "ℝ"]
+        [(not (and (pair? d) (list? d))) (datum->text d)]
+        [else
+         (case (car d)
+           [(->) (listed (cdr d) " → ")]
+           [(X) (listed (cdr d) " × ")]
+           [(UP DOWN) (format "~a(~a)" (if (eq? (car d) 'UP) "up" "down") (listed (cdr d) ", "))]
+           [else (datum->text d)])]))
 
 ;; (literal-function 'f), or with a signature such as (-> (UP Real Real) Real).
 (define (literal-function name [signature-datum #f])

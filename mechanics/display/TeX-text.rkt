@@ -25,11 +25,14 @@
 (define (typewriter text) (format "\\texttt{~a}" (escaped text)))
 
 (define (word->TeX text)
-  (if (string=? text "∞") "\\infty{}" (upright text)))
+  (cond [(assoc text '(("∞" . "\\infty{}") ("⋯" . "\\cdots{}") ("…" . "\\ldots{}")
+                       ("𝐢" . "\\mathbf{i}") ("𝐣" . "\\mathbf{j}") ("𝐤" . "\\mathbf{k}")))
+         => cdr]
+        [else (upright text)]))
 
 (define (sign->TeX sign)
   (cond [(assoc sign '(("≤" . "\\le ") ("≥" . "\\ge ") ("∘" . "\\circ ") ("−" . "-")
-                       ("·" . "\\cdot ") ("≠" . "\\ne ") ("→" . "\\to ")))
+                       ("·" . "\\cdot ") ("≠" . "\\ne ") ("↦" . "\\mapsto ") (":" . "\\colon ") ("→" . "\\to ")))
          => cdr]
         [else sign]))
 
@@ -51,7 +54,8 @@
            #\` "{`}" #\' "{'}" #\newline " " #\tab " "
            #\− "\\ensuremath{-}" #\∞ "\\ensuremath{\\infty}" #\… "\\dots{}"
            #\≤ "\\ensuremath{\\le}" #\≥ "\\ensuremath{\\ge}" #\· "\\ensuremath{\\cdot}"
-           #\∂ "\\ensuremath{\\partial}" #\² "\\ensuremath{^2}" #\³ "\\ensuremath{^3}"))
+           #\∂ "\\ensuremath{\\partial}" #\→ "\\ensuremath{\\to}"
+           #\ℝ "\\ensuremath{\\mathbf{R}}" #\× "\\ensuremath{\\times}" #\² "\\ensuremath{^2}" #\³ "\\ensuremath{^3}"))
 
 ;; Known to pdfLaTeX with its oldest fonts.
 (define accented

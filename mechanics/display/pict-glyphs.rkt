@@ -21,7 +21,11 @@
   (hash-ref! styles string (lambda () (text string style (max 1 (inexact->exact (round (glyphs-size g))))))))
 
 (define (italic g string) (glyph g '(italic . roman) string))
-(define (upright g string) (glyph g 'roman string))
+(define (upright g string)
+  (define unit (assoc string '(("𝐢" . "i") ("𝐣" . "j") ("𝐤" . "k"))))
+  (if unit
+      (glyph g '(bold . roman) (cdr unit))
+      (glyph g 'roman string)))
 (define (typewriter g string) (glyph g 'modern string))
 
 (define (em g) (glyphs-size g))

@@ -13,7 +13,9 @@
          ;; trees
          tree:column tree:across tree:grid tree:listing tree:word tree:plain tree:name tree:row
          tree:relation tree:report tree:report-line tree:datum
-         tree:sum tree:product tree:power tree:application)
+         tree:sum tree:product tree:power tree:application
+         ;; layouts
+         statement datum-notation text-notation)
 
 (define-values (prop:notation has-notation? notation-of) (make-struct-type-property 'notation))
 
@@ -25,3 +27,26 @@
  ["../algebra/notation/combine.rkt"
   [sum-of tree:sum] [product-of tree:product] [power-of tree:power]]
  ["../algebra/notation/formula.rkt" [plain-datum->tree tree:datum]])
+
+;; ---------------------------------------------------------------------------
+;; Statements in words
+
+;; Lines (depth label part ...): a label, and trees and words beside it.
+(define (statement . lines)
+  (tree:report
+   (for/list ([l (in-list lines)])
+     (tree:report-line (car l) (cadr l)
+                       (for/list ([p (in-list (cddr l))]) (if (string? p) (tree:word p) p))))))
+
+;; A list that begins with a name: as the application of what bears it.
+(define (datum-notation d see)
+  (if (and (pair? d) (symbol? (car d)) (list? d))
+      (tree:application (tree:word (symbol->string (car d))) (map see (cdr d)) #f)
+      (see d)))
+
+;; The lines of a text, two columns of indentation being a depth.
+(define (text-notation text see)
+  (tree:report
+   (for/list ([l (in-list (regexp-split #rx"\n" text))])
+     (define indentation (cdar (regexp-match-positions #rx"^ *" l)))
+     (tree:report-line (quotient indentation 2) (substring l indentation) '()))))

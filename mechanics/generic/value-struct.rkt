@@ -8,13 +8,15 @@
 ;;     #:kind kind            it joins the arithmetic, and prints as its kind says
 ;;     #:datum f              it prints as the datum (f value)
 ;;     #:text f               it prints as the text (f value)
+;;     #:notation f           it is typeset as the tree (f value see) (notation.rkt); else as
+;;                            its datum or the lines of its text
 ;;     #:equal-by part        two are equal if (part value) is
 ;;     #:equality same? hash  (same? a b recur) tells, and (hash value recur)
 ;;
 ;; What it prints as is the same under `print`, `write` and `display`.
 
 (require (for-syntax racket/base)
-         "describe.rkt" "kind.rkt")
+         "describe.rkt" "kind.rkt" "notation.rkt")
 
 (provide value-struct)
 
@@ -34,8 +36,13 @@
      #`(#:property prop:kind kind
         #,@(if (says-how-it-prints? #'more) '() (printing #'write-value #'values))
         #,@(options #'more))]
-    [(#:datum f . more) #`(#,@(printing #'write-value #'f) #,@(options #'more))]
-    [(#:text f . more) #`(#,@(printing #'write-string #'f) #,@(options #'more))]
+    [(#:datum f . more)
+     #`(#,@(printing #'write-value #'f) #,@(typesetting #'datum-notation #'f #'more)
+        #,@(options #'more))]
+    [(#:text f . more)
+     #`(#,@(printing #'write-string #'f) #,@(typesetting #'text-notation #'f #'more)
+        #,@(options #'more))]
+    [(#:notation f . more) #`(#:property prop:notation f #,@(options #'more))]
     [(#:equal-by part . more)
      #`(#,@(equality #'(lambda (a b recur) (recur (part a) (part b)))
                      #'(lambda (v recur) (recur (part v))))
@@ -45,8 +52,16 @@
         #,@(options #'more))]
     [own #'own]))
 
-(define-for-syntax (says-how-it-prints? clauses)
-  (for/or ([c (in-list (syntax->list clauses))]) (memq (syntax-e c) '(#:datum #:text))))
+(define-for-syntax (says-how-it-prints? clauses) (mentions? clauses '(#:datum #:text)))
+
+(define-for-syntax (mentions? clauses names)
+  (for/or ([c (in-list (syntax->list clauses))]) (memq (syntax-e c) names)))
+
+;; Nothing where the clauses that follow say it.
+(define-for-syntax (typesetting make part clauses)
+  (if (mentions? clauses '(#:notation))
+      '()
+      #`(#:property prop:notation (lambda (v see) (#,make (#,part v) see)))))
 
 (define-for-syntax (printing write part)
   #`(#:property prop:custom-print-quotable 'never

@@ -19,13 +19,19 @@
     (cond [(< left 0) (omitted "…")]
           [(number? x) (number->tree x)]
           [(and (has-kind? x) (kind-notation (kind-of x))) => (lambda (make) (make x see))]
+          [(other-number? x) (decimal->tree (value->text x))]
           [(has-notation? x) ((notation-of x) x see)]
           [(symbolic? x) (datum->tree (expression->datum x) ordered)]
           [(vector? x) (column (map see (vector->list x)))]
+          [(relation-datum? x) (datum->tree x as-written)]
           [(list? x) (listing (map see x))]
           [(or (has-kind? x) (procedure? x)) (datum->tree (value->datum x) as-written)]
           [else (plain (format "~s" x))]))
   (if (cyclic? x) (plain (format "~s" x)) (see x)))
+
+;; As assumptions are quoted: (> m 0)
+(define (relation-datum? x)
+  (and (list? x) (= 3 (length x)) (memq (car x) '(> < >= <= =)) #t))
 
 ;; Does a list or vector contain itself?
 (define (cyclic? x)

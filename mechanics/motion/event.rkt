@@ -16,7 +16,7 @@
          "../compile/compile-function.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/value-struct.rkt"
+         "../generic/kind.rkt" "../generic/notation.rkt" "../generic/value-struct.rkt"
          "../value/shape.rkt")
 
 (provide event event? event-f event-direction event-terminal?
@@ -28,6 +28,7 @@
 ;; f : state -> real; direction : 'rising, 'falling or 'both
 (value-struct event (f name direction terminal?)
   #:datum (lambda (e) (list 'event (event-name e)))
+  #:notation (lambda (e see) (statement (list 0 "event" (see (event-name e)))))
   #:constructor-name make-event
   #:omit-define-syntaxes)
 
@@ -42,7 +43,10 @@
 ;; An event, when it happened and the state then.
 (value-struct occurrence (event time state)
   #:datum (lambda (o)
-            (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o))))
+            (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o)))
+  #:notation (lambda (o see)
+               (statement (list 0 "event" (see (event-name (occurrence-event o))) "at"
+                                (see (occurrence-state o))))))
 
 ;; so-far : the trajectory up to there
 (define (raise-undefined e t state so-far)

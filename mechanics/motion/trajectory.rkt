@@ -10,8 +10,8 @@
          "system.rkt"
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
+         "../generic/on-demand.rkt" "../generic/value-struct.rkt"
          "../numeric/flvector.rkt" "../numeric/progress.rkt")
 
 (require-on-demand ["precise-trajectory.rkt" follow-precise-trajectory])
@@ -24,6 +24,9 @@
 ;; reading : what makes states of steps
 (value-struct trajectory (steps events reading)
   #:datum (lambda (tr) `(trajectory from ,(trajectory-start tr) to ,(trajectory-end tr)))
+  #:notation (lambda (tr see)
+               (statement (list 0 "trajectory from" (see (trajectory-start tr))
+                                "to" (see (trajectory-end tr)))))
   #:property prop:procedure (lambda (tr t) (state-at tr t)))
 
 ;; From one time to another, and what leads to the states between.

@@ -2,14 +2,20 @@
 ;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
 
 (require "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/notation.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt")
 
 (provide (struct-out equilibrium) check-coordinates)
 
 ;; conditions : for the coordinates to be real, such as (<= e 1)
 (value-struct equilibrium (coordinates conditions)
-  #:datum (lambda (e) `(equilibrium ,(equilibrium-coordinates e) ,@(equilibrium-conditions e))))
+  #:datum (lambda (e) `(equilibrium ,(equilibrium-coordinates e) ,@(equilibrium-conditions e)))
+  #:notation (lambda (e see) (equilibrium-notation e see)))
+
+(define (equilibrium-notation e see)
+  (apply statement
+         (list 0 "equilibrium at" (see (equilibrium-coordinates e)))
+         (for/list ([c (in-list (equilibrium-conditions e))]) (list 1 "if" (tree:datum c)))))
 
 (define (check-coordinates who q)
   (unless (or (scalar? q) (and (tuple? q) (up? q)))

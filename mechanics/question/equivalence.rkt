@@ -19,7 +19,8 @@
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
          "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/truth.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
+         "../generic/truth.rkt"
          "../generic/value-struct.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
@@ -38,6 +39,7 @@
 ;; gauge : f at the local tuple with L₂ = C L₁ + D_t f; #f if not known
 (value-struct equivalence (kind factor gauge verdict)
   #:text equivalence->text
+  #:notation (lambda (e see) (equivalence-notation e see))
   #:property prop:no-truth-value
   "what two Lagrangians share is neither true nor false; ask (proved? (equivalence-verdict e))")
 
@@ -198,11 +200,36 @@
              (if (equivalence-factor e)
                  (format "\n  factor: ~a" (value->text (equivalence-factor e)))
                  ""))]
-    [else (format "~a\n~a"
-                  (if (refuted? (equivalence-verdict e))
-                      "not equivalent: motions of one Lagrangian leave a residual of the other"
-                      "undecided whether the equations are equivalent")
-                  (equivalence-verdict e))]))
+    [else (format "~a\n~a" (inequivalence-headline e) (equivalence-verdict e))]))
+
+(define (equivalence-notation e see)
+  (define factor (equivalence-factor e))
+  (define gauge (equivalence-gauge e))
+  (define derivative
+    (if (or (not gauge) (number? gauge))
+        '()
+        (list (list 1 "plus the total time derivative of" (see gauge)))))
+  (case (equivalence-kind e)
+    [(proportional)
+     (apply statement (list 0 "equivalent: the second is" (see factor)
+                            (string-append "times the first" (if gauge "" (plus-derivative e))))
+            derivative)]
+    [(combination)
+     (apply statement
+            (list 0 "equivalent: the equations of the second Lagrangian combine those of the first")
+            (if factor (list (list 1 "factor:" (see factor))) '()))]
+    [(total-derivative)
+     (apply statement
+            (list 0 (string-append "equivalent: the second is the first"
+                                   (if gauge "" (plus-derivative e))))
+            derivative)]
+    [else (tree:listing (list (statement (list 0 (inequivalence-headline e)))
+                              (see (equivalence-verdict e))))]))
+
+(define (inequivalence-headline e)
+  (if (refuted? (equivalence-verdict e))
+      "not equivalent: motions of one Lagrangian leave a residual of the other"
+      "undecided whether the equations are equivalent"))
 
 (define (plus-derivative e)
   (define f (equivalence-gauge e))

@@ -22,7 +22,7 @@
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/truth.rkt" "../generic/value-struct.rkt"
+         "../generic/notation.rkt" "../generic/truth.rkt" "../generic/value-struct.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt"
@@ -35,6 +35,7 @@
 ;; conditions : inequalities (> e 0) for it to be stable, unstable if e < 0 in one
 (value-struct stability (kind conditions)
   #:text stability->text
+  #:notation (lambda (s see) (stability-notation s))
   #:property prop:no-truth-value
   "how stable it is, is neither true nor false; ask (eq? (stability-kind s) 'stable)")
 
@@ -145,14 +146,31 @@
 
 ;; ---------------------------------------------------------------------------
 
+(define (stability-headline s)
+  (case (stability-kind s)
+    [(stable) "stable"]
+    [(linearly-stable) "linearly stable"]
+    [(unstable) "unstable"]
+    [else "undecided: second derivatives do not tell"]))
+
+(define (stability-notation s)
+  (define conditions (map tree:datum (stability-conditions s)))
+  (define headline (stability-headline s))
+  (cond [(null? conditions) (statement (list 0 headline))]
+        [(null? (cdr conditions))
+         (statement (list 0 (string-append headline " if")
+                          (tree:row (list (car conditions) (tree:word ",")))
+                          "unstable if that is reversed"))]
+        [else
+         (apply statement
+                (list 0 (string-append headline
+                                       " if all of these hold, unstable if one is reversed"))
+                (for/list ([c (in-list conditions)]) (list 1 "" c)))]))
+
 (define (stability->text s)
   (define conditions (map value->text (stability-conditions s)))
   (string-append
-   (case (stability-kind s)
-     [(stable) "stable"]
-     [(linearly-stable) "linearly stable"]
-     [(unstable) "unstable"]
-     [else "undecided: second derivatives do not tell"])
+   (stability-headline s)
    (cond [(null? conditions) ""]
          [(null? (cdr conditions)) (format " if ~a, unstable if that is reversed" (car conditions))]
          [else (apply string-append " if all of these hold, unstable if one is reversed"

@@ -10,7 +10,7 @@
 (require "structure.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/dispatch.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
+         "../generic/dispatch.rkt" "../generic/elementary.rkt" "../generic/kind.rkt" "../generic/notation.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt")
 
 (provide quaternion? quaternion make-quaternion real&3vector->quaternion
@@ -25,6 +25,7 @@
   (make-kind #:rank rank:quaternion
              #:describe (lambda (q) "a quaternion")
              #:datum (lambda (q) (cons 'quaternion (map value->datum (parts q))))
+             #:notation (lambda (q see) (quaternion-notation (parts q) see))
              #:map (lambda (f q) (apply hamilton (for/list ([x (in-list (parts q))])
                                                    (map-leaves f x))))
              #:component (lambda (q i) (quaternion-ref q i))
@@ -40,6 +41,12 @@
 (define (parts q) (list (hamilton-r q) (hamilton-x q) (hamilton-y q) (hamilton-z q)))
 
 (define (quaternion? x) (hamilton? x))
+
+;; a + b i + c j + d k, the units upright and bold, without the parts that are 0
+(define (quaternion-notation parts see)
+  (tree:sum
+   (for/list ([part (in-list parts)] [unit (in-list '(#f "𝐢" "𝐣" "𝐤"))] #:unless (eqv? part 0))
+     (if unit (tree:product (list (see part) (tree:word unit)) #f) (see part)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Making and taking apart

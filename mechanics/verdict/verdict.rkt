@@ -2,7 +2,7 @@
 ;; Verdicts: `proved`, `refuted` or `undecided`, with the evidence.
 
 (require racket/list
-         "report.rkt"
+         "report.rkt" "report-notation.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/truth.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/algebra.rkt"
@@ -33,6 +33,7 @@
 (value-struct verdict
               (status residual tests given endless? kinks-found grounds remarks told question)
   #:text (lambda (v) (report->text (verdict-lines v)))
+  #:notation (lambda (v see) (report-notation (verdict-lines v)))
   #:property prop:no-truth-value "a verdict is neither true nor false; ask (proved? v)")
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end

@@ -4,7 +4,8 @@
 ;; functions, negative exponents become denominators, and parentheses are where they must be.
 
 (require racket/list
-         "name.rkt" "numeral.rkt" "tree.rkt")
+         "name.rkt" "numeral.rkt" "tree.rkt"
+         "../expression/pi.rkt")
 
 (provide sum-of difference-of product-of quotient-of power-of as-function)
 
@@ -93,7 +94,7 @@
         [(parenthesized? t) (place (parenthesized-body t))]
         [(dotted? t) 5]
         [(or (begins-with-digit? t) (word? t)) 0]
-        [(name? t) (if (eq? (name-symbol t) 'pi) 1 2)]
+        [(name? t) (if (pi-symbol? (name-symbol t)) 1 2)]
         [(product? t) (apply max (map place (product-factors t)))]
         [(or (sum? t) (fraction? t) (bars? t)) 4]
         [(or (application? t) (derivative? t) (exponential? t)) 5]

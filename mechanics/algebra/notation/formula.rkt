@@ -37,7 +37,8 @@
           [(number? d) (number->tree d)]
           [(symbol? d) (symbol->tree d w)]
           [(or (string? d) (keyword? d) (boolean? d) (null? d)) (plain (format "~s" d))]
-          [else d]))
+          [(omitted? d) d]
+          [else (plain (format "~a" d))]))
   (tree (cut-datum d)))
 
 (define (symbol->tree s w)

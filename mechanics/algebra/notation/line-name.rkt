@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Names on one line, and back: `theta_1` is θ₁, `xdotdot` is ẍ, `p_phi` is p_φ.
 ;;
-;; What cannot be told from something else stands between bars.
+;; What cannot be told from something else stands between bars, as a variable pi, which is not
+;; the number π.
 
 (require "name.rkt" "tree.rkt"
          "../expression/operation.rkt")
@@ -30,7 +31,7 @@
 (define (line-name s)
   (define p (name-parts s))
   (define text (if (eq? (parts-sort p) 'odd) "" (regular-text p)))
-  (if (or (string=? text "") (reserved? text)) (between-bars s) text))
+  (if (or (string=? text "") (reserved? text) (eq? s 'pi)) (between-bars s) text))
 
 (define (regular-text p)
   (string-append
@@ -69,6 +70,9 @@
 
 ;; The symbol that a text without bars stands for.
 (define (line-name->symbol text)
+  (if (string=? text "π") ':pi (spelled-symbol text)))
+
+(define (spelled-symbol text)
   (define m (regexp-match #px"^([^0-9₀-₉ₐ-ₜᵢᵣᵤᵥᵦ-ᵪ_^]+)([0-9]*)(.*)$" text))
   (define-values (base n) (dots-apart (if m (cadr m) text)))
   (string->symbol

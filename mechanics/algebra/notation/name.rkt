@@ -6,6 +6,8 @@
 ;;
 ;; A name with other characters than letters and digits stands as it is.
 
+(require "../expression/pi.rkt")
+
 (provide name-parts (struct-out parts) greek->letter letter->greek)
 
 ;; base : what is shown, its Greek letters as letters
@@ -16,7 +18,8 @@
 
 (define (name-parts symbol)
   (define text (symbol->string symbol))
-  (cond [(regexp-match whole-name text)
+  (cond [(pi-symbol? symbol) (parts "π" 'letter 0 "" '())]
+        [(regexp-match whole-name text)
          => (lambda (m) (regular (cadr m) (caddr m) (cadddr m)))]
         [else (parts text 'odd 0 "" '())]))
 

@@ -4,7 +4,7 @@
 
 (require "tree.rkt")
 
-(provide number->tree negated negative-body)
+(provide number->tree decimal->tree negated negative-body)
 
 ;; −t, and what t is the negative of, or #f: a negative is a sum of one term.
 (define (negated t)
@@ -30,12 +30,14 @@
         [(not (= x x)) (word "NaN")]
         [else (decimal->tree (number->string x))]))
 
-;; "6.67e-11"
+;; "6.67e-11", "-0.5"
 (define (decimal->tree text)
-  (define m (regexp-match #rx"^([0-9.]+)e([-+]?[0-9]+)$" text))
-  (if m
-      (scientific (cadr m) (string->number (caddr m)))
-      (digits text)))
+  (define m (regexp-match #rx"^(-?)([0-9.]+)(?:e([-+]?[0-9]+))?$" text))
+  (define number
+    (cond [(not m) (plain text)]
+          [(cadddr m) (scientific (caddr m) (string->number (cadddr m)))]
+          [else (digits (caddr m))]))
+  (if (and m (string=? "-" (cadr m))) (negated number) number))
 
 (define (complex->tree z)
   (define re (real-part z))

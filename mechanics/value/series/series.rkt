@@ -13,11 +13,13 @@
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
-         "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/value-struct.rkt")
+         "../../generic/on-demand.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/value-struct.rkt")
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series
          coefficients-of collapse compared-terms)
+
+(require-on-demand ["series-notation.rkt" series-notation])
 
 ;; ---------------------------------------------------------------------------
 ;; Data
@@ -26,6 +28,7 @@
   (make-kind #:rank rank:series
              #:describe (lambda (s) (if (power-series? s) "a power series" "a series"))
              #:datum (lambda (s) (series-datum s))
+             #:notation (lambda (s see) (notation-of-series s see))
              #:map (lambda (f s) (map-series (lambda (x) (map-leaves f x)) s))
              #:unary (lambda (op s) (series-unary op s))
              #:binary (lambda (op a b) (series-binary op a b))
@@ -81,6 +84,12 @@
   `(,(if (power-series? s) 'power-series 'series)
     ,@(map value->datum (first-terms s n))
     ,@(if (finite-series? s) '() '(...))))
+
+;; The sum of the terms that are not 0; of a power series, the function of x.
+(define (notation-of-series s see)
+  (define n (if (finite-series? s) (series-length s) shown-terms))
+  (series-notation (for/list ([x (in-list (first-terms s n))]) (if (eqv? x 0) #f (see x)))
+                   (finite-series? s) (power-series? s)))
 
 (define (same-series? same? a b)
   (define n (max (series-length a) (series-length b)))
