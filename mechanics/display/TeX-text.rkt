@@ -50,7 +50,7 @@
 (define special
   (hasheqv #\\ "\\textbackslash{}" #\{ "\\{" #\} "\\}" #\$ "\\$" #\& "\\&" #\# "\\#" #\_ "\\_"
            #\% "\\%" #\^ "\\textasciicircum{}" #\~ "\\textasciitilde{}" #\< "\\textless{}"
-           #\> "\\textgreater{}" #\| "\\textbar{}" #\" "\\textquotedbl{}" #\- "{-}"
+           #\> "\\textgreater{}" #\| "\\textbar{}" #\" "\\textquotedblright{}" #\- "{-}"
            #\` "{`}" #\' "{'}" #\newline " " #\tab " "
            #\− "\\ensuremath{-}" #\∞ "\\ensuremath{\\infty}" #\… "\\dots{}"
            #\≤ "\\ensuremath{\\le}" #\≥ "\\ensuremath{\\ge}" #\· "\\ensuremath{\\cdot}"

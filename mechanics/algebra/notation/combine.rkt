@@ -23,12 +23,7 @@
         [else (list (term #f (if (relation? t) (parenthesized t) t)))]))
 
 (define (difference-of first rest)
-  (sum-of (cons first (map subtracted rest))))
-
-(define (subtracted t)
-  (cond [(negative-body t) => values]
-        [(or (sum? t) (relation? t)) (negated (parenthesized t))]
-        [else (negated t)]))
+  (sum-of (cons first (map negated rest))))
 
 ;; ---------------------------------------------------------------------------
 ;; Products
@@ -38,7 +33,7 @@
   (define-values (negative? factors) (signs-apart trees))
   (define flat (append-map factors-of factors))
   (define t (if commuting?
-                (over-denominators (sort flat < #:key place #:cache-keys? #t))
+                (over-denominators (ordered flat))
                 (plain-product flat)))
   (if negative? (negated t) t))
 
@@ -57,7 +52,9 @@
   (if (null? below)
       (plain-product above)
       (quotient-of (plain-product above)
-                   (plain-product (append-map factors-of (map fraction-denominator below))))))
+                   (product-of (map fraction-denominator below) #t))))
+
+(define (ordered factors) (sort factors < #:key place #:cache-keys? #t))
 
 (define (reciprocal? t)
   (and (fraction? t) (one? (fraction-numerator t)) (not (digits? (fraction-denominator t)))))
@@ -110,6 +107,11 @@
 
 ;; A rational coefficient above is parted: (1/2 a)/b is a/(2 b).
 (define (quotient-of-positives above below)
+  (if (and (whole? above) (whole? below) (not (equal? below (digits "0"))))
+      (number->tree (/ (whole above) (whole below)))
+      (proper-quotient above below)))
+
+(define (proper-quotient above below)
   (define factors (factors-of above))
   (define coefficient (car factors))
   (if (and (numeric-fraction? coefficient) (not (digits? below)))
@@ -122,9 +124,9 @@
 
 (define (power-of base exponent)
   (define body (negative-body exponent))
-  (cond [body (fraction (digits "1") (if (one? body) base (power-of base body)))]
+  (cond [body (quotient-of (digits "1") (if (one? body) base (power-of base body)))]
         [(numeric-fraction? exponent) (power-of base (slashed exponent))]
-        [(and (known-function? base) (digits? exponent) (whole? exponent))
+        [(and (known-function? base) (whole? exponent))
          (application (power (application-function base) exponent)
                       (application-arguments base) (application-bare? base))]
         [else (power (as-base base) exponent)]))
@@ -137,7 +139,8 @@
   (digits (string-append (digits-text (fraction-numerator t)) "/"
                          (digits-text (fraction-denominator t)))))
 
-(define (whole? t) (regexp-match? #rx"^[0-9]+$" (digits-text t)))
+(define (whole? t) (and (digits? t) (regexp-match? #rx"^[0-9]+$" (digits-text t))))
+(define (whole t) (string->number (digits-text t)))
 
 (define (as-base t)
   (if (or (sum? t) (product? t) (fraction? t) (power? t) (radical? t) (exponential? t)

@@ -3,7 +3,7 @@
 ;; notation of a physics book.
 
 (require "combine.rkt" "cut.rkt" "formula-style.rkt" "marks.rkt" "numeral.rkt" "tree.rkt"
-         "../expression/operation.rkt")
+         "../expression/operation.rkt" "../expression/pi.rkt")
 
 (provide datum->tree plain-datum->tree (struct-out way) current-way)
 
@@ -44,6 +44,8 @@
 (define (symbol->tree s w)
   (cond [(eq? s '<function>) (plain "<function>")]
         [(and (not (way-commuting? w)) (known-function? s)) (hash-ref known-functions s)]
+        [(pi-alias? s)
+         (product-of (list (number->tree (pi-multiple s)) (name exact-pi)) #t)]
         [else (name s)]))
 
 ;; ---------------------------------------------------------------------------
@@ -118,13 +120,8 @@
 
 (define (minus ts w)
   (cond [(null? ts) #f]
-        [(null? (cdr ts)) (opposite (car ts))]
+        [(null? (cdr ts)) (negated (car ts))]
         [else (difference-of (car ts) (cdr ts))]))
-
-(define (opposite t)
-  (cond [(negative-body t) => values]
-        [(or (sum? t) (relation? t)) (negated (parenthesized t))]
-        [else (negated t)]))
 
 (define (over ts w)
   (cond [(null? ts) #f]

@@ -18,7 +18,7 @@
 
 (define (name-parts symbol)
   (define text (symbol->string symbol))
-  (cond [(pi-symbol? symbol) (parts "π" 'letter 0 "" '())]
+  (cond [(eq? symbol exact-pi) (parts "π" 'letter 0 "" '())]
         [(regexp-match whole-name text)
          => (lambda (m) (regular (cadr m) (caddr m) (cadddr m)))]
         [else (parts text 'odd 0 "" '())]))

@@ -8,8 +8,9 @@
 
 ;; −t, and what t is the negative of, or #f: a negative is a sum of one term.
 (define (negated t)
-  (define body (negative-body t))
-  (or body (sum (list (term #t t)))))
+  (cond [(negative-body t) => values]
+        [(or (sum? t) (relation? t)) (negated (parenthesized t))]
+        [else (sum (list (term #t t)))]))
 
 (define (negative-body t)
   (and (sum? t)

@@ -67,8 +67,12 @@
     (cond [(ahead? in 'plus) (take! in) (loop (cons (read-term in) terms))]
           [(ahead? in 'minus) (loop (cons (next-term) terms))]
           [(null? (cdr terms)) (car terms)]
-          [(andmap number? terms) (apply + terms)]
+          [(complex-parts? terms) (apply + terms)]
           [else (cons '+ (reverse terms))])))
+
+;; The real and the imaginary part of one number
+(define (complex-parts? terms)
+  (and (= 2 (length terms)) (andmap number? terms) (not (real? (car terms))) (real? (cadr terms))))
 
 (define (negative d)
   (cond [(and (number? d) (not (eqv? d 0))) (- d)]
