@@ -32,7 +32,7 @@
          "question/on-demand.rkt" "question/verify-solution.rkt"
          "rigid/on-demand.rkt"
          "search/on-demand.rkt"
-         "teach/derivation.rkt"
+         "teach/derivation.rkt" "teach/on-demand.rkt"
          "value/linear/quaternion-units.rkt" "value/on-demand.rkt")
 
 (provide
@@ -82,7 +82,7 @@
  (all-from-out "question/on-demand.rkt")
  ;; functions of local tuples
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
- derivation-steps show-derivation
+ derivation-steps show-derivation (all-from-out "teach/on-demand.rkt")
  ;; numbers of higher precision, functions through data
  (all-from-out "value/on-demand.rkt")
  ;; rotations and rigid bodies, with the names of both editions and of scmutils

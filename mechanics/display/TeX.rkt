@@ -156,7 +156,8 @@
 
 (define (report-line->TeX l)
   (string-append (format "\\hspace{~aem}" (* 2 (report-line-depth l)))
-                 (upright (report-line-label l))
+                 (if (unlabelled? l) "" (upright (report-line-label l)))
                  (apply string-append
                         (for/list ([p (in-list (report-line-parts l))])
-                          (string-append "\\ " (tree->TeX p))))))
+                          (string-append (if (unlabelled? l) "" "\\ ")
+                                         "\\displaystyle " (tree->TeX p))))))

@@ -143,4 +143,5 @@
   (apply beside
          (text-box (make-string (* 2 (report-line-depth l)) #\space))
          (text-box (visible (report-line-label l)))
-         (append-map (lambda (p) (list (text-box " ") (draw p))) (report-line-parts l))))
+         (append-map (lambda (p) (list (text-box (if (unlabelled? l) "" " ")) (draw p)))
+                     (report-line-parts l))))

@@ -147,4 +147,5 @@
   (apply hbl-append
          (indentation g (* 2 (report-line-depth l)))
          (upright g (visible (report-line-label l)))
-         (append-map (lambda (p) (list (upright g " ") (draw p g))) (report-line-parts l))))
+         (append-map (lambda (p) (list (upright g (if (unlabelled? l) "" " ")) (draw p g)))
+                     (report-line-parts l))))

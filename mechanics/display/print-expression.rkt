@@ -2,23 +2,30 @@
 ;; Printing values on demand, simplified: what the prompt does to results.
 
 (require "layout.rkt" "result.rkt" "text.rkt"
-         "../generic/describe.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../value/series/access.rkt"
          "../verdict/verdict.rkt")
 
-(provide print-expression pe show-expression se series:print print-labelled print-assumptions)
+(provide print-expression pe show-expression se series:print print-as print-labelled print-assumptions)
+
+(require-on-demand ["typeset.rkt" typeset-result])
 
 (define line-width 79)
 
-;; The value, simplified, in the book's form, on lines of its own.
-(define (print-expression x)
-  (print (simplified-result x line-width))
+;; The value, simplified, on lines of its own: as the prompt has it, or typeset in a format.
+(define-plain (print-expression x #:as [format #f])
+  (print-as 'print-expression x format))
+
+(define (print-as who x format)
+  (if format
+      (write-string (typeset-result who x format))
+      (print (simplified-result x line-width)))
   (newline))
 
 (define pe print-expression)
 
 ;; Shows a value the best way the place it is called from allows: as text.
-(define (show-expression x) (print-expression x))
+(define-plain (show-expression x #:as [format #f]) (print-as 'show-expression x format))
 (define se show-expression)
 
 ;; The first n terms of a series, all where it ends, each as print-expression has it.

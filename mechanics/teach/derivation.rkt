@@ -1,9 +1,11 @@
 #lang racket/base
 ;; From a path to the residual, every step in sight (SICM exercise 1.12).
 
-(require "../calculus/derivative.rkt"
+(require "step-by-step.rkt"
+         "../calculus/derivative.rkt"
          "../display/print-expression.rkt"
-         "../generic/elementary.rkt" "../generic/on-demand.rkt"
+         "../error/complain.rkt"
+         "../generic/define-plain.rkt" "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt")
 
@@ -24,7 +26,24 @@
 
 ;; Prints the steps, each as `label at t`, then its value; in the end what
 ;; simplification assumed on the way.
-(define (show-derivation equations q [t 't])
+(define-plain (show-derivation given [q #f] [t 't] #:as [format #f])
+  (cond [(derivation? given) (print-as 'show-derivation given format)]
+        [(not q)
+         (complain-of-arity 'show-derivation
+                            "needs the path: (show-derivation (Lagrange-equations L) q)")]
+        [format (print-as 'show-derivation (as-derivation given q t) format)]
+        [else (print-steps given q t)]))
+
+;; The steps as a value.  Each is checked: does it come to what was computed?
+(define (as-derivation equations q t)
+  (derivation
+   (append
+    (for/list ([s (in-list (steps 'show-derivation equations q t))])
+      (make-step (list (car s) t) (cdr s)))
+    (for/list ([i (in-list (identities equations q))])
+      (step (cadr (car i)) (caddr (car i)) (cdr i))))))
+
+(define (print-steps equations q t)
   (define all (steps 'show-derivation equations q t))
   (define-values (values assumptions) (simplify/assumptions (list->up (map cdr all))))
   (for ([s (in-list all)] [v (in-list (structure->list values))])

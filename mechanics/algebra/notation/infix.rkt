@@ -149,5 +149,6 @@
 
 (define (report->line t s)
   (string-join (for/list ([l (in-list (report-lines t))])
-                 (spaced (cons (report-line-label l) (lines (report-line-parts l) s))))
+                 (define texts (lines (report-line-parts l) s))
+                 (spaced (if (unlabelled? l) texts (cons (report-line-label l) texts))))
                "; "))

@@ -18,7 +18,7 @@
          (struct-out relation) (struct-out omitted)
          (struct-out report) (struct-out report-line)
          (struct-out broken) (struct-out continuation)
-         tree-parts fenced-itself?)
+         tree-parts fenced-itself? unlabelled?)
 
 ;; Leaves
 (struct name (symbol) #:transparent)          ; a variable or function, by the reader's name
@@ -57,6 +57,8 @@
 (struct report (lines) #:transparent)
 ;; label : a string; parts : trees, none where the label stands alone
 (struct report-line (depth label parts) #:transparent)
+
+(define (unlabelled? l) (string=? "" (report-line-label l)))
 
 ;; A sum or product cut into lines, each a tree; what is within the width is never cut.
 (struct broken (lines) #:transparent)

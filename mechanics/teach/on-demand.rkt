@@ -1,0 +1,7 @@
+#lang racket/base
+;; Derivations, loaded when the first one is asked for.
+
+(require "../generic/on-demand.rkt")
+
+(provide-on-demand ["derivations.rkt" derive-Legendre-transform derive-F->C
+                    derive-generalized-force derive-multipliers derive-Noether-integral])
