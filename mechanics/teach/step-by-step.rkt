@@ -7,7 +7,7 @@
          "../value/simplify.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
-(provide (struct-out step) derivation derivation? make-step)
+(provide (struct-out step) derivation derivation? derivation-lines make-step)
 
 ;; label : datum; value : simplified
 (struct step (label value verdict) #:authentic)
@@ -16,13 +16,14 @@
   (define shown (simplify value))
   (step label shown (or verdict (verify-equal value shown))))
 
-(value-struct derivation (steps)
+;; lines : steps
+(value-struct derivation (lines)
   #:text (lambda (d) (derivation->text d))
   #:notation (lambda (d see) (derivation-notation d see)))
 
 (define (derivation->text d)
   (string-join
-   (for/list ([s (in-list (derivation-steps d))])
+   (for/list ([s (in-list (derivation-lines d))])
      (format "~a\n  ~a\n  ~a" (value->text (step-label s)) (value->text (step-value s))
              (string-join (map car (grounds s)) "\n  ")))
    "\n"))
@@ -30,7 +31,7 @@
 (define (derivation-notation d see)
   (apply statement
          (apply append
-                (for/list ([s (in-list (derivation-steps d))])
+                (for/list ([s (in-list (derivation-lines d))])
                   (cons (list 0 "" (tree:relation (tree:datum (step-label s)) "="
                                                   (see (step-value s))))
                         (for/list ([g (in-list (grounds s))])

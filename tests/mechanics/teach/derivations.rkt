@@ -3,10 +3,8 @@
 ;; conserved quantities: every line is proved, and a wrong claim is not.
 
 (require mechanics
-         (only-in mechanics/teach/step-by-step derivation make-step
+         (only-in mechanics/teach/step-by-step derivation derivation-lines make-step
                   step-label step-value step-verdict)
-         (rename-in (only-in mechanics/teach/step-by-step derivation-steps)
-                    [derivation-steps steps-of])
          "../support/messages.rkt"
          (only-in racket/port with-output-to-string)
          rackunit)
@@ -43,10 +41,10 @@
         (derive-Noether-integral L-plane turned plane)))
 
 (define (value-of d label)
-  (for/first ([s (in-list (steps-of d))] #:when (equal? (step-label s) label)) (step-value s)))
+  (for/first ([s (in-list (derivation-lines d))] #:when (equal? (step-label s) label)) (step-value s)))
 
 (test-case "every line has a verdict, and is proved"
-  (for* ([d (in-list all)] [s (in-list (steps-of d))])
+  (for* ([d (in-list all)] [s (in-list (derivation-lines d))])
     (check-true (proved? (step-verdict s)) (format "~s" (step-label s)))))
 
 (test-case "the results are those of the book"
@@ -61,7 +59,7 @@
 
 (test-case "what is no symmetry is refuted, on the line that claims it and on that of the integral"
   (define d (derive-Noether-integral L-plane shifted plane))
-  (define verdicts (map step-verdict (steps-of d)))
+  (define verdicts (map step-verdict (derivation-lines d)))
   (check-true (refuted? (car verdicts)))
   (check-true (refuted? (cadddr verdicts)))
   (check-regexp-match #rx"refuted: it leaves" (->infix d)))
