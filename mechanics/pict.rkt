@@ -1,6 +1,6 @@
 #lang racket/base
-;; Values as pictures of formulas.
+;; Values as pictures of formulas, by Racket's library pict, which is loaded for the first one.
 
-(require "display/typeset-pict.rkt")
+(require "display/pict-on-demand.rkt")
 
 (provide ->pict)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Pictures: frames as in the book, and what is drawn in them.
 
-(require "plot/contour.rkt" "plot/draw.rkt" "plot/frame.rkt" "plot/pict.rkt"
+(require "plot/contour.rkt" "plot/draw.rkt" "plot/frame.rkt" "plot/frame-pict.rkt"
          "plot/plot-trajectory.rkt" "plot/save.rkt" "plot/show.rkt")
 
 (provide

@@ -12,7 +12,8 @@
          "../algebra/expression/write.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/notation.rkt" "../generic/recurrence.rkt" "../generic/up-down.rkt"
+         "../generic/kind.rkt" "../generic/notation.rkt" "../generic/recurrence.rkt"
+         "../generic/up-down.rkt"
          "../generic/value-struct.rkt"
          "../value/signature.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")

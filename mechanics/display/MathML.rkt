@@ -37,7 +37,8 @@
                    (msup (mn "10") ,(integer->xexpr (scientific-exponent t)))))]
         [(imaginary? t) (imaginary->xexpr (imaginary-coefficient t))]
         [(radical? t) `(msqrt ,(xexpr (radical-body t)))]
-        [(exponential? t) `(msup (mi ([mathvariant "normal"]) "e") ,(xexpr (exponential-exponent t)))]
+        [(exponential? t) `(msup (mi ([mathvariant "normal"]) "e")
+                                ,(xexpr (exponential-exponent t)))]
         [(bars? t) (fenced "|" (list (xexpr (bars-body t))) "|")]
         [(dotted? t) (with-dots (xexpr (dotted-base t)) (dotted-dots t))]
         [(row? t) (row-of (map xexpr (row-items t)))]
@@ -66,17 +67,13 @@
       [(letter) `(mi ,(parts-base p))]
       [(capital word) `(mi ([mathvariant "normal"]) ,(parts-base p))]
       [else `(mtext ,(visible (parts-base p)))]))
-  (define below (append (if (string=? "" (parts-digits p)) '() (list (parts-digits p)))
-                        (marked #\_ p)))
-  (define above (marked #\^ p))
+  (define below (subscripts p))
+  (define above (superscripts p))
   (define dotted (with-dots base (parts-dots p)))
   (cond [(and (null? below) (null? above)) dotted]
         [(null? above) `(msub ,dotted ,(index below))]
         [(null? below) `(msup ,dotted ,(index above))]
         [else `(msubsup ,dotted ,(index below) ,(index above))]))
-
-(define (marked sign p)
-  (for/list ([m (in-list (parts-marks p))] #:when (eqv? (car m) sign)) (cdr m)))
 
 (define (index texts)
   (row-of (add-between (for/list ([text (in-list texts)])

@@ -32,7 +32,8 @@
 
 (define (sign->TeX sign)
   (cond [(assoc sign '(("≤" . "\\le ") ("≥" . "\\ge ") ("∘" . "\\circ ") ("−" . "-")
-                       ("·" . "\\cdot ") ("≠" . "\\ne ") ("↦" . "\\mapsto ") (":" . "\\colon ") ("→" . "\\to ")))
+                       ("·" . "\\cdot ") ("≠" . "\\ne ") ("↦" . "\\mapsto ")
+                       (":" . "\\colon ") ("→" . "\\to ")))
          => cdr]
         [else sign]))
 
@@ -55,7 +56,8 @@
            #\− "\\ensuremath{-}" #\∞ "\\ensuremath{\\infty}" #\… "\\dots{}"
            #\≤ "\\ensuremath{\\le}" #\≥ "\\ensuremath{\\ge}" #\· "\\ensuremath{\\cdot}"
            #\∂ "\\ensuremath{\\partial}" #\→ "\\ensuremath{\\to}"
-           #\ℝ "\\ensuremath{\\mathbf{R}}" #\× "\\ensuremath{\\times}" #\² "\\ensuremath{^2}" #\³ "\\ensuremath{^3}"))
+           #\ℝ "\\ensuremath{\\mathbf{R}}" #\× "\\ensuremath{\\times}"
+           #\² "\\ensuremath{^2}" #\³ "\\ensuremath{^3}"))
 
 ;; Known to pdfLaTeX with its oldest fonts.
 (define accented

@@ -46,12 +46,8 @@
       [(letter capital word) (letters->TeX (parts-base p))]
       [else (upright (parts-base p))]))
   (string-append (with-dots base (parts-dots p))
-                 (index "_" (append (if (string=? "" (parts-digits p)) '() (list (parts-digits p)))
-                                    (marked #\_ p)))
-                 (index "^" (marked #\^ p))))
-
-(define (marked sign p)
-  (for/list ([m (in-list (parts-marks p))] #:when (eqv? (car m) sign)) (letters->TeX (cdr m))))
+                 (index "_" (map letters->TeX (subscripts p)))
+                 (index "^" (map letters->TeX (superscripts p)))))
 
 (define (index sign texts)
   (if (null? texts) "" (format "~a{~a}" sign (string-join texts ","))))

@@ -26,7 +26,8 @@
         [(sum? t) (fit-sum t width wide)]
         [(product? t) (fit-product t width wide)]
         [(parenthesized? t) (parenthesized (inner (parenthesized-body t) 2))]
-        [(fraction? t) (fraction (inner (fraction-numerator t) 2) (inner (fraction-denominator t) 2))]
+        [(fraction? t) (fraction (inner (fraction-numerator t) 2)
+                                 (inner (fraction-denominator t) 2))]
         [(radical? t) (radical (inner (radical-body t) 2))]
         [(bars? t) (bars (inner (bars-body t) 2))]
         [(power? t) (power (inner (power-base t) (wide (power-exponent t))) (power-exponent t))]

@@ -40,7 +40,8 @@
                      (raised g (upright (smaller g) (minus-sign (scientific-exponent t)))))]
         [(imaginary? t) (draw-imaginary (imaginary-coefficient t) g)]
         [(radical? t) (under-root g (draw (radical-body t) g))]
-        [(exponential? t) (with-exponent g (upright g "e") (draw (exponential-exponent t) (smaller g)))]
+        [(exponential? t) (with-exponent g (upright g "e")
+                            (draw (exponential-exponent t) (smaller g)))]
         [(bars? t) (fenced g "|" (draw (bars-body t) g) "|")]
         [(dotted? t) (draw-dotted t g)]
         [(row? t) (apply hbl-append (draw-all (row-items t) g))]
@@ -63,12 +64,7 @@
         (italic g (parts-base p))
         (upright g (visible (parts-base p)))))
   (define base (with-dots g letters (parts-dots p) #:tall? (tall-letter? p)))
-  (define below (append (if (string=? "" (parts-digits p)) '() (list (parts-digits p)))
-                        (marked #\_ p)))
-  (with-indices g base (index below g) (index (marked #\^ p) g)))
-
-(define (marked sign p)
-  (for/list ([m (in-list (parts-marks p))] #:when (eqv? (car m) sign)) (cdr m)))
+  (with-indices g base (index (subscripts p) g) (index (superscripts p) g)))
 
 ;; A function whose name is one letter and what stands around it, which the dots leave out.
 (define (draw-dotted t g)

@@ -18,7 +18,8 @@
 
 (define (glyph g style string)
   (define styles (hash-ref! (glyphs-known g) style make-hash))
-  (hash-ref! styles string (lambda () (text string style (max 1 (inexact->exact (round (glyphs-size g))))))))
+  (define size (max 1 (inexact->exact (round (glyphs-size g)))))
+  (hash-ref! styles string (lambda () (text string style size))))
 
 (define (italic g string) (glyph g '(italic . roman) string))
 (define (upright g string)

@@ -6,7 +6,8 @@
          "../value/series/access.rkt"
          "../verdict/verdict.rkt")
 
-(provide print-expression pe show-expression se series:print print-as print-labelled print-assumptions)
+(provide print-expression pe show-expression se series:print print-as
+         print-labelled print-assumptions)
 
 (require-on-demand ["typeset.rkt" typeset-result])
 

@@ -52,7 +52,8 @@
       (define free (- width (box2-width b)))
       (define left (if (eq? aligned 'center) (quotient free 2) 0))
       (string-append (blank left) l (blank (- free left)))))
-  (box2 (if (null? lines) (list "") lines) width (or base (quotient (max 0 (sub1 (length lines))) 2))))
+  (define middle (quotient (max 0 (sub1 (length lines))) 2))
+  (box2 (if (null? lines) (list "") lines) width (or base middle)))
 
 ;; With its last line so many above the base line.
 (define (raise-box b n)

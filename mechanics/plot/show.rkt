@@ -2,7 +2,7 @@
 ;; Frames on the screen, where there is one.  The window and the libraries for it are
 ;; loaded when the first is opened.
 
-(require "frame.rkt" "pict.rkt" "view.rkt"
+(require "frame.rkt" "frame-pict.rkt" "view.rkt"
          "../error/machine.rkt"
          "../generic/on-demand.rkt")
 

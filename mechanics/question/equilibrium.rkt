@@ -2,7 +2,8 @@
 ;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
 
 (require "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt" "../generic/notation.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/notation.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt"
          "../generic/value-struct.rkt")
 
 (provide (struct-out equilibrium) check-coordinates)

@@ -7,11 +7,11 @@
          "../constraint/accelerations.rkt" "../constraint/constraint.rkt"
          "../error/complain.rkt"
          "../force/displacement.rkt" "../force/generalized-force.rkt" "../force/particles.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../hamiltonian/Legendre-transform.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
-         "../lagrangian/Noether.rkt" "../lagrangian/state-derivative.rkt"
+         "../lagrangian/Noether.rkt"
          "../question/conserved.rkt"
          "../value/compose.rkt" "../value/structure.rkt"
          "../verdict/prove-zero.rkt")
@@ -23,7 +23,8 @@
 
 (define (check-state who x)
   (unless (and (tuple? x) (up? x) (= 3 (s:length x)))
-    (complain who "expected a state of symbols, (up 't 'q 'v)\n  given: ~a" (describe-with-value x))))
+    (complain who "expected a state of symbols, (up 't 'q 'v)\n  given: ~a"
+              (describe-with-value x))))
 
 ;; ---------------------------------------------------------------------------
 

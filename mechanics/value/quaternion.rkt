@@ -10,7 +10,8 @@
 (require "structure.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/dispatch.rkt" "../generic/elementary.rkt" "../generic/kind.rkt" "../generic/notation.rkt"
+         "../generic/dispatch.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
+         "../generic/notation.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt")
 
 (provide quaternion? quaternion make-quaternion real&3vector->quaternion

@@ -5,7 +5,7 @@
          (only-in "../../mechanics/numeric/bigfloat/bigfloat-arithmetic.rkt" check-bigfloats)
          (only-in "../../mechanics/plot/on-demand.rkt" why-not))
 
-(provide examples bigfloat-examples
+(provide examples bigfloat-examples picture-examples
          make-session make-picture-session make-racket-session close-session
          missing-pictures)
 
@@ -50,6 +50,12 @@
   (if bigfloats?
       (examples #:eval session form ...)
       (racketblock form ...)))
+
+;; Examples that draw, without their results where nothing can be drawn.
+(define-syntax-rule (picture-examples session form ...)
+  (if (why-not)
+      (racketblock form ...)
+      (examples #:eval session form ...)))
 
 (define bigfloats?
   (with-handlers ([exn:fail? (lambda (e) #f)])

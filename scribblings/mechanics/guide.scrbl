@@ -29,6 +29,7 @@ order.
 @include-section["guide/chapter-2.scrbl"]
 @include-section["guide/chapter-3.scrbl"]
 @include-section["guide/exercises.scrbl"]
+@include-section["guide/formulas.scrbl"]
 @include-section["guide/pictures.scrbl"]
 @include-section["guide/systems.scrbl"]
 @include-section["guide/constrained-systems.scrbl"]

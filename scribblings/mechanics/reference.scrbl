@@ -66,5 +66,6 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/maps.scrbl"]
 @include-section["reference/compiled-functions.scrbl"]
 @include-section["reference/book.scrbl"]
+@include-section["reference/formulas.scrbl"]
 @include-section["reference/pictures.scrbl"]
 @include-section["reference/base.scrbl"]

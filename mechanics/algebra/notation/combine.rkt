@@ -153,7 +153,7 @@
 
 ;; Has the name a superscript?
 (define (raised? t)
-  (for/or ([m (in-list (parts-marks (name-parts (name-symbol t))))]) (eqv? (car m) #\^)))
+  (pair? (superscripts (name-parts (name-symbol t)))))
 
 ;; ---------------------------------------------------------------------------
 

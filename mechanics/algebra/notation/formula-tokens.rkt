@@ -37,7 +37,8 @@
    (list 'plain #px"^<function>" (lambda (m) '<function>))
    (list 'name #px"^D(?!_)" (lambda (m) 'D))
    (list 'name
-         (pregexp (format "^~a+(?:-~a+)*[\u307\u308\u20DB]?[0-9]*(?:[_^](?:~a|[0-9])+|[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ]+)*"
+         (pregexp (format (string-append "^~a+(?:-~a+)*[\u307\u308\u20DB]?[0-9]*"
+                                         "(?:[_^](?:~a|[0-9])+|[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ]+)*")
                           letter letter letter))
          (lambda (m) (line-name->symbol (car m))))
    (list 'quoted #px"^[|]((?:[^|\\\\]|\\\\.)*)[|]" (lambda (m) (quoted-symbol (cadr m))))
@@ -66,7 +67,7 @@
       (map string->number (regexp-match* #rx"[0-9]+" (caddr m)))))
 
 (define (quoted-symbol text)
-  (define (character all escaped) 
+  (define (character all escaped)
     (if (regexp-match? #rx"^u" escaped)
         (string (integer->char (string->number (substring escaped 1 (sub1 (string-length escaped)))
                                                16)))

@@ -8,7 +8,7 @@
          "../expression/operation.rkt")
 
 (provide line-name line-name->symbol speller
-         superscripts superscript->text raised-text)
+         superscript->text raised-text)
 
 ;; ---------------------------------------------------------------------------
 ;; Writing
@@ -117,14 +117,14 @@
   (define all (for/list ([c (in-string text)]) (hash-ref lowered-letters c #f)))
   (and (andmap values all) (list->string all)))
 
-(define superscripts
+(define raised-digits
   (hasheqv #\0 #\⁰ #\1 #\¹ #\2 #\² #\3 #\³ #\4 #\⁴ #\5 #\⁵ #\6 #\⁶ #\7 #\⁷ #\8 #\⁸ #\9 #\⁹
            #\- #\⁻))
 
-(define lower (for/hasheqv ([(c high) (in-hash superscripts)]) (values high c)))
+(define lower (for/hasheqv ([(c high) (in-hash raised-digits)]) (values high c)))
 
 ;; Of digits and minus signs
 (define (raised-text text)
-  (list->string (for/list ([c (in-string text)]) (hash-ref superscripts c))))
+  (list->string (for/list ([c (in-string text)]) (hash-ref raised-digits c))))
 (define (superscript->text text)
   (list->string (for/list ([c (in-string text)]) (hash-ref lower c))))

@@ -8,7 +8,7 @@
 
 (require "../expression/pi.rkt")
 
-(provide name-parts (struct-out parts) greek->letter letter->greek)
+(provide name-parts (struct-out parts) subscripts superscripts letter->greek)
 
 ;; base : what is shown, its Greek letters as letters
 ;; sort : 'letter, 'capital (Greek), 'word of several letters, or 'odd
@@ -29,6 +29,16 @@
     (pregexp (format "^(~a+(?:-~a+)*)(\\p{Nd}*)((?:~a)*)$" letter letter mark))))
 
 (define one-mark #px"[_^][^_^]+")
+
+;; Texts below and above the line; digits at the end of a name stand below, too.
+(define (subscripts p)
+  (define below (marked #\_ p))
+  (if (string=? "" (parts-digits p)) below (cons (parts-digits p) below)))
+
+(define (superscripts p) (marked #\^ p))
+
+(define (marked sign p)
+  (for/list ([m (in-list (parts-marks p))] #:when (eqv? (car m) sign)) (cdr m)))
 
 (define (regular stem digits marks)
   (define-values (base dots) (without-dots stem))
@@ -52,7 +62,6 @@
 
 (define (shown-letters text) (hash-ref letters text text))
 
-(define (greek->letter name) (hash-ref letters name #f))
 (define (letter->greek letter) (hash-ref names letter #f))
 
 (define letters

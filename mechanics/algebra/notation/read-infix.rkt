@@ -5,7 +5,7 @@
 ;;     term     := product { / factor }               product := factor { factor }
 ;;     factor   := primary { superscript | ^( ) | ( arguments ) }, none of them after a space
 
-(require "formula-tokens.rkt" "line-name.rkt"
+(require "formula-tokens.rkt"
          "../../error/complain.rkt")
 
 (provide infix->datum)

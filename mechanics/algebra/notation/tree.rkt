@@ -7,7 +7,8 @@
 ;; whoever draws it.  Parentheses that every way of drawing needs are in the tree; a line of
 ;; text adds those that a fraction bar, a raised exponent or a roof makes unnecessary.
 
-(provide (struct-out name) (struct-out word) (struct-out digits) (struct-out scientific) (struct-out imaginary)
+(provide (struct-out name) (struct-out word) (struct-out digits)
+         (struct-out scientific) (struct-out imaginary)
          (struct-out plain)
          (struct-out row) (struct-out sum) (struct-out term) (struct-out product)
          (struct-out fraction) (struct-out power) (struct-out radical) (struct-out exponential)

@@ -111,7 +111,8 @@
   (define rest (drop d (min after (length d))))
   (dropf rest (lambda (x) (not (or (string? x) (and (pair? x) (memq (car x) text-forms)))))))
 
-(define text-forms '(racket italic math elem examples bigfloat-examples tt emph bold))
+(define text-forms
+  '(racket italic math elem examples bigfloat-examples picture-examples tt emph bold))
 
 ;; ---------------------------------------------------------------------------
 ;; Examples
@@ -120,7 +121,7 @@
 (define (lines-in part text)
   (define parts (if (syntax? part) (syntax->list part) part))
   (cond [(not (pair? parts)) '()]
-        [(memq (syntax-e (car parts)) '(examples bigfloat-examples))
+        [(memq (syntax-e (car parts)) '(examples bigfloat-examples picture-examples))
          (for/list ([form (in-list (forms-typed parts))]) (make-line form text))]
         [else (append-map (lambda (p) (lines-in p text)) parts)]))
 

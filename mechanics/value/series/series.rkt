@@ -13,7 +13,8 @@
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
-         "../../generic/on-demand.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/value-struct.rkt")
+         "../../generic/on-demand.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../generic/value-struct.rkt")
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series

@@ -196,14 +196,19 @@ momentum; the second edition prints the opposite one.
 
 @deftogether[(@defproc[(derivation-steps [equations procedure?] [q path] [t scalar 't])
                        (listof pair?)]
-              @defproc[(show-derivation [equations procedure?] [q path] [t scalar 't])
-                       void?])]{
+              @defproc*[([(show-derivation [equations procedure?] [q path] [t scalar 't]
+                                           [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
+                          void?]
+                         [(show-derivation [derivation any/c]
+                                           [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
+                          void?])])]{
 
 All steps from the path to the residual: the local tuple, L along the path, its
 partial derivatives there, the time derivatives, the force, the residual.
 @racket[equations] is what @racket[Lagrange-equations] returned.
 @racket[derivation-steps] gives pairs of a label and a simplified value;
-@racket[show-derivation] prints them.
+@racket[show-derivation] prints them. In a format, as @secref["formulas"] tells, each has
+its verdict: is the value that is shown the one that was computed?
 
 For what @racket[d-Alembert-equations] returned the steps are positions, velocities,
 accelerations, the slopes ∂r/∂q, forces, and what they add up to. Then follow the
@@ -213,10 +218,81 @@ system along this path.
 @examples[#:eval session
 (show-derivation (Lagrange-equations (L-harmonic 'm 'k)) x)
 (list-ref (derivation-steps (Lagrange-equations (L-harmonic 'm 'k)) x) 4)
+(show-derivation (Lagrange-equations (L-harmonic 'm 'k)) x #:as 'text)
 (define ((on-rod l) t theta) (up (* l (sin theta)) (* -1 l (cos theta))))
 (define ((weight m g) t r v) (up 0 (* -1 m g)))
 (show-derivation (d-Alembert-equations 'm (on-rod 'l) (weight 'm 'g)) x)]
 
 @sicm{1.5, exercise 1.12}}
+
+The procedures that follow derive what the book defines, at a state of symbols, as a value
+that prints as its steps; @racket[show-derivation] shows it in any format. Each step has a
+verdict: where there is another way to it, that both agree, and else that what is shown is what was
+computed. A state that is not a tuple of three is an error.
+
+@defproc[(derive-Legendre-transform [L Lagrangian] [state state]) any/c]{
+
+The steps of a Legendre transform, from the Lagrangian to its Hamiltonian at
+@racket[state], @racket[(up t q p)] with a @racket[down] of momenta. The velocity
+∂₂H makes ∂₂L the momentum again, H is p v − L, and its other derivatives are opposite to
+those of L.
+
+@examples[#:eval session
+(show-derivation (derive-Legendre-transform (L-harmonic 'm 'k) (up 't 'x 'p)) #:as 'text)]
+
+@sicm{3.1, pp. 200–207}}
+
+@defproc[(derive-F->C [F procedure?] [local local-tuple]) any/c]{
+
+The steps from a coordinate transformation @racket[F] to the velocities that
+@racket[(F->C F)] gives: ∂₀F + ∂₁F v.
+
+@examples[#:eval session
+(show-derivation (derive-F->C p->r (up 't (up 'r 'phi) (up 'rdot 'phidot))) #:as 'text)]
+
+@sicm{1.6.1, p. 47}}
+
+@defproc[(derive-generalized-force [r procedure?] [F procedure?] [local local-tuple]) any/c]{
+
+The steps to the generalized force on the coordinates, with @racket[r] and @racket[F] as for
+@racket[generalized-force]. Checked by power: what the force does to the
+coordinates, the forces do to the particles.
+
+@examples[#:eval session
+(show-derivation
+ (derive-generalized-force (on-rod 'l) (weight 'm 'g) (up 't 'theta 'thetadot))
+ #:as 'text)]}
+
+@defproc[(derive-multipliers [L Lagrangian] [constraints any/c] [local local-tuple]) any/c]{
+
+The steps to the multipliers of constraints and the force that holds them:
+accelerations a, multipliers λ, and the force λ ∂₁G, which is all that the motion leaves of
+Lagrange's equations. Of a nonholonomic constraint ∂₁ stands for the slopes with respect to the velocities.
+
+@examples[#:eval session
+(define (L-in-plane local)
+  (- (* 1/2 'm (square (velocity local))) (* 'm 'g (ref (coordinate local) 1))))
+(show-derivation
+ (derive-multipliers L-in-plane (holonomic (lambda (t q) (- (ref q 1) (* 'a (ref q 0)))))
+                     (up 't (up 'x 'y) (up 'xdot 'ydot)))
+ #:as 'text)]
+
+@sicm{1.10, p. 111}}
+
+@defproc[(derive-Noether-integral [L Lagrangian] [F-tilde procedure?] [local local-tuple])
+         any/c]{
+
+The steps of Noether's theorem: the Lagrangian does not feel the transformations of the
+family, the momenta, the displacement at 0, and their product, which is conserved. Of what
+is no symmetry the first and the last line are refuted.
+
+@examples[#:eval session
+(define (L-free local) (* 1/2 'm (square (velocity local))))
+(define ((shift s) local) (+ (coordinate local) (up s 0)))
+(show-derivation
+ (derive-Noether-integral L-free shift (up 't (up 'x 'y) (up 'xdot 'ydot)))
+ #:as 'text)]
+
+@sicm{1.8.5, p. 91}}
 
 @(close-session session)

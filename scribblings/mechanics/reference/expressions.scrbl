@@ -247,12 +247,18 @@ counts as constant. The denominators are powers of the factors that
 
 @section{Showing}
 
-@deftogether[(@defproc[(print-expression [x value]) void?]
-              @defproc[(pe [x value]) void?])]{
+@deftogether[(@defproc[(print-expression [x value]
+                                         [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
+                       void?]
+              @defproc[(pe [x value] [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
+                       void?])]{
 
-Prints the value, simplified, as the prompt does, and ends the line.
+Prints the value, simplified, as the prompt does, and ends the line. With a format it is
+typeset, as @secref["formulas"] tells; what the simplification assumed is told beneath.
 
-@examples[#:eval session (pe (* (sqrt 'x) (sqrt 'x)))]
+@examples[#:eval session
+(pe (* (sqrt 'x) (sqrt 'x)))
+(pe (/ (+ 'a 'b) (sqrt 'c)) #:as 'text)]
 
 @sicm{1.4, p. 16}}
 
@@ -284,13 +290,16 @@ Racket's procedures, in whose text values of ours are simplified, each on one li
 (printf "x is ~a\n" (+ 'a 'a))
 (format "~a at ~a" (+ (square (sin 'x)) (square (cos 'x))) (up 't 'x))
 (fprintf (current-output-port) "~a" (* 2 'x 3))
-(eprintf "")]}
+(eprintf "~a\n" (+ 'a 'a))]}
 
-@deftogether[(@defproc[(show-expression [x value]) void?]
-              @defproc[(se [x value]) void?])]{
+@deftogether[(@defproc[(show-expression [x value]
+                                        [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
+                       void?]
+              @defproc[(se [x value] [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
+                       void?])]{
 
 Shows the value in the best way there is at the place it is called from. At
-present that is text everywhere, as with @racket[print-expression].
+present that is text everywhere, as with @racket[print-expression]; a format is as there.
 
 @examples[#:eval session
 (show-expression ((D (literal-function 'f)) 'x))

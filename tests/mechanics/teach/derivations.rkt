@@ -41,7 +41,8 @@
         (derive-Noether-integral L-plane turned plane)))
 
 (define (value-of d label)
-  (for/first ([s (in-list (derivation-lines d))] #:when (equal? (step-label s) label)) (step-value s)))
+  (for/first ([s (in-list (derivation-lines d))] #:when (equal? (step-label s) label))
+    (step-value s)))
 
 (test-case "every line has a verdict, and is proved"
   (for* ([d (in-list all)] [s (in-list (derivation-lines d))])
@@ -75,7 +76,8 @@
   (check-equal? (as 'infix) "∂₀H = m v²; proved\n")
   (check-equal? (as 'text) "∂₀H = m v²\n  proved\n")
   (check-equal? (as 'TeX)
-                (string-append "\\begin{array}{l}\\hspace{0em}\\displaystyle \\partial_{0} H=m\\,v^{2}"
+                (string-append "\\begin{array}{l}\\hspace{0em}"
+                               "\\displaystyle \\partial_{0} H=m\\,v^{2}"
                                "\\\\\\hspace{2em}\\text{proved}\\end{array}\n"))
   (check-regexp-match #rx"^<math .*</math>\n$" (as 'MathML)))
 
