@@ -267,7 +267,8 @@ coordinates, the forces do to the particles.
 
 The steps to the multipliers of constraints and the force that holds them:
 accelerations a, multipliers λ, and the force λ ∂₁G, which is all that the motion leaves of
-Lagrange's equations. Of a nonholonomic constraint ∂₁ stands for the slopes with respect to the velocities.
+Lagrange's equations. Of a nonholonomic constraint ∂₁ stands for the slopes with respect to
+the velocities.
 
 @examples[#:eval session
 (define (L-in-plane local)

@@ -6,7 +6,8 @@
 
 (require mechanics
          (only-in mechanics/pict ->pict)
-         "glyphs.rkt" "values.rkt"
+         (only-in mechanics/plot/on-demand why-not)
+         "../../support/skip.rkt" "values.rkt"
          (only-in racket/file file->string)
          racket/runtime-path
          (only-in racket/string string-join)
@@ -24,6 +25,12 @@
         (list "MathML.txt" ->MathML)
         (list "pict.txt" (lambda (x) (drawn-texts (->pict x))))))
 
+;; Loaded only where there is something that draws.
+(define-runtime-path glyphs "glyphs.rkt")
+(define (drawn-texts p) ((dynamic-require glyphs 'drawn-texts) p))
+
+(define (possible? f) (not (and (equal? (car f) "pict.txt") (why-not))))
+
 (define (all-of render)
   (for/list ([entry (in-list values-to-typeset)])
     (format "## ~a\n~a\n" (car entry) (render (cdr entry)))))
@@ -37,10 +44,11 @@
   (check-true (>= (length values-to-typeset) 120)))
 
 (for ([f (in-list formats)])
-  (test-case (format "values are as in ~a" (car f))
-    (for ([now (in-list (all-of (cadr f)))] [kept (in-list (entries (golden (car f))))])
-      (check-equal? (without-end now) (without-end kept)))
-    (check-equal? (length (entries (golden (car f)))) (length values-to-typeset))))
+  (skip-unless (possible? f) "nothing can be drawn here"
+    (test-case (format "values are as in ~a" (car f))
+      (for ([now (in-list (all-of (cadr f)))] [kept (in-list (entries (golden (car f))))])
+        (check-equal? (without-end now) (without-end kept)))
+      (check-equal? (length (entries (golden (car f)))) (length values-to-typeset)))))
 
 (module+ main
   (for ([f (in-list formats)])
