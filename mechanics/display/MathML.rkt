@@ -165,10 +165,12 @@
                `(mtr ,@(for/list ([t (in-list row)]) (cell (xexpr t) alignment))))))
 
 (define (stack items)
-  `(mtable ([columnalign "left"]) ,@(for/list ([i (in-list items)]) `(mtr ,(cell i "left")))))
+  `(mtable ([columnalign "left"] [displaystyle "true"])
+           ,@(for/list ([i (in-list items)]) `(mtr ,(cell i "left")))))
 
-;; Where the attribute of the table is not known, the style is.
-(define (cell x alignment) `(mtd ([style ,(string-append "text-align:" alignment)]) ,x))
+;; Where the attribute of the table is not known, the style is; centered it is without.
+(define (cell x alignment)
+  (if (string=? alignment "center") `(mtd ,x) `(mtd ([style "text-align:left"]) ,x)))
 
 (define (report-line->xexpr l)
   (row-of `((mspace ([width ,(format "~aem" (* 2 (report-line-depth l)))]))

@@ -23,7 +23,7 @@
         [(word? t) (upright g (visible (word-text t)))]
         [(digits? t) (upright g (digits-text t))]
         [(sum? t) (draw-sum t g)]
-        [(product? t) (apply hbl-append (thin-space g) (draw-all (product-factors t) g))]
+        [(product? t) (apply hbl-append (factor-space t g) (draw-all (product-factors t) g))]
         [(fraction? t) (over g (draw (fraction-numerator t) g) (draw (fraction-denominator t) g))]
         [(power? t) (with-exponent g (draw (power-base t) g)
                       (draw (power-exponent t) (smaller g)))]
@@ -31,6 +31,11 @@
         [(application? t) (draw-application t g)]
         [(derivative? t) (draw-derivative t g)]
         [else (draw-other t g)]))
+
+;; Words need more room between them than letters.
+(define (factor-space t g)
+  (define (long? f) (and (name? f) (eq? 'word (parts-sort (name-parts (name-symbol f))))))
+  (if (ormap long? (product-factors t)) (* 2 (thin-space g)) (thin-space g)))
 
 (define (draw-all ts g) (for/list ([t (in-list ts)]) (draw t g)))
 
