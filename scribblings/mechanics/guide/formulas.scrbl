@@ -4,7 +4,7 @@
 @title[#:tag "guide-formulas"]{Mathematics that looks like mathematics}
 
 @(define session (make-session))
-@(define drawing (make-picture-session '(require mechanics/pict)))
+@(define drawing (make-picture-session '(require mechanics/pict scribblings/mechanics/figure)))
 
 What the prompt prints can be typed in again, and so it is an S-expression. For reading, for
 a paper or for a page, any result can be had as a physicist would write it;
@@ -63,8 +63,10 @@ T]
 colored and put together with others: on slides, beside a plot, in a document like this.
 
 @picture-examples[drawing
-(->pict (/ (square 'p_phi) (* 2 'm (square 'r))) #:size 20)
-(->pict (((expt D 2) (literal-function 'theta)) 't) #:size 20)]
+(eval:alts (->pict (/ (square 'p_phi) (* 2 'm (square 'r))) #:size 20)
+           (figure (->pict (/ (square 'p_phi) (* 2 'm (square 'r))) #:size 20)))
+(eval:alts (->pict (((expt D 2) (literal-function 'theta)) 't) #:size 20)
+           (figure (->pict (((expt D 2) (literal-function 'theta)) 't) #:size 20)))]
 
 @(close-session session)
 @(close-session drawing)

@@ -4,7 +4,7 @@
 @title[#:tag "formulas"]{Formulas}
 
 @(define session (make-session '(require mechanics/book)))
-@(define drawing (make-picture-session '(require mechanics/pict)))
+@(define drawing (make-picture-session '(require mechanics/pict scribblings/mechanics/figure)))
 
 Any value, and any verdict, derivation or other result, as a formula of a physics book: on
 one line, in lines of text, for TeX, for pages, as a picture. @secref["guide-formulas"] tells
@@ -112,7 +112,8 @@ first one: letters of this size, in this color or that of the text around. Its b
 at its descent, so that it stands level in a line of text.
 
 @picture-examples[drawing
-(->pict (/ (square 'thetadot) (sqrt (+ 1 'x))) #:size 20)]}
+(eval:alts (->pict (/ (square 'thetadot) (sqrt (+ 1 'x))) #:size 20)
+           (figure (->pict (/ (square 'thetadot) (sqrt (+ 1 'x))) #:size 20)))]}
 
 @(close-session session)
 @(close-session drawing)
