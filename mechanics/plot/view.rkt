@@ -2,14 +2,14 @@
 ;; The window of the plane that a picture shows, its size on paper and what is written
 ;; beside it.
 
-(provide (struct-out view) make-view view->datum datum->view)
+(provide (struct-out view) make-view check-bounds view->datum datum->view)
 
 ;; bounds : (list x-min x-max y-min y-max), flonums; width, height : pixels
 ;; title, x-label, y-label : string or #f; aspect-ratio : positive real or #f
 (struct view (bounds title x-label y-label width height aspect-ratio))
 
 (define (make-view bounds title x-label y-label width height aspect-ratio)
-  (check-bounds bounds)
+  (check-bounds 'frame bounds)
   (for ([text (in-list (list title x-label y-label))])
     (unless (or (not text) (string? text))
       (raise-argument-error 'frame "a string as title or label, or #f" text)))
@@ -19,18 +19,19 @@
   (view (map real->double-flonum bounds) title x-label y-label width height
         (ratio aspect-ratio bounds)))
 
-(define (check-bounds bounds)
+;; who : the procedure that was given them
+(define (check-bounds who bounds)
   (for ([x (in-list bounds)]
         [what (in-list '("least x" "greatest x" "least y" "greatest y"))])
     (unless (and (real? x) (< (abs (real->double-flonum x)) +inf.0))
-      (raise-argument-error 'frame (format "a real number as ~a" what) x)))
+      (raise-argument-error who (format "a real number as ~a" what) x)))
   (define-values (x-min x-max y-min y-max) (apply values bounds))
-  (check-ascending "x" x-min x-max)
-  (check-ascending "y" y-min y-max))
+  (check-ascending who "x" x-min x-max)
+  (check-ascending who "y" y-min y-max))
 
-(define (check-ascending axis low high)
+(define (check-ascending who axis low high)
   (unless (< (real->double-flonum low) (real->double-flonum high))
-    (raise-arguments-error 'frame (format "the least ~a is not below the greatest" axis)
+    (raise-arguments-error who (format "the least ~a is not below the greatest" axis)
                            "least" low
                            "greatest" high)))
 

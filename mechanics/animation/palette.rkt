@@ -1,0 +1,68 @@
+#lang racket/base
+;; The colors of a GIF, at most 256 for all of its pictures.
+;;
+;; Colors are told apart by their five leading bits in red, green and blue: 32,768 bins.  The
+;; fullest bins of some sample pictures make the palette, each with the mean of its colors, and
+;; every other bin takes the nearest of those.  Line drawings, which have few colors and the
+;; shades on edges between them, look as they did.
+
+(require racket/list
+         racket/vector)
+
+(provide make-palette palette-colors palette-index)
+
+;; colors : vectors of three bytes, as many as a power of 2
+;; indices : bytes and #f, by bins; those unknown are found when asked for
+(struct palette (colors indices))
+
+(define bins 32768)
+
+(define (bin-of red green blue)
+  (bitwise-ior (arithmetic-shift (arithmetic-shift red -3) 10)
+               (arithmetic-shift (arithmetic-shift green -3) 5)
+               (arithmetic-shift blue -3)))
+
+;; samples : ARGB bytes, one after the other
+(define (make-palette samples)
+  (define counts (make-vector bins 0))
+  (define sums (build-vector 3 (lambda (k) (make-vector bins 0))))
+  (for* ([pixels (in-list samples)] [i (in-range 0 (bytes-length pixels) 4)])
+    (define bin (bin-at pixels i))
+    (increase! counts bin 1)
+    (for ([k (in-range 3)]) (increase! (vector-ref sums k) bin (bytes-ref pixels (+ i k 1)))))
+  (define used (filter (lambda (bin) (> (vector-ref counts bin) 0)) (range bins)))
+  (define chosen
+    (take (sort used > #:key (lambda (bin) (vector-ref counts bin))) (min 256 (length used))))
+  (define (mean bin)
+    (for/vector #:length 3 ([sum (in-vector sums)])
+      (quotient (vector-ref sum bin) (vector-ref counts bin))))
+  (define indices (make-vector bins #f))
+  (for ([bin (in-list chosen)] [i (in-naturals)]) (vector-set! indices bin i))
+  (palette (padded (map mean chosen)) indices))
+
+(define (increase! v i by) (vector-set! v i (+ by (vector-ref v i))))
+
+;; GIF wants 2, 4, 8, ... colors.
+(define (padded colors)
+  (define size
+    (for/first ([n (in-list '(2 4 8 16 32 64 128 256))] #:when (<= (length colors) n)) n))
+  (append colors (make-list (- size (length colors)) (vector 0 0 0))))
+
+(define (bin-at pixels i)
+  (bin-of (bytes-ref pixels (+ i 1)) (bytes-ref pixels (+ i 2)) (bytes-ref pixels (+ i 3))))
+
+;; The number of the color of the pixel that begins at i.
+(define (palette-index p pixels i)
+  (define bin (bin-at pixels i))
+  (define indices (palette-indices p))
+  (or (vector-ref indices bin)
+      (let ([found (nearest p (bytes-ref pixels (+ i 1)) (bytes-ref pixels (+ i 2))
+                            (bytes-ref pixels (+ i 3)))])
+        (vector-set! indices bin found)
+        found)))
+
+(define (nearest p red green blue)
+  (define (distance color)
+    (for/sum ([a (in-vector color)] [b (in-list (list red green blue))]) (* (- a b) (- a b))))
+  (define distances (list->vector (map distance (palette-colors p))))
+  (vector-argmin (lambda (i) (vector-ref distances i)) (build-vector (vector-length distances) values)))
