@@ -61,7 +61,7 @@
 
 ;; A pivot that slides up and down between two rails.
 (define (slide p l)
-  (define (rail x) (polyline (list (vector x (* -1.4 l)) (vector x (* 1.4 l))) #:width 1
+  (define (rail x) (polyline (list (vector x (* -0.7 l)) (vector x (* 0.7 l))) #:width 1
                              #:color faint #:style 'long-dash))
   (list (rail (* -0.07 l)) (rail (* 0.07 l))
         (block p (* 0.14 l) (* 0.1 l) #:color faint)))
@@ -75,4 +75,4 @@
   (list (polyline (list p (below p (* 1.1 l) 0.0)) #:width 1 #:style 'long-dash #:color faint)
         (angle-mark p (- :pi/2) angle (* 0.4 l) "θ")
         (length-mark p b "l" #:offset (* 0.12 l))
-        (label b "m" #:anchor 'right #:shift (vector (* 8 1.5) -6))))
+        (label b "m" #:anchor 'right #:shift #(16 0))))

@@ -5,7 +5,7 @@
 ;; library knows more: the part of the plane that it shows, for how many coordinates it is,
 ;; which of its points leave a trail, and the marks that make a diagram of it.
 
-(require "on-demand.rkt" "shape.rkt" "system-state.rkt"
+(require "extent.rkt" "on-demand.rkt" "shape.rkt" "system-state.rkt"
          "../error/complain.rkt"
          "../error/machine.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
@@ -107,19 +107,23 @@
   (check-drawing-library 'sketch)
   (paint (map real->double-flonum bounds) width all))
 
-;; The mechanism with its angles, lengths and masses named.  names : hash, from names to what
-;; they are called instead
-(define (diagram d [state (and (drawing? d) (drawing-sample d))] #:names [names (hash)])
+;; The mechanism with its angles, lengths and masses named; about so many pixels high, unless
+;; it is wide.  names : hash, from names to what they are called instead
+(define (diagram d [state (and (drawing? d) (drawing-sample d))]
+                 #:names [names (hash)] #:size [size 220])
+  (define who 'diagram)
   (unless (and (drawing? d) (drawing-marks d))
-    (complain 'diagram "expected a drawing of the library, such as (draw-pendulum)\n  given: ~a"
+    (complain who "expected a drawing of the library, such as (draw-pendulum)\n  given: ~a"
               (describe-with-value d)))
   (unless (hash? names)
-    (raise-argument-error 'diagram "a hash from names to names, such as (hash \"θ\" \"φ\")" names))
-  (define marked (append (shapes-of d state) (flat-shapes 'diagram ((drawing-marks d) state))))
-  (check-drawing-library 'diagram)
-  (paint (drawing-bounds d) (drawing-width d)
-         (for/list ([s (in-list marked)])
-           (if (lettering? s) (renamed s names) s))))
+    (raise-argument-error who "a hash from names to names, such as (hash \"θ\" \"φ\")" names))
+  (check-picture-width who size)
+  (define marked (append (shapes-of d state) (flat-shapes who ((drawing-marks d) state))))
+  (define named (for/list ([s (in-list marked)]) (if (lettering? s) (renamed s names) s)))
+  (check-drawing-library who)
+  (define scale (fitting-scale named size))
+  (define bounds (extent named scale))
+  (paint bounds (* scale (- (cadr bounds) (car bounds))) named))
 
 (define (renamed s names)
   (define other (hash-ref names (lettering-text s) (lettering-text s)))

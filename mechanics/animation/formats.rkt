@@ -3,7 +3,7 @@
 
 (require file/convertible
          racket/math
-         (only-in pict pict-width pict-height scale hc-append vl-append text)
+         (only-in pict pict-width scale hc-append vl-append text)
          "film.rkt" "gif.rkt" "page.rkt" "scenery.rkt" "schedule.rkt"
          "../error/complain.rkt")
 
@@ -42,13 +42,11 @@
   (define delay (max 2 (exact-round (/ 100 (schedule-rate given)))))
   (define when-taken (schedule-at-rate given (/ 100 delay)))
   (define n (check-count who when-taken))
-  (define first-picture (scenery->pict s (schedule-time when-taken 0)))
+  (define-values (width height) (scenery-size s))
   (define port (open-output-bytes))
   (write-gif (for/vector #:length n ([i (in-range n)])
                (lambda () (scenery->pict s (schedule-time when-taken i))))
-             (exact-ceiling (pict-width first-picture))
-             (exact-ceiling (pict-height first-picture))
-             delay port)
+             width height delay port)
   (get-output-bytes port))
 
 (define (scenery->page who s)

@@ -4,5 +4,5 @@
 (require "../generic/on-demand.rkt")
 
 (provide-on-demand
- ["scenery.rkt" make-scenery check-picture scenery->pict]
+ ["scenery.rkt" make-scenery check-picture scenery->pict scenery-size]
  ["formats.rkt" convert-scenery scenery->gif scenery->page])

@@ -4,6 +4,7 @@
 
 (require racket/flonum
          racket/list
+         (only-in racket/math exact-ceiling)
          (only-in pict pict? pict-width pict-height blank lt-superimpose hc-append)
          "drawing.rkt" "film.rkt" "paint.rkt" "phase-plane.rkt" "plane.rkt" "portrait.rkt"
          "schedule.rkt" "shape.rkt"
@@ -11,7 +12,7 @@
          "../generic/describe.rkt"
          "../numeric/finite.rkt")
 
-(provide make-scenery check-picture scenery->pict
+(provide make-scenery check-picture scenery->pict scenery-size
          scenery-film scenery-panels
          panel-width panel-height panel-picture panel-trails panel-trail-at
          trail-detail trail-range)
@@ -40,7 +41,15 @@
       (define trail ((panel-trail-at p) t))
       (lt-superimpose (blank (panel-width p) (panel-height p))
                       (if trail (lt-superimpose trail picture) picture))))
-  (apply hc-append 10 pictures))
+  (apply hc-append gap pictures))
+
+(define gap 10)
+
+;; -> width and height of all pictures, exact
+(define (scenery-size s)
+  (define panels (scenery-panels s))
+  (values (exact-ceiling (+ (* gap (- (length panels) 1)) (apply + (map panel-width panels))))
+          (exact-ceiling (apply max (map panel-height panels)))))
 
 ;; ---------------------------------------------------------------------------
 ;; The mechanism

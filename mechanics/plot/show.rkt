@@ -2,8 +2,7 @@
 ;; Frames on the screen, where there is one.  The window and the libraries for it are
 ;; loaded when the first is opened.
 
-(require "frame.rkt" "frame-pict.rkt" "view.rkt"
-         "../error/machine.rkt"
+(require "frame.rkt" "frame-pict.rkt" "screen.rkt" "view.rkt"
          "../generic/on-demand.rkt")
 
 (require-on-demand #:in-this-thread ["window.rkt" loaded? open-window])
@@ -14,7 +13,7 @@
 (define (graphics-show f)
   (check-open 'graphics-show f)
   (unless (frame-on-close f)
-    (check-screen)
+    (check-screen 'graphics-show loaded? "(graphics-save frame \"picture.png\")")
     (define v (frame-view f))
     (set-frame-on-close!
      f
@@ -23,14 +22,3 @@
                   (lambda () (frame-version f))
                   (lambda (width height) (frame->pict/size f width height))
                   (lambda () (set-frame-on-close! f #f))))))
-
-;; Racket's library of windows asks for the screen when it is loaded.
-(define (check-screen)
-  (with-handlers ([exn:fail? raise-no-screen]) (loaded?)))
-
-(define (raise-no-screen e)
-  (raise-unavailable
-   'graphics-show "no window can be opened here\n  reason: ~a\n  ~a\n  ~a"
-   (exn-message e)
-   "to a file it goes with (graphics-save frame \"picture.png\")"
-   "windows need a display and the library GTK 3: on Debian and Ubuntu, apt install libgtk-3-0"))
