@@ -12,11 +12,13 @@
          ;; for tests: -> the window
          animation-window)
 
-(define (animation-show a)
-  (animation-window a)
-  (void))
+;; wait? : until the reader closes the window
+(define (animation-show a #:wait? [wait? #f])
+  (define closed (make-semaphore))
+  (animation-window a (lambda () (semaphore-post closed)))
+  (when wait? (semaphore-wait/enable-break closed)))
 
-(define (animation-window a)
+(define (animation-window a [closed void])
   (define who 'animation-show)
   (check-animation who a)
   (check-screen who loaded? "(animation-save animation \"motion.gif\"), or \"motion.html\"")
@@ -29,7 +31,8 @@
   (define-values (width height) (scenery-size pictures))
   (open-player (film-title f) width height seconds (inexact->exact (ceiling (/ 1000 (schedule-rate s))))
                (lambda (share) (scenery->pict pictures (time share)))
-               (lambda (share) (time->text s share))))
+               (lambda (share) (time->text s share))
+               closed))
 
 (define (time->text s share)
   (define t (+ (schedule-start s) (* share (schedule-span s))))

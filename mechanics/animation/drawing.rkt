@@ -12,7 +12,7 @@
          "../generic/value-struct.rkt"
          "../plot/coordinate.rkt" "../plot/view.rkt")
 
-(provide mechanism make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes
+(provide mechanism make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes drawing-sample
          check-state drawing-trail drawn-place trail-points
          sketch diagram
          check-drawing-library)
@@ -113,8 +113,9 @@
                  #:names [names (hash)] #:size [size 220])
   (define who 'diagram)
   (unless (and (drawing? d) (drawing-marks d))
-    (complain who "expected a drawing of the library, such as (draw-pendulum)\n  given: ~a"
-              (describe-with-value d)))
+    (complain who
+              "expected a drawing of a mechanism of the library, such as (draw-pendulum)\n  given: ~a"
+              (if (drawing? d) (value->text (drawing-datum d)) (describe-with-value d))))
   (unless (hash? names)
     (raise-argument-error who "a hash from names to names, such as (hash \"θ\" \"φ\")" names))
   (check-picture-width who size)

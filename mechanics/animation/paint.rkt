@@ -92,7 +92,7 @@
         [else
          (define name (if (symbol? c) (symbol->string c) c))
          (or (send the-color-database find-color name)
-             (complain 'color "there is no color of that name\n  given: ~s" c))]))
+             (complain 'color "there is no color of that name\n  given: ~v" c))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Letters

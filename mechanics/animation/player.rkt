@@ -21,18 +21,19 @@
 
 ;; picture : share of the whole, from 0 to 1, -> pict; caption : share -> text
 ;; seconds : how long it takes; pause : milliseconds between pictures
+;; closed : -> any, called when the reader closes it
 ;; -> the window, a frame%
-(define (open-player title width height seconds pause picture caption)
+(define (open-player title width height seconds pause picture caption closed)
   (parameterize ([current-eventspace (make-eventspace)])
     (define window
       (new player% [title title] [seconds seconds] [pause pause]
-           [picture picture] [caption caption]))
+           [picture picture] [caption caption] [closed closed]))
     (send window open width height)
     window))
 
 (define player%
   (class frame%
-    (init-field title seconds pause picture caption)
+    (init-field title seconds pause picture caption closed)
     (super-new [label title])
     (define share 0.0)
     (define playing? #f)
@@ -111,7 +112,9 @@
         [(end) (go-to 1)]
         [else (void)]))
 
-    (define/augment (on-close) (stop))))
+    (define/augment (on-close)
+      (stop)
+      (closed))))
 
 ;; Shows a picture as large as there is room.
 (define picture-canvas%

@@ -3,36 +3,19 @@
 ;;
 ;; They are tested in a process of its own, which has that display.
 
-(require compiler/find-exe
-         racket/list
-         racket/port
+(require racket/list
          racket/runtime-path
          racket/string
          rackunit
-         "../support/skip.rkt")
+         "../support/display.rkt" "../support/skip.rkt")
 
 (define-runtime-path program "../runner/fixture/window.rkt")
-
-(define (run-program environment)
-  (parameterize ([current-environment-variables environment]
-                 [current-subprocess-custodian-mode 'kill])
-    (define-values (process out in err)
-      (subprocess #f #f 'stdout (find-exe) (path->string program)))
-    (close-output-port in)
-    (begin0 (port->string out)
-            (subprocess-wait process)
-            (close-input-port out))))
-
-(define (environment-with display)
-  (define copy (environment-variables-copy (current-environment-variables)))
-  (environment-variables-set! copy #"DISPLAY" display)
-  copy)
 
 ;; ---------------------------------------------------------------------------
 
 (skip-unless (eq? (system-type) 'unix) "this system has no displays that could be missing"
   (test-case "without a display there is a message, the same every time, and no window"
-    (define output (run-program (environment-with #"nowhere:99")))
+    (define output (run-program program (environment-with #"nowhere:99")))
     (define refusals
       (regexp-match* #px"(?m:^)graphics-show: no window can be opened here\n  reason: [^\n]+\n"
                      output))
@@ -44,22 +27,6 @@
       "\n  windows need a display and the library GTK 3: .*apt install libgtk-3-0\n")
      output)))
 
-;; Xvfb chooses a number that is free and writes it, with a newline, to port 1.
-(define (call-with-display use)
-  (define-values (server out in err)
-    (parameterize ([current-subprocess-custodian-mode 'kill])
-      (subprocess #f #f #f (find-executable-path "Xvfb")
-                  "-displayfd" "1" "-screen" "0" "800x600x24" "-nolisten" "tcp")))
-  (dynamic-wind
-   void
-   (lambda ()
-     (define number (sync/timeout 20 (read-line-evt out)))
-     (use (string->bytes/utf-8 (format ":~a" number))))
-   (lambda ()
-     (subprocess-kill server #t)
-     (for-each close-input-port (list out err))
-     (close-output-port in))))
-
 ;; What the program says, one line each, all of them and in this order; libraries may
 ;; complain in between, as they do where there is no home to keep their settings in.
 (define expected
@@ -68,10 +35,10 @@
 (define (said output)
   (filter (lambda (line) (member line expected)) (string-split output "\n")))
 
-(skip-unless (find-executable-path "Xvfb")
+(skip-unless (display-server)
              "Xvfb (Debian: apt install xvfb) is not installed: windows are not opened"
   (define output
-    (call-with-display (lambda (display) (run-program (environment-with display)))))
+    (call-with-display (lambda (display) (run-program program (environment-with display)))))
   (skip-unless (not (regexp-match? #rx"ffi-lib: " output))
                "the shared libraries of racket/gui are not installed: windows are not opened"
     (test-case "a window follows what is drawn, and is closed with its frame"

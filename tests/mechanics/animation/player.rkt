@@ -1,0 +1,41 @@
+#lang racket/base
+;; The window that plays, where there is a display or a program, Xvfb, that stands for one.
+;;
+;; It is tested in a process of its own, which has that display.
+
+(require racket/list
+         racket/runtime-path
+         racket/string
+         rackunit
+         "../support/display.rkt" "../support/skip.rkt")
+
+(define-runtime-path program "../runner/fixture/player.rkt")
+
+(skip-unless (eq? (system-type) 'unix) "this system has no displays that could be missing"
+  (test-case "without a display there is a message, the same every time, and no window"
+    (define output (run-program program (environment-with #"nowhere:99")))
+    (define refusals
+      (regexp-match* #px"(?m:^)animation-show: no window can be opened here\n  reason: [^\n]+\n"
+                     output))
+    (check-equal? (length refusals) 2 output)
+    (check-equal? (remove-duplicates refusals) (list (car refusals)))
+    (check-regexp-match
+     "\n  to a file it goes with \\(animation-save animation \"motion.gif\"\\), or \"motion.html\"\n"
+     output)))
+
+;; What the program says, one line each, all of them and in this order.
+(define expected
+  '("named" "plays" "pauses" "t = 1.00" "t = 1.04" "t = 2.00" "plays again" "slowly"
+    "other windows do not wait" "says what failed" "closed"))
+
+(define (said output)
+  (filter (lambda (line) (member line expected)) (string-split output "\n")))
+
+(skip-unless (display-server)
+             "Xvfb (Debian: apt install xvfb) is not installed: windows are not opened"
+  (define output
+    (call-with-display (lambda (display) (run-program program (environment-with display)))))
+  (skip-unless (not (regexp-match? #rx"ffi-lib: " output))
+               "the shared libraries of racket/gui are not installed: windows are not opened"
+    (test-case "it plays, pauses, goes where the slider and the keys say, and stops at an error"
+      (check-equal? (said output) expected output))))

@@ -1,0 +1,45 @@
+#lang racket/base
+;; Programs that open windows, run in a process of their own that has a display, or a
+;; program, Xvfb, that stands for one.
+
+(require compiler/find-exe
+         racket/port)
+
+(provide
+ run-program         ; (run-program file environment) -> what it prints, a string
+ environment-with    ; (environment-with display) -> environment variables
+ call-with-display   ; (call-with-display use) : (use display)
+ display-server)     ; -> path or #f
+
+(define (run-program program environment)
+  (parameterize ([current-environment-variables environment]
+                 [current-subprocess-custodian-mode 'kill])
+    (define-values (process out in err)
+      (subprocess #f #f 'stdout (find-exe) (path->string program)))
+    (close-output-port in)
+    (begin0 (port->string out)
+            (subprocess-wait process)
+            (close-input-port out))))
+
+(define (environment-with display)
+  (define copy (environment-variables-copy (current-environment-variables)))
+  (environment-variables-set! copy #"DISPLAY" display)
+  copy)
+
+(define (display-server) (find-executable-path "Xvfb"))
+
+;; Xvfb chooses a number that is free and writes it, with a newline, to port 1.
+(define (call-with-display use)
+  (define-values (server out in err)
+    (parameterize ([current-subprocess-custodian-mode 'kill])
+      (subprocess #f #f #f (display-server)
+                  "-displayfd" "1" "-screen" "0" "800x600x24" "-nolisten" "tcp")))
+  (dynamic-wind
+   void
+   (lambda ()
+     (define number (sync/timeout 20 (read-line-evt out)))
+     (use (string->bytes/utf-8 (format ":~a" number))))
+   (lambda ()
+     (subprocess-kill server #t)
+     (for-each close-input-port (list out err))
+     (close-output-port in))))
