@@ -67,7 +67,7 @@
           (define at (along y tick b t))
           (list (polyline (list (vector l at) (vector (- l 4) at)) #:color faint #:width 1)
                 (label (vector l at) (tick->text tick) #:anchor 'left #:size 11 #:italic? #f)))
-        (label (vector (/ (+ l r) 2) 9.0) x-label #:size 14)
+        (label (vector (/ (+ l r) 2) 14.0) x-label #:size 14)
         (label (vector (+ l 3.0) (- t 10.0)) y-label #:anchor 'right #:size 14)))
 
 ;; Two to five round numbers: multiples of 1, 2 or 5 times a power of 10.

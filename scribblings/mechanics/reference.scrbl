@@ -68,4 +68,5 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/book.scrbl"]
 @include-section["reference/formulas.scrbl"]
 @include-section["reference/pictures.scrbl"]
+@include-section["reference/animations.scrbl"]
 @include-section["reference/base.scrbl"]

@@ -4,7 +4,7 @@
 ;;
 ;; Entries are found by reading the manual's source, without running it.
 
-(require (for-label mechanics mechanics/book mechanics/plot)
+(require (for-label mechanics mechanics/animate mechanics/book mechanics/plot)
          racket/file
          racket/list
          racket/path
@@ -128,7 +128,7 @@ end
 (define forms (manual-forms))
 (define documented (remove-duplicates (append-map documented-names forms)))
 
-(for ([module-path '(mechanics mechanics/book mechanics/plot)])
+(for ([module-path '(mechanics mechanics/animate mechanics/book mechanics/plot)])
   (test-case (format "every name that ~a exports is documented" module-path)
     (check-equal? (in-order (remove* documented (own-names module-path))) '())))
 

@@ -1,0 +1,15 @@
+#lang racket/base
+;; What the animations do as programs: write the files that are named on the command line, or
+;; a GIF of their own name; with --show they open a window.
+
+(require mechanics/animate)
+
+(provide save-animations)
+
+(define (save-animations animation usual-name)
+  (define arguments (vector->list (current-command-line-arguments)))
+  (for ([argument (in-list (if (null? arguments) (list usual-name) arguments))])
+    (cond [(equal? argument "--show") (animation-show animation #:wait? #t)]
+          [else
+           (animation-save animation argument)
+           (printf "written: ~a\n" argument)])))
