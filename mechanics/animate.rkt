@@ -8,7 +8,7 @@
          "animation/draw-pendulum-chain.rkt" "animation/draw-pendulum.rkt"
          "animation/draw-plane-body.rkt" "animation/draw-spherical-pendulum.rkt"
          "animation/draw-spring.rkt" "animation/draw-top.rkt" "animation/draw-wheel.rkt"
-         "animation/parts.rkt" "animation/phase-plane.rkt" "animation/shape.rkt")
+         "animation/mechanism-parts.rkt" "animation/phase-plane.rkt" "animation/shapes.rkt")
 
 (provide
  ;; animations

@@ -4,9 +4,9 @@
 
 (require "animation.rkt" "drawing.rkt" "film.rkt" "pictures-on-demand.rkt" "schedule.rkt"
          "../generic/on-demand.rkt"
-         "../plot/screen.rkt")
+         "../plot/window-screen.rkt")
 
-(require-on-demand #:in-this-thread ["player.rkt" loaded? open-player])
+(require-on-demand #:in-this-thread ["player.rkt" loaded? open-player make-performance])
 
 (provide animation-show
          ;; for tests: -> the window
@@ -29,9 +29,10 @@
   (define pictures ((animation-pictures a)))
   (define (time share) (time-after s (* share seconds)))
   (define-values (width height) (scenery-size pictures))
-  (open-player (film-title f) width height seconds (inexact->exact (ceiling (/ 1000 (schedule-rate s))))
-               (lambda (share) (scenery->pict pictures (time share)))
-               (lambda (share) (time->text s share))
+  (define pause (inexact->exact (ceiling (/ 1000 (schedule-rate s)))))
+  (open-player (make-performance (film-title f) width height seconds pause
+                                 (lambda (share) (scenery->pict pictures (time share)))
+                                 (lambda (share) (time->text s share)))
                closed))
 
 (define (time->text s share)

@@ -2,7 +2,7 @@
 ;; Weights on strings over pulleys: Atwood's machine, and one that hangs from another
 ;; (SICM 1.10).
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "shape.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
          "../numeric/constants.rkt")
@@ -50,7 +50,8 @@
   (define (down x depth) (vector x (- depth)))
   (if (null? (cddr depths))
       (list (down (- r) (car depths)) (down r (cadr depths)))
-      (list (down (- r) (car depths)) (down (* 0.3 r) (caddr depths)) (down (* 1.7 r) (cadddr depths)))))
+      (list (down (- r) (car depths)) (down (* 0.3 r) (caddr depths))
+            (down (* 1.7 r) (cadddr depths)))))
 
 (define (strings depths r)
   (define places (weight-places depths r))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Beads: on a ring that turns about its vertical diameter, and on a track in a plane.
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "projection.rkt" "shape.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../numeric/constants.rkt"
          "../plot/coordinate.rkt")
@@ -51,13 +51,13 @@
         (label (between center (seen theta) 0.6) "R" #:anchor 'above)
         (label (seen theta) "m" #:anchor 'right #:shift #(13 0))
         (let ([top (list 0.0 0.0 (* 1.2 r))])
-          (polyline (list-head-of (space-ring top (list (* 0.2 r) 0.0 0.0) (list 0.0 (* 0.2 r) 0.0)))
+          (polyline (most-of (space-ring top (list (* 0.2 r) 0.0 0.0) (list 0.0 (* 0.2 r) 0.0)))
                     #:width 1.5 #:color (caddr accents) #:arrows 'end))
         (label (in-view 0.0 0.0 (* 1.2 r)) "ω" #:anchor 'right #:shift #(16 0)
                #:color (caddr accents))))
 
 ;; Most of a circle, so that its arrow is seen.
-(define (list-head-of points) (for/list ([p (in-list points)] [k (in-range 40)]) p))
+(define (most-of points) (for/list ([p (in-list points)] [k (in-range 40)]) p))
 
 ;; On the curve, a function from the coordinate to points, drawn between two values of it.
 ;; With two coordinates the bead is where they say, and may leave the track.

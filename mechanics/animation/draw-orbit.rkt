@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Bodies that attract each other: one about a center at rest, or any number of them.
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "shape.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt")
 
@@ -55,12 +55,13 @@
    #:axes (apply append (for/list ([k (in-range n)])
                           (list (format "x_~a" (+ k 1)) (format "y_~a" (+ k 1)))))
    #:trail (lambda (t q) (places q))
-   #:marks (lambda (t q)
-             (list (for*/list ([p (in-list (places q))] [o (in-list (places q))]
-                               #:when (< (at-x p) (at-x o)))
-                     (polyline (list p o) #:width 1 #:color faint #:style 'dot))
-                   (for/list ([p (in-list (places q))] [k (in-naturals 1)])
-                     (label p (format "m_~a" k) #:anchor 'right #:shift #(14 0)))))
+   #:marks (lambda (t q) (body-marks (places q)))
    (lambda (t q)
      (for/list ([p (in-list (places q))] [m (in-list ms)] [color (in-cycle accents)])
        (bob p (size m) #:color color)))))
+
+(define (body-marks places)
+  (list (for*/list ([p (in-list places)] [o (in-list places)] #:when (< (at-x p) (at-x o)))
+          (polyline (list p o) #:width 1 #:color faint #:style 'dot))
+        (for/list ([p (in-list places)] [k (in-naturals 1)])
+          (label p (format "m_~a" k) #:anchor 'right #:shift #(14 0)))))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Pendulums that hang from each other, or from a cart: SICM 1.7, exercise 1.44.
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "shape.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
          "../numeric/constants.rkt")
@@ -69,9 +69,9 @@
                    (length-mark p (bob-of q) "l")
                    (label (bob-of q) "m" #:anchor 'right #:shift #(13 0))
                    (label (add p (vector 0.0 (* 0.15 l))) "M" #:anchor 'above)
-                   (polyline (list (vector 0.0 (* 0.35 l)) (vector (vector-ref q 0) (* 0.35 l)))
+                   (polyline (list (vector 0.0 (* 0.75 l)) (vector (vector-ref q 0) (* 0.75 l)))
                              #:width 1 #:color faint #:arrows 'end)
-                   (label (vector (* 0.5 (vector-ref q 0)) (* 0.35 l)) "x" #:anchor 'above)))
+                   (label (vector (* 0.5 (vector-ref q 0)) (* 0.75 l)) "x" #:anchor 'above)))
    (lambda (t q)
      (define p (cart q))
      (define floor (* -0.2 l))

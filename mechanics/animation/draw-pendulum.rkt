@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Pendulums whose rod is rigid, in a vertical plane: SICM 1.6.2, pp. 51-53.
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "shape.rkt"
-         "../error/complain.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../numeric/constants.rkt"
          "../plot/coordinate.rkt")

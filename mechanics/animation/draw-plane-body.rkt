@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Bodies that move in a plane and turn in it: a ladder at a wall, a sleigh on a blade.
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "shape.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
          "../numeric/constants.rkt")
 
 (provide draw-ladder draw-sleigh)

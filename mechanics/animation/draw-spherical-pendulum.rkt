@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Pendulums that swing in space: seen from the side, and, as Foucault's, from above.
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "projection.rkt" "shape.rkt")
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt")
 
 (provide draw-spherical-pendulum draw-Foucault-pendulum)
 

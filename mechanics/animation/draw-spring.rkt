@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Masses on springs.
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "shape.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
          "../numeric/constants.rkt")
 
 (provide draw-oscillator draw-spring-pendulum)
@@ -13,8 +13,7 @@
   (unless (and (exact-positive-integer? n) (<= n 20))
     (raise-argument-error who "a number of masses from 1 to 20" n))
   (define l (check-length who "the length" length))
-  (define springs (if (= n 1) 1 (+ n 1)))
-  (define end (* l (if (= n 1) 2.0 springs)))
+  (define end (* l (if (= n 1) 2.0 (+ n 1))))
   (define side (* 0.24 l))
   (define (rest k) (* l (+ k 1.0)))
   (define (places q) (for/list ([x (in-vector q)] [k (in-naturals)]) (vector (+ (rest k) x) 0.0)))
@@ -26,21 +25,24 @@
    #:axes (if (= n 1) '("x") (for/list ([k (in-range n)]) (format "x_~a" (+ k 1))))
    #:trail (lambda (t q) (places q))
    #:marks (lambda (t q) (oscillator-marks n (places q) rest side))
-   (lambda (t q)
-     (define centers (places q))
-     (define half (vector (/ side 2.0) 0.0))
-     (define lefts (cons (vector 0.0 0.0) (map (lambda (c) (add c half)) centers)))
-     (define rights
-       (append (map (lambda (c) (minus c half)) centers) (list (vector end 0.0))))
-     (list (wall (vector 0.0 (* -0.35 l)) (vector 0.0 (* 0.35 l)) #:depth (* 0.1 l))
-           (if (= n 1) '()
-               (wall (vector end (* 0.35 l)) (vector end (* -0.35 l)) #:depth (* 0.1 l)))
-           (polyline (list (vector 0.0 (* -0.55 side)) (vector end (* -0.55 side)))
-                     #:color faint #:width 1)
-           (for/list ([a (in-list lefts)] [b (in-list rights)] [k (in-range springs)])
-             (spring a b #:width (* 0.14 l)))
-           (for/list ([c (in-list centers)] [color (in-cycle accents)])
-             (block c side side #:color color))))))
+   (lambda (t q) (oscillator-shapes (places q) end side l))))
+
+(define (oscillator-shapes centers end side l)
+  (define one? (null? (cdr centers)))
+  (define half (vector (/ side 2.0) 0.0))
+  (define lefts (cons (vector 0.0 0.0) (map (lambda (c) (add c half)) centers)))
+  (define rights
+    (append (map (lambda (c) (minus c half)) centers)
+            (if one? '() (list (vector end 0.0)))))
+  (list (wall (vector 0.0 (* -0.35 l)) (vector 0.0 (* 0.35 l)) #:depth (* 0.1 l))
+        (if one?
+            '()
+            (wall (vector end (* 0.35 l)) (vector end (* -0.35 l)) #:depth (* 0.1 l)))
+        (polyline (list (vector 0.0 (* -0.55 side)) (vector end (* -0.55 side)))
+                  #:color faint #:width 1)
+        (for/list ([a (in-list lefts)] [b (in-list rights)]) (spring a b #:width (* 0.14 l)))
+        (for/list ([c (in-list centers)] [color (in-cycle accents)])
+          (block c side side #:color color))))
 
 (define (oscillator-marks n centers rest side)
   (for/list ([c (in-list centers)] [k (in-naturals)])

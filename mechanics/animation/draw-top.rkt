@@ -2,7 +2,7 @@
 ;; Bodies that turn in space, by Euler's angles θ, φ, ψ: a top on its point (SICM 2.10), and
 ;; a brick (SICM 2.9).
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "projection.rkt" "shape.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt")
 

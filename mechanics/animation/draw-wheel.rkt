@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Wheels: one that rolls down an incline, seen from the side, and a coin on a table.
 
-(require "drawing.rkt" "parts.rkt" "plane.rkt" "projection.rkt" "shape.rkt"
+(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt"
          "../numeric/constants.rkt"
          "../plot/coordinate.rkt")
 
@@ -31,7 +31,8 @@
      (list (wall end (foot (* -1.5 r)) #:depth (* 0.3 r))
            (disc (hub q) r #:width 3)
            (for/list ([k (in-range 6)])
-             (polyline (list (hub q) (rim-point q (+ :pi/2 (/ (* pi k) 3)))) #:width 1 #:color faint))
+             (polyline (list (hub q) (rim-point q (+ :pi/2 (/ (* pi k) 3))))
+                       #:width 1 #:color faint))
            (bob (rim-point q :pi/2) (* 0.1 r)) (pivot (hub q) (* 0.1 r))))))
 
 (define (wheel-marks hub foot end turn r alpha)
@@ -58,25 +59,29 @@
    #:width width #:coordinates '(5) #:sample (list 0.0 0.0 0.5 1.1 0.8)
    #:axes '("x" "y" "φ" "θ" "ψ")
    #:trail (lambda (t q) (list (foot q)))
-   #:marks (lambda (t q)
-             (define heading (in-view (* 2.0 r (cos (vector-ref q 2))) (* 2.0 r (sin (vector-ref q 2)))
-                                      0.0))
-             (list (space-axes (* 1.4 r))
-                   (vector-arrow (foot q) heading #:label "φ")
-                   (label (foot q) "(x, y)" #:anchor 'below)
-                   (let-values ([(center along steep) (coin-frame q r)])
-                     (label (apply in-view (map + center steep)) "θ" #:anchor 'above))))
+   #:marks (lambda (t q) (coin-marks q (foot q) r))
    (lambda (t q)
      (define-values (center along steep) (coin-frame q r))
      (define psi (vector-ref q 4))
      (define-values (c s) (values (* -1.0 (sin psi)) (* -1.0 (cos psi))))
      (define mark
-       (apply in-view (for/list ([x center] [u along] [v steep]) (+ x (* 0.75 (+ (* c u) (* s v)))))))
+       (apply in-view
+              (for/list ([x center] [u along] [v steep]) (+ x (* 0.75 (+ (* c u) (* s v)))))))
      (list (polyline (for/list ([p '((-1 -1) (1 -1) (1 1) (-1 1))])
                        (in-view (* far (car p)) (* far (cadr p)) 0.0))
                      #:closed? #t #:width 1 #:color faint)
            (polyline (space-ring center along steep) #:closed? #t #:fill '(230 200 110) #:width 2)
            (bob mark (* 0.07 r))))))
+
+(define (coin-marks q foot r)
+  (define-values (center along steep) (coin-frame q r))
+  (define phi (vector-ref q 2))
+  (define heading
+    (in-view (+ (vector-ref q 0) (* 2.0 r (cos phi))) (+ (vector-ref q 1) (* 2.0 r (sin phi))) 0.0))
+  (list (space-axes (* 1.4 r))
+        (vector-arrow foot heading #:label "φ")
+        (label foot "(x, y)" #:anchor 'below)
+        (label (apply in-view (map + center steep)) "θ" #:anchor 'above)))
 
 ;; Center, and the two vectors from there to the rim: the one it heads in, the steepest.
 (define (coin-frame q r)

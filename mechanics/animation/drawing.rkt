@@ -5,12 +5,12 @@
 ;; library knows more: the part of the plane that it shows, for how many coordinates it is,
 ;; which of its points leave a trail, and the marks that make a diagram of it.
 
-(require "extent.rkt" "on-demand.rkt" "shape.rkt" "system-state.rkt"
+(require "extent.rkt" "on-demand.rkt" "shapes.rkt" "system-state.rkt"
          "../error/complain.rkt"
          "../error/machine.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt"
-         "../plot/coordinate.rkt" "../plot/view.rkt")
+         "../plot/view.rkt")
 
 (provide mechanism make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes drawing-sample
          check-state drawing-trail drawn-place trail-points

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The part of the plane that shapes take up.
 
-(require "plane.rkt" "shape.rkt")
+(require "plane.rkt" "shapes.rkt")
 
 (provide extent fitting-scale)
 
@@ -38,4 +38,5 @@
       [(above) (values 0.0 size)]
       [(below) (values 0.0 (- size))]
       [else (values 0.0 0.0)]))
-  (box (lettering-at s) (add (vector x y) (times (/ 1.0 scale) (lettering-shift s))) wide (* 0.7 size)))
+  (define shift (times (/ 1.0 scale) (lettering-shift s)))
+  (box (lettering-at s) (add (vector x y) shift) wide (* 0.7 size)))

@@ -4,7 +4,7 @@
 (require file/convertible
          racket/math
          (only-in pict pict-width scale hc-append vl-append text)
-         "film.rkt" "gif.rkt" "page.rkt" "scenery.rkt" "schedule.rkt"
+         "film.rkt" "gif.rkt" "playing-page.rkt" "scenery.rkt" "schedule.rkt"
          "../error/complain.rkt")
 
 (provide convert-scenery scenery->gif scenery->page)
@@ -25,7 +25,7 @@
            (define t (time-after when-taken (* seconds (/ k (- strip-count 1.0)))))
            (define picture (scenery->pict s t))
            (vl-append 4
-                      (scale picture (min 1 (/ 180 (pict-width picture))))
+                      (scale picture (min 1 (/ 130 (pict-width picture))))
                       (text (format "t = ~a" (rounded t)) 'roman 12)))))
 
 (define (rounded t)

@@ -6,8 +6,7 @@
 ;; every other bin takes the nearest of those.  Line drawings, which have few colors and the
 ;; shades on edges between them, look as they did.
 
-(require racket/list
-         racket/vector)
+(require racket/list)
 
 (provide make-palette palette-colors palette-index)
 
@@ -65,4 +64,4 @@
   (define (distance color)
     (for/sum ([a (in-vector color)] [b (in-list (list red green blue))]) (* (- a b) (- a b))))
   (define distances (list->vector (map distance (palette-colors p))))
-  (vector-argmin (lambda (i) (vector-ref distances i)) (build-vector (vector-length distances) values)))
+  (argmin (lambda (i) (vector-ref distances i)) (range (vector-length distances))))

@@ -13,7 +13,8 @@
 ;; x, y : state -> number
 (value-struct phase-plane (x y x-label y-label)
   #:datum (lambda (p)
-            `(phase-plane ,(procedure-datum (phase-plane-x p)) ,(procedure-datum (phase-plane-y p))))
+            `(phase-plane ,(procedure-datum (phase-plane-x p))
+                          ,(procedure-datum (phase-plane-y p))))
   #:constructor-name new-phase-plane
   #:omit-define-syntaxes)
 

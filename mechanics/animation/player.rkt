@@ -8,113 +8,125 @@
 (require racket/class
          racket/gui/base
          racket/math
-         (only-in pict draw-pict pict-width pict-height scale))
+         (only-in pict draw-pict pict-width pict-height scale)
+         "../plot/window.rkt")
 
-(provide loaded? open-player)
+(provide loaded? open-player make-performance)
 
-;; For those who load this module lazily and want to know whether they can.
-(define (loaded?) #t)
+;; What is played.  picture : share of the whole, from 0 to 1, -> pict; caption : share -> text
+;; seconds : how long it takes; pause : milliseconds between pictures
+(struct performance (title width height seconds pause picture caption)
+  #:constructor-name make-performance)
+
+;; share : how far it is; then : when that was, in milliseconds
+(struct player (performance canvas controls timer
+                [share #:mutable] [playing? #:mutable] [then #:mutable]))
+(struct controls (button slider status choice))
 
 (define speeds '(0.1 0.25 0.5 1 2 4))
 (define usual-speed 3)           ; index
 (define slider-steps 1000)
 
-;; picture : share of the whole, from 0 to 1, -> pict; caption : share -> text
-;; seconds : how long it takes; pause : milliseconds between pictures
 ;; closed : -> any, called when the reader closes it
 ;; -> the window, a frame%
-(define (open-player title width height seconds pause picture caption closed)
+(define (open-player work closed)
   (parameterize ([current-eventspace (make-eventspace)])
     (define window
-      (new player% [title title] [seconds seconds] [pause pause]
-           [picture picture] [caption caption] [closed closed]))
-    (send window open width height)
+      (new (class frame%
+             (super-new [label (performance-title work)])
+             (define/augment (on-close)
+               (stop! it)
+               (closed)))))
+    (define canvas
+      (new picture-canvas% [parent window]
+           [picture (lambda () ((performance-picture work) (player-share it)))]
+           [failed (lambda (e) (fail! it e))]
+           [key (lambda (code) (on-key it code))]))
+    (define it
+      (player work canvas
+              (make-controls window work
+                             (lambda () (toggle! it))
+                             (lambda (share) (go-to! it share)))
+              (new timer% [notify-callback (lambda () (tick! it))])
+              0.0 #f 0.0))
+    (show-at-size window canvas (performance-width work) (performance-height work))
+    (queue-callback (lambda () (start! it) (show-now it)))
     window))
 
-(define player%
-  (class frame%
-    (init-field title seconds pause picture caption closed)
-    (super-new [label title])
-    (define share 0.0)
-    (define playing? #f)
-    (define then 0.0)                         ; milliseconds
+(define (make-controls window work toggle go)
+  (define row
+    (new horizontal-panel% [parent window] [stretchable-height #f] [spacing 4] [border 4]))
+  (controls
+   (new button% [parent row] [label "Pause"] [callback (lambda (b e) (toggle))])
+   (new slider% [parent row] [label #f] [min-value 0] [max-value slider-steps]
+        [style '(horizontal plain)]
+        [callback (lambda (s e) (go (/ (send s get-value) slider-steps)))])
+   (new message% [parent row] [label ((performance-caption work) 0.0)] [min-width 90])
+   (new choice% [parent row] [label #f] [choices (for/list ([s (in-list speeds)]) (format "× ~a" s))]
+        [selection usual-speed])))
 
-    (define canvas
-      (new picture-canvas% [parent this]
-           [picture (lambda () (picture share))]
-           [failed (lambda (e) (stop) (send status set-label (exn-message e)))]
-           [key (lambda (code) (on-key code))]))
-    (define row (new horizontal-panel% [parent this] [stretchable-height #f] [spacing 4] [border 4]))
-    (define button
-      (new button% [parent row] [label "Pause"] [callback (lambda (b e) (toggle))]))
-    (define slider
-      (new slider% [parent row] [label #f] [min-value 0] [max-value slider-steps]
-           [style '(horizontal plain)]
-           [callback (lambda (s e) (go-to (/ (send s get-value) slider-steps)))]))
-    (define status (new message% [parent row] [label (caption 0.0)] [min-width 90]))
-    (define choice
-      (new choice% [parent row] [label #f] [choices (map (lambda (s) (format "× ~a" s)) speeds)]
-           [selection usual-speed]))
-    (define timer (new timer% [notify-callback (lambda () (tick))]))
+;; ---------------------------------------------------------------------------
+;; Playing
 
-    (define/public (open width height)
-      (send canvas min-client-width width)
-      (send canvas min-client-height height)
-      (send this show #t)
-      (send canvas min-client-width 100)
-      (send canvas min-client-height 100)
-      (queue-callback (lambda () (start) (show-now))))
+(define (start! p)
+  (when (>= (player-share p) 1.0) (set-player-share! p 0.0))
+  (set-player-playing?! p #t)
+  (set-player-then! p (current-inexact-milliseconds))
+  (send (controls-button (player-controls p)) set-label "Pause")
+  (send (player-timer p) start (performance-pause (player-performance p)) #t))
 
-    (define/private (start)
-      (when (>= share 1.0) (set! share 0.0))
-      (set! playing? #t)
-      (set! then (current-inexact-milliseconds))
-      (send button set-label "Pause")
-      (send timer start pause #t))
+(define (stop! p)
+  (set-player-playing?! p #f)
+  (send (player-timer p) stop)
+  (send (controls-button (player-controls p)) set-label "Play"))
 
-    (define/private (stop)
-      (set! playing? #f)
-      (send timer stop)
-      (send button set-label "Play"))
+(define (toggle! p) (if (player-playing? p) (stop! p) (start! p)))
 
-    (define/private (toggle) (if playing? (stop) (start)))
+(define (go-to! p share)
+  (stop! p)
+  (set-player-share! p (max 0.0 (min 1.0 (exact->inexact share))))
+  (show-now p))
 
-    (define/private (go-to new-share)
-      (stop)
-      (set! share (max 0.0 (min 1.0 (exact->inexact new-share))))
-      (show-now))
+;; After the end it begins anew.
+(define (tick! p)
+  (when (player-playing? p)
+    (define work (player-performance p))
+    (define now (current-inexact-milliseconds))
+    (define speed (list-ref speeds (send (controls-choice (player-controls p)) get-selection)))
+    (define share (player-share p))
+    (define next
+      (+ share (/ (* speed (- now (player-then p))) 1000.0 (performance-seconds work))))
+    (set-player-then! p now)
+    (set-player-share! p (cond [(<= next 1.0) next] [(< share 1.0) 1.0] [else 0.0]))
+    (show-now p)
+    (when (player-playing? p)
+      (define spent (exact-round (- (current-inexact-milliseconds) now)))
+      (send (player-timer p) start (max 5 (- (performance-pause work) spent)) #t))))
 
-    ;; After the end it begins anew.
-    (define/private (tick)
-      (when playing?
-        (define now (current-inexact-milliseconds))
-        (define speed (list-ref speeds (send choice get-selection)))
-        (define next (+ share (/ (* speed (- now then)) 1000.0 seconds)))
-        (set! then now)
-        (set! share (cond [(<= next 1.0) next] [(< share 1.0) 1.0] [else 0.0]))
-        (show-now)
-        (when playing?
-          (define spent (exact-round (- (current-inexact-milliseconds) now)))
-          (send timer start (max 5 (- pause spent)) #t))))
+(define (show-now p)
+  (define c (player-controls p))
+  (define share (player-share p))
+  (send (controls-status c) set-label ((performance-caption (player-performance p)) share))
+  (send (controls-slider c) set-value (exact-round (* share slider-steps)))
+  (send (player-canvas p) refresh-now))
 
-    (define/private (show-now)
-      (send status set-label (caption share))
-      (send slider set-value (exact-round (* share slider-steps)))
-      (send canvas refresh-now))
+;; A picture could not be made: the motion stops there, and the window says why.
+(define (fail! p e)
+  (stop! p)
+  (send (controls-status (player-controls p)) set-label (exn-message e)))
 
-    (define/private (on-key code)
-      (define one (/ pause 1000.0 seconds))
-      (case code
-        [(#\space) (toggle)]
-        [(right) (go-to (+ share one))]
-        [(left) (go-to (- share one))]
-        [(home) (go-to 0)]
-        [(end) (go-to 1)]
-        [else (void)]))
+(define (on-key p code)
+  (define work (player-performance p))
+  (define one (/ (performance-pause work) 1000.0 (performance-seconds work)))
+  (case code
+    [(#\space) (toggle! p)]
+    [(right) (go-to! p (+ (player-share p) one))]
+    [(left) (go-to! p (- (player-share p) one))]
+    [(home) (go-to! p 0)]
+    [(end) (go-to! p 1)]
+    [else (void)]))
 
-    (define/augment (on-close)
-      (stop)
-      (closed))))
+;; ---------------------------------------------------------------------------
 
 ;; Shows a picture as large as there is room.
 (define picture-canvas%
@@ -123,12 +135,13 @@
     (super-new)
     (inherit get-dc get-client-size)
     (define/override (on-paint)
-      (define dc (get-dc))
       (with-handlers ([exn:fail? failed])
-        (define p (picture))
         (define-values (width height) (get-client-size))
-        (define factor (min (/ width (pict-width p)) (/ height (pict-height p))))
-        (define shown (scale p factor))
-        (send dc set-smoothing 'smoothed)
-        (draw-pict shown dc (/ (- width (pict-width shown)) 2) (/ (- height (pict-height shown)) 2))))
+        (draw-centered (picture) (get-dc) width height)))
     (define/override (on-char event) (key (send event get-key-code)))))
+
+(define (draw-centered p dc width height)
+  (define shown (scale p (min (/ width (pict-width p)) (/ height (pict-height p)))))
+  (send dc set-smoothing 'smoothed)
+  (draw-pict shown dc
+             (/ (- width (pict-width shown)) 2) (/ (- height (pict-height shown)) 2)))

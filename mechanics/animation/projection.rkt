@@ -2,7 +2,7 @@
 ;; Space seen from a little above, z up: a parallel projection, so that lengths along one
 ;; direction stay in proportion wherever they are.
 
-(require "plane.rkt" "shape.rkt"
+(require "plane.rkt" "shapes.rkt"
          "../numeric/constants.rkt")
 
 (provide in-view nearness space-ring space-axes)
@@ -32,7 +32,8 @@
 
 (define (space-axes long)
   (define origin (in-view 0.0 0.0 0.0))
-  (for/list ([name (in-list '("x" "y" "z"))] [x '(1.0 0.0 0.0)] [y '(0.0 1.0 0.0)] [z '(0.0 0.0 1.0)])
+  (for/list ([name (in-list '("x" "y" "z"))]
+             [x '(1.0 0.0 0.0)] [y '(0.0 1.0 0.0)] [z '(0.0 0.0 1.0)])
     (define end (in-view (* long x) (* long y) (* long z)))
     (list (polyline (list origin end) #:width 1 #:color faint #:arrows 'end)
           (label end name #:color faint #:size 13 #:shift (times 10.0 (unit (minus end origin)))))))

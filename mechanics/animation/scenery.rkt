@@ -6,8 +6,8 @@
          racket/list
          (only-in racket/math exact-ceiling)
          (only-in pict pict? pict-width pict-height blank lt-superimpose hc-append)
-         "drawing.rkt" "film.rkt" "paint.rkt" "phase-plane.rkt" "plane.rkt" "portrait.rkt"
-         "schedule.rkt" "shape.rkt"
+         "drawing.rkt" "film.rkt" "paint.rkt" "phase-plane.rkt" "portrait.rkt"
+         "schedule.rkt" "shapes.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
          "../numeric/finite.rkt")

@@ -2,8 +2,7 @@
 ;; When the pictures of an animation are taken.
 
 (require "../generic/compare.rkt"
-         "../plot/coordinate.rkt"
-         "../numeric/finite.rkt")
+         "../plot/coordinate.rkt")
 
 (provide (struct-out schedule) make-schedule
          schedule-span schedule-seconds schedule-count schedule-time schedule-at-rate

@@ -2,7 +2,7 @@
 ;; Frames on the screen, where there is one.  The window and the libraries for it are
 ;; loaded when the first is opened.
 
-(require "frame.rkt" "frame-pict.rkt" "screen.rkt" "view.rkt"
+(require "frame.rkt" "frame-pict.rkt" "window-screen.rkt" "view.rkt"
          "../generic/on-demand.rkt")
 
 (require-on-demand #:in-this-thread ["window.rkt" loaded? open-window])

@@ -10,7 +10,9 @@
          racket/gui/base
          (only-in pict draw-pict))
 
-(provide loaded? open-window)
+(provide loaded? open-window
+         ;; for other windows
+         show-at-size)
 
 ;; For those who load this module lazily and want to know whether they can.
 (define (loaded?) #t)

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; The example programs as they are in the source, with what they print and draw.
 
-(require racket/file
+(require file/convertible
+         racket/file
          racket/list
          racket/path
          racket/runtime-path
@@ -17,16 +18,27 @@
 (define-runtime-path examples "../../examples/mechanics")
 
 ;; The text of a program, without its opening comment and its tests, what it prints when
-;; it is run, and the picture that it provides under that name, if it does.
+;; it is run, and the picture or the animation that it provides under that name, if it does.
 ;; context : syntax whose bindings the code is linked by.
 (define (program name context)
   (define path (build-path examples name))
-  (define-values (output picture) (run path))
+  (define-values (output picture animation) (run path))
   (list* (para "This is " (program-link name) ":")
          (typeset-code #:context context (program-text path))
          (append
           (if (string=? output "") '() (list (para "It prints") (printed output)))
-          (if picture (list (para "The picture:") (nested #:style 'inset picture)) '()))))
+          (if picture (list (para "The picture:") (nested #:style 'inset picture)) '())
+          (if animation
+              (list (para "What it shows:") (nested #:style 'inset (elem (moving animation))))
+              '()))))
+
+;; An animation that offers no still picture to a browser, which then takes the GIF.
+(struct moving (animation)
+  #:property prop:convertible
+  (lambda (m request default)
+    (if (regexp-match? #rx"^(png|svg)" (symbol->string request))
+        default
+        (convert (moving-animation m) request default))))
 
 (define (printed output)
   (apply verbatim #:indent 2 (add-between (string-split output "\n" #:trim? #f) "\n")))
@@ -63,11 +75,12 @@
 
 (define (run path)
   (define port (open-output-string))
-  (define picture
+  (define-values (picture animation)
     (parameterize ([current-output-port port] [current-namespace (fresh-namespace)])
       (dynamic-require path #f)
-      (dynamic-require path 'picture (lambda () #f))))
-  (values (string-trim (get-output-string port)) picture))
+      (values (dynamic-require path 'picture (lambda () #f))
+              (dynamic-require path 'animation (lambda () #f)))))
+  (values (string-trim (get-output-string port)) picture animation))
 
 ;; Each program has a library of its own, for it may assume something; what draws is
 ;; shared, so that the page can convert pictures.

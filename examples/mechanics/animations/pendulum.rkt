@@ -5,7 +5,8 @@
 (provide animation)
 
 (define swing
-  (evolve-trajectory (Lagrangian->state-derivative (L-pendulum 9.8 1. 1.)) (up 0. 3. 0.) 7.))
+  (evolve-trajectory (Lagrangian->state-derivative (L-pendulum 9.8 1. 1.))
+                     (up 0. 3. 0.) 7.))
 
 (define animation
   (animate swing (draw-pendulum #:length 1) #:trail #t #:trail-time 0.6

@@ -8,11 +8,13 @@
 
 ;; 0.6 from the top at first.
 (define standing
-  (evolve-trajectory (pend-state-derivative m l g A omega) (up 0. (- :pi 0.6) 0.) 4.))
+  (evolve-trajectory (pend-state-derivative m l g A omega)
+                     (up 0. (- :pi 0.6) 0.) 4.))
+(define (support t) (* A (cos (* omega t))))
 
 (define animation
   (animate standing
-           (draw-driven-pendulum #:length l #:support (lambda (t) (* A (cos (* omega t)))))
+           (draw-driven-pendulum #:length l #:support support)
            #:speed 1/2 #:trail #t #:trail-time 1 #:phase-portrait #t
            #:title "Upright, while the pivot is shaken"))
 animation

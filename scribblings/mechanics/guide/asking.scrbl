@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt" "../citation.rkt" "../program.rkt")
+@(require (for-label mechanics) "../diagrams.rkt" "../eval.rkt" "../citation.rkt" "../program.rkt")
 
 @title[#:tag "asking"]{Asking about a system}
 
@@ -74,20 +74,28 @@ A change of coordinates gives the same motions in other words (@sicm{exercises 1
 A bead on a ring that turns has one place to rest at the bottom, until the ring turns too
 fast:
 
+@(system-diagram 'ring)
+
 @(program "questions/bead-on-ring.rkt" #'here)
 
 Motions that go round steadily are equilibria of what is left when an ignorable coordinate
 has been taken out.
 
+@(system-diagram 'spherical-pendulum)
+
 @(program "questions/steady-cone.rkt" #'here)
 
 In a turning frame, velocities can hold what forces do not.
+
+@(system-diagram 'three-bodies)
 
 @(program "questions/triangle-points.rkt" #'here)
 
 @section[#:tag "asking-oscillations"]{How does it swing about a place of rest?}
 
 Small oscillations are sums of normal modes: @secref["reference-oscillations"].
+
+@(system-diagram 'chain)
 
 @(program "questions/pendulum-chain.rkt" #'here)
 

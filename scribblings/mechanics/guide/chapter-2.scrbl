@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
+@(require (for-label mechanics mechanics/book) "../diagrams.rkt" "../eval.rkt"
+          "../citation.rkt"
           "../program.rkt")
 
 @title[#:tag "chapter-2"]{Along with chapter 2 of the book}
@@ -180,9 +181,13 @@ These programs are in the source, with tests of what they claim.
 
 @subsection{A free body: Poinsot's picture}
 
+@(system-diagram 'brick)
+
 @program["rigid/free-body.rkt" #'here]
 
 @subsection{A heavy top}
+
+@(system-diagram 'top)
 
 @program["rigid/heavy-top.rkt" #'here]
 

@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/plot) "../citation.rkt" "../eval.rkt" "../program.rkt")
+@(require (for-label mechanics mechanics/plot) "../citation.rkt" "../diagrams.rkt" "../eval.rkt" "../program.rkt")
 
 @title[#:tag "constrained-systems"]{Systems with constraints}
 
@@ -18,6 +18,9 @@ The lengths of strings are constraints, and their multipliers are minus the tens
 machine in the place of one of them, and a weight no longer balances two others of the same
 sum: the string that carries those two, while they move, carries less than their weight.
 
+@(system-diagram 'Atwood)
+@(system-diagram 'double-Atwood)
+
 @(program "constraints/Atwood-machines.rkt" #'here)
 
 @section{A ladder slides down a wall}
@@ -25,6 +28,8 @@ sum: the string that carries those two, while they move, carries less than their
 Walls push and do not pull. Lagrange's equations with multipliers are those of a ladder
 that is tied to its wall; the sign of the multiplier says until when that is the same as
 one that merely leans on it. Then the motion goes on with one constraint less.
+
+@(system-diagram 'ladder)
 
 @(program "constraints/sliding-ladder.rkt" #'here)
 
@@ -37,6 +42,8 @@ With a literal function for the track, the force of the track is a formula for a
 A loop is passed when the car still needs the track's force at the top: when it falls to
 zero before, the car leaves the track, and comes back to it elsewhere.
 
+@(system-diagram 'loop)
+
 @(program "constraints/roller-coaster.rkt" #'here)
 
 @section{A pendulum in space}
@@ -44,6 +51,8 @@ zero before, the car leaves the track, and comes back to it elsewhere.
 In rectangular coordinates there is nothing special about the lowest point. The bob goes
 round on a circle at one angular velocity for each angle, with which the string is pulled;
 for others the circle is refuted, with the component in which it fails: gravity's.
+
+@(system-diagram 'spherical-pendulum)
 
 @(program "constraints/conical-pendulum.rkt" #'here)
 
@@ -55,6 +64,8 @@ velocities. It does no work and energy is conserved; yet the motion turns from
 one direction of gliding to the other, as friction would make it, because momentum is not
 conserved in the directions in which the blade pulls.
 
+@(system-diagram 'sleigh)
+
 @(program "constraints/Chaplygin-sleigh.rkt" #'here)
 
 It glides backwards, centre of mass behind; that is unstable, and it turns round in the
@@ -65,11 +76,15 @@ cusp, where the speed along the blade is zero.
 All five coordinates of a coin that rolls on a table, two constraints, and a motion with
 every constant left as a symbol.
 
+@(system-diagram 'coin)
+
 @(program "constraints/falling-coin.rkt" #'here)
 
 The track of the point at which the coin touches the table.
 
 @section{A ball on a turntable}
+
+@(system-diagram 'turntable)
 
 @(program "constraints/turntable.rkt" #'here)
 

@@ -1,6 +1,6 @@
 #lang scribble/manual
 @(require (for-label mechanics)
-          "../eval.rkt"
+          "../diagrams.rkt" "../eval.rkt"
           (only-in "../look/look.rkt" formula)
           (only-in "../program.rkt" program-link))
 
@@ -18,6 +18,8 @@ goes through all of them; then it is replaced by any other.
 A wire ring of radius R stands upright and is turned about its vertical diameter at the
 rate ω. A bead of mass m slides along it without friction. The angle θ says where on the
 ring it is, measured from the bottom. With the time, it says where in space:
+
+@(system-diagram 'ring)
 
 @examples[#:eval session #:label #f
 (define ((on-ring R omega) t theta)

@@ -25,6 +25,9 @@ Each name leads to the program. In a checkout
 @section[#:tag "programs-figures"]{Figures}
 @(program-table "figures")
 
+@section[#:tag "programs-animations"]{Animations}
+@(program-table "animations")
+
 @section[#:tag "programs-sandbox"]{Grading}
 @(program-table "sandbox")
 

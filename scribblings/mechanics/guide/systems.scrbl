@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../citation.rkt" "../program.rkt")
+@(require (for-label mechanics mechanics/book) "../citation.rkt" "../diagrams.rkt"
+          "../program.rkt")
 
 @title[#:tag "systems"]{Worked systems}
 
@@ -13,6 +14,8 @@ whose constraints have multipliers are on a page of their own,
 Along the straight path the action is least. A varied path has a larger one, and
 the minimum over the family is at no variation (@sicm{1.4, pp. 17–19}).
 
+@(system-diagram 'varied-path)
+
 @(program "variational/free-particle-action.rkt" #'here)
 
 The second number is 435 + 18077/14000. The book prints it to fewer correct
@@ -23,6 +26,8 @@ digits.
 With the constants as symbols, one proof covers all straight lines at constant
 speed (@sicm{1.5, p. 35}).
 
+@(system-diagram 'straight-line)
+
 @(program "variational/straight-line.rkt" #'here)
 
 @section{The harmonic oscillator}
@@ -30,12 +35,16 @@ speed (@sicm{1.5, p. 35}).
 Here the amplitude, frequency and phase of the proposed path are all free. The
 verdict finds the one relation that matters (@sicm{1.5, p. 36}).
 
+@(system-diagram 'oscillator)
+
 @(program "variational/harmonic-oscillator.rkt" #'here)
 
 @section{Orbits}
 
 Motion about a centre of attraction. A circle is an orbit at one angular velocity
 only, which is Kepler's third law.
+
+@(system-diagram 'orbit)
 
 @(program "variational/orbital-motion.rkt" #'here)
 
@@ -67,12 +76,16 @@ even if one of them contains the acceleration
 A frame is a coordinate transformation. Coriolis and centrifugal forces come out of it, and a
 straight line remains a motion when it is seen from there (@sicm{1.6, p. 48}).
 
+@(system-diagram 'turning-axes)
+
 @(program "chapter-1/rotating-axes.rkt" #'here)
 
 @section{A pendulum with a moving pivot}
 
 Its Lagrangian is found twice, from energies and from a constraint built into the
 coordinates; then it is followed in time (@sicm{1.6, pp. 52 and 61, and 1.7, p. 76}).
+
+@(system-diagram 'driven-pendulum)
 
 @(program "chapter-1/driven-pendulum.rkt" #'here)
 
@@ -82,12 +95,16 @@ Angular momentum is conserved, as the momentum of an angle that does not occur i
 Lagrangian, and as what belongs to the symmetry under rotations (@sicm{1.8, pp. 84, 85 and
 91}).
 
+@(system-diagram 'orbit)
+
 @(program "chapter-1/angular-momentum.rkt" #'here)
 
 @section{A third body among two that circle}
 
 In the restricted three-body problem, on axes that turn with the two bodies, the motion of
 the third has a constant, Jacobi's (@sicm{1.8, pp. 86–88}).
+
+@(system-diagram 'three-bodies)
 
 @(program "chapter-1/three-bodies.rkt" #'here)
 
@@ -100,11 +117,15 @@ For any two particles, any coordinates and any forces, each line from Newton's e
 Lagrange's is proved. @secref["Newton-to-Lagrange"] tells how the lines follow from each
 other.
 
+@(system-diagram 'two-particles)
+
 @(program "forces/newton-to-lagrange.rkt" #'here)
 
 @section{Generalized forces}
 
 Gravity, a torque, a drag, and any force that has a potential, as coordinates see them.
+
+@(system-diagram 'pendulum-with-weight)
 
 @(program "forces/generalized-forces.rkt" #'here)
 
@@ -112,6 +133,8 @@ Gravity, a torque, a drag, and any force that has a potential, as coordinates se
 
 The kinetic energy depends on r, and the equations have a centrifugal term, without which
 a free particle would not move in a straight line.
+
+@(system-diagram 'polar)
 
 @(program "forces/polar-coordinates.rkt" #'here)
 
@@ -121,11 +144,15 @@ The verdict on a damped oscillation finds the two relations between its rate, it
 and the system's parameters. Forces can be stated in several ways that are proved to be the
 same.
 
+@(system-diagram 'driven-oscillator)
+
 @(program "forces/oscillator.rkt" #'here)
 
 @section{A bead on a rotating ring}
 
 Where the ring turns fast enough, the bottom is no longer a place to rest.
+
+@(system-diagram 'ring)
 
 @(program "forces/rotating-ring.rkt" #'here)
 
@@ -135,5 +162,7 @@ against the angular velocity, and motions on both sides of the critical one.
 @section{Equilibrium by virtual work}
 
 A lever, and two rods under a horizontal force, without any force in a hinge.
+
+@(system-diagram 'lever)
 
 @(program "forces/levers.rkt" #'here)

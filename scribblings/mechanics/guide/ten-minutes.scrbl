@@ -1,6 +1,6 @@
 #lang scribble/manual
 @(require (for-label mechanics)
-          "../eval.rkt"
+          "../diagrams.rkt" "../eval.rkt"
           (only-in "../look/look.rkt" formula)
           (only-in "../program.rkt" program-link))
 
@@ -12,6 +12,8 @@ We take a pendulum: a mass @italic{m} on a rod of length @italic{l}, swinging in
 a plane. Its one coordinate is the angle @italic{θ} from the lowest point. Start
 a prompt with @exec{make repl} in a checkout, or with @exec{racket -I mechanics} where
 the package is installed (@secref["installation"]), and type along.
+
+@(system-diagram 'pendulum)
 
 @section{Write the Lagrangian}
 

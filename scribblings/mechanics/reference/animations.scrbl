@@ -20,7 +20,8 @@ loaded for the first picture. @secref["guide-animations"] tells how they are use
                   [#:frames-per-second rate real? 25]
                   [#:trail trail (or/c boolean? (-> any any)) #f]
                   [#:trail-time trail-time (or/c positive-real? #f) #f]
-                  [#:phase-portrait portrait (or/c boolean? exact-nonnegative-integer? phase-plane?) #f]
+                  [#:phase-portrait portrait
+                                    (or/c boolean? exact-nonnegative-integer? phase-plane?) #f]
                   [#:title title string? "Motion"])
          animation?]{
 
@@ -59,7 +60,8 @@ The picture at a time of the motion, as a value of the @racketmodname[pict #:ind
 library, with the trail up to then and the phase portrait.
 
 @examples[#:eval session
-(animation-frame (animate swing (draw-pendulum) #:trail #t #:phase-portrait #t) 1)]}
+(define traced (animate swing (draw-pendulum) #:trail #t #:phase-portrait #t))
+(animation-frame traced 1)]}
 
 @defproc[(animation-save [a animation?] [file path-string?]) void?]{
 
@@ -96,7 +98,9 @@ What a phase portrait shows: one function of the state against another.
 (define energies
   (phase-plane coordinate (Lagrangian->energy (L-pendulum 9.8 1 1))
                #:x-label "θ" #:y-label "E"))
-(animation-frame (animate swing (draw-pendulum #:width 150) #:phase-portrait energies) 2)]}
+(define constant
+  (animate swing (draw-pendulum #:width 150) #:phase-portrait energies))
+(animation-frame constant 2)]}
 
 @defproc[(phase-plane? [x any/c]) boolean?]{Is it a phase plane?
 
@@ -126,7 +130,8 @@ to heights or to points.
 @examples[#:eval session
 (diagram (draw-pendulum))
 ((draw-pendulum #:length 2) (up 0 0.5 0))
-(diagram (draw-driven-pendulum #:support (lambda (t) (* 0.1 (cos (* 20 t))))))
+(define (shaken t) (* 0.1 (cos (* 20 t))))
+(diagram (draw-driven-pendulum #:support shaken))
 (eval:error ((draw-pendulum) (up 0 (up 1 2 3) 0)))]
 
 @sicm{1.6.2, p. 51}}

@@ -52,8 +52,8 @@
     (define g (parse-gif (saved (turning #:rate 30) ".gif")))
     (check-equal? (remove-duplicates (map gif-image-delay (gif-images g))) '(3))
     (check-= (* 3/100 (- (length (gif-images g)) 1)) 2 3/100)
-    (check-equal? (gif-image-delay (first (gif-images (parse-gif (saved (turning #:rate 100) ".gif")))))
-                  2))
+    (define fast (parse-gif (saved (turning #:rate 100) ".gif")))
+    (check-equal? (gif-image-delay (first (gif-images fast))) 2))
 
   (test-case "pictures after the first are where something changes"
     (define places (map gif-image-place (gif-images (parse-gif (saved (turning) ".gif")))))
@@ -111,7 +111,8 @@
 
   (test-case "a page asks nothing of the network"
     (define text (page (turning #:portrait #t)))
-    (check-false (regexp-match? #rx"https?:|//[a-z]|src=|<link|@import|import ?[(]|fetch|url[(]" (without-comments text)))
+    (check-false (regexp-match? #rx"https?:|//[a-z]|src=|<link|@import|import ?[(]|fetch|url[(]"
+                                (without-comments text)))
     (check-regexp-match #rx"Content-Security-Policy\" content=\"default-src 'none'" text))
 
   (test-case "the first picture is there without a script, and controls only with one"
@@ -163,7 +164,8 @@
     (check-regexp-match #rx"<output id=\"clock\">t = 1.50</output>" dom)
     (check-regexp-match #rx"<button id=\"play\">Play</button>" dom)
     (define points
-      (string-split (cadr (regexp-match #rx"<polyline id=\"trail0-0\"[^>]* points=\"([^\"]*)\"" dom))))
+      (string-split
+       (cadr (regexp-match #rx"<polyline id=\"trail0-0\"[^>]* points=\"([^\"]*)\"" dom))))
     (check-equal? (length points) (* 2 (+ 1 (* 4 15))))
     (define m (motion html))
     (define frame (list-ref (hash-ref (first (hash-ref m 'panels)) 'frames) 15))
@@ -183,8 +185,8 @@
 (test-case "a name that says no format"
   (for ([name '("motion" "motion.png" "gif")])
     (check-message
-     (format "animation-save: the name of the file says no format; it ends in .gif or .html\n  file: ~s"
-             name)
+     (format "animation-save: the name of the file says no format; it ends in ~a\n  file: ~s"
+             ".gif or .html" name)
      (animation-save a name)))
   (check-exn #rx"expected: the name of a file\n  given: 3" (lambda () (animation-save a 3)))
   (check-exn #rx"expected: an animation" (lambda () (animation-save 3 "a.gif"))))
@@ -247,6 +249,6 @@
      (check-exn #rx"^draw-pendulum: pictures cannot be drawn on this machine"
                 (lambda () (((library 'draw-pendulum)) (vector 0 1 0))))
      (with-folder (folder)
-       (check-exn #rx"^animation-save: pictures cannot be drawn on this machine\n  file: .*reason: lib"
+       (check-exn #rx"^animation-save: pictures cannot be drawn on this .*\n  file: .*reason: lib"
                   (lambda () ((library 'animation-save) b (build-path folder "a.gif"))))
        (check-equal? (directory-list folder) '())))))

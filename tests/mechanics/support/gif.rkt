@@ -16,7 +16,8 @@
   (define (after-blocks i)
     (define n (bytes-ref bytes i))
     (if (= n 0) (+ i 1) (after-blocks (+ i n 1))))
-  (define (colors flags) (if (bitwise-bit-set? flags 7) (* 3 (expt 2 (+ 1 (bitwise-and flags 7)))) 0))
+  (define (colors flags)
+    (if (bitwise-bit-set? flags 7) (* 3 (expt 2 (+ 1 (bitwise-and flags 7)))) 0))
   (let next ([i (+ 13 (colors (bytes-ref bytes 10)))] [delay #f] [loops? #f] [images '()])
     (case (bytes-ref bytes i)
       [(#x3B)
@@ -25,7 +26,8 @@
       [(#x21)
        (define control? (= (bytes-ref bytes (+ i 1)) #xF9))
        (define netscape? (equal? (subbytes bytes (+ i 3) (+ i 14)) #"NETSCAPE2.0"))
-       (next (after-blocks (+ i 2)) (if control? (word (+ i 4)) delay) (or loops? netscape?) images)]
+       (next (after-blocks (+ i 2)) (if control? (word (+ i 4)) delay) (or loops? netscape?)
+             images)]
       [(#x2C)
        (define place (for/list ([k (in-range 4)]) (word (+ i 1 (* 2 k)))))
        (define data (+ i 10 (colors (bytes-ref bytes (+ i 9)))))

@@ -10,12 +10,12 @@
          racket/runtime-path
          racket/string
          (only-in xml xexpr->string)
-         "film.rkt" "record.rkt" "scenery.rkt" "schedule.rkt" "shape.rkt" "svg.rkt")
+         "film.rkt" "pict-recorder.rkt" "scenery.rkt" "schedule.rkt" "shapes.rkt" "svg.rkt")
 
 (provide make-page)
 
-(define-runtime-path style-sheet "page.css")
-(define-runtime-path script "page.js")
+(define-runtime-path style-sheet "playing-page.css")
+(define-runtime-path script "playing-page.js")
 
 ;; -> bytes
 (define (make-page s)

@@ -21,32 +21,49 @@
   (draw-pict p recorder 0 0)
   (send recorder recorded))
 
-(define recorder%
+;; What is common to all that is drawn.
+(define canvas%
   (class bitmap-dc%
     (super-new [bitmap (make-object bitmap% 1 1 #f #t)])
-    (inherit get-pen get-brush get-alpha get-font get-text-foreground get-text-extent
-             get-transformation get-clipping-region)
+    (inherit get-pen get-brush get-alpha get-transformation get-clipping-region)
     (define elements '())
     (define/public (recorded) (reverse elements))
-
-    (define (add! e)
+    (define/public (matrix) (matrix-of (get-transformation)))
+    (define/public (present-look fill? rule)
+      (look-of (get-pen) (if fill? (get-brush) no-brush) (get-alpha) (matrix) rule))
+    (define/public (add! e)
       (define region (get-clipping-region))
       (define box
         (and region (call-with-values (lambda () (send region get-bounding-box)) vector)))
-      (set! elements (cons (if box (clipped e box (matrix-of (get-transformation))) e) elements)))
-
-    (define (outline! make #:fill? [fill? #t] #:rule [rule 'odd-even])
+      (set! elements (cons (if box (clipped e box (matrix)) e) elements)))
+    ;; make : dc-path% -> any, makes the outline
+    (define/public (outline! make #:fill? [fill? #t] #:rule [rule 'odd-even])
       (define path (new dc-path%))
       (make path)
-      (define m (matrix-of (get-transformation)))
-      (send path transform m)
-      (define look (look-of (get-pen) (if fill? (get-brush) no-brush) (get-alpha) m rule))
-      (when look (add! (path-element path look))))
+      (send path transform (matrix))
+      (define l (present-look fill? rule))
+      (when l (add! (path-element path l))))
+    (define/override (clear) (set! elements '()))
+    (define/override (erase) (set! elements '()))))
 
+(define line-recorder%
+  (class canvas%
+    (super-new)
+    (inherit outline!)
     (define/override (draw-line x1 y1 x2 y2)
       (outline! #:fill? #f (lambda (p) (send p move-to x1 y1) (send p line-to x2 y2))))
     (define/override (draw-lines points [dx 0] [dy 0])
       (outline! #:fill? #f (lambda (p) (connect! p points dx dy))))
+    (define/override (draw-spline x1 y1 x2 y2 x3 y3)
+      (outline! #:fill? #f
+                (lambda (p) (send p move-to x1 y1) (send p curve-to x1 y1 x2 y2 x3 y3))))
+    (define/override (draw-point x y)
+      (outline! #:fill? #f (lambda (p) (send p move-to x y) (send p line-to (+ x 0.01) y))))))
+
+(define area-recorder%
+  (class line-recorder%
+    (super-new)
+    (inherit outline! add! matrix present-look)
     (define/override (draw-polygon points [dx 0] [dy 0] [rule 'odd-even])
       (outline! #:rule rule (lambda (p) (connect! p points dx dy) (send p close))))
     (define/override (draw-path path [dx 0] [dy 0] [rule 'odd-even])
@@ -57,36 +74,29 @@
       (outline! (lambda (p) (send p rounded-rectangle x y w h radius))))
     (define/override (draw-arc x y w h from to)
       (outline! (lambda (p) (send p arc x y w h from to))))
-    (define/override (draw-spline x1 y1 x2 y2 x3 y3)
-      (outline! #:fill? #f
-                (lambda (p) (send p move-to x1 y1) (send p curve-to x1 y1 x2 y2 x3 y3))))
-    (define/override (draw-point x y)
-      (outline! #:fill? #f (lambda (p) (send p move-to x y) (send p line-to (+ x 0.01) y))))
     (define/override (draw-ellipse x y w h)
-      (define m (matrix-of (get-transformation)))
-      (define look (look-of (get-pen) (get-brush) (get-alpha) m 'odd-even))
+      (define m (matrix))
+      (define l (present-look #t 'odd-even))
       (cond [(not (upright? m)) (outline! (lambda (p) (send p ellipse x y w h)))]
-            [look (add! (ellipse-element (moved m (+ x (/ w 2)) (+ y (/ h 2)))
-                                         (* (abs (vector-ref m 0)) (/ w 2))
-                                         (* (abs (vector-ref m 3)) (/ h 2)) look))]))
+            [l (add! (ellipse-element (moved m (+ x (/ w 2)) (+ y (/ h 2)))
+                                      (* (abs (vector-ref m 0)) (/ w 2))
+                                      (* (abs (vector-ref m 3)) (/ h 2)) l))]))))
 
+(define recorder%
+  (class area-recorder%
+    (super-new)
+    (inherit add! matrix get-font get-alpha get-text-foreground get-text-extent)
     (define/override (draw-text text x y [combine? #t] [offset 0] [angle 0.0])
       (define-values (w h descent above) (get-text-extent text (get-font) combine? offset))
       (add! (text-element (substring text offset) x y w (- h descent) angle
-                          (get-font) (get-text-foreground) (get-alpha)
-                          (matrix-of (get-transformation)))))
-
+                          (get-font) (get-text-foreground) (get-alpha) (matrix))))
     (define/override (draw-bitmap bitmap x y [style 'solid] [color #f] [mask #f])
       (draw-bitmap-section bitmap x y 0 0 (send bitmap get-width) (send bitmap get-height)
                            style color mask))
     (define/override (draw-bitmap-section bitmap x y from-x from-y w h
                                           [style 'solid] [color #f] [mask #f])
-      (add! (image-element (section bitmap from-x from-y w h mask) x y w h (get-alpha)
-                           (matrix-of (get-transformation))))
-      #t)
-
-    (define/override (clear) (set! elements '()))
-    (define/override (erase) (set! elements '()))))
+      (add! (image-element (section bitmap from-x from-y w h mask) x y w h (get-alpha) (matrix)))
+      #t)))
 
 ;; points : pairs, or racket/draw's points; at least one
 (define (connect! path points dx dy)

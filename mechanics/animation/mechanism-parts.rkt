@@ -3,7 +3,7 @@
 ;; from, and what labels them.
 
 (require racket/math
-         "plane.rkt" "shape.rkt"
+         "plane.rkt" "shapes.rkt"
          "../plot/coordinate.rkt")
 
 (provide rod bob spring wall block vector-arrow angle-mark length-mark

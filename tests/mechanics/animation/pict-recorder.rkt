@@ -10,7 +10,7 @@
 (skip-unless (not (why-no-pictures))
              "the shared libraries of racket/draw are not installed: nothing is recorded"
 
-  (define (library name) (dynamic-require 'mechanics/animation/record name))
+  (define (library name) (dynamic-require 'mechanics/animation/pict-recorder name))
   (define (svg name) (dynamic-require 'mechanics/animation/svg name))
   (define (pict name) (dynamic-require 'pict name))
   (define (color . bytes) (apply (dynamic-require 'racket/draw 'make-color) bytes))
