@@ -1,0 +1,68 @@
+#lang racket/base
+;; The animations are programs: each writes the files that are named on its command line.
+;; What their motions show is tested beside them.
+
+(require (only-in mechanics/animate)
+         (only-in mechanics/animation/on-demand why-no-pictures)
+         (only-in mechanics/book)
+         racket/file
+         racket/path
+         racket/runtime-path
+         racket/string
+         rackunit
+         "../support/gif.rkt" "../support/skip.rkt")
+
+(define-runtime-path folder "../../../examples/mechanics/animations")
+
+(define (name-of file) (path->string (path-replace-extension (file-name-from-path file) #"")))
+
+(define programs
+  (for/list ([file (in-list (directory-list folder #:build? #t))]
+             #:when (path-has-extension? file #".rkt")
+             #:unless (equal? (name-of file) "save"))
+    file))
+
+(define-namespace-anchor here)
+
+;; A namespace where the library is loaded already, and no program.
+(define (with-library)
+  (define namespace (make-base-empty-namespace))
+  (for ([library (in-list '(mechanics mechanics/animate mechanics/book))])
+    (namespace-attach-module (namespace-anchor->empty-namespace here) library namespace))
+  namespace)
+
+;; What it prints, run as a program with these arguments.
+(define (run program . arguments)
+  (define out (open-output-string))
+  (parameterize ([current-namespace (with-library)]
+                 [current-output-port out]
+                 [current-command-line-arguments (list->vector arguments)])
+    (dynamic-require `(submod ,program main) #f))
+  (get-output-string out))
+
+(define-syntax-rule (in-a-folder body ...)
+  (let ([folder (make-temporary-file "animations~a" 'directory)])
+    (dynamic-wind void
+                  (lambda () (parameterize ([current-directory folder]) body ...))
+                  (lambda () (delete-directory/files folder)))))
+
+(skip-unless (not (why-no-pictures))
+             "the shared libraries of racket/draw are not installed: no animations"
+
+  (test-case "all animations are there"
+    (check-equal? (length programs) 13))
+
+  (for ([program (in-list programs)])
+    (test-case (format "~a writes a page" (name-of program))
+      (in-a-folder
+       (define printed (run program "motion.html"))
+       (check-true (string-prefix? printed "(animation from ") printed)
+       (check-true (string-suffix? printed "written: motion.html\n") printed)
+       (check-equal? (map path->string (directory-list)) '("motion.html"))
+       (check-true (< 20000 (file-size "motion.html") 1000000)))))
+
+  (test-case "without a name it writes a GIF of its own"
+    (in-a-folder
+     (run (build-path folder "Atwood-machines.rkt"))
+     (check-equal? (map path->string (directory-list)) '("Atwood-machines.gif"))
+     (check-true (> (length (gif-images (parse-gif (file->bytes "Atwood-machines.gif")))) 50)))))
