@@ -30,7 +30,9 @@
 ;; ((file . module) ...)
 (define needed
   '(("tests/mechanics/plot/figures.rkt" . "mechanics/book")
-    ("tests/mechanics/plot/figures.rkt" . "mechanics/plot")))
+    ("tests/mechanics/plot/figures.rkt" . "mechanics/plot")
+    ("tests/mechanics/animation/programs.rkt" . "mechanics/animate")
+    ("tests/mechanics/animation/programs.rkt" . "mechanics/book")))
 
 ;; ---------------------------------------------------------------------------
 ;; Files

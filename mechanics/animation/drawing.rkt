@@ -12,7 +12,8 @@
          "../generic/value-struct.rkt"
          "../plot/view.rkt")
 
-(provide mechanism make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes drawing-sample
+(provide mechanism make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes
+         drawing-sample
          check-state drawing-trail drawn-place trail-points
          sketch diagram
          check-drawing-library)

@@ -62,7 +62,8 @@
         [style '(horizontal plain)]
         [callback (lambda (s e) (go (/ (send s get-value) slider-steps)))])
    (new message% [parent row] [label ((performance-caption work) 0.0)] [min-width 90])
-   (new choice% [parent row] [label #f] [choices (for/list ([s (in-list speeds)]) (format "× ~a" s))]
+   (new choice% [parent row] [label #f]
+        [choices (for/list ([s (in-list speeds)]) (format "× ~a" s))]
         [selection usual-speed])))
 
 ;; ---------------------------------------------------------------------------

@@ -60,7 +60,9 @@ so will functions from the time to states, such as the local tuples of a propose
 
 @examples[#:eval session #:label #f
 (define (small t) (* 0.4 (cos (* (sqrt 9.8) t))))
-(animation-frame (animate (Gamma small) (draw-pendulum) #:from 0 #:to 2 #:trail #t) 1.2)]
+(define proposed
+  (animate (Gamma small) (draw-pendulum) #:from 0 #:to 2 #:trail #t))
+(animation-frame proposed 1.2)]
 
 @section{A drawing of one's own}
 

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/plot) "../citation.rkt" "../diagrams.rkt" "../eval.rkt" "../program.rkt")
+@(require (for-label mechanics mechanics/plot) "../citation.rkt" "../diagrams.rkt"
+          "../eval.rkt" "../program.rkt")
 
 @title[#:tag "constrained-systems"]{Systems with constraints}
 
