@@ -2,7 +2,8 @@
 ;; Diagrams of the systems that the manual works out: the drawings of the library with their
 ;; marks, and sketches where there is no drawing.
 
-(require mechanics/animate
+(require file/convertible
+         mechanics/animate
          scribble/base
          (only-in "../../mechanics/animation/on-demand.rkt" why-no-pictures))
 
@@ -13,7 +14,15 @@
 ;; The diagram of that name, where pictures can be drawn.
 (define (system-diagram name)
   (define make (hash-ref diagrams name))
-  (if (why-no-pictures) '() (nested #:style 'inset (make))))
+  (if (why-no-pictures) '() (nested #:style 'inset (elem (illustration (make) name)))))
+
+;; A pict that in plain text is its name.
+(struct illustration (pict name)
+  #:property prop:convertible
+  (lambda (i request default)
+    (if (eq? request 'text)
+        (format "(a diagram: ~a)" (illustration-name i))
+        (convert (illustration-pict i) request default))))
 
 ;; A point of the plane
 (define (at x y) (cons x y))

@@ -48,7 +48,7 @@
     exn:fail:mechanics exn:fail:mechanics:not-convergent
     exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:singular
     exn:fail:mechanics:singular:matrix
-    frame->pict graphics-show))
+    animation-show frame->pict graphics-show))
 
 (define (read-all text) (port->list read (open-input-string text)))
 
