@@ -8,7 +8,7 @@
          "../as-written.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["infix.rkt" prefix-form])
+(require-on-demand ["prefix-form.rkt" prefix-form])
 
 (provide advice-on-call called-beside call-in-print? as-called without-commas)
 

@@ -5,7 +5,7 @@
 
 (require racket/list
          "../as-written.rkt"
-         "../mistake/infix.rkt" "../mistake/misread.rkt" "../mistake/other-notation.rkt"
+         "../mistake/misread.rkt" "../mistake/other-notation.rkt" "../mistake/prefix-form.rkt"
          "../mistake/sign.rkt"
          (only-in "../../generic/up-down.rkt" tuple?))
 

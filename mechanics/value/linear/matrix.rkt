@@ -29,11 +29,9 @@
              #:describe (lambda (m) (format "a ~a by ~a matrix" (m:num-rows m) (m:num-cols m)))
              #:datum (lambda (m)
                        (cons 'matrix-by-rows
-                             (for/list ([row (in-vector (matrix-rows m))])
-                               (cons 'list (map value->datum (vector->list row))))))
+                             (rows-of m (lambda (row) (cons 'list (map value->datum row))))))
              #:notation (lambda (m see)
-                          (tree:grid (for/list ([row (in-vector (matrix-rows m))])
-                                       (map see (vector->list row)))))
+                          (tree:grid (rows-of m (lambda (row) (map see row)))))
              #:map (lambda (f m) (matrix-map (lambda (x) (map-leaves f x)) m))
              #:unary (lambda (op m)
                        (case (generic-op-name op)
@@ -42,10 +40,7 @@
                           (matrix-map (generic-op-procedure op) m)]
                          [else (raise-inapplicable op m)]))
              #:component (lambda (m i) (m:nth-row m i))
-             #:arity (lambda (m)
-                       (for*/fold ([mask -1])
-                                  ([row (in-vector (matrix-rows m))] [x (in-vector row)])
-                         (bitwise-and mask (arity-mask x))))
+             #:arity (lambda (m) (common-arity m))
              #:binary (lambda (op a b) (combine op a b))
              #:same? (lambda (same? a b)
                        (and (= (m:num-rows a) (m:num-rows b))
@@ -56,6 +51,14 @@
              #:zero? (lambda (m)
                        (for*/and ([row (in-vector (matrix-rows m))] [x (in-vector row)])
                          (g:zero? x)))))
+
+;; f of each row, a list
+(define (rows-of m f)
+  (for/list ([row (in-vector (matrix-rows m))]) (f (vector->list row))))
+
+(define (common-arity m)
+  (for*/fold ([mask -1]) ([row (in-vector (matrix-rows m))] [x (in-vector row)])
+    (bitwise-and mask (arity-mask x))))
 
 ;; rows : a vector of vectors of one length, changed by nobody.
 (value-struct matrix (rows)

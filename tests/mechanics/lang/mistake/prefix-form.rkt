@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Formulas as on paper, and how they are written here.
 
-(require mechanics/lang/mistake/infix
+(require mechanics/lang/mistake/prefix-form
          mechanics/lang/mistake/sign
          rackunit)
 
