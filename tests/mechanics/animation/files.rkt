@@ -11,9 +11,9 @@
          racket/port
          racket/string
          rackunit
-         syntax/modresolve
          xml
-         "../support/gif.rkt" "../support/messages.rkt" "../support/skip.rkt")
+         "../support/gif.rkt" "../support/messages.rkt"
+         "../support/picture-programs.rkt" "../support/skip.rkt")
 
 (define drawable? (not (why-no-pictures)))
 (define no-drawing "the shared libraries of racket/draw are not installed: no files")
@@ -228,16 +228,6 @@
 ;; ---------------------------------------------------------------------------
 ;; Without the drawing library
 
-(define (without-drawing f)
-  (define missing (resolve-module-path 'racket/draw #f))
-  (define load (current-load/use-compiled))
-  (parameterize ([current-namespace (make-base-empty-namespace)]
-                 [current-load/use-compiled
-                  (lambda (path name)
-                    (when (equal? path missing) (raise-user-error "libcairo.so.2 is missing"))
-                    (load path name))])
-    (f (lambda (name) (dynamic-require 'mechanics/animate name)))))
-
 (test-case "where pictures cannot be drawn, animations are made, print, and say what is missing"
   (without-drawing
    (lambda (library)
@@ -251,4 +241,5 @@
      (with-folder (folder)
        (check-exn #rx"^animation-save: pictures cannot be drawn on this .*\n  file: .*reason: lib"
                   (lambda () ((library 'animation-save) b (build-path folder "a.gif"))))
-       (check-equal? (directory-list folder) '())))))
+       (check-equal? (directory-list folder) '())))
+   'mechanics/animate))

@@ -5,7 +5,6 @@
 
 (require racket/list
          racket/runtime-path
-         racket/string
          rackunit
          "../support/display.rkt" "../support/skip.rkt")
 
@@ -23,19 +22,8 @@
      "\n  to a file it goes with \\(animation-save animation \"motion.gif\"\\), or \"motion.html\"\n"
      output)))
 
-;; What the program says, one line each, all of them and in this order.
-(define expected
-  '("named" "plays" "pauses" "t = 1.00" "t = 1.04" "t = 2.00" "plays again" "slowly"
-    "other windows do not wait" "says what failed" "closed"))
-
-(define (said output)
-  (filter (lambda (line) (member line expected)) (string-split output "\n")))
-
-(skip-unless (display-server)
-             "Xvfb (Debian: apt install xvfb) is not installed: windows are not opened"
-  (define output
-    (call-with-display (lambda (display) (run-program program (environment-with display)))))
-  (skip-unless (not (regexp-match? #rx"ffi-lib: " output))
-               "the shared libraries of racket/gui are not installed: windows are not opened"
-    (test-case "it plays, pauses, goes where the slider and the keys say, and stops at an error"
-      (check-equal? (said output) expected output))))
+(test-windows
+ "it plays, pauses, goes where the slider and the keys say, and stops at an error"
+ program
+ '("named" "plays" "pauses" "t = 1.00" "t = 1.04" "t = 2.00" "plays again" "slowly"
+   "other windows do not wait" "says what failed" "closed"))

@@ -10,7 +10,7 @@
          racket/runtime-path
          racket/string
          rackunit
-         "../support/gif.rkt" "../support/skip.rkt")
+         "../support/gif.rkt" "../support/picture-programs.rkt" "../support/skip.rkt")
 
 (define-runtime-path folder "../../../examples/mechanics/animations")
 
@@ -24,27 +24,10 @@
 
 (define-namespace-anchor here)
 
-;; A namespace where the library is loaded already, and no program.
-(define (with-library)
-  (define namespace (make-base-empty-namespace))
-  (for ([library (in-list '(mechanics mechanics/animate mechanics/book))])
-    (namespace-attach-module (namespace-anchor->empty-namespace here) library namespace))
-  namespace)
-
 ;; What it prints, run as a program with these arguments.
 (define (run program . arguments)
-  (define out (open-output-string))
-  (parameterize ([current-namespace (with-library)]
-                 [current-output-port out]
-                 [current-command-line-arguments (list->vector arguments)])
-    (dynamic-require `(submod ,program main) #f))
-  (get-output-string out))
-
-(define-syntax-rule (in-a-folder body ...)
-  (let ([folder (make-temporary-file "animations~a" 'directory)])
-    (dynamic-wind void
-                  (lambda () (parameterize ([current-directory folder]) body ...))
-                  (lambda () (delete-directory/files folder)))))
+  (define library (loaded-from here 'mechanics 'mechanics/animate 'mechanics/book))
+  (apply run-in-namespace library program arguments))
 
 (skip-unless (not (why-no-pictures))
              "the shared libraries of racket/draw are not installed: no animations"

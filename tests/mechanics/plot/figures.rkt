@@ -10,7 +10,7 @@
          racket/runtime-path
          racket/string
          rackunit
-         "../support/skip.rkt")
+         "../support/picture-programs.rkt" "../support/skip.rkt")
 
 (define-runtime-path figures "../../../examples/mechanics/figures")
 (define-runtime-path constraints "../../../examples/mechanics/constraints")
@@ -24,27 +24,11 @@
 
 (define-namespace-anchor here)
 
-;; A namespace where the library is loaded already, and no program.
-(define (with-library)
-  (define namespace (make-base-empty-namespace))
-  (for ([library (in-list '(mechanics mechanics/book mechanics/plot mechanics/plot/picture))])
-    (namespace-attach-module (namespace-anchor->empty-namespace here) library namespace))
-  namespace)
-
 ;; What it prints, run as a program with these arguments.
 (define (run program . arguments)
-  (define out (open-output-string))
-  (parameterize ([current-namespace (with-library)]
-                 [current-output-port out]
-                 [current-command-line-arguments (list->vector arguments)])
-    (dynamic-require `(submod ,program main) #f))
-  (get-output-string out))
-
-(define-syntax-rule (in-a-folder body ...)
-  (let ([folder (make-temporary-file "figures~a" 'directory)])
-    (dynamic-wind void
-                  (lambda () (parameterize ([current-directory folder]) body ...))
-                  (lambda () (delete-directory/files folder)))))
+  (define library
+    (loaded-from here 'mechanics 'mechanics/book 'mechanics/plot 'mechanics/plot/picture))
+  (apply run-in-namespace library program arguments))
 
 ;; Loads the drawing library, or finds that it is not there.
 (define problem (why-not))

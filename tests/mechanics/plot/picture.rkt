@@ -8,8 +8,8 @@
          racket/file
          racket/string
          rackunit
-         syntax/modresolve
-         "../support/messages.rkt" "../support/skip.rkt" "../support/svg.rkt")
+         "../support/messages.rkt" "../support/picture-programs.rkt" "../support/skip.rkt"
+         "../support/svg.rkt")
 
 (define drawable? (not (why-not)))
 (define no-drawing "the shared libraries of racket/draw are not installed: no pictures")
@@ -167,18 +167,6 @@
       ((dynamic-require 'file/convertible 'convert) f 'png-bytes)
       (check-true (drawing?)))))
 
-;; (f) in a namespace of its own, where the drawing library cannot be loaded.
-(define (without-drawing f)
-  (define missing (resolve-module-path 'racket/draw #f))
-  (define load (current-load/use-compiled))
-  (parameterize ([current-namespace (make-base-empty-namespace)]
-                 [current-load/use-compiled
-                  (lambda (path name)
-                    (when (equal? path missing) (raise-user-error "libcairo.so.2 is missing"))
-                    (load path name))])
-    (f (lambda (name) (dynamic-require 'mechanics/plot name))
-       (lambda (name) (dynamic-require 'file/convertible name)))))
-
 (define remedy
   (string-append
    "\n  pictures are drawn by the libraries Cairo and Pango; to install them:"
@@ -205,4 +193,5 @@
        (check-equal? message
                      (format "graphics-save: pictures cannot be drawn on this machine\n~a~a~a~a"
                              "  file: " file "\n  reason: libcairo.so.2 is missing" remedy))
-       (check-equal? (directory-list folder) '())))))
+       (check-equal? (directory-list folder) '())))
+   'mechanics/plot 'file/convertible))

@@ -5,7 +5,6 @@
 
 (require racket/list
          racket/runtime-path
-         racket/string
          rackunit
          "../support/display.rkt" "../support/skip.rkt")
 
@@ -27,19 +26,7 @@
       "\n  windows need a display and the library GTK 3: .*apt install libgtk-3-0\n")
      output)))
 
-;; What the program says, one line each, all of them and in this order; libraries may
-;; complain in between, as they do where there is no home to keep their settings in.
-(define expected
-  '("shown, drawn in and closed" "(0 300 200)" "follows" "rests" "looks no more"))
-
-(define (said output)
-  (filter (lambda (line) (member line expected)) (string-split output "\n")))
-
-(skip-unless (display-server)
-             "Xvfb (Debian: apt install xvfb) is not installed: windows are not opened"
-  (define output
-    (call-with-display (lambda (display) (run-program program (environment-with display)))))
-  (skip-unless (not (regexp-match? #rx"ffi-lib: " output))
-               "the shared libraries of racket/gui are not installed: windows are not opened"
-    (test-case "a window follows what is drawn, and is closed with its frame"
-      (check-equal? (said output) expected output))))
+(test-windows
+ "a window follows what is drawn, and is closed with its frame"
+ program
+ '("shown, drawn in and closed" "(0 300 200)" "follows" "rests" "looks no more"))

@@ -3,13 +3,17 @@
 ;; program, Xvfb, that stands for one.
 
 (require compiler/find-exe
-         racket/port)
+         racket/port
+         racket/string
+         rackunit
+         "skip.rkt")
 
 (provide
  run-program         ; (run-program file environment) -> what it prints, a string
  environment-with    ; (environment-with display) -> environment variables
  call-with-display   ; (call-with-display use) : (use display)
- display-server)     ; -> path or #f
+ display-server      ; -> path or #f
+ test-windows)       ; (test-windows name program expected)
 
 (define (run-program program environment)
   (parameterize ([current-environment-variables environment]
@@ -43,3 +47,16 @@
      (subprocess-kill server #t)
      (for-each close-input-port (list out err))
      (close-output-port in))))
+
+;; The program says the expected lines, all of them and in this order, where there is a
+;; display; libraries may complain in between, as they do where there is no home to keep
+;; their settings in.
+(define (test-windows name program expected)
+  (skip-unless (display-server)
+               "Xvfb (Debian: apt install xvfb) is not installed: windows are not opened"
+    (define output
+      (call-with-display (lambda (display) (run-program program (environment-with display)))))
+    (define (said) (filter (lambda (line) (member line expected)) (string-split output "\n")))
+    (skip-unless (not (regexp-match? #rx"ffi-lib: " output))
+                 "the shared libraries of racket/gui are not installed: windows are not opened"
+      (test-case name (check-equal? (said) expected output)))))
