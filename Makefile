@@ -11,13 +11,15 @@ export RACKET
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
-.PHONY: help demo repl run test attack lint elsewhere bench docs clean \
+.PHONY: help demo repl run show tex test attack lint elsewhere bench docs clean \
         racket libraries editing compile begin-tests
 
 help:
 	@echo 'make demo    a tour in five screens: Lagrange equations, proposed paths, verdicts'
 	@echo 'make repl    a prompt with history, completion and help'
 	@echo 'make run     run a file            (FILE=my-system.rkt, ARGS="..." for what it is told)'
+	@echo 'make show    a file with its results as a page  (FILE=my-system.rkt, OUT=page.html)'
+	@echo 'make tex     the same for LaTeX    (FILE=my-system.rkt, OUT=file.tex)'
 	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    unused requires, long lines, tabs'
@@ -35,6 +37,14 @@ repl: compile editing
 
 run: compile
 	@$(RACKET) -l mechanics/lang/run-file "$(FILE)" $(ARGS)
+
+COMMAND = mechanics/lang/command
+show tex: compile
+	@if [ ! -f "$(FILE)" ]; then \
+	    echo 'make $@ FILE=my-system.rkt typesets a file; given: FILE=$(FILE)' >&2; exit 2; \
+	fi
+	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/show.rkt
+	@$(RACKET) -l- $(COMMAND)/raco $@ $(if $(OUT),-o "$(OUT)") "$(FILE)"
 
 # What takes long says so at once.
 test: begin-tests compile libraries

@@ -12,11 +12,11 @@
                "pict-lib"
                "plot-lib"
                "readline-lib"
-               "sandbox-lib"))
+               "sandbox-lib"
+               "syntax-color-lib"))
 (define build-deps '("at-exp-lib"
                      "drracket-tool-text-lib"
                      "macro-debugger-text-lib"
                      "racket-doc"
                      "rackunit-lib"
-                     "scribble-lib"
-                     "syntax-color-lib"))
+                     "scribble-lib"))

@@ -8,7 +8,7 @@
          (only-in racket/list add-between append*)
          (only-in xml xexpr->string))
 
-(provide tree->MathML)
+(provide tree->MathML visible)
 
 ;; block? : on a line of its own, and not within a text?
 (define (tree->MathML t block?)

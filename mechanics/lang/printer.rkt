@@ -9,7 +9,7 @@
 ;;
 ;; In a terminal a long result ends after a screen.
 
-(require "../display/advice.rkt" "../display/result.rkt"
+(require "../display/advice.rkt" "../display/receiver.rkt" "../display/result.rkt"
          "../error/note.rkt"
          (only-in "../generic/on-demand.rkt" require-on-demand)
          (only-in "../generic/up-down.rkt" tuple?)
@@ -43,14 +43,16 @@
   (unless (session-printer? printer)
     (current-print (session-printer printer how-to-go-on #f))))
 
-;; Print a result of a module, whatever printer is current.  A break is the
-;; reader's wish to stop the program and is left to do so.
+;; Print a result of a module, whatever printer is current, unless it takes results as they
+;; are.  A break is the reader's wish to stop the program and is left to do so.
 (define (print-result x)
   (define printer (current-print))
-  ((if (session-printer? printer) (session-printer-other printer) printer)
-   (simplify-or-say-why x))
-  (when (screen?) (print-advice x))
-  (note-unknowns x))
+  (cond [(result-receiver? printer) (printer x)]
+        [else
+         ((if (session-printer? printer) (session-printer-other printer) printer)
+          (simplify-or-say-why x))
+         (when (screen?) (print-advice x))
+         (note-unknowns x)]))
 
 ;; What a symbol in a result may have been meant to be, once in a session.
 (define (note-unknowns x)

@@ -19,7 +19,7 @@
          "../generic/kind.rkt" "../generic/notation.rkt" "../generic/value-struct.rkt"
          "../value/shape.rkt")
 
-(provide event event? event-f event-direction event-terminal?
+(provide event event? event-f event-name event-direction event-terminal?
          event-value raise-undefined
          (struct-out occurrence)
          watch-for (struct-out crossing) (struct-out undefined)

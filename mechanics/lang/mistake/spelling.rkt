@@ -7,7 +7,7 @@
 
 (require (only-in racket/list add-between take))
 
-(provide likely-names alternatives)
+(provide likely-names nearest-names alternatives)
 
 (define most-suggestions 3)
 
@@ -23,6 +23,10 @@
 
 (define (other-than? known name)
   (not (or (eq? known name) (regexp-match? #rx"[?]$" (symbol->string known)))))
+
+;; Among few names a slip may be allowed where a word has but three letters.
+(define (nearest-names text known)
+  (nearest text (max 1 (quotient (string-length text) 2)) known))
 
 ;; a, b or c
 (define (alternatives names)

@@ -1,0 +1,35 @@
+#lang racket/base
+;; `raco mechanics COMMAND ARGUMENT ...`: the command is looked up and run; mistakes are told in
+;; a few words, as tools for a terminal do.
+
+(require "command.rkt" "commands.rkt"
+         "../mistake/spelling.rkt")
+
+(provide run-command-line)
+
+;; arguments : list of strings -> status to exit with
+(define (run-command-line arguments)
+  (cond [(or (null? arguments) (member (car arguments) '("-h" "--help")))
+         (print-commands commands)
+         0]
+        [(find-command (car arguments) commands) => (lambda (c) (run c (cdr arguments)))]
+        [else
+         (tell-unknown (car arguments))
+         2]))
+
+(define (run c arguments)
+  (cond [(ormap (lambda (a) (member a '("-h" "--help"))) arguments)
+         (print-command c)
+         0]
+        [else
+         (with-handlers ([exn:fail? (lambda (e)
+                                      (eprintf "~a\n" (exn-message e))
+                                      2)])
+           ((command-run c) arguments))]))
+
+(define (tell-unknown name)
+  (define near
+    (nearest-names name (for/list ([c (in-list commands)]) (string->symbol (command-name c)))))
+  (eprintf "raco mechanics: ~a is no command~a\n" name
+           (if (null? near) "" (format "; did you mean ~a?" (alternatives near))))
+  (eprintf "raco mechanics help lists them\n"))

@@ -1,0 +1,113 @@
+#lang racket/base
+;; A program and its results as a document: the forms as they are written, what came of each,
+;; and the comments between them as prose.
+
+(require racket/file
+         racket/list
+         racket/path
+         racket/string
+         "run-program.rkt" "watch.rkt"
+         "../../document/comments.rkt" "../../document/piece.rkt"
+         "../../error/complain.rkt")
+
+(provide program-document)
+
+;; who : in whose name is complained
+;; -> document, and what is to be said if the program did not run to its end, or #f
+(define (program-document who file)
+  (define text (program-text who file))
+  (define stx (read-program who file text))
+  (define o (run-program stx file))
+  (define end (outcome-end o))
+  (define pieces
+    (append (form-pieces text (module-forms stx) o)
+            (if (and end (not (early-end-number end))) (ending end) '())))
+  (define-values (title others)
+    (take-title pieces (path->string (file-name-from-path file))))
+  (values (document title (language-line text) (joined-code others))
+          (and end (early-end-message end))))
+
+;; ---------------------------------------------------------------------------
+;; Reading
+
+;; Positions of syntax count a line end as one character, however it is written.
+(define (program-text who file)
+  (unless (file-exists? file) (complain who "there is no such file\n  file: ~a" file))
+  (define bytes (file->bytes file))
+  (define text
+    (with-handlers ([exn:fail:contract?
+                     (lambda (e) (complain who "the file is no text in UTF-8\n  file: ~a" file))])
+      (bytes->string/utf-8 bytes)))
+  (regexp-replace* #rx"\r\n?" (regexp-replace #rx"^\uFEFF" text "") "\n"))
+
+(define (read-program who file text)
+  (define port (open-input-string text))
+  (port-count-lines! port)
+  (define stx
+    (parameterize ([read-accept-reader #t] [read-accept-lang #t]
+                   [current-load-relative-directory (path-only file)])
+      (read-syntax file port)))
+  (unless (and (syntax? stx) (pair? (syntax-e stx)) (eq? 'module (syntax-e (car (syntax-e stx)))))
+    (complain who "a program begins with a line such as #lang mechanics\n  file: ~a" file))
+  stx)
+
+(define (language-line text)
+  (define m (regexp-match #px"(?m:^#lang[ \t]+([^\n]*?)[ \t]*$)" text))
+  (if m (string-append "#lang " (cadr m)) "a module"))
+
+;; ---------------------------------------------------------------------------
+;; Pieces
+
+(define (form-pieces text forms o)
+  (define ends (for/list ([form (in-list forms)]) (form-end text form)))
+  (define (gap start end first?)
+    (define between (substring text (min start end) end))
+    (if first? (without-language between) between))
+  (append
+   (append*
+    (for/list ([form (in-list forms)] [end (in-list ends)] [before (in-list (cons 0 ends))]
+               [number (in-naturals)])
+      (define start (form-start form))
+      (define above (gap before start (= number 0)))
+      (append (gap->pieces above)
+              (list (form-piece form (substring text (max start before) end) (blank-lines above)))
+              (vector-ref (outcome-found o) number)
+              (if (ended-at? o number) (ending (outcome-end o)) '()))))
+   (gap->pieces (gap (if (null? ends) 0 (last ends)) (string-length text) (null? forms)))))
+
+(define (ended-at? o number)
+  (define end (outcome-end o))
+  (and end (eqv? number (early-end-number end))))
+
+(define (without-language gap) (regexp-replace #px"(?m:^#lang[^\n]*$)" gap ""))
+(define (blank-lines gap) (if (regexp-match? #px"\n[ \t]*\n" gap) 1 0))
+
+(define (form-start form) (- (syntax-position form) 1))
+
+;; A comment behind it on its line belongs to a form.
+(define (form-end text form)
+  (define end (+ (form-start form) (syntax-span form)))
+  (define m (regexp-match-positions #px"^[ \t]*;[^\n]*" text end))
+  (if m (cdar m) end))
+
+(define (form-piece form text above)
+  (define name (submodule-name form))
+  (if name
+      (folded (if (eq? name 'test) "Tests" (format "Submodule ~a" name)) text)
+      (code text above)))
+
+(define (submodule-name form)
+  (define parts (syntax->list form))
+  (and parts (> (length parts) 1)
+       (memq (syntax-e (car parts)) '(module module* module+))
+       (syntax-e (cadr parts))))
+
+;; What is said where the program ended before its last form.
+(define (ending end)
+  (cond [(not (early-end-message end))
+         (list (failure "The program ended itself here; what follows was not run."))]
+        [else
+         (list (failure (early-end-message end))
+               (failure (if (early-end-running? end)
+                            "The program stopped here; what follows was not run."
+                            "The program could not be compiled; nothing of it was run.")))]))

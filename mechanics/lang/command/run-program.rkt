@@ -1,0 +1,137 @@
+#lang racket/base
+;; Running a program for a document: what each of its forms prints, and its results.
+;;
+;; The program runs once, as it would by itself: a module of its language, in a thread with
+;; parameters of its own, so that what it assumes or sets is gone afterwards.  An error ends it,
+;; as it would end the program; what came before is kept.
+
+(require racket/path
+         "watch.rkt"
+         "../mistake/unbound.rkt"
+         "../../display/receiver.rkt"
+         "../../document/piece.rkt" "../../document/shown.rkt")
+
+(provide run-program (struct-out outcome) (struct-out early-end))
+
+;; found : vector of lists of outputs and results, one for each form
+;; end   : early-end, or #f if it ran to its end
+(struct outcome (found end))
+
+;; number  : of the form where it ended, or #f if that is not known
+;; running?: did it run?  If not, it could not be compiled
+;; message : of the error, or #f if it ended itself, by exit
+(struct early-end (number running? message))
+
+;; stx : of a module; file : where it was read -> outcome
+(define (run-program stx file)
+  (define custodian (make-custodian))
+  (define o #f)
+  (dynamic-wind
+   void
+   (lambda ()
+     (parameterize ([current-custodian custodian])
+       (sync (thread (lambda () (set! o (run stx file)))))))
+   (lambda () (custodian-shutdown-all custodian)))
+  o)
+
+;; ---------------------------------------------------------------------------
+;; In the thread of the program
+
+;; number : of the form that runs, or #f; items : what came of it, latest first
+(struct recorder (found printed [number #:mutable] [items #:mutable]) #:authentic)
+
+(define (run stx file)
+  (define r (recorder (make-vector (length (module-forms stx)) '()) (open-output-string) #f '()))
+  (define ended
+    (let/ec stop
+      (parameterize ([exit-handler (lambda (code) (stop (early-end (recorder-number r) #t #f)))])
+        (with-handlers ([(lambda (e) (not (exn:break? e)))
+                         (lambda (e)
+                           (define running? (and (recorder-number r) #t))
+                           (early-end (place-of e stx r) running? (message e)))])
+          (evaluate stx file r)
+          #f))))
+  (finish-form! r)
+  (outcome (recorder-found r) ended))
+
+(define (evaluate stx file r)
+  (define printed (recorder-printed r))
+  (define (receive x)
+    (unless (void? x)
+      (note-output! r)
+      (add-item! r (result (value->shown x)))))
+  (define (begins number)
+    (finish-form! r)
+    (set-recorder-number! r number))
+  (define name (string->uninterned-symbol (path->string (file-name-from-path file))))
+  (parameterize ([current-namespace (program-namespace)]
+                 [current-load-relative-directory (path-only file)]
+                 [current-command-line-arguments (vector)]
+                 [current-input-port (open-input-string "")]
+                 [current-output-port printed]
+                 [current-error-port printed]
+                 [print-as-expression #t]
+                 [current-print (result-receiver receive)])
+    (parameterize ([current-module-declare-name (make-resolved-module-path name)]
+                   [current-module-declare-source file])
+      (eval (with-watched-forms stx begins)))
+    (dynamic-require (make-resolved-module-path name) #f)))
+
+;; The program shares the library with those who show its results.
+(define-namespace-anchor here)
+
+(define (program-namespace) (namespace-anchor->empty-namespace here))
+
+;; ---------------------------------------------------------------------------
+;; Recording
+
+(define (add-item! r item) (set-recorder-items! r (cons item (recorder-items r))))
+
+(define (note-output! r)
+  (define port (recorder-printed r))
+  (define text (get-output-string port))
+  (unless (string=? text "")
+    (truncate-output! port)
+    (add-item! r (output text))))
+
+(define (truncate-output! port) (void (get-output-bytes port #t)))
+
+;; What was printed before the first form belongs to it.
+(define (finish-form! r)
+  (note-output! r)
+  (define number (recorder-number r))
+  (define found (recorder-found r))
+  (when (and (or number (pair? (recorder-items r))) (positive? (vector-length found)))
+    (define n (or number 0))
+    (vector-set! found n (append (vector-ref found n) (reverse (recorder-items r))))
+    (set-recorder-items! r '())))
+
+;; ---------------------------------------------------------------------------
+;; Errors
+
+;; The message as it is told where a program is run, with its hints.
+(define (message e)
+  (define port (open-output-string))
+  (parameterize ([current-error-port port]
+                 [error-display-handler (error-display-handler)]
+                 [error-print-source-location #f])
+    (install-hints!)
+    (if (exn? e)
+        ((error-display-handler) (exn-message e) e)
+        (eprintf "raised, though it is no error: ~v" e)))
+  (regexp-replace #rx"\n+$" (get-output-string port) ""))
+
+;; The form that was running; in a program that could not be compiled, the one that the error
+;; is about, if it says so.
+(define (place-of e stx r)
+  (or (recorder-number r)
+      (and (exn:srclocs? e)
+           (for*/or ([place (in-list ((exn:srclocs-accessor e) e))])
+             (form-around place (module-forms stx))))))
+
+(define (form-around place forms)
+  (define at (srcloc-position place))
+  (and at
+       (for/or ([form (in-list forms)] [number (in-naturals)])
+         (define start (syntax-position form))
+         (and start (<= start at) (< at (+ start (syntax-span form))) number))))

@@ -1,0 +1,61 @@
+#lang racket/base
+;; `raco mechanics show FILE` and `raco mechanics tex FILE`: a program with its results, as a
+;; page or for LaTeX.
+;;
+;; Files are written whole or not at all: under another name first.
+
+(require racket/cmdline
+         racket/file
+         racket/path
+         "program-document.rkt"
+         "../../document/TeX-document.rkt" "../../document/page.rkt"
+         "../../error/complain.rkt")
+
+(provide show-command TeX-command)
+
+(define (show-command arguments)
+  (define-values (file out) (files "show" arguments #".html"))
+  (define-values (d error) (program-document 'show file))
+  (write-whole out (string->bytes/utf-8 (document->page d)))
+  (told file (list out) error))
+
+(define (TeX-command arguments)
+  (define-values (file out) (files "tex" arguments #".tex"))
+  (define-values (d error) (program-document 'tex file))
+  (define-values (text pictures) (document->TeX d (path-replace-extension out #"")))
+  (for ([p (in-list pictures)]) (write-whole (car p) (cdr p)))
+  (write-whole out (string->bytes/utf-8 text))
+  (told file (cons out (map car pictures)) error))
+
+;; ---------------------------------------------------------------------------
+
+;; -> the program's file, and the one to write
+(define (files name arguments extension)
+  (define out #f)
+  (define file
+    (command-line #:program (string-append "raco mechanics " name)
+                  #:argv arguments
+                  #:once-each [("-o") where "The file to write" (set! out where)]
+                  #:args (file) file))
+  (define from (simple-form-path file))
+  (define to
+    (simple-form-path (or out (path-replace-extension (file-name-from-path from) extension))))
+  (when (equal? from to) (complain name "the result would replace the program\n  file: ~a" file))
+  (unless (directory-exists? (path-only to))
+    (complain name "there is no such folder\n  folder: ~a" (path-only to)))
+  (values from to))
+
+(define (write-whole file bytes)
+  (call-with-atomic-output-file file (lambda (port path) (void (write-bytes bytes port)))))
+
+;; -> status
+(define (told file written error)
+  (for ([w (in-list written)]) (printf "~a\n" (short-path w)))
+  (cond [error
+         (eprintf "~a did not run to its end:\n~a\n" (short-path file) error)
+         1]
+        [else 0]))
+
+(define (short-path p)
+  (define relative (find-relative-path (current-directory) p))
+  (if (regexp-match? #rx"^[.][.]" (path->string relative)) p relative))
