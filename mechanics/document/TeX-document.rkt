@@ -44,8 +44,9 @@
 \setlength{\textheight}{24cm}\setlength{\topmargin}{-1.5cm}
 \setlength{\parindent}{0pt}\setlength{\parskip}{0.5\baselineskip}
 \allowdisplaybreaks
-% \programline{...} : a line of a program, or of what it prints
+% a line of a program, or of what it prints; a result
 \newcommand{\programline}[1]{\noindent\texttt{#1}\par}
+\newcommand{\shown}[1]{\par\smallskip\noindent\hspace*{1.5em}$\displaystyle #1$\par\smallskip}
 \newenvironment{program}{\par\medskip\begingroup\footnotesize\setlength{\parskip}{0pt}\raggedright}{\par\endgroup\medskip}
 
 TeX
@@ -94,7 +95,7 @@ TeX
         [(plain? t) (program (plain-text t))]
         [(and (listing? t) (ormap report? (listing-items t)))
          (string-append* (map tree-block (listing-items t)))]
-        [else (format "\\[\n~a\n\\]\n\n" (tree->TeX (fit t 80)))]))
+        [else (format "\\shown{~a}\n\n" (tree->TeX (fit t 80)))]))
 
 (define (report-block t)
   (string-append

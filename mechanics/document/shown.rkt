@@ -5,8 +5,9 @@
 
 (require racket/list
          file/convertible
-         (only-in "../algebra/expression/expression.rkt" symbolic?)
-         "../algebra/notation/formula.rkt" "../algebra/notation/tree.rkt"
+         (only-in "../algebra/expression/expression.rkt" node? symbolic?)
+         "../algebra/notation/formula.rkt" "../algebra/notation/name.rkt"
+         "../algebra/notation/tree.rkt"
          "../display/result.rkt"
          "../generic/kind.rkt" "../generic/notation.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt" "../generic/value-tree.rkt"
@@ -44,9 +45,18 @@
 ;; Formulas
 
 (define (typeset? x)
-  (cond [(pair? x) (and (list? x) (andmap typeset? x))]
+  (cond [(pair? x) (and (list? x) (ormap ours? x) (andmap typeset? x))]
         [(vector? x) (for/and ([e (in-vector x)]) (typeset? e))]
-        [else (or (number? x) (symbolic? x) (has-kind? x) (has-notation? x) (verdict? x))]))
+        [(symbol? x) (letter? x)]
+        [else (or (number? x) (ours? x))]))
+
+;; Quoted data are none of ours; they are shown as they are quoted.
+(define (ours? x)
+  (or (node? x) (has-kind? x) (has-notation? x) (verdict? x)
+      (and (list? x) (ormap ours? x))))
+
+;; A variable, and not a word such as 'proved.
+(define (letter? s) (not (eq? 'word (parts-sort (name-parts s)))))
 
 (define (formula x)
   (define-values (value grounds) (as-result x))

@@ -37,10 +37,10 @@
           [else (other shown)])
     (note-unknowns x)))
 
-;; Make the current printer ours; again is no harm.
+;; Make the current printer ours, unless it takes results as they are; again is no harm.
 (define (install-printer! [how-to-go-on "(print-expression ...) prints all of it"])
   (define printer (current-print))
-  (unless (session-printer? printer)
+  (unless (or (session-printer? printer) (result-receiver? printer))
     (current-print (session-printer printer how-to-go-on #f))))
 
 ;; Print a result of a module, whatever printer is current, unless it takes results as they

@@ -2,6 +2,7 @@
 ;; The prompts that the manual's examples run at.
 
 (require racket/sandbox scribble/example scribble/manual
+         "look/typeset.rkt"
          (only-in "../../mechanics/numeric/bigfloat/bigfloat-arithmetic.rkt" check-bigfloats)
          (only-in "../../mechanics/plot/on-demand.rkt" why-not))
 
@@ -26,9 +27,13 @@
   (call-in-sandbox-context session install-printer)
   session)
 
+;; The session's library typesets, for its values are no others'.
 (define (install-printer)
   ((dynamic-require 'racket/pretty 'pretty-print-columns) page-columns)
-  ((dynamic-require 'mechanics/lang/printer 'install-printer!)))
+  ((dynamic-require 'mechanics/lang/printer 'install-printer!))
+  (define value->markup (dynamic-require 'mechanics/document/line-markup 'value->line-markup))
+  (define receiver (dynamic-require 'mechanics/display/receiver 'result-receiver))
+  (current-print (receiver (typesetting (current-print) value->markup))))
 
 ;; What a page with pictures says where there are none.
 (define (missing-pictures)

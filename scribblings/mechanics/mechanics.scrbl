@@ -1,8 +1,11 @@
 #lang scribble/manual
 @(require (for-label mechanics)
-          "citation.rkt" "eval.rkt" "look/look.rkt" "look/search-index.rkt")
+          "citation.rkt" "eval.rkt" "look/look.rkt" "look/search-index.rkt"
+          (only-in "look/typeset.rkt" formula-font))
 
 @title[#:style manual-style #:version manual-version]{Mechanics: Motion, Written as Programs}
+
+@formula-font
 
 @(define session (make-session))
 

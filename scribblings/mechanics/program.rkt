@@ -5,12 +5,14 @@
          racket/file
          racket/list
          racket/path
+         (only-in racket/port make-pipe-with-specials)
          racket/runtime-path
          racket/string
          scribble/base
          scribble/core
          (only-in scribble/html-properties link-resource)
          (only-in scribble/manual typeset-code filepath)
+         "look/typeset.rkt"
          (only-in "../../mechanics/plot/on-demand.rkt" can-draw?))
 
 (provide program program-link program-table)
@@ -26,11 +28,11 @@
   (list* (para "This is " (program-link name) ":")
          (typeset-code #:context context (program-text path))
          (append
-          (if (string=? output "") '() (list (para "It prints") (printed output)))
-          (if picture (list (para "The picture:") (nested #:style 'inset picture)) '())
-          (if animation
-              (list (para "What it shows:") (nested #:style 'inset (elem (moving animation))))
-              '()))))
+           (if (null? output) '() (cons (para "It prints") (map printed output)))
+           (if picture (list (para "The picture:") (nested #:style 'inset picture)) '())
+           (if animation
+               (list (para "What it shows:") (nested #:style 'inset (elem (moving animation))))
+               '()))))
 
 ;; An animation that offers no still picture to a browser, which then takes the GIF.
 (struct moving (animation)
@@ -40,8 +42,11 @@
         default
         (convert (moving-animation m) request default))))
 
-(define (printed output)
-  (apply verbatim #:indent 2 (add-between (string-split output "\n" #:trim? #f) "\n")))
+;; A text, or a result as typeset.rkt has it.
+(define (printed x)
+  (if (string? x)
+      (apply verbatim #:indent 2 (add-between (string-split x "\n" #:trim? #f) "\n"))
+      (nested #:style 'inset x)))
 
 ;; A program's name, which leads to a copy of it among the pages of the manual.
 (define (program-link name [text (filepath (format "examples/mechanics/~a" name))])
@@ -73,14 +78,36 @@
            (lambda (l) (not (string-prefix? l "(module+ test")))))
   (string-append (car lines) "\n\n" (string-trim (string-join body "\n")) "\n"))
 
+;; -> list of texts and results; the picture or #f
 (define (run path)
-  (define port (open-output-string))
+  (define-values (in out) (make-pipe-with-specials))
   (define-values (picture animation)
-    (parameterize ([current-output-port port] [current-namespace (fresh-namespace)])
-      (dynamic-require path #f)
+    (parameterize ([current-output-port out] [current-namespace (fresh-namespace)])
+      (parameterize ([current-print (printer)]) (dynamic-require path #f))
       (values (dynamic-require path 'picture (lambda () #f))
               (dynamic-require path 'animation (lambda () #f)))))
-  (values (string-trim (get-output-string port)) picture animation))
+  (close-output-port out)
+  (values (texts-and-results in) picture animation))
+
+;; Results typeset by the program's library, in place of the text that it prints.
+(define (printer)
+  (define (of-program module name) (dynamic-require module name))
+  (define print-result (of-program 'mechanics/lang/printer 'print-result))
+  (define other (current-print))
+  (define (print x) (parameterize ([current-print other]) (print-result x)))
+  ((of-program 'mechanics/display/receiver 'result-receiver)
+   (typesetting print (of-program 'mechanics/document/line-markup 'value->line-markup))))
+
+(define (texts-and-results in)
+  (define (text-of characters) (string-trim (list->string (reverse characters)) "\n"))
+  (define (with-text characters rest)
+    (define text (text-of characters))
+    (if (string=? text "") rest (cons text rest)))
+  (let loop ([characters '()] [found '()])
+    (define c (read-char-or-special in))
+    (cond [(eof-object? c) (reverse (with-text characters found))]
+          [(char? c) (loop (cons c characters) found)]
+          [else (loop '() (cons c (with-text characters found)))])))
 
 ;; Each program has a library of its own, for it may assume something; what draws is
 ;; shared, so that the page can convert pictures.

@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book) "../diagrams.rkt" "../eval.rkt"
           "../citation.rkt"
+          (only-in "../look/look.rkt" formula)
           "../program.rkt")
 
 @title[#:tag "chapter-2"]{Along with chapter 2 of the book}
@@ -14,8 +15,8 @@ when it is first called.
 
 @section{2.2 Rotations and angular velocity}
 
-A body is turned by a matrix M(q). Along a path DM Mᵀ is antisymmetric, and its three
-components are the angular velocity ω.
+A body is turned by a matrix @formula{M(q)}. Along a path @formula{DM Mᵀ} is antisymmetric, and
+its three components are the angular velocity @formula{ω}.
 
 @examples[#:eval session #:label #f
 (((M-of-q->omega-of-t Rx-matrix) (literal-function 'theta)) 't)
@@ -24,7 +25,7 @@ components are the angular velocity ω.
 ((M->omega turn-and-roll) local)
 ((M->omega-body turn-and-roll) local)]
 
-The second is along axes that the body carries. What is no rotation has no ω:
+The second is along axes that the body carries. What is no rotation has no @formula{ω}:
 
 @examples[#:eval session #:label #f
 (define (stretch q) (* q (identity-matrix 3)))
@@ -32,8 +33,8 @@ The second is along axes that the body carries. What is no rotation has no ω:
 
 @section{2.3 to 2.6 Moments of inertia}
 
-The kinetic energy is ½ ω·I ω. The tensor I is a sum over points, or a formula, and Steiner's
-theorem moves it; along its principal axes it is diagonal.
+The kinetic energy is @formula{½ ω·I ω}. The tensor @formula{I} is a sum over points, or a
+formula, and Steiner's theorem moves it; along its principal axes it is diagonal.
 
 @examples[#:eval session #:label #f
 (define molecule
@@ -48,7 +49,8 @@ molecule
 
 @section{2.7 Euler angles}
 
-First by ψ about z, then by θ about x, then by φ about z:
+First by @formula{ψ} about @formula{z}, then by @formula{θ} about @formula{x}, then by
+@formula{φ} about @formula{z}:
 
 @examples[#:eval session #:label #f
 (define angles (up 'theta 'phi 'psi))
@@ -59,8 +61,8 @@ First by ψ about z, then by θ about x, then by φ about z:
 (verify-equal (up->column-matrix (Euler-state->omega-body state))
               ((M->omega-body Euler->M) state))]
 
-The kinetic energy is the Lagrangian of a body that is free to turn. Its momentum of φ is the
-angular momentum about the z axis of space.
+The kinetic energy is the Lagrangian of a body that is free to turn. Its momentum of
+@formula{φ} is the angular momentum about the z axis of space.
 
 @examples[#:eval session #:label #f
 (define T (T-body-Euler 'A 'B 'C))
@@ -106,7 +108,8 @@ is why a book spins badly about its middle axis.
 
 @section{2.10 Tops}
 
-With A = B and gravity φ and ψ do not occur. Their momenta are constants, and θ moves in a
+With @formula{A = B} and gravity @formula{φ} and @formula{ψ} do not occur. Their momenta are
+constants, and @formula{θ} moves in a
 potential of its own:
 
 @examples[#:eval session #:label #f
@@ -121,7 +124,7 @@ potential of its own:
 (nutation-range 6.96e-4 1.32e-4 0.112
                 (up 0 (up 0.4 0 0) (up 0 -10 200)))]
 
-Upright with the spin ω, p = C ω, it stands or falls:
+Upright with the spin @formula{ω}, @formula{p = C ω}, it stands or falls:
 
 @examples[#:eval session #:label #f
 (define ((upright omega) (up t theta thetadot))

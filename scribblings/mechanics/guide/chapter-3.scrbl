@@ -1,5 +1,6 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
+          (only-in "../look/look.rkt" formula)
           "../program.rkt")
 
 @title[#:tag "chapter-3"]{Along with chapter 3 of the book}
@@ -124,8 +125,8 @@ The momenta of coordinates that do not occur are constants. The top has two of t
 (H-top top)
 (momentum ((Hamiltonian->state-derivative H-top) top))]
 
-With p_φ and p_ψ given, θ moves by itself in an effective potential. Upright, the two momenta are
-equal, and the second derivative there is positive if the top turns fast enough to sleep:
+With @formula{p_φ} and @formula{p_ψ} given, @formula{θ} moves by itself in an effective
+potential. Upright, the two momenta are equal, and the second derivative there is positive if the top turns fast enough to sleep:
 
 @examples[#:eval session #:label #f
 (define ((effective p) theta)

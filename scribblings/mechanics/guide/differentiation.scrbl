@@ -12,15 +12,15 @@ ways.
 
 @section[#:tag "dual-numbers"]{A quantity of which the square is zero}
 
-Take a quantity ε of which the square is zero, though ε is not. Then
+Take a quantity @formula{ε} of which the square is zero, though @formula{ε} is not. Then
 @formula{f(x + ε) = f(x) + f′(x) ε}, exactly: all further terms of the Taylor series
-contain ε². So a derivative can be had by running the function itself on the
-@emph{dual number} x + ε and reading off the coefficient of ε. Each elementary
+contain @formula{ε²}. So a derivative can be had by running the function itself on the
+@emph{dual number} @formula{x + ε} and reading off the coefficient of @formula{ε}. Each elementary
 operation knows what it does to dual numbers. For a product that is
 
-@centered{(a + a′ε)(b + b′ε) = ab + (a′b + ab′) ε,}
+@centered{@formula{(a + a′ ε) (b + b′ ε) = a b + (a′ b + a b′) ε},}
 
-which is the product rule, and for @racket[sin] it is sin a + a′ cos a ε. In general
+which is the product rule, and for @racket[sin] it is @formula{sin a + a′ cos a ε}. In general
 an operation p of two arguments, with the partial derivatives p@subscript{0} and
 p@subscript{1}, makes of them
 
@@ -71,7 +71,7 @@ You never see a dual number. It exists while @racket[D] is at work.
 To take a second derivative, differentiate the derivative: the coefficients of the
 outer ε are then dual numbers themselves, and each product of two of them takes
 about four products of numbers. At order n it is 2ⁿ. For a function of a number
-there is a better way. Let ε be a quantity of which only the power n + 1 is zero,
+there is a better way. Let @formula{ε} be a quantity of which only the power n + 1 is zero,
 and keep all coefficients up to εⁿ. Taylor's theorem, exact again, says that those
 of f(x + ε) are the derivatives of f at x divided by factorials. A product takes
 n²/2 products of coefficients,

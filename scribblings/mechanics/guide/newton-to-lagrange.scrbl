@@ -16,8 +16,9 @@ goes through all of them; then it is replaced by any other.
 @section{A bead on a ring that turns}
 
 A wire ring of radius R stands upright and is turned about its vertical diameter at the
-rate ω. A bead of mass m slides along it without friction. The angle θ says where on the
-ring it is, measured from the bottom. With the time, it says where in space:
+rate @formula{ω}. A bead of mass @formula{m} slides along it without friction. The angle
+@formula{θ} says where on the ring it is, measured from the bottom. With the time, it says
+where in space:
 
 @(system-diagram 'ring)
 
@@ -39,8 +40,8 @@ positions and the velocities:
 
 @section{What Newton says, and what he leaves open}
 
-Let the bead move along the ring in any way, θ(t). Its position is then a function of time,
-of which D gives velocity and acceleration:
+Let the bead move along the ring in any way, @formula{θ(t)}. Its position is then a function of
+time, of which D gives velocity and acceleration:
 
 @examples[#:eval session #:label #f
 (define theta (literal-function 'theta))
@@ -58,13 +59,13 @@ ring does to keep the bead on it. That is known only afterwards, when the motion
      (F t (position t) (velocity-of-bead t))))
 (ring-force 't)]
 
-Three equations, for one unknown function θ and three unknown components of a force. One
+Three equations, for one unknown function @formula{θ} and three unknown components of a force. One
 thing is known of the force: a smooth ring does not push along itself.
 
 @section{Virtual displacements}
 
-Along the ring means: the way the bead moves if θ changes by a little while the time stands
-still. This is a @emph{virtual displacement}.
+Along the ring means: the way the bead moves if @formula{θ} changes by a little while the time
+stands still. This is a @emph{virtual displacement}.
 
 @examples[#:eval session #:label #f
 (define state (up 't 'theta 'thetadot))
@@ -87,7 +88,7 @@ the true one. Write s for the slope @formula{∂r/∂θ}, the direction of all v
 ((along slope) 't)]
 
 That the force of the ring is perpendicular to s is one equation, and contains nothing that
-is unknown but θ. It is d'Alembert's principle:
+is unknown but @formula{θ}. It is d'Alembert's principle:
 
 @examples[#:eval session #:label #f
 (define dAlembert (dot-product ring-force (along slope)))
@@ -118,7 +119,7 @@ the coordinate. The rate enters through s alone, so that @formula{∂v/∂θ̇ =
 
 @bold{The derivatives change places.} The slope changes in time as the velocity changes with
 the coordinate, @formula{ds/dt = ∂v/∂θ}. On the left is a rate of change along the path. On the
-right the path is gone from the derivative: θ and its rate are two independent variables.
+right the path is gone from the derivative: @formula{θ} and its rate are two independent variables.
 
 @examples[#:eval session #:label #f
 (verify-equal (D s) (along ((partial 1) velocities)))]
@@ -157,7 +158,7 @@ be found instead, that of the velocity.
 
 @section{Potential energy}
 
-The weight has a potential energy, m g times the height, which for this bead becomes a
+The weight has a potential energy, @formula{m g} times the height, which for this bead becomes a
 function V of θ. Its generalized force is @formula{−∂V/∂θ}:
 
 @examples[#:eval session #:label #f
@@ -255,7 +256,7 @@ Lagrange's multipliers are another way to such forces; they are described in
 
 @section{Friction}
 
-In still air the bead is slowed by a drag −b v. Forces add up as functions do; the part
+In still air the bead is slowed by a drag @formula{−b v}. Forces add up as functions do; the part
 across the ring is met by the ring and does not appear.
 
 @examples[#:eval session #:label #f
@@ -282,8 +283,8 @@ forces are zero. That is statics. If the ring stands still,
 @examples[#:eval session #:label #f
 ((static-equilibrium (on-ring 'R 0) F) 't 'theta)]
 
-leaves the bottom and the top. On a ring that turns, the bead rests in the sense that θ
-does; the force that must vanish is ∂L/∂θ:
+leaves the bottom and the top. On a ring that turns, the bead rests in the sense that @formula{θ}
+does; the force that must vanish is @formula{∂L/∂θ}:
 
 @examples[#:eval session #:label #f
 (factor (((partial 1) L) (up 't 'theta 0)))]

@@ -182,7 +182,8 @@ itself. What contradicts what was said before is refused:
 (forget-assumptions)]
 
 If you would rather have nothing assumed that you did not declare, turn
-@racket[automatic-assumptions] off; then the root of x² is the absolute value of x.
+@racket[automatic-assumptions] off; then the root of @formula{x²} is the absolute value of
+@formula{x}.
 
 @examples[#:eval session #:label #f
 (automatic-assumptions #f)

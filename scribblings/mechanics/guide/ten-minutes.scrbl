@@ -8,8 +8,8 @@
 
 @(define session (make-session))
 
-We take a pendulum: a mass @italic{m} on a rod of length @italic{l}, swinging in
-a plane. Its one coordinate is the angle @italic{θ} from the lowest point. Start
+We take a pendulum: a mass @formula{m} on a rod of length @formula{l}, swinging in
+a plane. Its one coordinate is the angle @formula{θ} from the lowest point. Start
 a prompt with @exec{make repl} in a checkout, or with @exec{racket -I mechanics} where
 the package is installed (@secref["installation"]), and type along.
 
@@ -42,7 +42,8 @@ Put in names or numbers and look:
 ((L-pendulum 9.8 2 1) (up 0 0.5 1.5))]
 
 A quoted symbol is an unknown number. That is all there is to symbolic work
-here. A result is printed as the expression that computes it, without the quotes.
+here. A result is printed as the expression that computes it, without the quotes. In a browser this
+manual shows it as a formula, and the box beside it shows what is printed.
 
 @section{Ask for the equation of motion}
 
@@ -75,7 +76,7 @@ Small swings look like a cosine. Is that exact?
 No: @italic{refuted}, with a point at which the residual is not zero. Nobody has
 to believe the library; put the numbers in and see.
 
-A cosine is the answer to a simpler question. For small angles cos θ is nearly
+A cosine is the answer to a simpler question. For small angles @formula{cos θ} is nearly
 @formula{1 − ½ θ²}. The constant does not matter, which leaves this Lagrangian:
 
 @examples[#:eval session #:label #f
@@ -99,7 +100,7 @@ So the frequency was ours to choose, and we must choose it well:
 
 @italic{Proved} means proved: by algebra, for all values of the symbols, not by
 trying a few. The same from the other side, with the frequency kept and
-@italic{g} replaced by what the condition says:
+@formula{g} replaced by what the condition says:
 
 @examples[#:eval session #:label #f
 (verify-solution (L-small (* 'l (square 'omega)) 'm 'l) swing)]

@@ -1,12 +1,13 @@
 #lang racket/base
 ;; How the manual looks and what it can do in a browser, beyond what Scribble gives every
 ;; manual: code, tables and pictures that a narrow screen scrolls or scales, formulas that
-;; keep together, and a search box that needs no network.
+;; are typeset and keep together, and a search box that needs no network.
 
 (require racket/runtime-path
          scribble/core
          scribble/html-properties
-         setup/getinfo)
+         setup/getinfo
+         "formula.rkt")
 
 (provide manual-style manual-version formula)
 
@@ -23,9 +24,3 @@
 ;; The version of the library, which Scribble would take to be Racket's.
 (define manual-version
   ((get-info/full source) 'version))
-
-;; @formula{½ m ẋ²}: a formula in running text, in one piece.
-(define (formula . content)
-  (element formula-style content))
-
-(define formula-style (style "formula" '()))

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt"
+          (only-in "../look/look.rkt" formula))
 
 @title[#:tag "reference-oscillations"]{Small oscillations}
 
@@ -7,7 +8,7 @@
 
 Where the force ∂@subscript{1}L vanishes at rest, a system that starts nearby moves
 as the second derivatives of its Lagrangian say. The deviation x from the equilibrium
-obeys M ẍ + G ẋ + K x = 0, and a @deftech{normal mode} is a solution v
+obeys @formula{M ẍ + G ẋ + K x = 0}, and a @deftech{normal mode} is a solution v
 e@superscript{iωt}.
 
 @defproc[(normal-modes [L Lagrangian] [q coordinates]) (listof up?)]{
