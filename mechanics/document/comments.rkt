@@ -66,7 +66,7 @@
     (or (regexp-match? #px"^(?:\\s|- |[*] )" next)
         (< (+ (string-length line) (string-length (car (string-split next))) 12) widest)))
   (let loop ([lines (cdr lines)] [current (car lines)])
-    (cond [(null? lines) (list current)]
+    (cond [(null? lines) (list (string-normalize-spaces current))]
           [(meant? (last (string-split current "\n" #:trim? #f)) (car lines))
            (cons (string-normalize-spaces current) (loop (cdr lines) (car lines)))]
           [else (loop (cdr lines) (string-append current "\n" (car lines)))])))

@@ -33,7 +33,8 @@
 (define text-width 79)
 
 (define (value->shown x)
-  (cond [(table-of x) => values]
+  (cond [(cyclic? x) (shown-text (printed x))]
+        [(table-of x) => values]
         [(typeset? x) (formula x)]
         [(convertible? x) (picture x)]
         [else (shown-text (printed (simplified-result x text-width)))]))

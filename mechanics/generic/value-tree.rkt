@@ -7,7 +7,7 @@
          "../algebra/notation/formula.rkt" "../algebra/notation/numeral.rkt"
          "../algebra/notation/tree.rkt")
 
-(provide value->tree)
+(provide value->tree cyclic?)
 
 ;; drawn? : will it be drawn, and not written on one line?
 (define (value->tree x drawn?)

@@ -6,6 +6,7 @@
 
 (require racket/cmdline
          racket/file
+         racket/list
          racket/path
          "program-document.rkt"
          "../../document/TeX-document.rkt" "../../document/page.rkt"
@@ -34,7 +35,7 @@
   (define out #f)
   (define file
     (command-line #:program (string-append "raco mechanics " name)
-                  #:argv arguments
+                  #:argv (options-first arguments)
                   #:once-each [("-o") where "The file to write" (set! out where)]
                   #:args (file) file))
   (define from (simple-form-path file))
@@ -44,6 +45,14 @@
   (unless (directory-exists? (path-only to))
     (complain name "there is no such folder\n  folder: ~a" (path-only to)))
   (values from to))
+
+;; They may stand behind the file, too.
+(define (options-first arguments)
+  (define place (index-of arguments "-o"))
+  (if (and place (> (length arguments) (+ place 1)))
+      (let-values ([(before rest) (split-at arguments place)])
+        (append (take rest 2) before (options-first (drop rest 2))))
+      arguments))
 
 (define (write-whole file bytes)
   (call-with-atomic-output-file file (lambda (port path) (void (write-bytes bytes port)))))
