@@ -5,8 +5,7 @@
 ;; The program's text is set line by line, its characters as TeX-prose.rkt has them; so nothing
 ;; in it is a command, and none is beyond what pdfLaTeX knows.
 
-(require racket/list
-         racket/path
+(require racket/path
          racket/string
          "TeX-prose.rkt" "piece.rkt" "shown.rkt"
          "../algebra/notation/tree.rkt"
@@ -47,7 +46,9 @@
 % a line of a program, or of what it prints; a result
 \newcommand{\programline}[1]{\noindent\texttt{#1}\par}
 \newcommand{\shown}[1]{\par\smallskip\noindent\hspace*{1.5em}$\displaystyle #1$\par\smallskip}
-\newenvironment{program}{\par\medskip\begingroup\footnotesize\setlength{\parskip}{0pt}\raggedright}{\par\endgroup\medskip}
+\newenvironment{program}%
+  {\par\medskip\begingroup\footnotesize\setlength{\parskip}{0pt}\raggedright}%
+  {\par\endgroup\medskip}
 
 TeX
   )

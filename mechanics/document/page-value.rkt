@@ -6,7 +6,6 @@
 ;; formulas in it, whose lines break where they must.
 
 (require racket/list
-         racket/string
          (only-in xml cdata)
          "../algebra/notation/tree.rkt"
          "../display/MathML.rkt" "../display/break.rkt"

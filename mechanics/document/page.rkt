@@ -10,7 +10,6 @@
          racket/file
          racket/list
          racket/runtime-path
-         racket/string
          (only-in xml empty-tag-shorthand html-empty-tags write-xexpr)
          "coloring.rkt" "page-value.rkt" "piece.rkt"
          (only-in "../algebra/notation/tree.rkt" dotted name))

@@ -32,6 +32,7 @@ order.
 @include-section["guide/formulas.scrbl"]
 @include-section["guide/pictures.scrbl"]
 @include-section["guide/animations.scrbl"]
+@include-section["guide/showing.scrbl"]
 @include-section["guide/systems.scrbl"]
 @include-section["guide/constrained-systems.scrbl"]
 @include-section["guide/programs.scrbl"]

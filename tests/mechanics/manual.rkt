@@ -22,7 +22,8 @@
          (prefix-in html: scribble/html-render)
          (prefix-in text: scribble/text-render)
          "../../scribblings/mechanics/clashes.rkt"
-         "../../scribblings/mechanics/eval.rkt")
+         "../../scribblings/mechanics/eval.rkt"
+         "support/browser.rkt" "support/skip.rkt")
 
 (define-runtime-path manual "../../scribblings/mechanics/mechanics.scrbl")
 (define-runtime-path readme "../../README.md")
@@ -133,13 +134,28 @@
 ;; What was said of references that lead nowhere.
 (define warnings (open-output-string))
 
-;; file name -> text, but for pictures
+;; Width of a phone's screen, and how far the pages reach on it: ((file . pixels) ...), or #f
+;; where no browser measures.
+(define phone 390)
+(define widths #f)
+
+(define (measure-widths folder)
+  (define files
+    (for/list ([file (in-list (directory-list folder))] #:when (path-has-extension? file #".html"))
+      (path->string file)))
+  (when (browser?)
+    (set! widths (map cons files
+                      (measure folder files phone "d.documentElement.scrollWidth")))))
+
+;; file name -> text, but for pictures and fonts
 (define pages
   (parameterize ([current-error-port warnings])
     (rendered (lambda (%) (html:render-multi-mixin (html:render-mixin %)))
               (lambda (folder)
+                (measure-widths (build-path folder "manual"))
                 (for/hash ([file (in-list (directory-list (build-path folder "manual")))]
-                           #:unless (path-has-extension? file #".png"))
+                           #:unless (or (path-has-extension? file #".png")
+                                        (path-has-extension? file #".woff2")))
                   (values (path->string file)
                           (file->string (build-path folder "manual" file))))))))
 
@@ -179,6 +195,19 @@
   (for* ([page (in-list html-pages)] [file (in-list '("look.css" "search.js"))])
     (check-true (string-contains? page (format "\"~a\"" file)))
     (check-true (hash-has-key? pages file))))
+
+(test-case "results and formulas are typeset, with what the prompt prints behind a switch"
+  (define page (hash-ref pages "ten-minutes.html"))
+  (check-true (> (length (regexp-match* #rx"<math " page)) 15))
+  (check-true (string-contains? page "<mover><mi>θ</mi><mo stretchy=\"false\">˙</mo></mover>"))
+  (check-regexp-match #rx"class=\"printed\">[(][+] [(][*] g l m [(]cos theta[)][)]" page)
+  (check-false (string-contains? text "<math")))
+
+(test-case "a phone shows each page in its width"
+  (skip-unless widths "pages on a phone: Chromium is not here"
+    (check-true (> (length widths) 50))
+    (for ([w (in-list widths)])
+      (check-true (<= (cdr w) phone) (format "~a is ~a pixels wide" (car w) (cdr w))))))
 
 (test-case "the search box knows names with their sentences, sections and libraries"
   (check-equal? (map cddr (entries-named "verify-solution"))

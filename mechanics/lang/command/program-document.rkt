@@ -5,7 +5,6 @@
 (require racket/file
          racket/list
          racket/path
-         racket/string
          "run-program.rkt" "watch.rkt"
          "../../document/comments.rkt" "../../document/piece.rkt"
          "../../error/complain.rkt")

@@ -6,7 +6,6 @@
 
 (require racket/cmdline
          racket/file
-         racket/list
          racket/path
          "program-document.rkt"
          "../../document/TeX-document.rkt" "../../document/page.rkt"
@@ -48,11 +47,12 @@
 
 ;; They may stand behind the file, too.
 (define (options-first arguments)
-  (define place (index-of arguments "-o"))
-  (if (and place (> (length arguments) (+ place 1)))
-      (let-values ([(before rest) (split-at arguments place)])
-        (append (take rest 2) before (options-first (drop rest 2))))
-      arguments))
+  (let loop ([left arguments] [options '()] [files '()])
+    (cond [(null? left) (append options files)]
+          [(and (string=? (car left) "-o") (pair? (cdr left)))
+           (loop (cddr left) (list* "-o" (cadr left) options) files)]
+          [(regexp-match? #rx"^-" (car left)) (loop (cdr left) (cons (car left) options) files)]
+          [else (loop (cdr left) options (append files (list (car left))))])))
 
 (define (write-whole file bytes)
   (call-with-atomic-output-file file (lambda (port path) (void (write-bytes bytes port)))))

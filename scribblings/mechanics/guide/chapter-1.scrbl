@@ -125,7 +125,8 @@ derivative by the state derivative.
 (rate (ref ((partial 2) L) 0))]
 
 The energy and the momentum of @formula{φ} are conserved, that of @formula{r} is not. The z
-component of the angular momentum, in spherical coordinates, and all three of them by Noether's theorem:
+component of the angular momentum, in spherical coordinates, and all three of them by
+Noether's theorem:
 
 @examples[#:eval session #:label #f
 ((compose (ang-mom-z 'm) (F->C s->r))

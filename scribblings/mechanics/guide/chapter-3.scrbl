@@ -126,7 +126,8 @@ The momenta of coordinates that do not occur are constants. The top has two of t
 (momentum ((Hamiltonian->state-derivative H-top) top))]
 
 With @formula{p_φ} and @formula{p_ψ} given, @formula{θ} moves by itself in an effective
-potential. Upright, the two momenta are equal, and the second derivative there is positive if the top turns fast enough to sleep:
+potential. Upright, the two momenta are equal, and the second derivative there is positive if
+the top turns fast enough to sleep:
 
 @examples[#:eval session #:label #f
 (define ((effective p) theta)

@@ -3,7 +3,8 @@
 
 @title[#:tag "prompt"]{At the prompt}
 
-@exec{make repl} in a checkout opens a prompt of its own. Results are simplified and printed
+@exec{make repl} in a checkout, or @exec{raco mechanics repl} where the package is installed,
+opens a prompt of its own. Results are simplified and printed
 in the book's notation. A form may go over several lines: as long as it is not complete, the
 prompt asks for more.
 

@@ -7,13 +7,15 @@
 (define (text . lines) (apply string-append (map (lambda (l) (string-append l "\n")) lines)))
 
 (test-case "lines of a paragraph are joined, paragraphs are parted"
-  (check-equal? (gap->pieces (text ";; The first line is long enough to be full" ";; and goes on here."
-                                   ";;" ";; Another."))
+  (check-equal? (gap->pieces (text ";; The first line is long enough to be full"
+                                   ";; and goes on here." ";;" ";; Another."))
                 (list (prose '(("The first line is long enough to be full and goes on here.")
                                ("Another."))))))
 
 (test-case "a line that ended before it had to stays one, and so does an item of a list"
-  (check-equal? (gap->pieces (text ";; Checked: one" ";; How: by two, in a line that is longer than the one above"))
+  (check-equal? (gap->pieces
+                 (text ";; Checked: one"
+                       ";; How: by two, in a line that is longer than the one above"))
                 (list (prose '(("Checked: one"
                                 "How: by two, in a line that is longer than the one above")))))
   (check-equal? (prose-paragraphs
@@ -37,9 +39,11 @@
   (list found rest))
 
 (test-case "the first sentence is the title, if it is short"
-  (check-equal? (title '("A pendulum. It swings.")) (list "A pendulum" (list (prose '(("It swings."))))))
+  (check-equal? (title '("A pendulum. It swings."))
+                (list "A pendulum" (list (prose '(("It swings."))))))
   (check-equal? (title '("A pendulum.")) '("A pendulum" ()))
-  (check-equal? (title '("An orbit (p. 22) drawn. So.")) (list "An orbit (p. 22) drawn" (list (prose '(("So."))))))
+  (check-equal? (title '("An orbit (p. 22) drawn. So."))
+                (list "An orbit (p. 22) drawn" (list (prose '(("So."))))))
   (check-equal? (title '("How good is it?")) '("How good is it?" ()))
   (define long (make-string 200 #\a))
   (check-equal? (title (list long)) (list "file.rkt" (list (prose (list (list long)))))))
@@ -49,5 +53,6 @@
   (check-equal? (list found rest) (list "file.rkt" (list (code "x" 0)))))
 
 (test-case "forms with nothing between them stand together"
-  (check-equal? (joined-code (list (code "a" 1) (code "b" 0) (code "c" 1) (output "o") (code "d" 1)))
+  (check-equal? (joined-code
+                 (list (code "a" 1) (code "b" 0) (code "c" 1) (output "o") (code "d" 1)))
                 (list (code "a\nb\n\nc" 1) (output "o") (code "d" 1))))

@@ -31,7 +31,9 @@
 (define (text-in x)
   (cond [(string? x) x]
         [(symbol? x) ""]
-        [(pair? x) (string-append* (map text-in (filter (lambda (y) (or (string? y) (element? y))) (cddr x))))]
+        [(pair? x)
+         (string-append* (for/list ([y (in-list (cddr x))] #:when (or (string? y) (element? y)))
+                           (text-in y)))]
         [else ""]))
 (define (element? y) (and (pair? y) (symbol? (car y))))
 
@@ -49,7 +51,9 @@
            (result (value->shown evil))
            (result (value->shown (list evil (sqrt evil-symbol))))
            (result (value->shown (verify-equal evil-symbol 'x)))
-           (result (shown-table (list "a") (list (list (shown-formula-tree (value->shown (* 2 evil-symbol))))))))))
+           (result (shown-table
+                    (list "a")
+                    (list (list (shown-formula-tree (value->shown (* 2 evil-symbol))))))))))
   (check-equal? (elements 'script p) '())
   (check-true (> (length (elements 'math p)) 3)))
 
@@ -80,7 +84,8 @@
     (define s (value->shown x))
     (cond [(shown-formula? s) 'formula] [(shown-table? s) 'table]
           [(shown-picture? s) 'picture] [else (shown-text-text s)]))
-  (for ([x (list (* 'a 'b) 1/2 'theta_1 (up 'a 1) (matrix-by-rows (list 'a)) (list 'a (sqrt 'b)) D)])
+  (for ([x (list (* 'a 'b) 1/2 'theta_1 (up 'a 1) (matrix-by-rows (list 'a))
+                 (list 'a (sqrt 'b)) D)])
     (check-equal? (kind x) 'formula (format "~s" x)))
   (for ([(x text) (hash "text" "\"text\"" 'proved "proved" #t "#t" '(a b) "'(a b)"
                         '(= k 3) "'(= k 3)" '() "'()")])
@@ -104,7 +109,8 @@
   (check-equal? (list (first texts) (fourth texts)) '("passes" "half")))
 
 (test-case "colors leave the text as it is"
-  (for ([text '("(define (f x) ; é\n  (* 1/2 \"s\" #;(a) 'x #| b |# |c d|))" "" "(" "#lang x" "\"open")])
+  (for ([text '("(define (f x) ; é\n  (* 1/2 \"s\" #;(a) 'x #| b |# |c d|))"
+                "" "(" "#lang x" "\"open")])
     (check-equal? (string-append* (map cdr (colored text))) text))
   (check-not-false (member '(form . "define") (colored "(define x 1)")))
   (check-not-false (member '(constant . "1.5") (colored "(f 1.5)")))
@@ -124,10 +130,11 @@
       (plot-line f 0 0 1 1)
       f)
     (define text (shown (picture) (picture)))
-    (define ids (map cadr (regexp-match* #rx" id=\"([^\"]*)\"" text #:match-select values)))
+    (define ids (regexp-match* #rx" id=\"([^\"]*)\"" text #:match-select cadr))
     (check-true (> (length ids) 2))
     (check-equal? (length ids) (length (remove-duplicates ids)))
-    (define used (map cadr (regexp-match* #rx"(?:href=\"#|url[(]#)([^\")]*)" text #:match-select values)))
+    (define used
+      (regexp-match* #rx"(?:href=\"#|url[(]#)([^\")]*)" text #:match-select cadr))
     (check-equal? (remove* ids (remove-duplicates used)) '())
     (check-equal? (length (elements 'svg (parsed text))) 2)))
 

@@ -33,13 +33,14 @@
     (string-append*
      (for/list ([f (in-list files)])
        (format "<iframe src='~a' width='~a' height='800' style='border:0'></iframe>" f width)))
-    "<pre id='results'></pre><script>window.onload = async function () {\n"
+    "<pre id='results'></pre><script>\nwindow.onload = async function () {\n"
     "  const found = [];\n"
     "  for (const f of document.querySelectorAll('iframe')) {\n"
     "    const w = f.contentWindow, d = f.contentDocument;\n"
     "    await d.fonts.ready;\n"
     "    found.push(" expression ");\n  }\n"
-    "  document.getElementById('results').textContent = 'RESULTS' + JSON.stringify(found) + 'END';\n"
+    "  document.getElementById('results').textContent ="
+    " 'RESULTS' + JSON.stringify(found) + 'END';\n"
     "};</script>")
    page))
 

@@ -2,13 +2,14 @@
 ;; `raco mechanics`: its list of commands, help, and what it says to what it does not know.
 
 (require racket/list
-         racket/port
          rackunit
          setup/getinfo
          (only-in "../../../../mechanics/lang/command/commands.rkt" commands)
          "../../../../mechanics/lang/command/command.rkt"
-         "../../../../mechanics/lang/command/dispatch.rkt"
-         (only-in "../../../../mechanics/lang/command/raco.rkt"))
+         "../../../../mechanics/lang/command/dispatch.rkt")
+
+;; for-label: compiled with this file.
+(require (for-label "../../../../mechanics/lang/command/raco.rkt"))
 
 (define (answer . arguments)
   (define out (open-output-string))

@@ -27,7 +27,8 @@
 (define (what p)
   (cond [(code? p) (code-text p)] [(output? p) (list 'printed (output-text p))]
         [(failure? p) (list 'failed (failure-text p))] [(prose? p) (prose-paragraphs p)]
-        [(folded? p) (list 'folded (folded-label p))] [(heading? p) (list 'heading (heading-text p))]
+        [(folded? p) (list 'folded (folded-label p))]
+        [(heading? p) (list 'heading (heading-text p))]
         [(shown-text? (result-shown p)) (list 'text (shown-text-text (result-shown p)))]
         [(shown-formula? (result-shown p)) 'formula]
         [else 'other]))
@@ -66,7 +67,7 @@
      "(provide g)" (folded "Tests") (folded "Submodule main")
      "(number->string six)" (text "\"6\""))))
 
-(test-case "what a program assumes and sets is gone when it ends, and read from an empty terminal"
+(test-case "what a program assumes and sets is gone when it ends; there is nothing to read"
   (define lines '("#lang mechanics" "(length (assumptions))" "(assume '(> x 0))"
                   "(derivative-style)" "(derivative-style 'D)" "(eof-object? (read))"))
   (check-equal? (apply outline lines) (apply outline lines))
@@ -98,7 +99,8 @@
                   "(display \"never\")")))
 
 (test-case "a program that cannot be compiled says where"
-  (define result (document-of "#lang mechanics" "\"before\"" "(define x (+ 1 nothing-such))" "'after"))
+  (define result
+    (document-of "#lang mechanics" "\"before\"" "(define x (+ 1 nothing-such))" "'after"))
   (define told (map what (car result)))
   (check-equal? (first told) "\"before\"\n(define x (+ 1 nothing-such))")
   (check-regexp-match #rx"unbound identifier; as a symbol it is written 'nothing-such"
@@ -138,7 +140,8 @@
      (document-element
       (read-xml (open-input-string (string-replace text "<!DOCTYPE html>" ""))))))
   (check-true (string-contains? text "<h1>Good</h1>"))
-  (check-equal? (command "show" "good.rkt" "-o" "other.html") (command "show" "-o" "other.html" "good.rkt"))
+  (check-equal? (command "show" "good.rkt" "-o" "other.html")
+                (command "show" "-o" "other.html" "good.rkt"))
   (check-equal? (file->string (build-path folder "other.html")) text))
 
 (test-case "LaTeX is written"
@@ -150,7 +153,8 @@
   (check-equal? (first result) 1)
   (check-regexp-match #rx"^bad.html\nbad.rkt did not run to its end:\ncar: contract violation"
                       (second result))
-  (check-true (string-contains? (file->string (build-path folder "bad.html")) "contract violation")))
+  (check-true (string-contains? (file->string (build-path folder "bad.html"))
+                                "contract violation")))
 
 (test-case "what cannot be shown is told, and nothing is written"
   (define before (files))
