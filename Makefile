@@ -43,7 +43,7 @@ show tex: compile
 	@if [ ! -f "$(FILE)" ]; then \
 	    echo 'make $@ FILE=my-system.rkt typesets a file; given: FILE=$(FILE)' >&2; exit 2; \
 	fi
-	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/show.rkt
+	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/show-program.rkt
 	@$(RACKET) -l- $(COMMAND)/raco $@ $(if $(OUT),-o "$(OUT)") "$(FILE)"
 
 # What takes long says so at once.

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a document made of a program consists of.  A page (page.rkt) and LaTeX (TeX-document.rkt)
+;; What a document made of a program consists of.  A page (web-page.rkt) and LaTeX (TeX-document.rkt)
 ;; are written from the same pieces, in their order.
 
 (provide (struct-out document) (struct-out heading) (struct-out prose)

@@ -1,12 +1,12 @@
 #lang racket/base
 ;; The commands of `raco mechanics`, a line for each: to add one, add a line.
 
-(require "command.rkt"
+(require "raco-command.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["show.rkt" show-command TeX-command]
+(require-on-demand ["show-program.rkt" show-command TeX-command]
                    ["repl.rkt" repl-command]
-                   ["help-command.rkt" help-command])
+                   ["raco-help.rkt" help-command])
 
 (provide commands)
 

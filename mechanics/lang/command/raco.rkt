@@ -1,6 +1,6 @@
 #lang racket/base
 ;; What `raco mechanics` runs (../../info.rkt), and `make show` and `make tex` in a checkout.
 
-(require "dispatch.rkt")
+(require "run-command.rkt")
 
 (module+ main (exit (run-command-line (vector->list (current-command-line-arguments)))))

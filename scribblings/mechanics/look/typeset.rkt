@@ -25,11 +25,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Results
 
-;; A printer of results, to a port that takes elements.  A browser shows a formula typeset, with
-;; a switch to what the prompt prints; elsewhere that is all.
+;; A printer of results.  What it writes to a page, a port that takes elements, a browser shows
+;; as a formula, with a switch to what the prompt prints; elsewhere that is all.
 ;; print : prints as a prompt does; value->markup : of the library whose values they are
 (define ((typesetting print value->markup) x)
-  (define markup (value->markup x))
+  (define markup (and (port-writes-special? (current-output-port)) (value->markup x)))
   (cond [markup
          (define printed (open-output-string))
          (parameterize ([current-output-port printed]) (print x))

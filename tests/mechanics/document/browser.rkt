@@ -5,7 +5,7 @@
 (require racket/file
          rackunit
          mechanics
-         "../../../mechanics/document/page.rkt" "../../../mechanics/document/piece.rkt"
+         "../../../mechanics/document/web-page.rkt" "../../../mechanics/document/piece.rkt"
          "../../../mechanics/document/shown.rkt"
          "../support/browser.rkt" "../support/skip.rkt")
 

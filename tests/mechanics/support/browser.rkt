@@ -49,8 +49,8 @@
   (define home (make-temporary-file "browser~a" 'directory))
   (define-values (process out in err)
     (subprocess #f #f (open-output-file "/dev/null" #:exists 'append) program
-                "--headless" "--no-sandbox" "--hide-scrollbars" "--disable-gpu" "--allow-file-access-from-files"
-                "--virtual-time-budget=60000" "--dump-dom"
+                "--headless" "--no-sandbox" "--hide-scrollbars" "--disable-gpu"
+                "--allow-file-access-from-files" "--virtual-time-budget=60000" "--dump-dom"
                 (format "--user-data-dir=~a" home) (format "file://~a" page)))
   (close-output-port in)
   (begin0 (port->string out)

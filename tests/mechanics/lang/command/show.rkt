@@ -8,7 +8,7 @@
          rackunit
          (only-in xml document-element read-xml)
          "../../../../mechanics/document/piece.rkt" "../../../../mechanics/document/shown.rkt"
-         "../../../../mechanics/lang/command/dispatch.rkt"
+         "../../../../mechanics/lang/command/run-command.rkt"
          "../../../../mechanics/lang/command/program-document.rkt")
 
 (define folder (make-temporary-file "show~a" 'directory))

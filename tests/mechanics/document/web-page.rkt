@@ -6,8 +6,9 @@
          rackunit
          (only-in xml document-element read-xml xml->xexpr)
          mechanics mechanics/plot
+         (prefix-in t: "../../../mechanics/algebra/notation/tree.rkt")
          "../../../mechanics/document/coloring.rkt" "../../../mechanics/document/line-markup.rkt"
-         "../../../mechanics/document/page.rkt" "../../../mechanics/document/piece.rkt"
+         "../../../mechanics/document/web-page.rkt" "../../../mechanics/document/piece.rkt"
          "../../../mechanics/document/shown.rkt"
          (only-in "../../../mechanics/plot/on-demand.rkt" can-draw?)
          "../support/skip.rkt")
@@ -78,6 +79,24 @@
   (check-regexp-match #rx"assuming " (text-in (parsed (shown (sqrt (square 'x))))))
   (check-regexp-match #rx"class=\"[a-z]+ proved\"" (shown (verify-equal 'x 'x)))
   (check-regexp-match #rx"class=\"[a-z]+ refuted\"" (shown (verify-equal 'x 'y))))
+
+(define a-report
+  (t:report (list (t:report-line 0 "refuted: the residual is not zero" '())
+                  (t:report-line 1 "zero if:" (list (t:relation (t:name 'k) "=" (t:name 'theta_1))))
+                  (t:report-line 2 "at:" (list (t:row (list (t:name 'a) (t:word ",")))
+                                               (t:plain "<b>"))))))
+
+(test-case "a report is text with formulas in it, indented as it is"
+  (define r (parsed (page (result (shown-formula a-report '())))))
+  (define lines (filter (lambda (p) (assq 'style (cadr p))) (elements 'p r)))
+  (check-equal? (map (lambda (p) (cadr (assq 'style (cadr p)))) lines)
+                '("margin-left:0em" "margin-left:1.5em" "margin-left:3.0em"))
+  (check-equal? (map (lambda (p) (length (elements 'math p))) lines) '(0 1 1))
+  (check-equal? (text-in (third lines)) "at: a, <b>")
+  (check-equal? (length (elements 'math (parsed (page (result (shown-formula
+                                                               (t:listing (list a-report a-report))
+                                                               '()))))))
+                4))
 
 (test-case "what a result is shown as"
   (define (kind x)

@@ -3,7 +3,7 @@
 ;; prints it.
 
 (require racket/string
-         "command.rkt"
+         "raco-command.rkt"
          "../help/answer.rkt")
 
 (provide help-command)

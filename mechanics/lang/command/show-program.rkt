@@ -8,7 +8,7 @@
          racket/file
          racket/path
          "program-document.rkt"
-         "../../document/TeX-document.rkt" "../../document/page.rkt"
+         "../../document/TeX-document.rkt" "../../document/web-page.rkt"
          "../../error/complain.rkt")
 
 (provide show-command TeX-command)

@@ -16,7 +16,7 @@
 
 (provide document->page math-font)
 
-(define-runtime-path style-sheet "page.css")
+(define-runtime-path style-sheet "web-page.css")
 (define-runtime-path math-font "font/math.woff2")
 
 ;; -> string

@@ -5,8 +5,8 @@
          rackunit
          setup/getinfo
          (only-in "../../../../mechanics/lang/command/commands.rkt" commands)
-         "../../../../mechanics/lang/command/command.rkt"
-         "../../../../mechanics/lang/command/dispatch.rkt")
+         "../../../../mechanics/lang/command/raco-command.rkt"
+         "../../../../mechanics/lang/command/run-command.rkt")
 
 ;; for-label: compiled with this file.
 (require (for-label "../../../../mechanics/lang/command/raco.rkt"))

@@ -2,7 +2,7 @@
 ;; `raco mechanics COMMAND ARGUMENT ...`: the command is looked up and run; mistakes are told in
 ;; a few words, as tools for a terminal do.
 
-(require "command.rkt" "commands.rkt"
+(require "raco-command.rkt" "commands.rkt"
          "../mistake/spelling.rkt")
 
 (provide run-command-line)
