@@ -72,7 +72,7 @@ The file needs the packages @tt{amsmath} and @tt{graphicx}. Pictures are files b
 after it, in PDF. It is made to be taken apart: each result stands in a @tt{\shown{...}} of its
 own. @racket[->TeX] makes the same of a single value.
 
-@section{Errors}
+@section[#:tag "showing-errors"]{Errors}
 
 An error stands on the page where it happened, in the words that it has in a terminal. What
 follows is shown, but was not run, and the page says so. So does the exit status:
