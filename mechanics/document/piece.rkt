@@ -1,6 +1,6 @@
 #lang racket/base
-;; What a document made of a program consists of.  A page (web-page.rkt) and LaTeX (TeX-document.rkt)
-;; are written from the same pieces, in their order.
+;; What a document made of a program consists of: its pieces, in their order.  A page (web-page.rkt)
+;; and LaTeX (TeX-document.rkt) are written from the same.
 
 (provide (struct-out document) (struct-out heading) (struct-out prose)
          (struct-out code) (struct-out folded)

@@ -14,7 +14,7 @@
          "coloring.rkt" "page-value.rkt" "piece.rkt"
          (only-in "../algebra/notation/tree.rkt" dotted name))
 
-(provide document->page math-font)
+(provide document->page)
 
 (define-runtime-path style-sheet "web-page.css")
 (define-runtime-path math-font "font/math.woff2")

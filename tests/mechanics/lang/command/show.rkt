@@ -75,7 +75,8 @@
 
 (test-case "line ends of other systems, a mark at the start, other languages"
   (define file (build-path folder "crlf.rkt"))
-  (display-to-file "\uFEFF#lang racket/base\r\n; θ\u307 here\r\n\r\n(define x\r\n  1)\r\nx\r\n" file)
+  (display-to-file
+   "\uFEFF#lang racket/base\r\n; θ\u307 here\r\n\r\n(define x\r\n  1)\r\nx\r\n" file)
   (define-values (d error) (program-document 'show file))
   (check-false error)
   (check-equal? (document-language d) "#lang racket/base")
