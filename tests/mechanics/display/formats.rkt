@@ -4,7 +4,7 @@
 
 (require mechanics
          (only-in mechanics/display/text-box columns-wide)
-         "golden/values.rkt" "../support/messages.rkt" "../support/skip.rkt"
+         "../support/golden/values.rkt" "../support/messages.rkt" "../support/skip.rkt"
          racket/file
 
          racket/string

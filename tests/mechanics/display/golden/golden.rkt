@@ -7,7 +7,7 @@
 (require mechanics
          (only-in mechanics/pict ->pict)
          (only-in mechanics/plot/on-demand why-not)
-         "../../support/skip.rkt" "values.rkt"
+         "../../support/golden/values.rkt" "../../support/skip.rkt"
          (only-in racket/file file->string)
          racket/runtime-path
          (only-in racket/string string-join)
@@ -26,7 +26,7 @@
         (list "pict.txt" (lambda (x) (drawn-texts (->pict x))))))
 
 ;; Loaded only where there is something that draws.
-(define-runtime-path glyphs "glyphs.rkt")
+(define-runtime-path glyphs "../../support/golden/glyphs.rkt")
 (define (drawn-texts p) ((dynamic-require glyphs 'drawn-texts) p))
 
 (define (possible? f) (not (and (equal? (car f) "pict.txt") (why-not))))
