@@ -51,9 +51,10 @@
         [(symbol? x) (letter? x)]
         [else (or (number? x) (ours? x))]))
 
-;; Quoted data are none of ours; they are shown as they are quoted.
+;; Quoted data are none of ours; they are shown as they are quoted, and pictures as pictures.
 (define (ours? x)
-  (or (node? x) (has-kind? x) (has-notation? x) (verdict? x)
+  (or (node? x) (has-kind? x) (verdict? x)
+      (and (has-notation? x) (not (convertible? x)))
       (and (list? x) (ormap ours? x))))
 
 ;; A variable, and not a word such as 'proved.
