@@ -5,7 +5,7 @@
 
 (require "argument-order.rkt" "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
          "../generic/define-plain.rkt"
-         "../hamiltonian/declared.rkt" "../hamiltonian/H-state.rkt"
+         "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../hamiltonian/Poisson-bracket.rkt" "../hamiltonian/told.rkt"
          "../lagrangian/generic-state.rkt"

@@ -201,7 +201,8 @@
   (check-true (> (length (regexp-match* #rx"<math " page)) 15))
   (check-true (string-contains? page "<mover><mi>θ</mi><mo stretchy=\"false\">˙</mo></mover>"))
   (check-regexp-match #rx"class=\"printed\">[(][+] [(][*] g l m [(]cos theta[)][)]" page)
-  (check-false (string-contains? text "<math")))
+  (define without-strings (regexp-replace* #rx"\"<math[^\n]*" text ""))
+  (check-false (string-contains? without-strings "<math")))
 
 (test-case "a phone shows each page in its width"
   (skip-unless widths "pages on a phone: Chromium is not here"

@@ -33,9 +33,9 @@ names and the printing of mechanics; its commands are Racket's, and there
 while a form is being typed prints @litchar{user break} there and no new prompt, in whatever
 language, @exec{racket -I racket/base} being no exception: the port that reads lines for Racket's
 prompt does so in a thread of its own, which the break leaves waiting with what is on the line.
-Enter brings the new prompt; if something is on the line, Ctrl-A, Ctrl-K and Enter. Where the package is installed, @exec{racket -l
-mechanics/lang/prompt/start} opens the prompt of @exec{make repl}, which gives up the form at
-once.
+Enter brings the new prompt; if something is on the line, Ctrl-A, Ctrl-K and Enter. Where the
+package is installed, @exec{racket -l mechanics/lang/prompt/start} opens the prompt of
+@exec{make repl}, which gives up the form at once.
 
 @section{Results}
 
