@@ -11,7 +11,7 @@ export RACKET
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
-.PHONY: help demo repl run show tex test attack lint elsewhere bench docs clean \
+.PHONY: help demo repl run show tex test attack lint elsewhere bench docs pictures clean \
         racket libraries editing compile begin-tests
 
 help:
@@ -25,6 +25,7 @@ help:
 	@echo 'make lint    unused requires, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
 	@echo 'make docs    build the manual in build/doc'
+	@echo 'make pictures    the pictures of the README, of a real DrRacket (Xvfb, xdotool, ImageMagick)'
 	@echo 'make clean   remove all that make built'
 	@echo 'make elsewhere   demo and test on bare Debian 12 and 13 (as root, with debootstrap)'
 
@@ -80,6 +81,10 @@ docs: compile
 	@$(RACO) scribble --quiet --htmls --dest build/doc \
 	    ++main-xref-in --redirect-main https://docs.racket-lang.org/ $(MANUAL)
 	@echo 'The manual begins at build/doc/mechanics/index.html'
+
+# To be made again when results look different, and committed.
+pictures: compile
+	@.ci/pictures/make.sh
 
 # Files are compiled in parallel where there are many.
 ROOTS = mechanics/main.rkt mechanics/lang/help/table.rkt mechanics/lang/prompt/start.rkt \

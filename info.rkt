@@ -7,13 +7,16 @@
                  "and solutions checked as residuals"))
 (define pkg-authors '("the mechanics authors"))
 (define deps '(("base" #:version "8.7")
+               "draw-lib"
                "gui-lib"
                "math-lib"
                "pict-lib"
                "plot-lib"
                "readline-lib"
                "sandbox-lib"
-               "syntax-color-lib"))
+               "snip-lib"
+               "syntax-color-lib"
+               "wxme-lib"))
 (define build-deps '("at-exp-lib"
                      "drracket-tool-text-lib"
                      "macro-debugger-text-lib"

@@ -11,6 +11,7 @@
          "constraint/on-demand.rkt"
          "algebra/notation/formula-style.rkt"
          "display/on-demand.rkt" "display/output.rkt" "display/print-expression.rkt"
+         (only-in "display/display-style.rkt" display-style)
          "force/on-demand.rkt"
          (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
                     asked-for-momentum?)
@@ -106,7 +107,7 @@
  ;; showing
  print-expression pe show-expression se series:print
  (all-from-out "display/output.rkt" "display/on-demand.rkt")
- derivative-style suppress-arguments)
+ display-style derivative-style suppress-arguments)
 
 ;; Run by `racket -I mechanics` and by programs written in `#lang mechanics`.
 (module configure-runtime racket/base

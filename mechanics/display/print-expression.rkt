@@ -1,33 +1,34 @@
 #lang racket/base
 ;; Printing values on demand, simplified: what the prompt does to results.
 
-(require "layout.rkt" "result.rkt" "text.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
+(require "layout.rkt" "result.rkt" "print-shown.rkt" "display-style.rkt" "text.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../value/series/access.rkt"
          "../verdict/verdict.rkt")
 
 (provide print-expression pe show-expression se series:print print-as
          print-labelled print-assumptions)
 
-(require-on-demand ["typeset.rkt" typeset-result])
-
 (define line-width 79)
 
-;; The value, simplified, on lines of its own: as the prompt has it, or typeset in a format.
-(define-plain (print-expression x #:as [format #f])
-  (print-as 'print-expression x format))
-
-(define (print-as who x format)
-  (if format
-      (write-string (typeset-result who x format))
-      (print (simplified-result x line-width)))
-  (newline))
+;; The value, simplified, on lines of its own: in the style that was chosen, or in another.
+(define-plain (print-expression x #:as [style #f]) (print-as 'print-expression x style))
 
 (define pe print-expression)
 
-;; Shows a value the best way the place it is called from allows: as text.
-(define-plain (show-expression x #:as [format #f]) (print-as 'show-expression x format))
+;; Typeset in the way that the place it is called from allows, or in another style.
+(define-plain (show-expression x #:as [style #f])
+  (print-as 'show-expression x (or style 'typeset)))
+
 (define se show-expression)
+
+;; style : one of those of display-style, or #f for the one that was chosen
+(define (print-as who x style)
+  (when style (check-style who style))
+  (print-shown (simplified-result x line-width (if style (manner-here style) (manner-here)))
+               (lambda (shown)
+                 ((if (port-writes-special? (current-output-port)) write print) shown)
+                 (newline))))
 
 ;; The first n terms of a series, all where it ends, each as print-expression has it.
 (define (series:print s [n #f])

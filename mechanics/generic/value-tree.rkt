@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Any value as the tree of its notation.
 
-(require "describe.rkt" "kind.rkt" "notation.rkt"
+(require "cyclic.rkt" "describe.rkt" "kind.rkt" "notation.rkt"
          (only-in "../algebra/expression/expression.rkt" expression->datum symbolic?)
          (only-in "../algebra/expression/write.rkt" print-limit)
          "../algebra/notation/formula.rkt" "../algebra/notation/numeral.rkt"
@@ -32,12 +32,3 @@
 ;; As assumptions are quoted: (> m 0)
 (define (relation-datum? x)
   (and (list? x) (= 3 (length x)) (memq (car x) '(> < >= <= =)) #t))
-
-;; Does a list or vector contain itself?
-(define (cyclic? x)
-  (let inside ([x x] [around (hasheq)])
-    (define (within) (hash-set around x #t))
-    (cond [(hash-ref around x #f) #t]
-          [(pair? x) (or (inside (car x) (within)) (inside (cdr x) (within)))]
-          [(vector? x) (for/or ([e (in-vector x)]) (inside e (within)))]
-          [else #f])))

@@ -9,7 +9,8 @@
 ;;
 ;; In a terminal a long result ends after a screen.
 
-(require "../display/advice.rkt" "../display/receiver.rkt" "../display/result.rkt"
+(require "../display/advice.rkt" "../display/display-style.rkt" "../display/print-shown.rkt"
+         "../display/receiver.rkt" "../display/result.rkt"
          "../error/note.rkt"
          (only-in "../generic/on-demand.rkt" require-on-demand)
          (only-in "../generic/up-down.rkt" tuple?)
@@ -19,29 +20,31 @@
 (require-on-demand [racket/pretty pretty-print-columns]
                    ["screen.rkt" first-screen])
 
-(provide install-printer! print-result print-more)
+(provide install-printer! print-result print-more print-last)
 
 ;; ---------------------------------------------------------------------------
 ;; The session's printer
 
 ;; A value of `current-print`; `other` is the printer it wraps; `how-to-go-on` says how the
-;; rest of a long result is seen; `rest` is its text, or #f.
-(struct session-printer (other how-to-go-on [rest #:mutable])
+;; rest of a long result is seen; `rest` is its text, or #f; `last` is the last
+;; result that was something.
+(struct session-printer (other how-to-go-on [rest #:mutable] [last #:mutable])
   #:property prop:procedure
   (lambda (printer x)
+    (unless (void? x) (set-session-printer-last! printer x))
     (define other (session-printer-other printer))
     (define shown (simplify-interruptibly x))
     (cond [(screen?)
            (print-screen printer (printed other shown))
            (print-advice x)]
-          [else (other shown)])
+          [else (print-shown shown other)])
     (note-unknowns x)))
 
 ;; Make the current printer ours, unless it takes results as they are; again is no harm.
 (define (install-printer! [how-to-go-on "(print-expression ...) prints all of it"])
   (define printer (current-print))
   (unless (or (session-printer? printer) (result-receiver? printer))
-    (current-print (session-printer printer how-to-go-on #f))))
+    (current-print (session-printer printer how-to-go-on #f (void)))))
 
 ;; Print a result of a module, whatever printer is current, unless it takes results as they
 ;; are.  A break is the reader's wish to stop the program and is left to do so.
@@ -49,8 +52,8 @@
   (define printer (current-print))
   (cond [(result-receiver? printer) (printer x)]
         [else
-         ((if (session-printer? printer) (session-printer-other printer) printer)
-          (simplify-or-say-why x))
+         (print-shown (simplify-or-say-why x)
+                      (if (session-printer? printer) (session-printer-other printer) printer))
          (when (screen?) (print-advice x))
          (note-unknowns x)]))
 
@@ -90,6 +93,13 @@
       (print-screen printer rest)
       (printf "nothing is left of the last result\n")))
 
+;; The last result again, in the style that has been chosen since.  Was there one?
+(define (print-last)
+  (define printer (current-print))
+  (define last (if (session-printer? printer) (session-printer-last printer) (void)))
+  (printer last)
+  (not (void? last)))
+
 (define (print-advice x)
   (define text (advice x))
   (when text (printf "; ~a\n" text)))
@@ -100,7 +110,7 @@
 (define (simplify-interruptibly x)
   (with-handlers ([exn:break?
                    (lambda (e)
-                     (note "simplification interrupted; the result as computed:")
+                     (note "interrupted; the result as computed:")
                      (plain-result x (output-width)))])
     (simplify-or-say-why x)))
 
@@ -111,7 +121,7 @@
                      (note (format "the result could not be simplified (~a)"
                                    (exn-message e)))
                      (plain-result x (output-width)))])
-    (simplified-result x (output-width))))
+    (simplified-result x (output-width) (manner-here))))
 
 ;; ---------------------------------------------------------------------------
 ;; Width

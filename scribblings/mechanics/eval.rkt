@@ -7,7 +7,7 @@
          (only-in "../../mechanics/plot/on-demand.rkt" why-not))
 
 (provide examples bigfloat-examples picture-examples
-         make-session make-picture-session make-racket-session close-session
+         make-session make-picture-session make-typeset-session make-racket-session close-session
          missing-pictures)
 
 ;; Columns of a page of the manual that a result may fill.
@@ -17,6 +17,7 @@
 (define (make-session . forms)
   (define session (apply make-base-eval #:lang 'mechanics #:pretty-print? #f forms))
   (call-in-sandbox-context session install-printer)
+  (call-in-sandbox-context session choose-expressions)
   session)
 
 ;; The same with `mechanics/plot`, and with Racket's printer for what is no part of
@@ -24,6 +25,13 @@
 (define (make-picture-session . forms)
   (define session
     (apply make-base-eval #:lang 'mechanics #:pretty-print? #t '(require mechanics/plot) forms))
+  (call-in-sandbox-context session install-printer)
+  (call-in-sandbox-context session choose-expressions)
+  session)
+
+;; A prompt that puts typeset results on the page.
+(define (make-typeset-session . forms)
+  (define session (apply make-base-eval #:lang 'mechanics #:pretty-print? #t forms))
   (call-in-sandbox-context session install-printer)
   session)
 
@@ -34,6 +42,9 @@
   (define value->markup (dynamic-require 'mechanics/document/line-markup 'value->line-markup))
   (define receiver (dynamic-require 'mechanics/display/receiver 'result-receiver))
   (current-print (receiver (typesetting (current-print) value->markup))))
+
+;; As in a terminal: the page would take pictures.
+(define (choose-expressions) ((dynamic-require 'mechanics 'display-style) 'expression))
 
 ;; What a page with pictures says where there are none.
 (define (missing-pictures)

@@ -13,6 +13,7 @@ order.
 @include-section["guide/installation.scrbl"]
 @include-section["guide/ten-minutes.scrbl"]
 @include-section["guide/prompt.scrbl"]
+@include-section["guide/typeset-results.scrbl"]
 @include-section["guide/structures.scrbl"]
 @include-section["guide/arithmetic.scrbl"]
 @include-section["guide/literals.scrbl"]

@@ -6,9 +6,11 @@
 ;; picture.  The tree says what is a sum, a quotient, a power; how these look is the affair of
 ;; whoever draws it.  Parentheses that every way of drawing needs are in the tree; a line of
 ;; text adds those that a fraction bar, a raised exponent or a roof makes unnecessary.
+;;
+;; Trees are prefab: a snip with one is written to a file and read by another program.
 
-(provide (struct-out name) (struct-out word) (struct-out digits)
-         (struct-out scientific) (struct-out imaginary)
+(provide (struct-out name) (struct-out word) (struct-out digits) (struct-out scientific)
+         (struct-out imaginary)
          (struct-out plain)
          (struct-out row) (struct-out sum) (struct-out term) (struct-out product)
          (struct-out fraction) (struct-out power) (struct-out radical) (struct-out exponential)
@@ -22,48 +24,48 @@
          tree-parts fenced-itself? unlabelled?)
 
 ;; Leaves
-(struct name (symbol) #:transparent)          ; a variable or function, by the reader's name
-(struct word (text) #:transparent)            ; upright: sin, or a word of prose
-(struct digits (text) #:transparent)          ; a number without sign: 12, 0.5
-(struct scientific (digits exponent) #:transparent)   ; digits × 10^exponent
-(struct imaginary (coefficient) #:transparent)   ; a number times i
-(struct plain (text) #:transparent)           ; the plain form of what is no formula
+(struct name (symbol) #:prefab)          ; a variable or function, by the reader's name
+(struct word (text) #:prefab)            ; upright: sin, or a word of prose
+(struct digits (text) #:prefab)          ; a number without sign: 12, 0.5
+(struct scientific (digits exponent) #:prefab)   ; digits × 10^exponent
+(struct imaginary (coefficient) #:prefab)   ; a number times i
+(struct plain (text) #:prefab)           ; the plain form of what is no formula
 
 ;; Formulas
-(struct row (items) #:transparent)            ; one beside the other, without space
-(struct sum (terms) #:transparent)            ; of `term`s
-(struct term (negative? body) #:transparent)
-(struct product (factors) #:transparent)
-(struct fraction (numerator denominator) #:transparent)
-(struct power (base exponent) #:transparent)
-(struct radical (body) #:transparent)         ; a square root
-(struct exponential (exponent) #:transparent) ; a power of e
-(struct parenthesized (body) #:transparent)
-(struct bars (body) #:transparent)            ; an absolute value
-(struct dotted (base dots) #:transparent)     ; a time derivative, marked by 1 to 3 dots
-(struct derivative (marks function) #:transparent)    ; function: #f of the operator alone
-(struct mark (path count) #:transparent)      ; path: #f for D, or the indices of a ∂
+(struct row (items) #:prefab)            ; one beside the other, without space
+(struct sum (terms) #:prefab)            ; of `term`s
+(struct term (negative? body) #:prefab)
+(struct product (factors) #:prefab)
+(struct fraction (numerator denominator) #:prefab)
+(struct power (base exponent) #:prefab)
+(struct radical (body) #:prefab)         ; a square root
+(struct exponential (exponent) #:prefab) ; a power of e
+(struct parenthesized (body) #:prefab)
+(struct bars (body) #:prefab)            ; an absolute value
+(struct dotted (base dots) #:prefab)     ; a time derivative, marked by 1 to 3 dots
+(struct derivative (marks function) #:prefab)    ; function: #f of the operator alone
+(struct mark (path count) #:prefab)      ; path: #f for D, or the indices of a ∂
 ;; bare?: without parentheses, as in sin x
-(struct application (function arguments bare?) #:transparent)
+(struct application (function arguments bare?) #:prefab)
 
 ;; Containers
-(struct column (items) #:transparent)         ; an up tuple
-(struct across (items) #:transparent)         ; a down tuple
-(struct grid (rows) #:transparent)            ; a matrix: lists of one length
-(struct listing (items) #:transparent)
+(struct column (items) #:prefab)         ; an up tuple
+(struct across (items) #:prefab)         ; a down tuple
+(struct grid (rows) #:prefab)            ; a matrix: lists of one length
+(struct listing (items) #:prefab)
 
 ;; Statements
-(struct relation (left sign right) #:transparent)
-(struct omitted (count) #:transparent)        ; in place of so many atoms, a text
-(struct report (lines) #:transparent)
+(struct relation (left sign right) #:prefab)
+(struct omitted (count) #:prefab)        ; in place of so many atoms, a text
+(struct report (lines) #:prefab)
 ;; label : a string; parts : trees, none where the label stands alone
-(struct report-line (depth label parts) #:transparent)
+(struct report-line (depth label parts) #:prefab)
 
 (define (unlabelled? l) (string=? "" (report-line-label l)))
 
 ;; A sum or product cut into lines, each a tree; what is within the width is never cut.
-(struct broken (lines) #:transparent)
-(struct continuation (sign body) #:transparent)   ; a line that goes on with this sign
+(struct broken (lines) #:prefab)
+(struct continuation (sign body) #:prefab)   ; a line that goes on with this sign
 
 ;; A single argument that brings parentheses of its own when it is drawn.
 (define (fenced-itself? arguments)

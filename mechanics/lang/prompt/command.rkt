@@ -3,7 +3,8 @@
 ;; as long as the reader has not defined them: help, ?, quit, exit.
 
 (require "help-command.rkt"
-         "../printer.rkt")
+         "../printer.rkt"
+         "../../display/display-style.rkt")
 
 (provide command? run-command)
 
@@ -21,7 +22,7 @@
            [("help" "h" "?") (print-commands) '()]
            [("more" "m") (print-more) '()]
            [("quit" "q" "exit") eof]
-           [else (print-unknown name) '()])]
+           [else (style-command name) '()])]
         [(member name '("help" "h" "?")) (help-on argument)]
         [else (print-unknown name) '()]))
 
@@ -40,12 +41,30 @@
   (with-handlers ([exn:fail:contract:variable? (lambda (e) #f)] [exn:fail:syntax? (lambda (e) #f)])
     (namespace-variable-value name #f)
     #t))
+;; ---------------------------------------------------------------------------
+;; Styles: the command is the style's name in small letters
+
+;; Results are shown so from now on, the last one at once.
+(define (style-command name)
+  (define style
+    (for/first ([s (in-list styles)]
+                #:when (string=? name (string-downcase (symbol->string s))))
+      s))
+  (cond [style
+         (display-style style)
+         (unless (print-last) (printf "; results are shown so from now on\n"))]
+        [else (print-unknown name)]))
+
+;; ---------------------------------------------------------------------------
 
 (define (print-commands)
   (write-string #<<text
 ,help         this list
 ,help NAME    what is known of a name, as (help NAME) says
 ,more         the next screen of a long result
+,text         shows results as formulas of several lines, the last one at once;
+,infix        on one line;  ,tex  as TeX;  ,mathml  as MathML;
+,expression   as S-expressions, as in the beginning
 ,quit         leave; so does Ctrl-D
 Tab completes a name, the arrow keys bring back what was typed, Ctrl-C stops.
 

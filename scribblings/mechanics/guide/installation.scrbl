@@ -77,7 +77,8 @@ upper window
 @codeblock{#lang mechanics}
 
 and press @onscreen{Run}. The lower window is then a prompt of mechanics, which
-knows what the upper one defines.
+knows what the upper one defines, and shows results typeset: see
+@secref["typeset-results"].
 
 @section[#:tag "three-ways"]{Three ways to use it}
 

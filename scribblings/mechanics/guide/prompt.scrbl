@@ -19,7 +19,11 @@ prompt asks for more.
       (list @exec{Ctrl-D} @elem{leaves, as @exec{,quit} does})
       (list @exec{,help} @elem{lists the commands; so do @exec{help} and @exec{?}})
       (list @exec{,help NAME} @elem{tells what is known of a name})
-      (list @exec{,more} @elem{the next screen of a long result}))]
+      (list @exec{,more} @elem{the next screen of a long result})
+      (list @elem{@exec{,text}, @exec{,infix}, @exec{,tex}, @exec{,mathml}}
+            @elem{show results as formulas, of several lines or of one, as TeX or MathML; the
+                  last one at once})
+      (list @exec{,expression} @elem{goes back to S-expressions}))]
 
 The first three are the work of a library, @emph{libedit}, which @exec{make repl} installs on
 Debian and Ubuntu (package @tt{libedit2}); elsewhere the prompt says what to install. Without

@@ -247,14 +247,40 @@ counts as constant. The denominators are powers of the factors that
 
 @section{Showing}
 
-@deftogether[(@defproc[(print-expression [x value]
-                                         [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
-                       void?]
-              @defproc[(pe [x value] [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
-                       void?])]{
+@defparam[display-style style (or/c 'automatic 'typeset 'text 'infix 'TeX 'MathML 'expression)]{
 
-Prints the value, simplified, as the prompt does, and ends the line. With a format it is
-typeset, as @secref["formulas"] tells; what the simplification assumed is told beneath.
+How results are shown, at the prompt and by @racket[print-expression]. @racket['automatic], with
+which a session begins, is typeset where pictures are shown, as in DrRacket, and an S-expression
+elsewhere.
+
+@tabular[#:sep @hspace[2] #:row-properties '(top)
+(list (list @racket['typeset] @elem{formulas drawn as in a book, where pictures are shown;
+                                    elsewhere as @racket['text] (@secref["typeset-results"])})
+      (list @racket['text] @elem{formulas drawn with characters, as @racket[->text] does})
+      (list @racket['infix] @elem{on one line, as @racket[->infix] does})
+      (list @racket['TeX] @elem{for a mathematical text, as @racket[->TeX] does})
+      (list @racket['MathML] @elem{for a page, as @racket[->MathML] does})
+      (list @racket['expression] @elem{as the S-expression that makes the value}))]
+
+What is no mathematics is printed as ever. So is a value whose typesetting fails, and one with
+more than 2000 numbers and names where it would be a picture; a line beneath it says why. At
+the prompt of @exec{make repl}, @exec{,text}, @exec{,tex}, @exec{,infix} and
+@exec{,expression} do the same, and show the last result again.
+
+@examples[#:eval session
+(display-style 'text)
+(/ (sqrt (square 'r)) 'theta_1)
+(display-style 'TeX)
+(up 'x (/ 1 2))
+(display-style 'expression)
+(up 'x (/ 1 2))
+(eval:error (display-style 'latex))]}
+
+@deftogether[(@defproc[(print-expression [x value] [#:as style (or/c symbol? #f) #f]) void?]
+              @defproc[(pe [x value] [#:as style (or/c symbol? #f) #f]) void?])]{
+
+Prints the value, simplified, as the prompt does, and ends the line. With a style it is
+printed in that, and not in the one of @racket[display-style].
 
 @examples[#:eval session
 (pe (* (sqrt 'x) (sqrt 'x)))
@@ -292,20 +318,27 @@ Racket's procedures, in whose text values of ours are simplified, each on one li
 (fprintf (current-output-port) "~a" (* 2 'x 3))
 (eprintf "~a\n" (+ 'a 'a))]}
 
-@deftogether[(@defproc[(show-expression [x value]
-                                        [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
-                       void?]
-              @defproc[(se [x value] [#:as format (or/c #f 'infix 'text 'TeX 'MathML) #f])
-                       void?])]{
+@deftogether[(@defproc[(show-expression [x value] [#:as style (or/c symbol? #f) #f]) void?]
+              @defproc[(se [x value] [#:as style (or/c symbol? #f) #f]) void?])]{
 
-Shows the value in the best way there is at the place it is called from. At
-present that is text everywhere, as with @racket[print-expression]; a format is as there.
+Shows the value, simplified, typeset in the best way there is at the place it is called from:
+drawn where pictures are shown, otherwise with characters. A style is as with
+@racket[print-expression].
 
 @examples[#:eval session
 (show-expression ((D (literal-function 'f)) 'x))
-(se (+ 'x 'x))]
+(se (/ 'x (+ 'y 'x 'x)))]
 
 @sicm{1.4, p. 16}}
+
+@defproc[(typeset [x value]) any]{
+
+The value, simplified, as a picture of its formula: notebooks and pages of Scribble, which show
+what can be converted by @racketmodname[file/convertible #:indirect], show it; elsewhere it
+prints as the value does. What has no formula, such as a string, is returned as it is.
+
+@examples[#:eval session
+(typeset (/ 'a 'theta))]}
 
 @defparam[print-limit n (or/c exact-positive-integer? #f)]{
 

@@ -22,9 +22,10 @@
   (check-equal? (text-of print-expression (list 1 (+ 'a 'a))) "(list 1 (* 2 a))\n")
   (check-equal? (text-of print-expression "text") "\"text\"\n"))
 
-(test-case "the short names and show-expression print the same"
-  (for ([show (in-list (list pe show-expression se))])
-    (check-equal? (text-of show (* 'a 'b 'a)) (text-of print-expression (* 'a 'b 'a)))))
+(test-case "the short names print the same"
+  (define x (* 'a 'b 'a))
+  (check-equal? (text-of pe x) (text-of print-expression x))
+  (check-equal? (text-of se x) (text-of show-expression x)))
 
 (test-case "the prompt answers the same"
   (for ([x (in-list (list (+ 'a 'a) (list (+ 'a 'a) "b") (vector (+ 'a 'a)) "text" 1/2 sin

@@ -333,7 +333,7 @@
 (test-case "a break during simplification prints the value as it is"
   (define x (troublesome 'slow (lambda () (break-thread (current-thread)) (sleep 30) 'done)))
   (check-equal? (prompt-prints x)
-                '("slow\n" "; simplification interrupted; the result as computed:\n")))
+                '("slow\n" "; interrupted; the result as computed:\n")))
 
 (test-case "a break while a module's result is simplified stops the module"
   (define x (troublesome 'slow (lambda () (break-thread (current-thread)) (sleep 30) 'done)))

@@ -9,17 +9,17 @@
          "skip.rkt")
 
 (provide
- run-program         ; (run-program file environment) -> what it prints, a string
+ run-program         ; (run-program file environment argument ...) -> what it prints, a string
  environment-with    ; (environment-with display) -> environment variables
  call-with-display   ; (call-with-display use) : (use display)
  display-server      ; -> path or #f
  test-windows)       ; (test-windows name program expected)
 
-(define (run-program program environment)
+(define (run-program program environment . arguments)
   (parameterize ([current-environment-variables environment]
                  [current-subprocess-custodian-mode 'kill])
     (define-values (process out in err)
-      (subprocess #f #f 'stdout (find-exe) (path->string program)))
+      (apply subprocess #f #f 'stdout (find-exe) (path->string program) arguments))
     (close-output-port in)
     (begin0 (port->string out)
             (subprocess-wait process)
