@@ -101,39 +101,25 @@
   (define rules (recurrence-of op))
   (define a (jet-known x))
   (define n (jet-order x))
-  (define step (and rules ((recurrence-choose rules) (vector-ref a 0) (vector-length a))))
-  (varying (perturbed-tag x) n
-           (cond [(not step) (unary-by-rule op a n)]
-                 [(recurrence-partner rules) => (lambda (p) (steps-with-partner op p step a n))]
-                 [else (steps op step a n)])))
+  (define solved (and rules ((recurrence-choose rules) (vector-ref a 0) (vector-length a))))
+  (varying (perturbed-tag x) n (if solved (steps op solved a n) (unary-by-rule op a n))))
 
 ;; The first derivative is taken by its rule, which may say that there is none.
-(define (steps op step a n)
+(define (steps op solved a n)
   (define r (make-vector (add1 n) 0))
   (define a0 (vector-ref a 0))
   (define r0 ((generic-op-procedure op) a0))
+  (define step (solution-step solved))
+  (define other (solution-partner solved))
+  (define p (and other (make-vector (add1 n) 0)))
   (define la (vector-length a))
-  (define read-a (in a la))
-  (define (read-r k) (vector-ref r k))
+  (define all (rows (in a la) la #f 0 (in-all r) (and p (in-all p))))
   (vector-set! r 0 r0)
   (vector-set! r 1 (g:* ((car (generic-op-partials op)) a0 r0) (vector-ref a 1)))
+  (when p (vector-set! p 0 ((partner-start other) a0 r0)))
   (for ([k (in-range 2 (add1 n))])
-    (vector-set! r k (step k read-a la read-r)))
-  r)
-
-(define (steps-with-partner op other step a n)
-  (define r (make-vector (add1 n) 0))
-  (define p (make-vector (add1 n) 0))
-  (define la (vector-length a))
-  (define read-a (in a la))
-  (define (read-r k) (vector-ref r k))
-  (define (read-p k) (vector-ref p k))
-  (define next-p (partner-step other))
-  (vector-set! r 0 ((generic-op-procedure op) (vector-ref a 0)))
-  (vector-set! p 0 ((partner-procedure other) (vector-ref a 0)))
-  (for ([k (in-range 1 (add1 n))])
-    (vector-set! r k (step k read-a la read-p))
-    (when (< k n) (vector-set! p k (next-p k read-a la read-r))))
+    (when p (vector-set! p (sub1 k) ((partner-step other) (sub1 k) all)))
+    (vector-set! r k (step k all)))
   r)
 
 ;; Where the outermost ε is not a jet's, its own arithmetic decides.
@@ -149,11 +135,12 @@
   (define b (known-part y tag))
   (define la (vector-length a))
   (define lb (vector-length b))
-  (define step
+  (define solved
     (and rules ((recurrence-choose rules) (vector-ref a 0) la (vector-ref b 0) lb)))
   (define r
-    (if step
-        (steps-2 op step a la b lb (at-most (add1 n) ((recurrence-length rules) la lb)))
+    (if solved
+        (steps-2 op (solution-step solved) a la b lb
+                 (at-most (add1 n) ((recurrence-length rules) la lb)))
         (binary-by-rule op a b n)))
   (if (and (eqv? (used-length r) 1)
            (independent? op (> la 1) (> lb 1) (vector-ref a 0) (vector-ref b 0) (vector-ref r 0)))
@@ -172,12 +159,9 @@
 
 (define (steps-2 op step a la b lb length)
   (define r (make-vector length 0))
-  (define read-a (in a la))
-  (define read-b (in b lb))
-  (define (read-r k) (vector-ref r k))
+  (define all (rows (in a la) la (in b lb) lb (in-all r) #f))
   (vector-set! r 0 ((generic-op-procedure op) (vector-ref a 0) (vector-ref b 0)))
-  (for ([k (in-range 1 length)])
-    (vector-set! r k (step k read-a la read-b lb read-r)))
+  (for ([k (in-range 1 length)]) (vector-set! r k (step k all)))
   r)
 
 ;; The coefficients of x by the ε of this tag.
@@ -186,6 +170,7 @@
 
 (define (in v length)
   (lambda (k) (if (< k length) (vector-ref v k) 0)))
+(define ((in-all v) k) (vector-ref v k))
 
 ;; ---------------------------------------------------------------------------
 ;; Operations that have but a derivative rule are done as on power series

@@ -20,13 +20,14 @@
  ;; for the integrators
  compile-traced check-function
  compiled-function-runner compiled-function-value-shape compiled-function-inputs
- compiled-function-outputs)
+ compiled-function-outputs compiled-function-program)
 
 ;; make-runner : -> (input output -> void), between flvectors
 ;; inputs, outputs : how many scalars; value-shape : a structure of that many
 ;; operations : how many flonum operations a call takes, or #f
-;; reason : why there are none, or #f
-(value-struct compiled-function (make-runner inputs outputs value-shape operations reason datum)
+;; program : what is compiled; reason : why there is none, or #f
+(value-struct compiled-function
+  (make-runner inputs outputs value-shape operations program reason datum)
   #:datum (lambda (c) `(compile-function ,(compiled-function-datum c)))
   #:property prop:procedure (lambda (c input) (apply-to-flvector c input))
   #:property prop:object-name
@@ -73,7 +74,7 @@
 (define (compiled f p shape)
   (compiled-function (compiled-program p)
                      (program-inputs p) (shape-length shape) shape
-                     (program-length p) #f (value->datum f)))
+                     (program-length p) p #f (value->datum f)))
 
 ;; f takes one structure.
 (define (check-function who f [expected "a function of one structure"])
@@ -114,7 +115,7 @@
                              "at the example" shape "now" value))
     (flvector-copy! output v))
   (compiled-function (lambda () run)
-                     (flvector-length point) outputs shape #f reason (value->datum f)))
+                     (flvector-length point) outputs shape #f #f reason (value->datum f)))
 
 ;; As compiled code does, where a matrix has no inverse or an exact zero divides.
 (define (value-or-nan f x shape)

@@ -5,54 +5,49 @@
 ;; its derivative, r' = g(a, r) a', and to compare coefficients in it gives
 ;; k r_k = Σ_{j=1..k} j a_j g_{k-j}: with the coefficients of g, which only need
 ;; those of r below k, any operation can be done to order n.  That is how it is
-;; done unless it has an entry here.  An entry is worth having where r satisfies a
-;; simpler equation, as the product does, or exp with g = r: order n then costs n²
-;; multiplications and no more (Griewank and Walther, Evaluating Derivatives,
-;; ch. 13).
+;; done unless it has an equation of its own (operation-equations.rkt), without functions but
+;; r and a partner: order n then costs n² multiplications and no more.
 ;;
 ;; Truncated Taylor numbers and power series run the same recurrences.  Those see
 ;; coefficients as functions of the index, exact 0 from a length on, which is
 ;; +inf.0 for an endless series.
 
-(require "kind.rkt" "arithmetic.rkt" "elementary.rkt")
+(require "kind.rkt" "arithmetic.rkt" "elementary.rkt" "operation-equations.rkt")
 
-(provide recurrence-of (struct-out recurrence) (struct-out partner)
+(provide recurrence-of (struct-out recurrence) (struct-out rows)
+         (struct-out solution) (struct-out partner)
          weighted-convolution)
 
-;; reduce  : arguments -> the value by other operations, or #f
-;; length  : lengths of the arguments -> length of the value
-;; choose  : first coefficient and length of each argument -> step, or #f where
-;;           there is no recurrence
-;; partner : the operation done to the same argument alongside, on which this one
-;;           depends, as cos for sin; or #f
-;; A step gives coefficient k > 0 of the value r, from coefficients below k of r:
-;; (step k a la r) for an operation of one argument, (step k a la b lb r) for one
-;; of two, (step k a la p) for one with a partner p.
-(struct recurrence (reduce length choose partner) #:authentic)
-(struct partner (procedure step) #:authentic)
+;; reduce : arguments -> the value by other operations, or #f
+;; length : lengths of the arguments -> length of the value
+;; choose : first coefficient and length of each argument -> solution, or #f where
+;;          there is no recurrence
+(struct recurrence (reduce length choose) #:authentic)
+
+;; step : of the value; partner : of the operation, or #f.  A step gives coefficient k > 0
+;; from those below k of the value, and of its partner: (step k rows).
+(struct solution (step partner) #:authentic)
+
+;; start : first coefficient of the argument and of the value -> that of the partner, of
+;; which (step k rows) gives the others
+(struct partner (start step) #:authentic)
+
+;; Coefficients as functions of the index, of the arguments, a and b with their lengths, of
+;; the value r and its partner p; #f for what there is not.
+(struct rows (a la b lb r p) #:authentic)
+
+(define (row rs name)
+  (case name [(a) (rows-a rs)] [(b) (rows-b rs)] [(r) (rows-r rs)] [else (rows-p rs)]))
+(define (row-length rs name)
+  (case name [(a) (rows-la rs)] [(b) (rows-lb rs)] [else +inf.0]))
+
+;; The recurrence of the operation of this record, or #f.
+(define (recurrence-of op) (hash-ref recurrences (generic-op-name op) #f))
 
 (define (endless . lengths) +inf.0)
 
-(define (make-recurrence choose #:reduce [reduce #f] #:partner [partner #f]
-                         #:length [length endless])
-  (recurrence reduce length choose partner))
-
-;; The recurrence of the operation of this record, or #f.
-(define (recurrence-of op)
-  (case (generic-op-name op)
-    [(+) sum-recurrence]
-    [(-) difference-recurrence]
-    [(*) product-recurrence]
-    [(/) quotient-recurrence]
-    [(expt) power-recurrence]
-    [(sqrt) root-recurrence]
-    [(exp) exponential-recurrence]
-    [(log) logarithm-recurrence]
-    [(sin) sine-recurrence]
-    [(cos) cosine-recurrence]
-    [(sinh) hyperbolic-sine-recurrence]
-    [(cosh) hyperbolic-cosine-recurrence]
-    [else #f]))
+(define (make-recurrence choose #:reduce [reduce #f] #:length [length endless])
+  (recurrence reduce length choose))
 
 ;; ---------------------------------------------------------------------------
 ;; Sums of products
@@ -82,46 +77,106 @@
                     (g:+ sum (g:* (g:* j x) y))))))))
 
 ;; ---------------------------------------------------------------------------
-;; The four operations
+;; Equations solved for coefficient k of an unknown, the row of that name
 
-(define sum-recurrence
-  (make-recurrence (lambda (a0 la b0 lb) (lambda (k a la b lb r) (g:+ (a k) (b k))))
-                   #:length max))
+(define (equation->step e unknown)
+  (define solve
+    (if (equation-differential? e) (solve-differential e unknown) (solve-algebraic e unknown)))
+  (define right-hand-side (sum-of (map term->coefficient (terms-of e))))
+  (lambda (k rs) (solve (right-hand-side k rs) k rs)))
 
-(define difference-recurrence
-  (make-recurrence (lambda (a0 la b0 lb) (lambda (k a la b lb r) (g:- (a k) (b k))))
-                   #:length max))
+(define (terms-of e)
+  (for/list ([t (in-list (equation-terms e))]) (cons (equation-differential? e) t)))
 
-(define product-recurrence
-  (make-recurrence
-   (lambda (a0 la b0 lb) (lambda (k a la b lb r) (convolution a la b lb k)))
-   #:length (lambda (la lb) (+ la lb -1))))
+(define (sum-of parts)
+  (if (null? (cdr parts))
+      (car parts)
+      (let ([rest (sum-of (cdr parts))])
+        (lambda (k rs) (g:+ ((car parts) k rs) (rest k rs))))))
 
-;; r b = a
-(define quotient-recurrence
-  (make-recurrence
-   (lambda (a0 la b0 lb)
-     (lambda (k a la b lb r)
-       (g:/ (g:- (a k) (convolution r +inf.0 b lb k 0 (sub1 k))) b0)))
-   #:length (lambda (la lb) (if (eqv? lb 1) la +inf.0))))
+;; -> (k rows -> coefficient k of the term, k times that in a differential equation)
+(define (term->coefficient pair)
+  (define-values (differential? t) (values (car pair) (cdr pair)))
+  (define-values (left right) (values (term-left t) (term-right t)))
+  (define part
+    (cond [(not left)
+           (if differential?
+               (lambda (k rs) (g:* k ((row rs right) k)))
+               (lambda (k rs) ((row rs right) k)))]
+          [differential?
+           (lambda (k rs)
+             (weighted-convolution (row rs right) (row-length rs right) (row rs left) k))]
+          [else
+           (lambda (k rs)
+             (convolution (row rs left) (row-length rs left)
+                          (row rs right) (row-length rs right) k))]))
+  (times (term-factor t) part))
+
+(define (times factor part)
+  (case factor
+    [(1) part]
+    [(-1) (lambda (k rs) (g:negate (part k rs)))]
+    [else (lambda (k rs) (g:* factor (part k rs)))]))
+
+(define (solve-algebraic e unknown)
+  (define l (equation-leading e))
+  (cond [(not l) (lambda (x k rs) x)]
+        [(eq? l unknown)
+         (lambda (x k rs)
+           (define r (row rs l))
+           (g:/ (g:- x (convolution r +inf.0 r +inf.0 k 1 (sub1 k))) (g:* 2 (r 0))))]
+        [else
+         (lambda (x k rs)
+           (define b (row rs l))
+           (g:/ (g:- x (convolution (row rs unknown) +inf.0 b (row-length rs l) k 0 (sub1 k)))
+                (b 0)))]))
+
+(define (solve-differential e unknown)
+  (define l (equation-leading e))
+  (if l
+      (lambda (x k rs)
+        (define a (row rs l))
+        (g:/ (g:- x (weighted-convolution (row rs unknown) +inf.0 a k (sub1 k)))
+             (g:* k (a 0))))
+      (lambda (x k rs) (g:/ x k))))
 
 ;; ---------------------------------------------------------------------------
-;; Powers
+;; Operations
 
-;; Whole powers are products, which also serves where b₀ = 0.  Otherwise
-;; b r' = n b' r for a constant n, and r' = r log(b) n' for a constant b.
+;; First coefficients of the argument and of the value -> that of the partner.
+(define (equation->start e)
+  (define s (equation-start e))
+  (cond [s (define f (case (start-operation s)
+                       [(sin) g:sin] [(cos) g:cos] [(sinh) g:sinh] [else g:cosh]))
+           (if (eq? (start-row s) 'a) (lambda (a r) (f a)) (lambda (a r) (f r)))]
+        [else
+         (lambda (a r)
+           (define (first name) (if (eq? name 'a) a r))
+           (for/fold ([sum (equation-constant e)]) ([t (in-list (equation-terms e))])
+             (g:+ sum (g:* (term-factor t)
+                           (g:* (first (term-left t)) (first (term-right t)))))))]))
+
+(define (equations->solution equations)
+  (define other (and (pair? (cdr equations)) (cadr equations)))
+  (solution (equation->step (car equations) 'r)
+            (and other (partner (equation->start other) (equation->step other 'p)))))
+
+(define (function-recurrence name)
+  (define s (equations->solution (equations-of name 1)))
+  ;; of two arguments, as those of an angle, by the rule
+  (make-recurrence (case-lambda [(a0 la) s] [(a0 la b0 lb) #f])))
+
+(define (arithmetic-recurrence name length)
+  (define s (equations->solution (equations-of name 2)))
+  (make-recurrence (lambda (a0 la b0 lb) s) #:length length))
+
+;; Whole powers are products, which also serves where the base begins with 0.
 (define power-recurrence
   (make-recurrence
    (lambda (b0 lb n0 ln)
      (cond [(and (number? b0) (zero? b0)) #f]
-           [(eqv? ln 1)
-            (lambda (k b lb n ln r)
-              (g:/ (g:- (g:* n0 (weighted-convolution b lb r k))
-                        (weighted-convolution r +inf.0 b k (sub1 k)))
-                   (g:* k b0)))]
-           [(eqv? lb 1)
-            (define slope (g:log b0))
-            (lambda (k b lb n ln r) (g:* slope (integral n ln r k)))]
+           [(eqv? ln 1) (equations->solution (power-equations n0))]
+           [(eqv? lb 1) (equations->solution (exponential-equations (g:log b0)))]
            [else #f]))
    #:reduce (lambda (b n) (and (exact-nonnegative-integer? n) (whole-power b n)))))
 
@@ -131,39 +186,12 @@
         [(even? n) (whole-power (g:* b b) (quotient n 2))]
         [else (g:* b (whole-power b (sub1 n)))]))
 
-;; r r = a
-(define root-recurrence
-  (make-recurrence
-   (lambda (a0 la)
-     (lambda (k a la r)
-       (g:/ (g:- (a k) (convolution r +inf.0 r +inf.0 k 1 (sub1 k)))
-            (g:* 2 (r 0)))))))
-
-;; ---------------------------------------------------------------------------
-;; Functions that are integrals of themselves or of one another
-
-;; Coefficient k of the integral of a' g.
-(define (integral a la g k) (g:/ (weighted-convolution a la g k) k))
-(define (minus-integral a la g k) (g:negate (integral a la g k)))
-
-;; r' = r a'
-(define exponential-recurrence
-  (make-recurrence (lambda (a0 la) (lambda (k a la r) (integral a la r k)))))
-
-;; a r' = a'
-(define logarithm-recurrence
-  (make-recurrence
-   (lambda (a0 la)
-     (lambda (k a la r)
-       (g:/ (g:- (a k) (g:/ (weighted-convolution r +inf.0 a k (sub1 k)) k)) a0)))))
-
-;; r' = p a' or -p a', and p' likewise with r.
-(define (paired step partner-procedure partner-step)
-  (make-recurrence (lambda (a0 la) (lambda (k a la p) (step a la p k)))
-                   #:partner (partner partner-procedure
-                                      (lambda (k a la r) (partner-step a la r k)))))
-
-(define sine-recurrence (paired integral g:cos minus-integral))
-(define cosine-recurrence (paired minus-integral g:sin integral))
-(define hyperbolic-sine-recurrence (paired integral g:cosh integral))
-(define hyperbolic-cosine-recurrence (paired integral g:sinh integral))
+(define recurrences
+  (for/fold ([all (hasheq '+ (arithmetic-recurrence '+ max)
+                          '- (arithmetic-recurrence '- max)
+                          '* (arithmetic-recurrence '* (lambda (la lb) (+ la lb -1)))
+                          '/ (arithmetic-recurrence '/ (lambda (la lb) (if (eqv? lb 1) la +inf.0)))
+                          'expt power-recurrence)])
+            ([name (in-list '(sqrt exp log sin cos tan asin acos atan sinh cosh tanh
+                                   asinh acosh atanh))])
+    (hash-set all name (function-recurrence name))))

@@ -12,7 +12,9 @@
          check-method
          ode-precision check-precision)
 
-(define names '(Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5))
+;; auto : Taylor where it can be, Dormand-Prince-853 elsewhere
+(define names
+  '(auto Taylor Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5))
 
 (define (integration-method? x) (or (method? x) (and (memq x names) #t)))
 

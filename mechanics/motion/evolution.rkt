@@ -3,7 +3,7 @@
 
 (require racket/flonum
          "check.rkt" "choice.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt" "stuck.rkt"
-         "system.rkt"
+         "suited.rkt" "system.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../numeric/progress.rkt"
@@ -103,10 +103,11 @@
 
 ;; visit : as in integrate; a failure carries (kept state), given the last state that
 ;; was good
-(define (run-system p s y start end visit [kept values])
+(define (run-system given s y start end visit [kept values])
+  (check-start (plan-who given) s y)
+  (define p (suited given s y))
   (define m (plan-method p))
   (check-separable (plan-who p) m s y)
-  (check-start (plan-who p) s y)
   (define (run note!)
     (define (watched from to interpolant)
       (note-progress note! (progress-text (plan-who p) to end))

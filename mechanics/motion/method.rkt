@@ -5,16 +5,19 @@
          "../numeric/ode/bulirsch-stoer.rkt" "../numeric/ode/dormand-prince-54.rkt"
          "../numeric/ode/dormand-prince-853.rkt" "../numeric/ode/gauss-legendre.rkt"
          "../numeric/ode/quality-controlled.rkt" "../numeric/ode/radau.rkt"
-         "../numeric/ode/stepper.rkt"
+         "../numeric/ode/stepper.rkt" "../numeric/ode/taylor.rkt"
          (rename-in "../numeric/ode/symplectic.rkt" [leapfrog numeric:leapfrog]))
 
-(provide method-of
+(provide method-of automatic
          leapfrog Yoshida-4 Yoshida-6 Yoshida-8
          Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)
 
+;; Stands for the one that suits a system (suited.rkt).
+(define automatic (adaptive-method 'auto #f void))
+
 (define adaptive
-  (list dormand-prince-853 dormand-prince-54 bulirsch-stoer quality-controlled-runge-kutta-4
-        radau-iia-5))
+  (list automatic taylor dormand-prince-853 dormand-prince-54 bulirsch-stoer
+        quality-controlled-runge-kutta-4 radau-iia-5))
 
 (define (method-of who m)
   (check-method who m)

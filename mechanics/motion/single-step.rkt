@@ -7,7 +7,8 @@
 ;; values.
 
 (require racket/flonum
-         "check.rkt" "choice.rkt" "evolution.rkt" "plan.rkt" "separable.rkt" "system.rkt"
+         "check.rkt" "choice.rkt" "evolution.rkt" "plan.rkt" "separable.rkt" "suited.rkt"
+         "system.rkt"
          "../compile/compile-function.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../numeric/ode/integrate.rkt")
@@ -69,13 +70,14 @@
 
 (define (clock state) (vector-ref (structure-elements (adopt state)) 0))
 
-(define (one-step p s state step continue)
-  (define who (plan-who p))
+(define (one-step given s state step continue)
+  (define who (plan-who given))
   (check-real who "step" step)
   (define y (state-vector who state))
+  (check-start who s y)
+  (define p (suited given s y))
   (define m (plan-method p))
   (check-separable who m s y)
-  (check-start who s y)
   (define start (start-time s y))
   (define h (real->double-flonum step))
   (define-values (now last next)

@@ -33,7 +33,7 @@
 (define (hints s m y why)
   (case why
     [(too-many-steps)
-     (if (or (method-step m) (method-jacobian? m))
+     (if (or (method-step m) (eq? 'jacobian (method-asks m)))
          ""
          "\n  if it is stiff, use the method 'Radau-IIA-5")]
     ;; there, any other error than that of having no value is the user's to see

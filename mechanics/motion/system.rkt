@@ -9,14 +9,15 @@
          racket/unsafe/ops
          "check.rkt" "manifold.rkt"
          "../calculus/derivative.rkt"
-         "../compile/compile-function.rkt"
+         "../compile/compile-function.rkt" "../compile/jet-program.rkt"
          "../error/once.rkt"
          "../generic/up-down.rkt"
-         "../numeric/ode/differentiated.rkt" "../numeric/ode/stepper.rkt"
+         "../numeric/ode/differentiated.rkt" "../numeric/ode/expandable.rkt"
+         "../numeric/ode/stepper.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 
 (provide (struct-out system) make-system make-parametric-system
-         system-right-hand-side system-method system-state system-size check-start
+         system-right-hand-side system-method system-state system-size system-expand check-start
          derivative-for constant-rate? raise-rate-varies)
 
 ;; shape : a state; clock? : is its first scalar the time, with derivative 1?
@@ -24,9 +25,11 @@
 ;; make-slope!    : -> (y dy -> void), for one integration
 ;; make-jacobian! : -> (y J -> void), for one integration, or #f if the derivative
 ;;                  cannot be differentiated; compiled when first asked for
+;; expander       : -> (order -> expansion), for Taylor coefficients, or a string that says why
+;;                  there are none; found out when first asked for
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
 ;; separable?     : was that found out (separable.rkt)?
-(struct system (shape clock? derivative make-slope! make-jacobian! corrections
+(struct system (shape clock? derivative make-slope! make-jacobian! expander corrections
                 [separable? #:auto #:mutable])
   #:authentic
   #:auto-value #f)
@@ -34,8 +37,15 @@
 ;; What a method integrates.
 (define (system-right-hand-side s m)
   (define slope! ((system-make-slope! s)))
-  (define jacobian! (and (method-jacobian? m) ((system-make-jacobian! s))))
-  (if jacobian! (differentiated slope! jacobian!) slope!))
+  (case (method-asks m)
+    [(jacobian)
+     (define jacobian! ((system-make-jacobian! s)))
+     (if jacobian! (differentiated slope! jacobian!) slope!)]
+    [(expansion) (expandable slope! (system-expand s))]
+    [else slope!]))
+
+;; What makes Taylor coefficients of motions, or a string that says why there are none.
+(define (system-expand s) ((system-expander s)))
 
 ;; What integrates it by a method.
 (define (system-method s m) (method-on m (system-corrections s) (system-size s)))
@@ -61,7 +71,16 @@
   (system state clock? derivative
           slope!
           (lambda () (let ([c (jacobian)]) (and c (compiled-function-runner c))))
+          (once (lambda () (expander-of code (shape-length state) (flvector))))
           corrections))
+
+;; n : how many scalars a state has; ps : the values of the parameters
+(define (expander-of code n ps)
+  (define p (compiled-function-program code))
+  (define make (if p (program->expansion-maker p n) (compiled-function-reason code)))
+  (define inputs (make-flvector (compiled-function-inputs code)))
+  (for ([p (in-flvector ps)] [k (in-naturals n)]) (flvector-set! inputs k p))
+  (if (string? make) make (lambda (order) (make order inputs))))
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
@@ -98,6 +117,7 @@
        (system state (clock-first? code) derivative
                (lambda () (with-parameters code))
                (lambda () (with-parameters (jacobian)))
+               (once (lambda () (expander-of code n ps)))
                #f)))
 
 ;; Masses may be given as a tuple.

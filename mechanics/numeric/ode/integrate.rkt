@@ -42,8 +42,9 @@
   (define give-up (giving-up f! s stuck))
   (define sign (if (fl< end start) -1.0 1.0))
   (define first
-    (or (method-step m)
-        (flmin longest (first-length m s f! tolerated sign (flabs (fl- end start))))))
+    (cond [(method-step m)]
+          [(foreseeing-stepper? s) longest]
+          [else (flmin longest (first-length m s f! tolerated sign (flabs (fl- end start))))]))
   (let loop ([t start] [h first] [count 0] [failures 0])
     (cond
       [(fl= t end) (values t (flvector-copy (stepper-state s)))]
@@ -70,7 +71,8 @@
     (take-step m s tolerated t (fl+ t h) sign
                (or (method-step m) (flabs h)) (giving-up f! s stuck)))
   (when clock (flvector-set! (stepper-state s) clock now))
-  (values now (flvector-copy (stepper-state s)) (fl* sign next)))
+  (define proposed (if (foreseeing-stepper? s) ((foreseeing-stepper-limit s)) next))
+  (values now (flvector-copy (stepper-state s)) (fl* sign proposed)))
 
 ;; The errors of many steps add up: each may have a tenth of the tolerance, but
 ;; not less than rounding takes.
@@ -84,9 +86,31 @@
 ;; -> the time after the step, the length of the next one, and whether no step was
 ;; tried whose error is not finite
 (define (take-step m s tolerance t end sign h give-up)
+  (if (foreseeing-stepper? s)
+      (take-foreseen-step s tolerance t end sign h give-up)
+      (take-tried-step m s tolerance t end sign h give-up)))
+
+;; A step as long as it may be.  The time after it is rounded, and the step is as long as that
+;; says: rounding errors of the time would be errors of the state.
+(define (take-foreseen-step s tolerance t end sign longest give-up)
+  (define limit ((foreseeing-stepper-limit s)))
+  (unless (fl> limit 0.0) (give-up t 'boundary))
+  (define remaining (flabs (fl- end t)))
+  (let try ([h (flmin longest limit)])
+    (define now (if (fl>= h (fl* almost-all remaining)) end (fl+ t (fl* sign h))))
+    (when (fl= now t) (give-up t 'step-too-short))
+    (define error (fl/ ((stepper-try! s) (fl- now t)) tolerance))
+    (cond [(fl<= error 1.0)
+           ((stepper-accept! s))
+           (values now +inf.0 #t)]
+          [else (try (fl* 0.5 (flabs (fl- now t))))])))
+
+(define almost-all (fl- 1.0 1e-7))
+
+(define (take-tried-step m s tolerance t end sign h give-up)
   (define remaining (flabs (fl- end t)))
   (let try ([h h] [finite? #t])
-    (define last? (fl>= h (fl* (fl- 1.0 1e-7) remaining)))
+    (define last? (fl>= h (fl* almost-all remaining)))
     (define length (if last? remaining h))
     (define error (fl/ ((stepper-try! s) (fl* sign length)) tolerance))
     (cond

@@ -32,9 +32,11 @@
       (at theta out)
       (call-with-semaphore lock project! #f out)
       (void)))
-  (if (controlled-stepper? s)
-      (controlled-stepper y (stepper-slope s) (stepper-try! s) accept! interpolant
-                          (controlled-stepper-propose s))
-      (stepper y (stepper-slope s) (stepper-try! s) accept! interpolant)))
+  (define-values (slope try!) (values (stepper-slope s) (stepper-try! s)))
+  (cond [(controlled-stepper? s)
+         (controlled-stepper y slope try! accept! interpolant (controlled-stepper-propose s))]
+        [(foreseeing-stepper? s)
+         (foreseeing-stepper y slope try! accept! interpolant (foreseeing-stepper-limit s))]
+        [else (stepper y slope try! accept! interpolant)]))
 
 (define rounding 1e-15)

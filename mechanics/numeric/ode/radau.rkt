@@ -123,4 +123,4 @@
     (define s (fl* theta (fl- theta c1)))
     (combine! n out from 1.0 [theta a] [s b] [(fl* s (fl- theta c2)) c])))
 
-(define radau-iia-5 (adaptive-method 'Radau-IIA-5 4 start #:jacobian? #t))
+(define radau-iia-5 (adaptive-method 'Radau-IIA-5 4 start #:asks 'jacobian))

@@ -11,25 +11,27 @@
 
 (provide (struct-out method) adaptive-method fixed-step-method
          start-stepper (struct-out stepper) (struct-out controlled-stepper)
+         (struct-out foreseeing-stepper)
          make-stepper)
 
 ;; order : the error of a step of length h, as far as it is estimated, is of the
 ;;         order h^order
 ;; step  : the length of all steps, or #f if they follow the error
 ;; start : (f! y0) -> stepper; (f! y dy) stores f(y) in dy
-;; jacobian? : does it solve equations, for which it asks for the derivatives of f
-;;         (differentiated.rkt) and, in `start`, for the error tolerated in a step?
+;; asks  : 'jacobian if it solves equations, for which it asks for the derivatives of f
+;;         (differentiated.rkt); 'expansion if it asks for Taylor coefficients
+;;         (expandable.rkt); or #f.  One that asks is told, in `start`, the error tolerated in
+;;         a step.
 ;; alternative : of a method for separable systems alone (symplectic.rkt), what makes one
 ;;         for all systems, h -> method; or #f
-(struct method (name order step start jacobian? alternative)
+(struct method (name order step start asks alternative)
   #:authentic
   #:property prop:custom-print-quotable 'never
   #:property prop:custom-write
   (lambda (m port mode)
     (write (if (method-step m) (list (method-name m) (method-step m)) (method-name m)) port)))
 
-(define (adaptive-method name order start #:jacobian? [jacobian? #f])
-  (method name order #f start jacobian? #f))
+(define (adaptive-method name order start #:asks [asks #f]) (method name order #f start asks #f))
 (define (fixed-step-method name order step start #:alternative [alternative #f])
   (method name order step start #f alternative))
 
@@ -50,8 +52,13 @@
 (struct controlled-stepper stepper (propose)
   #:authentic)
 
+;; One that knows how long the next step may be before it is tried.
+;; limit : -> the greatest length, not a number where there is none
+(struct foreseeing-stepper stepper (limit)
+  #:authentic)
+
 (define (start-stepper m f! y0 tolerance)
-  (if (method-jacobian? m)
+  (if (method-asks m)
       ((method-start m) f! y0 tolerance)
       ((method-start m) f! y0)))
 

@@ -19,44 +19,36 @@
 ;; unwrap : value -> coefficients
 (define (operate-1 op a wrap unwrap)
   (define rules (recurrence-of op))
-  (define step
+  (define solved
     (and rules ((recurrence-choose rules) (coefficient a 0) (coefficients-length a))))
   (cond [(<= (coefficients-length a) 1)
          (coefficients-from (list ((generic-op-procedure op) (coefficient a 0))))]
-        [(not step) (by-rule op (list a) wrap unwrap)]
-        [(recurrence-partner rules) => (lambda (p) (with-partner op p a step))]
-        [else (by-step op a step)]))
+        [solved (by-step op a solved)]
+        [else (by-rule op (list a) wrap unwrap)]))
 
 ;; The first two coefficients are the value and the slope there, by the rule for
 ;; the derivative: so what that has to say where there is none is said.
-(define (by-step op a step)
+(define (by-step op a solved)
   (define a0 (coefficient a 0))
   (define start ((generic-op-procedure op) a0))
-  (define la (coefficients-length a))
-  (define read-a (reader a))
+  (define step (solution-step solved))
   (define r
     (make-coefficients
      (lambda (k)
        (case k
          [(0) start]
          [(1) (g:* ((car (generic-op-partials op)) a0 start) (coefficient a 1))]
-         [else (step k read-a la read-r)]))))
-  (define (read-r k) (coefficient r k))
+         [else (step k all)]))))
+  (define p (partner-of (solution-partner solved) a0 start (lambda (k step) (step k all))))
+  (define all
+    (rows (reader a) (coefficients-length a) #f 0 (reader r) (and p (reader p))))
   r)
 
-;; op and its partner each take their steps by the other's coefficients.
-(define (with-partner op other a step)
-  (define a0 (coefficient a 0))
-  (define la (coefficients-length a))
-  (define read-a (reader a))
-  (define (sequence procedure step read-other)
-    (define start (procedure a0))
-    (make-coefficients
-     (lambda (k) (if (eqv? k 0) start (step k read-a la read-other)))))
-  (define r (sequence (generic-op-procedure op) step (lambda (k) (coefficient p k))))
-  (define p
-    (sequence (partner-procedure other) (partner-step other) (lambda (k) (coefficient r k))))
-  r)
+;; The coefficients of the operation's partner, or #f.
+(define (partner-of other a0 r0 take)
+  (and other
+       (let ([start ((partner-start other) a0 r0)])
+         (make-coefficients (lambda (k) (if (eqv? k 0) start (take k (partner-step other))))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Two arguments, a constant being a sequence of one
@@ -71,20 +63,17 @@
   (define rules (recurrence-of op))
   (define la (coefficients-length a))
   (define lb (coefficients-length b))
-  (define step
+  (define solved
     (and rules ((recurrence-choose rules) (coefficient a 0) la (coefficient b 0) lb)))
-  (if step
-      (by-steps op a la b lb step ((recurrence-length rules) la lb))
+  (if solved
+      (by-steps op a la b lb (solution-step solved) ((recurrence-length rules) la lb))
       (by-rule op (list a b) wrap unwrap)))
 
 (define (by-steps op a la b lb step length)
   (define start ((generic-op-procedure op) (coefficient a 0) (coefficient b 0)))
-  (define read-a (reader a))
-  (define read-b (reader b))
-  (define r (make-coefficients
-             (lambda (k) (if (eqv? k 0) start (step k read-a la read-b lb read-r)))
-             (max length 0)))
-  (define read-r (reader r))
+  (define r
+    (make-coefficients (lambda (k) (if (eqv? k 0) start (step k all))) (max length 0)))
+  (define all (rows (reader a) la (reader b) lb (reader r) #f))
   r)
 
 ;; ---------------------------------------------------------------------------

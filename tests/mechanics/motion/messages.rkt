@@ -118,7 +118,7 @@
  [(until 1 #:method 'euler)
   "evolve-trajectory: expected a method of integration or the name of one\n"
   "  given: the symbol euler\n"
-  "  names: (Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5)"]
+  "  names: (auto Taylor Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5)"]
  [(leapfrog -1) "leapfrog: expected a positive time step\n  given: the number -1"]
  [(event harmonic)
   "event: expected a function of one state\n"

@@ -1,0 +1,226 @@
+#lang racket/base
+;; From programs to what computes Taylor coefficients of the motions they are the rates of.
+;;
+;; The nodes of a graph (jet-graph.rkt) become rows of coefficients, and kernels
+;; (numeric/jet) that compute them, closures made once for an integration: no code is
+;; generated.  Products that only one sum is made of are added up in place, products that
+;; share a factor take one loop.  A node that is a polynomial in the time, as the time is
+;; itself, ends: beyond its degree nothing is computed, so that cos ωt costs one
+;; multiplication for an order.
+
+(require racket/flonum
+         "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-rows.rkt"
+         "../numeric/jet/expansion.rkt" "../numeric/jet/kernels.rkt"
+         "../numeric/jet/linear-system.rkt")
+
+(provide program->expansion-maker)
+
+;; p : a program of the rates of as many inputs as it has outputs, the first ones; or, with
+;; #:follow?, of any functions of the first `varying` inputs
+;; -> (order flvector -> expansion), given the values of all inputs, of which those beyond
+;; stay; or a string that says why there is none
+(define (program->expansion-maker p varying #:follow? [follow? #f])
+  (define g (program->graph p varying))
+  (cond [(string? g) g]
+        [else
+         (define degrees (if follow? (node-degrees g #f) (node-degrees g (graph-outputs g))))
+         (lambda (order inputs) (make-expansion g degrees order inputs))]))
+
+(define (make-expansion g degrees order inputs)
+  (define nodes (graph-nodes g))
+  (define r (make-rows degrees order))
+  (define uses (sole-uses g))
+  (define shared (factor-groups g degrees uses))
+  (for ([n (in-vector nodes)] [id (in-naturals)])
+    (unless (eq? 'sum (vector-ref uses id))
+      (emit-node! r nodes id uses shared)))
+  (for ([x (in-flvector inputs)] [id (in-naturals)]) (flvector-set! (row r id) 0 x))
+  (expansion order
+             (for/vector ([id (in-range (graph-varying g))]) (row r id))
+             (for/vector ([id (in-vector (graph-outputs g))]) (row r id))
+             (starts r) (ending-kernels r) (endless-kernels r)))
+
+;; ---------------------------------------------------------------------------
+;; What is computed together
+
+;; 'sum of products that only one sum is made of, which are added up there; else #f.
+(define (sole-uses g)
+  (define nodes (graph-nodes g))
+  (define counts (make-vector (vector-length nodes) 0))
+  (define in-sums (make-vector (vector-length nodes) 0))
+  (define (count! v id) (vector-set! v id (+ 1 (vector-ref v id))))
+  (for ([n (in-vector nodes)])
+    (for ([id (in-list (node-operands n))])
+      (count! counts id)
+      (when (eq? 'linear (node-kind n)) (count! in-sums id))))
+  (for ([id (in-vector (graph-outputs g))]) (count! counts id))
+  (for/vector ([n (in-vector nodes)] [count (in-vector counts)] [in-sum (in-vector in-sums)])
+    (and (eq? 'product (node-kind n)) (= 1 count in-sum) 'sum)))
+
+;; First product of a group -> the others, that share a factor with it and have their other
+;; factor by then.  Each id of the others -> 'done.
+(define (factor-groups g degrees uses)
+  (define nodes (graph-nodes g))
+  (define groups (make-hasheqv))
+  (define (free? id)
+    (and (eq? 'product (node-kind (vector-ref nodes id)))
+         (not (vector-ref uses id))
+         (not (= (cadr (vector-ref nodes id)) (caddr (vector-ref nodes id))))
+         (not (hash-ref groups id #f))
+         (for/and ([x (in-list (node-operands (vector-ref nodes id)))])
+           (= +inf.0 (vector-ref degrees x)))))
+  (define (other id factor)
+    (define xs (node-operands (vector-ref nodes id)))
+    (cond [(= (car xs) factor) (cadr xs)] [(= (cadr xs) factor) (car xs)] [else #f]))
+  (for ([id (in-range (vector-length nodes))] #:when (free? id))
+    (define (companions factor)
+      (for/list ([k (in-range (+ id 1) (vector-length nodes))]
+                 #:when (free? k)
+                 [x (in-value (other k factor))]
+                 #:when (and x (< x id)))
+        k))
+    (define-values (factor most)
+      (for/fold ([best #f] [most '()]) ([f (in-list (node-operands (vector-ref nodes id)))])
+        (define found (companions f))
+        (if (> (length found) (length most)) (values f found) (values best most))))
+    (when factor
+      (hash-set! groups id (cons factor most))
+      (for ([k (in-list most)]) (hash-set! groups k 'done))))
+  groups)
+
+;; ---------------------------------------------------------------------------
+;; Nodes
+
+(define (emit-node! r nodes id uses shared)
+  (define n (vector-ref nodes id))
+  (define operands (cdr n))
+  (case (node-kind n)
+    [(input) (void)]
+    [(one) (flvector-set! (row r id) 0 1.0)]
+    [(linear) (emit-sum! r nodes id uses)]
+    [(product) (emit-product! r nodes id shared)]
+    [(power) (emit-power! r id (car operands) (cadr operands))]
+    [(quotient)
+     (define-values (x a b) (values (row r id) (row r (car operands)) (row r (cadr operands))))
+     (emit-start! r (lambda () (flvector-set! x 0 (fl/ (flvector-ref a 0) (flvector-ref b 0)))))
+     (for ([k (in-list (sum-kernels x (list (weighed 1.0 a)) #f))]) (emit! r id k))
+     (emit! r id (leading-kernel x b (degree r (cadr operands))))]
+    [(law) (emit-law! r id (car operands) (cdr operands) (partner-of nodes id))]
+    [(still) (emit-still! r id (car operands) (cdr operands))]
+    [(system) (emit-system! r nodes id operands)]
+    [(partner component) (void)]))    ; with the law or the system
+
+;; Once for all orders: the value of an operation on what does not vary.
+(define (emit-still! r id name ids)
+  (define f (flonum-body name (length ids)))
+  (define x (row r id))
+  (define rows (for/list ([i (in-list ids)]) (row r i)))
+  (emit-start! r (lambda ()
+                   (flvector-set! x 0 (apply f (for/list ([v (in-list rows)])
+                                                 (flvector-ref v 0)))))))
+
+;; ---------------------------------------------------------------------------
+;; Sums and products
+
+(define (emit-sum! r nodes id uses)
+  (define n (vector-ref nodes id))
+  (define x (row r id))
+  (define constant (real->double-flonum (cadr n)))
+  (define-values (products others)
+    (for/fold ([products '()] [others '()]) ([t (in-list (reverse (cddr n)))])
+      (if (vector-ref uses (car t))
+          (values (cons t products) others)
+          (values products (cons t others)))))
+  (define (kernels varying? add?)
+    (define kept
+      (for/list ([t (in-list others)] #:when (or (not varying?) (> (degree r (car t)) 0)))
+        (weighed (real->double-flonum (cdr t)) (row r (car t)))))
+    (define sums (sum-kernels x kept add?))
+    (append sums (products-of r nodes x products (or add? (pair? sums)))))
+  (unless (fl= constant 0.0) (emit-start! r (lambda () (flvector-set! x 0 constant))))
+  (for ([kernel (in-list (kernels #f (not (fl= constant 0.0))))])
+    (emit-start! r (lambda () (kernel 0))))
+  (for ([kernel (in-list (kernels #t #f))]) (emit! r id kernel)))
+
+;; Kernels of x = or += Σ c a b, squares among them.
+(define (products-of r nodes x terms add?)
+  (define-values (squares others)
+    (for/fold ([squares '()] [others '()]) ([t (in-list terms)])
+      (define n (vector-ref nodes (car t)))
+      (define c (real->double-flonum (cdr t)))
+      (if (and (= (cadr n) (caddr n)) (= +inf.0 (degree r (cadr n))))
+          (values (cons (weighed c (row r (cadr n))) squares) others)
+          (values squares (cons (a-product r c (cadr n) (caddr n)) others)))))
+  (define first (square-kernels x squares add?))
+  (append first (product-kernels x others (or add? (pair? first)))))
+
+(define (a-product r c a b)
+  (product c (row r a) (degree r a) (row r b) (degree r b)))
+
+(define (emit-product! r nodes id shared)
+  (define group (hash-ref shared id #f))
+  (define x (row r id))
+  (cond [(eq? group 'done) (void)]
+        [group
+         (define factor (car group))
+         (define targets
+           (for/list ([k (in-list (cons id (cdr group)))])
+             (define xs (node-operands (vector-ref nodes k)))
+             (target (row r k) 1.0 (row r (if (= (car xs) factor) (cadr xs) (car xs))))))
+         (for ([kernel (in-list (shared-product-kernels targets (row r factor)))])
+           (emit-always! r id kernel))]
+        [else
+         (for ([kernel (in-list (products-of r nodes x (list (cons id 1.0)) #f))])
+           (emit-always! r id kernel))]))
+
+;; ---------------------------------------------------------------------------
+;; Powers
+
+(define (emit-power! r id base n)
+  (define-values (x b) (values (row r id) (row r base)))
+  (define f (power-body n))
+  (emit-start! r (lambda () (flvector-set! x 0 (f (flvector-ref b 0)))))
+  (emit! r id (case n
+                [(1/2) (root-kernel x b)]
+                [(-1) (reciprocal-kernel x b)]
+                [else (power-kernel x b (real->double-flonum n))])))
+
+;; Halves of small whole numbers by multiplication and roots.
+(define (power-body n)
+  (define m (* 2 n))
+  (cond [(and (integer? m) (<= (abs m) 12))
+         (define-values (whole half?) (values (quotient (abs m) 2) (odd? m)))
+         (lambda (b)
+           (define x
+             (for/fold ([x (if half? (flsqrt b) 1.0)]) ([_ (in-range whole)]) (fl* x b)))
+           (if (< n 0) (fl/ 1.0 x) x))]
+        [else
+         (define exponent (real->double-flonum n))
+         (lambda (b) (flexpt b exponent))]))
+
+;; ---------------------------------------------------------------------------
+;; Systems
+
+(define (partner-of nodes id) (find-node nodes (list 'partner id)))
+(define (find-node nodes n)
+  (for/first ([m (in-vector nodes)] [id (in-naturals)] #:when (equal? m n)) id))
+
+(define (emit-system! r nodes id entries)
+  (define n (integer-sqrt (length entries)))
+  (define width (+ n 1))
+  (define-values (matrix right)
+    (for/fold ([matrix '()] [right '()]) ([x (in-list (reverse entries))]
+                                          [k (in-range (- (* n width) 1) -1 -1)])
+      (if (= n (remainder k width))
+          (values matrix (cons x right))
+          (values (cons x matrix) right))))
+  (define (rows ids) (for/vector ([x (in-list ids)]) (row r x)))
+  (define varying (for/vector ([x (in-list matrix)]) (> (degree r x) 0)))
+  (define xs
+    (for/vector ([k (in-range n)])
+      (define component (find-node nodes (list 'component id k)))
+      (if component (row r component) (spare-row r))))
+  (define-values (start! step!)
+    (system-kernels (rows matrix) (lambda (k) (vector-ref varying k)) (rows right) xs))
+  (emit-start! r start!)
+  (emit! r id step!))

@@ -1,0 +1,42 @@
+#lang racket/base
+;; Loops over Taylor coefficients.
+;;
+;; A *row* is an flvector of the coefficients of one quantity, from order 0 on.  The
+;; coefficient k of a product is the convolution Σ a_j b_{k−j}; recurrences of functions are
+;; convolutions as well, over parts of that range.  Two terms are taken at a time, and several
+;; sums in one loop: the compiler keeps them all in registers.
+
+(require racket/unsafe/ops)
+
+(provide at put! convolve convolve-halves smaller greater)
+
+(define-syntax-rule (at row k) (unsafe-flvector-ref row k))
+(define-syntax-rule (put! row k x) (unsafe-flvector-set! row k x))
+
+(define-syntax-rule (smaller a b) (let ([x a] [y b]) (if (unsafe-fx< x y) x y)))
+(define-syntax-rule (greater a b) (let ([x a] [y b]) (if (unsafe-fx< x y) y x)))
+
+;; `result`, where each s is Σ a_j b_{k−j} for j from `first` to `last`.
+(define-syntax-rule (convolve k first last ([s a b] ...) result)
+  (let ([end last] [from first])
+    (let loop ([i from] [j (unsafe-fx- k from)] [s 0.0] ...)
+      (cond [(unsafe-fx< i end)
+             (loop (unsafe-fx+ i 2) (unsafe-fx- j 2)
+                   (unsafe-fl+ s (unsafe-fl+ (unsafe-fl* (at a i) (at b j))
+                                             (unsafe-fl* (at a (unsafe-fx+ i 1))
+                                                         (at b (unsafe-fx- j 1)))))
+                   ...)]
+            [(unsafe-fx= i end)
+             (let ([s (unsafe-fl+ s (unsafe-fl* (at a i) (at b j)))] ...) result)]
+            [else result]))))
+
+;; `result`, where each s is Σ a_j a_{k−j} for j from `first` to k − `first`: twice the sum
+;; below the middle, and the square in it.
+(define-syntax-rule (convolve-halves k first ([s a] ...) result)
+  (let loop ([i first] [j (unsafe-fx- k first)] [s 0.0] ...)
+    (cond [(unsafe-fx< i j)
+           (loop (unsafe-fx+ i 1) (unsafe-fx- j 1)
+                 (unsafe-fl+ s (unsafe-fl* (at a i) (at a j))) ...)]
+          [(unsafe-fx= i j)
+           (let ([s (unsafe-fl+ (unsafe-fl+ s s) (unsafe-fl* (at a i) (at a i)))] ...) result)]
+          [else (let ([s (unsafe-fl+ s s)] ...) result)])))

@@ -1,0 +1,91 @@
+#lang racket/base
+;; Taylor coefficients of a motion: y' = f(y) solved as a power series, order by order.
+;;
+;; The coefficients of f up to order k follow from those of y by kernels (kernels.rkt), and
+;; y_{k+1} = f_k / (k + 1).  They are those of t/h, for a unit h of time near the length of
+;; a step, so that none overflows whatever the system's own units: y_{k+1} = h f_k / (k + 1).
+
+(require racket/flonum
+         racket/unsafe/ops
+         "../flvector.rkt"
+         "convolution.rkt")
+
+(provide (struct-out expansion) (struct-out ending) expand! follow! coefficient-row
+         value-at! coefficients-finite?)
+
+;; order   : the last one; states, slopes : vectors of rows, y and f(y)
+;; starts  : vector of thunks, for order 0; ending : list of those below, whose rows end;
+;; endless : vector of kernels
+(struct expansion (order states slopes starts ending endless) #:authentic)
+
+;; A kernel of rows that are 0 beyond an order.
+(struct ending (last kernel) #:authentic)
+
+(define (coefficient-row e i) (vector-ref (expansion-states e) i))
+
+;; Coefficients of the motion from the state y on, in the unit h.
+(define (expand! e y h)
+  (define states (expansion-states e))
+  (define slopes (expansion-slopes e))
+  (define n (vector-length states))
+  (define order (expansion-order e))
+  (define endless (expansion-endless e))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      (put! (unsafe-vector-ref states i) 0 (unsafe-flvector-ref y i))
+      (loop (unsafe-fx+ i 1))))
+  (start-all! (expansion-starts e))
+  (let loop ([k 1])
+    (define factor (fl/ h (unsafe-fx->fl k)))
+    (let next ([i 0])
+      (when (unsafe-fx< i n)
+        (put! (unsafe-vector-ref states i) k
+              (unsafe-fl* factor (at (unsafe-vector-ref slopes i) (unsafe-fx- k 1))))
+        (next (unsafe-fx+ i 1))))
+    (when (unsafe-fx< k order)
+      (run-ending! (expansion-ending e) k)
+      (run-all! endless k)
+      (loop (unsafe-fx+ k 1)))))
+
+;; Coefficients of what depends on rows that are known already, up to the order.
+(define (follow! e)
+  (start-all! (expansion-starts e))
+  (for ([k (in-range 1 (+ 1 (expansion-order e)))])
+    (run-ending! (expansion-ending e) k)
+    (run-all! (expansion-endless e) k)))
+
+(define (start-all! starts)
+  (define n (vector-length starts))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      ((unsafe-vector-ref starts i))
+      (loop (unsafe-fx+ i 1)))))
+
+(define (run-all! kernels k)
+  (define n (vector-length kernels))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      ((unsafe-vector-ref kernels i) k)
+      (loop (unsafe-fx+ i 1)))))
+
+(define (run-ending! kernels k)
+  (unless (null? kernels)
+    (when (unsafe-fx<= k (ending-last (car kernels))) ((ending-kernel (car kernels)) k))
+    (run-ending! (cdr kernels) k)))
+
+;; Stores in `out` the state at the time u, in units of that of the coefficients.
+(define (value-at! e u out)
+  (define states (expansion-states e))
+  (define order (expansion-order e))
+  (let loop ([i 0])
+    (when (unsafe-fx< i (vector-length states))
+      (let ([row (unsafe-vector-ref states i)])
+        (let horner ([k (unsafe-fx- order 1)] [sum (at row order)])
+          (if (unsafe-fx< k 0)
+              (unsafe-flvector-set! out i sum)
+              (horner (unsafe-fx- k 1)
+                      (unsafe-fl+ (at row k) (unsafe-fl* u sum))))))
+      (loop (unsafe-fx+ i 1)))))
+
+(define (coefficients-finite? e)
+  (for/and ([row (in-vector (expansion-states e))]) (flvector-finite? row)))

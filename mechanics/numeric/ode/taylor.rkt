@@ -1,0 +1,232 @@
+#lang racket/base
+;; The Taylor method: y(t + h) = Σ y_k h^k (À. Jorba and M. Zou, Experimental Mathematics 14,
+;; 2005; F. Biscani and D. Izzo, Monthly Notices of the RAS 504, 2021).
+;;
+;; The order follows from the tolerance ε alone, n = ⌈1 − ½ ln ε⌉, and the step from the last
+;; two coefficients: with ρ_k = ‖y_k‖^(−1/k), near the radius of convergence, it is
+;;
+;;     h = min(ρ_{n−1}, ρ_n) e^(−2 − 0.7/(n−1)),
+;;
+;; so that the last term is about ε, and the work for a unit of time least.  ‖y_k‖ is the
+;; greatest component relative to 1 + |y|.  The step is known before it is taken, and is taken
+;; once.  Only where it grows much, as the first one does from nothing, is it asked whether
+;; y' = f(y) holds at its end: terms beyond the order may be the first that are not 0.
+;;
+;; The state is kept with what rounding loses of it at each step, so that the error of a long
+;; run grows as the root of the number of steps.  Within a step the polynomial itself is the
+;; motion; what is kept of a step is the state where it begins, and its coefficients are
+;; computed again when it is looked at later.
+
+(require racket/flonum
+         racket/unsafe/ops
+         "expandable.rkt" "stepper.rkt" "vectors.rkt"
+         "../fields.rkt" "../flvector.rkt"
+         "../jet/expansion.rkt")
+
+(provide taylor expands-from?
+         taylor-piece? taylor-piece-length call-with-coefficients)
+
+;; f!, n     : the right-hand side, of how many variables; e : its expansion
+;; tolerance : of the error of a step; order : of the expansion
+;; y, lost   : the present state, and what rounding has lost of it
+;; z, rest   : those that the step tried last leads to; from : where the last one began;
+;; slope     : room
+;; unit      : of the time of the coefficients, a power of 2; limit : of the next step, or #f
+;;             if the coefficients are not those of y
+;; last      : length of the step accepted last, 0 before the first; tried : of that tried last
+;; piece     : the step whose coefficients are in e, or #f
+;; reader    : an expansion for reading pieces later, made then; read : the piece in it; lock :
+;;             for one reader at a time
+(struct run (f! n e tolerance order y lost z rest from slope
+             [unit #:mutable] [limit #:mutable] [last #:mutable] [tried #:mutable]
+             [piece #:mutable] [reader #:mutable] [read #:mutable] lock)
+  #:authentic)
+
+(define (order-for tolerance) (max 4 (fl->exact-integer (ceiling (- 1.0 (* 0.5 (log tolerance)))))))
+
+;; tolerated : a tenth of the tolerance (integrate.rkt), which the terms left out do not need
+(define (start f! y0 tolerated)
+  (define r (make-run f! y0 (fl* 10.0 tolerated)))
+  (define-fields run r n y slope)
+  (foreseeing-stepper y
+                      (lambda () (f! y slope) slope)
+                      (lambda (h) (try! r h))
+                      (lambda () (accept! r))
+                      (lambda () (make-piece r))
+                      (lambda () (limit-of r))))
+
+(define (make-run f! y0 tolerance)
+  (define n (flvector-length y0))
+  (define y (flvector-copy y0))
+  (define-vectors n lost z rest from slope)
+  (define order (order-for tolerance))
+  (define e ((expandable-expand f!) order))
+  (run f! n e tolerance order y lost z rest from slope
+       (first-unit f! y slope) #f 0.0 0.0 #f #f #f (make-semaphore 1)))
+
+(define taylor (adaptive-method 'Taylor #f start #:asks 'expansion))
+
+;; Are there coefficients at y0?
+(define (expands-from? f! y0 tolerance)
+  (fl> (limit-of (make-run f! y0 tolerance)) 0.0))
+
+;; ---------------------------------------------------------------------------
+;; Coefficients, in a unit of time near the length of the step
+
+(define (limit-of r)
+  (or (run-limit r)
+      (let ([limit (expand-in-fit-unit! r)])
+        (set-run-limit! r limit)
+        limit)))
+
+;; -> the length of the next step
+(define (expand-in-fit-unit! r)
+  (define-fields run r e y order)
+  (set-run-piece! r #f)
+  (let try ([count 0])
+    (define unit (run-unit r))
+    (expand! e y unit)
+    (define length (length-in-units r))
+    (define fitting
+      (cond [(fl<= 0.0625 length 16.0) unit]
+            [(fl= length +inf.0) (if (< count 3) (fl* unit (expt 2.0 60)) unit)]  ; too small?
+            [(fl> length 0.0) (fl* unit (power-of-2 length))]
+            [(slopes-finite? e) (fl* unit (expt 2.0 -40))]       ; too large to have been finite
+            [else unit]))
+    (cond [(or (fl= fitting unit) (= count 20) (fl< fitting 1e-290)) (fl* unit length)]
+          [else (set-run-unit! r fitting)
+                (try (+ count 1))])))
+
+(define (slopes-finite? e)
+  (for/and ([row (in-vector (expansion-states e))]) (fl< (flabs (at row 1)) +inf.0)))
+
+(define (power-of-2 x)
+  (flexpt 2.0 (flround (fl/ (fllog (flmax 1e-290 (flmin 1e290 x))) (fllog 2.0)))))
+
+;; The time in which y changes by a tenth of its size.
+(define (first-unit f! y slope)
+  (f! y slope)
+  (define n (flvector-length y))
+  (define rate (root-mean-square slope y y n))
+  (if (fl< 0.0 rate +inf.0) (power-of-2 (fl/ 0.1 rate)) 1.0))
+
+(define (length-in-units r)
+  (define-fields run r n e y order)
+  (define a (size e y n order))
+  (define b (size e y n (- order 1)))
+  (cond [(and (fl< a +inf.0) (fl< b +inf.0))
+         (fl* (safety order)
+              (flmin (flexpt a (fl/ -1.0 (->fl order)))
+                     (flexpt b (fl/ -1.0 (->fl (- order 1))))))]
+        [else +nan.0]))
+
+(define (safety order) (flexp (fl- -2.0 (fl/ 0.7 (->fl (- order 1))))))
+
+;; ‖y_k‖; not less than infinite if one is not a number
+(define (size e y n k)
+  (let loop ([i 0] [greatest 0.0])
+    (if (unsafe-fx= i n)
+        greatest
+        (let ([x (unsafe-fl/ (unsafe-flabs (at (coefficient-row e i) k))
+                             (unsafe-fl+ 1.0 (unsafe-flabs (unsafe-flvector-ref y i))))])
+          (loop (unsafe-fx+ i 1)
+                (if (unsafe-fl< x +inf.0) (unsafe-flmax greatest x) +inf.0))))))
+
+;; ---------------------------------------------------------------------------
+;; Steps
+
+;; -> the error, as far as it is looked at
+(define (try! r h)
+  (define-fields run r n e y lost z rest order unit last)
+  (limit-of r)
+  (set-run-tried! r h)
+  (advance-all! e n order (fl/ h unit) y lost z rest)
+  (cond [(not (flvector-finite? z)) +nan.0]
+        [(fl<= (flabs h) (fl* growth last)) 0.0]
+        [else (fl* 0.01 (defect r h))]))
+
+;; A step that is longer than the last by more is looked at.
+(define growth 4.0)
+
+;; z + rest = y + lost + the increment, where rounding loses nothing that is not in `rest`
+(define (advance-all! e n order u y lost z rest)
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      (let* ([x (unsafe-flvector-ref y i)]
+             [d (unsafe-fl+ (increment (coefficient-row e i) order u)
+                            (unsafe-flvector-ref lost i))]
+             [sum (unsafe-fl+ x d)]
+             [back (unsafe-fl- sum x)])
+        (unsafe-flvector-set! z i sum)
+        (unsafe-flvector-set! rest i
+                              (unsafe-fl+ (unsafe-fl- x (unsafe-fl- sum back))
+                                          (unsafe-fl- d back)))
+        (loop (unsafe-fx+ i 1))))))
+
+;; Σ c_k u^k, k from 1
+(define-syntax-rule (increment row order u)
+  (let ([c row])
+    (let loop ([k (unsafe-fx- order 1)] [sum (at c order)])
+      (if (unsafe-fx= k 0)
+          (unsafe-fl* u sum)
+          (loop (unsafe-fx- k 1) (unsafe-fl+ (at c k) (unsafe-fl* u sum)))))))
+
+;; By how much y' and f(y) differ at the end of a step, times its length.
+(define (defect r h)
+  (define-fields run r f! n e y z slope order unit)
+  (f! z slope)
+  (define u (fl/ h unit))
+  (for/fold ([greatest 0.0]) ([i (in-range n)])
+    (define change (fl* u (derivative (coefficient-row e i) order u)))
+    (define change-by-f (fl* h (flvector-ref slope i)))
+    (define scale (fl+ 1.0 (flmax (flabs (flvector-ref z i)) (flabs change))))
+    (flmax greatest (fl/ (flabs (fl- change change-by-f)) scale))))
+
+(define (derivative row order u)
+  (for/fold ([sum 0.0]) ([k (in-range order 0 -1)])
+    (fl+ (fl* (->fl k) (at row k)) (fl* u sum))))
+
+(define (accept! r)
+  (define-fields run r y lost z rest from tried)
+  (flvector-copy! from y)
+  (flvector-copy! y z)
+  (flvector-copy! lost rest)
+  (set-run-last! r (flabs tried))
+  (set-run-limit! r #f))
+
+;; ---------------------------------------------------------------------------
+;; The motion within a step
+
+;; from : the state where it begins; unit : of its coefficients; length : with its sign
+(struct taylor-piece (run from unit length)
+  #:authentic
+  #:property prop:procedure
+  (lambda (p theta out)
+    (define u (fl* theta (fl/ (taylor-piece-length p) (taylor-piece-unit p))))
+    (call-with-coefficients p (lambda (e) (value-at! e u out)))
+    (void)))
+
+;; Of the step accepted last.
+(define (make-piece r)
+  (define p (taylor-piece r (flvector-copy (run-from r)) (run-unit r) (run-tried r)))
+  (set-run-piece! r p)
+  p)
+
+;; (f e), where e holds the coefficients of the step, in its unit, while f runs.
+(define (call-with-coefficients p f)
+  (define r (taylor-piece-run p))
+  (if (eq? p (run-piece r))
+      (f (run-e r))
+      (call-with-semaphore (run-lock r) read-piece #f r p f)))
+
+(define (read-piece r p f)
+  (define e
+    (or (run-reader r)
+        (let ([e ((expandable-expand (run-f! r)) (run-order r))])
+          (set-run-reader! r e)
+          e)))
+  (unless (eq? p (run-read r))
+    (set-run-read! r #f)
+    (expand! e (taylor-piece-from p) (taylor-piece-unit p))
+    (set-run-read! r p))
+  (f e))
