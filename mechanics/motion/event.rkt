@@ -9,9 +9,13 @@
 ;; is halved.  The value where a step begins is the one where the last step ended:
 ;; computed again it may differ by rounding, and a zero in between would be missed.
 ;; A pole changes the sign as well, and is no zero.
+;;
+;; Steps that are polynomials leave nothing to chance: there the zeros of the polynomial that
+;; the event's function is along the step are isolated (event-polynomial.rkt), and where it
+;; touches zero is found as well.
 
 (require racket/flonum
-         "check.rkt"
+         "check.rkt" "event-polynomial.rkt"
          "../algebra/expression/expression.rkt"
          "../compile/compile-function.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
@@ -40,8 +44,8 @@
     (raise-argument-error 'event "'rising, 'falling or 'both" direction))
   (make-event f name direction terminal?))
 
-;; An event, when it happened and the state then.
-(value-struct occurrence (event time state)
+;; An event, when it happened and the state then; grazing? : did its function only touch zero?
+(value-struct occurrence (event time state grazing?)
   #:datum (lambda (o)
             (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o)))
   #:notation (lambda (o see)
@@ -58,20 +62,25 @@
 ;; ---------------------------------------------------------------------------
 ;; Watching
 
-;; code : flvector flvector -> void; last : its value where the last step ended, or #f
-(struct watched (event code [last #:mutable]) #:authentic)
+;; code : flvector flvector -> void; polynomial : interpolant, value where it begins or #f ->
+;; its polynomial along the step, or #f; last : its value where the last step ended, or #f
+(struct watched (event code polynomial [last #:mutable]) #:authentic)
 
 ;; An event whose function has no real value.
 (struct undefined (event) #:authentic)
 
 ;; What is found within a step: `event`, or that it is undefined, `at` a place, from 0 to 1,
-;; or a time.
-(struct crossing (at event) #:authentic)
+;; or a time; grazing? : is zero only touched?
+(struct crossing (at event grazing?) #:authentic)
 
 ;; -> (interpolant -> crossings): what is within a step, in order; to be asked of each step
 ;; in turn
-(define (watch-for who events state n)
-  (define all (for/list ([e (in-list events)]) (watched e (event-code who e state) #f)))
+(define (watch-for who events state n tolerance)
+  (define all
+    (for/list ([e (in-list events)])
+      (define c (event-code who e state))
+      (watched e (compiled-function-runner c)
+               (polynomial-along (compiled-function-program c) n tolerance) #f)))
   (define value (make-flvector 1))
   (define point (make-flvector n))
   (define ((along at code) theta)
@@ -79,17 +88,19 @@
     (code point value)
     (flvector-ref value 0))
   (lambda (at)
-    (sort (for*/list ([w (in-list all)]
-                      [found (in-list (crossings! w (along at (watched-code w))))])
-            found)
-          < #:key crossing-at)))
+    (define found
+      (for*/list ([w (in-list all)]
+                  [found (in-list (or (polynomial-crossings! w at tolerance)
+                                      (crossings! w (along at (watched-code w)))))])
+        found))
+    (if (or (null? found) (null? (cdr found))) found (sort found < #:key crossing-at))))
 
 (define (event-code who e state)
   (define value (event-value who e state))
   (define c (compile-function (event-f e) state #:name who #:value value))
   (unless (= (compiled-function-outputs c) 1)
     (check-event-value who e (compiled-function-value-shape c)))
-  (compiled-function-runner c))
+  c)
 
 ;; The value of the event's function at the state, #f where it has none.
 (define (event-value who e state)
@@ -108,6 +119,21 @@
                     [(symbolic? x) symbols-hint]
                     [else ""]))))
 
+;; The crossings in a step that is a polynomial, or #f.
+(define (polynomial-crossings! w at tolerance)
+  (define e (watched-event w))
+  (define direction (event-direction e))
+  (define p ((watched-polynomial w) at (watched-last w)))
+  (cond [(not p) #f]
+        [(eq? p 'clear)
+         (set-watched-last! w #f)
+         '()]
+        [else
+         (set-watched-last! w (polynomial-end p))
+         (for/list ([z (in-list (zeros-along p tolerance))]
+                    #:when (or (eq? direction 'both) (eq? direction (zero-kind z))))
+           (crossing (zero-at z) e (eq? (zero-kind z) 'touching)))]))
+
 ;; Where a step is looked at.
 (define places '(0.0 0.125 0.25 0.375 0.5 0.625 0.75 0.875 1.0))
 
@@ -116,7 +142,7 @@
 (define (crossings! w g)
   (define e (watched-event w))
   (let loop ([a 0.0] [ga (or (watched-last w) (g 0.0))] [places (cdr places)])
-    (cond [(not (fl= ga ga)) (list (crossing a (undefined e)))]
+    (cond [(not (fl= ga ga)) (list (crossing a (undefined e) #f))]
           [(null? places)
            (set-watched-last! w ga)
            '()]
@@ -126,7 +152,7 @@
            (define (rest) (loop b gb (cdr places)))
            (define zero
              (and (crosses? ga gb (event-direction e)) (zero-between g a ga b gb)))
-           (if zero (cons (crossing zero e) (rest)) (rest))])))
+           (if zero (cons (crossing zero e #f) (rest)) (rest))])))
 
 ;; From a sign to the other or to zero; from zero to a sign is no crossing.
 (define (crosses? ga gb direction)

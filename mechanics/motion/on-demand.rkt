@@ -11,7 +11,8 @@
  ["single-step.rkt" free-run-state-advancer ode-advancer advance-beyond]
  ["trajectory.rkt" evolve-trajectory trajectory? trajectory-start trajectory-end
                    trajectory-final-state trajectory-states trajectory-events]
- ["event.rkt" event event? occurrence? occurrence-event occurrence-time occurrence-state]
+ ["event.rkt" event event? occurrence? occurrence-event occurrence-time occurrence-state
+              occurrence-grazing?]
  ["find-path.rkt" find-path]
  ["method.rkt" leapfrog Yoshida-4 Yoshida-6 Yoshida-8 Gauss-Legendre-2 Gauss-Legendre-4
                Gauss-Legendre-6])

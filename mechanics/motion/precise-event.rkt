@@ -21,7 +21,7 @@
   (define (time theta) (time-within m s theta))
   (let loop ([a 0] [ga (guess m s e 0)] [later places])
     (cond
-      [(not ga) (list (crossing (time a) (undefined e)))]
+      [(not ga) (list (crossing (time a) (undefined e) #f))]
       [(null? later) '()]
       [else
        (define b (car later))
@@ -53,12 +53,12 @@
 (define (zero m s e a b tolerance)
   (let/ec return
     (define (at t)
-      (or (value-of e (stretch-state m s t)) (return (crossing t (undefined e)))))
+      (or (value-of e (stretch-state m s t)) (return (crossing t (undefined e) #f))))
     (define-values (ga gb) (values (at a) (at b)))
     (define t
       (and (crosses? ga gb (event-direction e))
            (zero-between m at a ga b gb tolerance)))
-    (and t (crossing t e))))
+    (and t (crossing t e #f))))
 
 ;; #f at a pole, where the values grow.
 (define (zero-between m g a ga b gb tolerance)

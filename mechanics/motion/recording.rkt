@@ -34,6 +34,6 @@
            (when (undefined? e)
              (end! t)
              (give-up (undefined-event e) t there))
-           (record-occurrence! r (occurrence e (shown t) there))
+           (record-occurrence! r (occurrence e (shown t) there (crossing-grazing? (car found))))
            (cond [(event-terminal? e) (end! t) #f]
                  [else (loop (cdr found))])])))

@@ -103,7 +103,7 @@
 (define (flonum-trajectory p derivative state end events)
   (define s (make-system 'evolve-trajectory derivative state))
   (define y (state-vector 'evolve-trajectory state))
-  (define events-in (watch-for 'evolve-trajectory events state (flvector-length y)))
+  (define events-in (watch-for 'evolve-trajectory events state (flvector-length y) (plan-tolerance p)))
   (define start (start-time s y))
   (define r (make-recording))
   (define (stay) (step start start (span start (lambda (theta out) (flvector-copy! out y)))))
@@ -124,7 +124,7 @@
 ;; Crossings at times in place of fractions of the step.
 (define (timed found from to)
   (for/list ([c (in-list found)])
-    (crossing (time-within from to (crossing-at c)) (crossing-event c))))
+    (crossing (time-within from to (crossing-at c)) (crossing-event c) (crossing-grazing? c))))
 
 (define (flonum-reading s)
   (reading real->double-flonum values (lambda (st t) (state-within s st t))))

@@ -24,7 +24,7 @@
          "../jet/expansion.rkt")
 
 (provide taylor expands-from?
-         taylor-piece? taylor-piece-length call-with-coefficients)
+         taylor-piece? taylor-piece-span call-with-coefficients)
 
 ;; f!, n     : the right-hand side, of how many variables; e : its expansion
 ;; tolerance : of the error of a step; order : of the expansion
@@ -82,6 +82,7 @@
 ;; -> the length of the next step
 (define (expand-in-fit-unit! r)
   (define-fields run r e y order)
+  (define usual (run-unit r))
   (set-run-piece! r #f)
   (let try ([count 0])
     (define unit (run-unit r))
@@ -89,13 +90,18 @@
     (define length (length-in-units r))
     (define fitting
       (cond [(fl<= 0.0625 length 16.0) unit]
-            [(fl= length +inf.0) (if (< count 3) (fl* unit (expt 2.0 60)) unit)]  ; too small?
+            [(fl= length +inf.0) (larger-unit usual count)]
             [(fl> length 0.0) (fl* unit (power-of-2 length))]
             [(slopes-finite? e) (fl* unit (expt 2.0 -40))]       ; too large to have been finite
             [else unit]))
-    (cond [(or (fl= fitting unit) (= count 20) (fl< fitting 1e-290)) (fl* unit length)]
+    (cond [(or (fl= fitting unit) (= count 20) (not (fl< 1e-290 fitting 1e290)))
+           (fl* unit length)]
           [else (set-run-unit! r fitting)
                 (try (+ count 1))])))
+
+;; Coefficients that are 0 may have been too small for flonums; or they are 0.
+(define (larger-unit usual count)
+  (if (< count 3) (fl* usual (flexpt 2.0 (fl* 60.0 (->fl (+ count 1))))) usual))
 
 (define (slopes-finite? e)
   (for/and ([row (in-vector (expansion-states e))]) (fl< (flabs (at row 1)) +inf.0)))
@@ -202,9 +208,12 @@
   #:authentic
   #:property prop:procedure
   (lambda (p theta out)
-    (define u (fl* theta (fl/ (taylor-piece-length p) (taylor-piece-unit p))))
+    (define u (fl* theta (taylor-piece-span p)))
     (call-with-coefficients p (lambda (e) (value-at! e u out)))
     (void)))
+
+;; Its length in the unit.
+(define (taylor-piece-span p) (fl/ (taylor-piece-length p) (taylor-piece-unit p)))
 
 ;; Of the step accepted last.
 (define (make-piece r)

@@ -1,0 +1,93 @@
+#lang racket/base
+;; The function of an event along a step that is a polynomial in the time (numeric/ode/taylor).
+;;
+;; A coordinate is a polynomial already.  Of another function Taylor coefficients follow from
+;; those of the state by the same recurrences.  Its radius of convergence may be less than
+;; that of the motion, which step was chosen by: where the last terms are not small there is no
+;; polynomial, and the step is looked at in places.
+
+(require racket/flonum
+         racket/unsafe/ops
+         "../compile/instruction.rkt" "../compile/jet-program.rkt" "../compile/program.rkt"
+         "../numeric/flvector.rkt"
+         "../numeric/jet/expansion.rkt" "../numeric/jet/polynomial-zeros.rkt"
+         "../numeric/ode/taylor.rkt")
+
+(provide polynomial-along zeros-along polynomial-end (struct-out zero))
+
+;; p : the program of a function of a state of n scalars, or #f
+;; -> (interpolant, the value where the step begins or #f -> flvector, 'clear or #f):
+;; coefficients along the step, from 0 to 1; or that there is plainly no zero
+(define (polynomial-along p n tolerance)
+  (define coordinate (and p (coordinate-of p n)))
+  (define make (and p (not coordinate) (program->expansion-maker p n #:follow? #t)))
+  (define row-along
+    (cond [coordinate (lambda (e) (coefficient-row e coordinate))]
+          [(procedure? make) (following make n tolerance)]
+          [else #f]))
+  (lambda (at first)
+    (and row-along
+         (taylor-piece? at)
+         (call-with-coefficients at
+           (lambda (e)
+             (define row (row-along e))
+             (define span (taylor-piece-span at))
+             (if (and coordinate (clear? row (expansion-order e) (flabs span)))
+                 'clear
+                 (polynomial row (expansion-order e) span first
+                             (if coordinate +inf.0 tolerance))))))))
+
+;; Is the row far enough from 0 all the way for that to be plain?
+(define (clear? row order span)
+  (let loop ([k order] [rest 0.0])
+    (if (unsafe-fx= k 0)
+        (unsafe-fl> (unsafe-flabs (unsafe-flvector-ref row 0)) (unsafe-fl* 1.01 rest))
+        (loop (unsafe-fx- k 1)
+              (unsafe-fl* span (unsafe-fl+ rest (unsafe-flabs (unsafe-flvector-ref row k))))))))
+
+;; tolerance : of the last terms
+(define (polynomial row order span first tolerance)
+  (define c (scaled row order span))
+  (when first (flvector-set! c 0 first))
+  (and (flvector-finite? c) (converges? c tolerance) c))
+
+;; The index of the coordinate that the program gives, or #f.
+(define (coordinate-of p n)
+  (define o (vector-ref (program-outputs p) 0))
+  (and (place? o) (< (place-index o) n) (place-index o)))
+
+;; -> (expansion -> the row of the function), made for the order when it is known
+(define (following make n tolerance)
+  (define own #f)
+  (lambda (e)
+    (unless own (set! own (make (expansion-order e) (make-flvector n))))
+    (for ([from (in-vector (expansion-states e))] [to (in-vector (expansion-states own))])
+      (flvector-copy! to from))
+    (follow! own)
+    (vector-ref (expansion-slopes own) 0)))
+
+;; c_k span^k
+(define (scaled row order span)
+  (define c (make-flvector (+ order 1)))
+  (for/fold ([power 1.0]) ([k (in-range (+ order 1))])
+    (flvector-set! c k (fl* power (flvector-ref row k)))
+    (fl* power span))
+  c)
+
+(define (converges? c tolerance)
+  (define n (flvector-length c))
+  (define last (fl+ (flabs (flvector-ref c (- n 1))) (flabs (flvector-ref c (- n 2)))))
+  (fl<= last (fl* (fl* 10.0 tolerance) (flmax 1.0 (total c)))))
+
+(define (total c) (for/fold ([sum 0.0]) ([x (in-flvector c)]) (fl+ sum (flabs x))))
+
+(define (polynomial-end c) (for/fold ([sum 0.0]) ([x (in-flvector c)]) (fl+ sum x)))
+
+;; The zeros along a step.  Where the function hardly varies nothing is touched.
+(define (zeros-along c tolerance)
+  (define size (total c))
+  (define varies (fl- size (flabs (flvector-ref c 0))))
+  (define touch (flmax tolerance (fl* 1e-15 size)))
+  (if (fl> (flabs (flvector-ref c 0)) (fl* 1.01 varies))
+      '()
+      (polynomial-zeros c (if (fl> varies (fl* 1e3 touch)) touch 0.0))))
