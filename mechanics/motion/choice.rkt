@@ -29,7 +29,7 @@
   m)
 
 (define ode-integration-method
-  (make-parameter 'Dormand-Prince-853 (lambda (m) (check-method 'ode-integration-method m))))
+  (make-parameter 'auto (lambda (m) (check-method 'ode-integration-method m))))
 
 (define (set-ode-integration-method! m)
   (ode-integration-method (check-method 'set-ode-integration-method! m)))

@@ -3,8 +3,8 @@
 ;;
 ;; A coordinate is a polynomial already.  Of another function Taylor coefficients follow from
 ;; those of the state by the same recurrences.  Its radius of convergence may be less than
-;; that of the motion, which step was chosen by: where the last terms are not small there is no
-;; polynomial, and the step is looked at in places.
+;; that of the motion, by which the step was chosen: where the last terms are not small there
+;; is no polynomial, and the step is looked at in places, as many as that radius asks for.
 
 (require racket/flonum
          racket/unsafe/ops
@@ -16,8 +16,8 @@
 (provide polynomial-along zeros-along polynomial-end (struct-out zero))
 
 ;; p : the program of a function of a state of n scalars, or #f
-;; -> (interpolant, the value where the step begins or #f -> flvector, 'clear or #f):
-;; coefficients along the step, from 0 to 1; or that there is plainly no zero
+;; -> (interpolant, the value where the step begins or #f -> coefficients along the step, from
+;; 0 to 1, an flvector; 'clear if there is plainly no zero; or how many places to look at)
 (define (polynomial-along p n tolerance)
   (define coordinate (and p (coordinate-of p n)))
   (define make (and p (not coordinate) (program->expansion-maker p n #:follow? #t)))
@@ -26,16 +26,19 @@
           [(procedure? make) (following make n tolerance)]
           [else #f]))
   (lambda (at first)
-    (and row-along
-         (taylor-piece? at)
-         (call-with-coefficients at
-           (lambda (e)
-             (define row (row-along e))
-             (define span (taylor-piece-span at))
-             (if (and coordinate (clear? row (expansion-order e) (flabs span)))
-                 'clear
-                 (polynomial row (expansion-order e) span first
-                             (if coordinate +inf.0 tolerance))))))))
+    (if (and row-along (taylor-piece? at))
+        (call-with-coefficients at
+          (lambda (e)
+            (define row (row-along e))
+            (define span (taylor-piece-span at))
+            (if (and coordinate (clear? row (expansion-order e) (flabs span)))
+                'clear
+                (polynomial row (expansion-order e) span first
+                            (if coordinate +inf.0 tolerance)))))
+        usual-places)))
+
+(define usual-places 8)
+(define most-places 400)
 
 ;; Is the row far enough from 0 all the way for that to be plain?
 (define (clear? row order span)
@@ -49,7 +52,19 @@
 (define (polynomial row order span first tolerance)
   (define c (scaled row order span))
   (when first (flvector-set! c 0 first))
-  (and (flvector-finite? c) (converges? c tolerance) c))
+  (cond [(not (flvector-finite? c)) usual-places]
+        [(converges? c tolerance) c]
+        [else (places-for c)]))
+
+;; Six for the radius of convergence.
+(define (places-for c)
+  (define n (- (flvector-length c) 1))
+  (define (ratio k)
+    (flexpt (fl/ (flabs (flvector-ref c k)) (fl+ 1e-300 (flabs (flvector-ref c 0))))
+            (fl/ 1.0 (->fl k))))
+  (define wanted (fl* 6.0 (flmax (ratio n) (ratio (- n 1)))))
+  (if (fl< wanted (->fl most-places)) (max usual-places (fl->exact-integer (ceiling wanted)))
+      most-places))
 
 ;; The index of the coordinate that the program gives, or #f.
 (define (coordinate-of p n)

@@ -90,8 +90,7 @@
   (lambda (at)
     (define found
       (for*/list ([w (in-list all)]
-                  [found (in-list (or (polynomial-crossings! w at tolerance)
-                                      (crossings! w (along at (watched-code w)))))])
+                  [found (in-list (crossings-along! w at (along at (watched-code w)) tolerance))])
         found))
     (if (or (null? found) (null? (cdr found))) found (sort found < #:key crossing-at))))
 
@@ -119,12 +118,13 @@
                     [(symbolic? x) symbols-hint]
                     [else ""]))))
 
-;; The crossings in a step that is a polynomial, or #f.
-(define (polynomial-crossings! w at tolerance)
+;; The zeros in (0, 1], up to where the function is undefined; one at 0 belongs to the step
+;; before.  g : place -> value
+(define (crossings-along! w at g tolerance)
   (define e (watched-event w))
   (define direction (event-direction e))
   (define p ((watched-polynomial w) at (watched-last w)))
-  (cond [(not p) #f]
+  (cond [(exact-integer? p) (crossings! w g p)]
         [(eq? p 'clear)
          (set-watched-last! w #f)
          '()]
@@ -134,22 +134,18 @@
                     #:when (or (eq? direction 'both) (eq? direction (zero-kind z))))
            (crossing (zero-at z) e (eq? (zero-kind z) 'touching)))]))
 
-;; Where a step is looked at.
-(define places '(0.0 0.125 0.25 0.375 0.5 0.625 0.75 0.875 1.0))
-
-;; The zeros of g in (0, 1], up to where it is undefined; one at 0 belongs to the step
-;; before.
-(define (crossings! w g)
+;; The same where nothing is known of g: its sign is looked at in so many places.
+(define (crossings! w g places)
   (define e (watched-event w))
-  (let loop ([a 0.0] [ga (or (watched-last w) (g 0.0))] [places (cdr places)])
+  (let loop ([a 0.0] [ga (or (watched-last w) (g 0.0))] [k 1])
     (cond [(not (fl= ga ga)) (list (crossing a (undefined e) #f))]
-          [(null? places)
+          [(> k places)
            (set-watched-last! w ga)
            '()]
           [else
-           (define b (car places))
+           (define b (fl/ (->fl k) (->fl places)))
            (define gb (g b))
-           (define (rest) (loop b gb (cdr places)))
+           (define (rest) (loop b gb (+ k 1)))
            (define zero
              (and (crosses? ga gb (event-direction e)) (zero-between g a ga b gb)))
            (if zero (cons (crossing zero e #f) (rest)) (rest))])))

@@ -10,7 +10,8 @@
  ["evolution.rkt" state-advancer evolve]
  ["single-step.rkt" free-run-state-advancer ode-advancer advance-beyond]
  ["trajectory.rkt" evolve-trajectory trajectory? trajectory-start trajectory-end
-                   trajectory-final-state trajectory-states trajectory-events]
+                   trajectory-final-state trajectory-states trajectory-events
+                   trajectory-method]
  ["event.rkt" event event? occurrence? occurrence-event occurrence-time occurrence-state
               occurrence-grazing?]
  ["find-path.rkt" find-path]

@@ -7,22 +7,24 @@
 
 (require racket/flonum
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "recording.rkt"
-         "system.rkt"
+         "suited.rkt" "system.rkt"
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
          "../generic/on-demand.rkt" "../generic/value-struct.rkt"
-         "../numeric/flvector.rkt" "../numeric/progress.rkt")
+         "../numeric/flvector.rkt" "../numeric/progress.rkt"
+         "../numeric/ode/stepper.rkt")
 
 (require-on-demand ["precise-trajectory.rkt" follow-precise-trajectory])
 
 (provide evolve-trajectory
          trajectory? trajectory-start trajectory-end trajectory-final-state
-         trajectory-states trajectory-events)
+         trajectory-states trajectory-events trajectory-method)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
-;; reading : what makes states of steps
-(value-struct trajectory (steps events reading)
+;; reading : what makes states of steps; method : what it was integrated by, a name or a
+;; method with a fixed step
+(value-struct trajectory (steps events reading method)
   #:datum (lambda (tr) `(trajectory from ,(trajectory-start tr) to ,(trajectory-end tr)))
   #:notation (lambda (tr see)
                (statement (list 0 "trajectory from" (see (trajectory-start tr))
@@ -93,23 +95,25 @@
   (define (make steps occurrences exactly shown state)
     (trajectory (for/vector ([s (in-list steps)]) (apply step s))
                 occurrences
-                (reading exactly shown (lambda (s t) (state (step-inside s) t)))))
+                (reading exactly shown (lambda (s t) (state (step-inside s) t)))
+                'extrapolation))
   (follow-precise-trajectory p derivative state end events make))
 
 ;; The inside of a step in flonums: the time to which it was taken, beyond its end if an event
 ;; ended the trajectory, and its interpolant.
 (struct span (end at) #:authentic)
 
-(define (flonum-trajectory p derivative state end events)
+(define (flonum-trajectory given derivative state end events)
   (define s (make-system 'evolve-trajectory derivative state))
   (define y (state-vector 'evolve-trajectory state))
+  (define p (suited given s y))
   (define events-in (watch-for 'evolve-trajectory events state (flvector-length y) (plan-tolerance p)))
   (define start (start-time s y))
   (define r (make-recording))
   (define (stay) (step start start (span start (lambda (theta out) (flvector-copy! out y)))))
   (define (so-far)
     (trajectory (list->vector (recorded-steps r stay)) (recorded-occurrences r)
-                (flonum-reading s)))
+                (flonum-reading s) (method-shown (plan-method p))))
   ;; -> is the integration to go on?
   (define (visit from to interpolant)
     (define inside (span to (interpolant)))
@@ -125,6 +129,8 @@
 (define (timed found from to)
   (for/list ([c (in-list found)])
     (crossing (time-within from to (crossing-at c)) (crossing-event c) (crossing-grazing? c))))
+
+(define (method-shown m) (if (method-step m) m (method-name m)))
 
 (define (flonum-reading s)
   (reading real->double-flonum values (lambda (st t) (state-within s st t))))

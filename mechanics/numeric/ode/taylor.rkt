@@ -8,8 +8,8 @@
 ;;     h = min(ρ_{n−1}, ρ_n) e^(−2 − 0.7/(n−1)),
 ;;
 ;; so that the last term is about ε, and the work for a unit of time least.  ‖y_k‖ is the
-;; greatest component relative to 1 + |y|.  The step is known before it is taken, and is taken
-;; once.  Only where it grows much, as the first one does from nothing, is it asked whether
+;; greatest component relative to 1 + |y|; and the last terms must not grow.  The step is known
+;; before it is taken, and is taken once.  Only where it grows much, as the first one does from nothing, is it asked whether
 ;; y' = f(y) holds at its end: terms beyond the order may be the first that are not 0.
 ;;
 ;; The state is kept with what rounding loses of it at each step, so that the error of a long
@@ -121,10 +121,16 @@
   (define a (size e y n order))
   (define b (size e y n (- order 1)))
   (cond [(and (fl< a +inf.0) (fl< b +inf.0))
-         (fl* (safety order)
-              (flmin (flexpt a (fl/ -1.0 (->fl order)))
-                     (flexpt b (fl/ -1.0 (->fl (- order 1))))))]
+         (flmin (fl* (safety order)
+                     (flmin (flexpt a (fl/ -1.0 (->fl order)))
+                            (flexpt b (fl/ -1.0 (->fl (- order 1))))))
+                (flmax (falling (size e y n (- order 2)) a) (falling (size e y n (- order 3)) b)))]
         [else +nan.0]))
+
+;; Terms as small as they may be tell nothing as long as they grow: half the distance at which
+;; two of them, of orders that differ by 2, are equal.
+(define (falling earlier later)
+  (if (or (fl= later 0.0) (fl= earlier 0.0)) +inf.0 (fl* 0.5 (flsqrt (fl/ earlier later)))))
 
 (define (safety order) (flexp (fl- -2.0 (fl/ 0.7 (->fl (- order 1))))))
 
