@@ -4,14 +4,17 @@
 (require racket/flonum
          "check.rkt" "choice.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt" "stuck.rkt"
          "suited.rkt" "system.rkt"
+         "../calculus/perturbed.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../numeric/progress.rkt"
-         "../numeric/ode/integrate.rkt")
+         "../numeric/ode/integrate.rkt"
+         "../value/shape.rkt")
 
-(require-on-demand ["precise.rkt" advance-precisely follow-precisely])
+(require-on-demand ["precise.rkt" advance-precisely follow-precisely]
+                   ["linearized-flow.rkt" advance-perturbed flow-derivative])
 
-(provide state-advancer evolve
+(provide state-advancer evolve linearized-flow
          ;; for trajectories and single steps
          run-system stuck-in start-time system-by-shape made-by)
 
@@ -22,13 +25,18 @@
   (define datum (made-by 'state-advancer derivative-maker parameters))
   (define (advance plan-with state duration [tolerance #f] [continue state-alone])
     (define p (plan-with tolerance))
-    (check-real 'state-advancer "duration" duration)
-    (define-values (last longest)
-      (if (plan-bits p)
-          (advance-precisely p (derivative-for derivative-maker parameters) state
-                             (real-number duration))
-          (advance-flonums p (system-for state) state (->flonum duration))))
-    (continue last duration (if (negative? (real-number duration)) (fl- 0.0 longest) longest)))
+    (cond
+      [(varied? parameters state duration)
+       (advance-perturbed 'state-advancer (advancing p) derivative-maker parameters state duration)]
+      [else
+       (check-real 'state-advancer "duration" duration)
+       (define-values (last longest)
+         (if (plan-bits p)
+             (advance-precisely p (derivative-for derivative-maker parameters) state
+                                (real-number duration))
+             (advance-flonums p (system-for state) state (->flonum duration))))
+       (continue last duration
+                 (if (negative? (real-number duration)) (fl- 0.0 longest) longest))]))
   (define (advance/keywords #:method [method #f]
                             #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
                             #:precision [bits (ode-precision)]
@@ -40,6 +48,37 @@
   (make-function (telling-what-it-takes 'state-advancer advance/keywords) 28 datum))
 
 (define (state-alone state duration next) state)
+
+;; Is one of these being differentiated?
+(define (varied? parameters state duration)
+  (or (perturbed? duration)
+      (ormap perturbed? (scalars state))
+      (for/or ([p (in-list parameters)]) (ormap perturbed? (scalars p)))))
+
+;; What p says, of another system.
+(define ((advancing p) maker parameters state duration)
+  ((apply state-advancer maker parameters) state duration (plan-tolerance p)
+   #:method (plan-method p) #:precision (plan-bits p)
+   #:longest-step (plan-longest p) #:most-steps (plan-most p) #:progress (plan-progress? p)))
+
+;; (linearized-flow sysder p ...) : state, duration, tolerance -> the derivative, by the state
+;; and, if that is asked for, the parameters, of the state that is reached
+(define (linearized-flow derivative-maker . parameters)
+  (check-maker 'linearized-flow derivative-maker parameters)
+  (define datum (made-by 'linearized-flow derivative-maker parameters))
+  (define (derivative p parameters? state duration)
+    (flow-derivative (advancing p) derivative-maker parameters state duration parameters?))
+  (define (derivative/keywords #:by-parameters? [parameters? #f] #:method [method #f]
+                               #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
+                               #:precision [bits (ode-precision)]
+                               #:progress [progress? (report-progress)]
+                               . arguments)
+    (unless (<= 2 (length arguments) 3)
+      (raise-arguments (datum) "a state, a duration and perhaps a tolerance" arguments))
+    (define plan-with (planning 'linearized-flow method longest most bits progress?))
+    (define tolerance (and (pair? (cddr arguments)) (caddr arguments)))
+    (derivative (plan-with tolerance) parameters? (car arguments) (cadr arguments)))
+  (make-function (telling-what-it-takes 'linearized-flow derivative/keywords) 12 datum))
 
 ;; -> the state reached and the length of the longest step
 (define (advance-flonums p s state duration)

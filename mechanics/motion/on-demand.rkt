@@ -7,7 +7,7 @@
 (provide set-ode-integration-method! ode-integration-method integration-method? ode-precision)
 
 (provide-on-demand
- ["evolution.rkt" state-advancer evolve]
+ ["evolution.rkt" state-advancer evolve linearized-flow]
  ["single-step.rkt" free-run-state-advancer ode-advancer advance-beyond]
  ["trajectory.rkt" evolve-trajectory trajectory? trajectory-start trajectory-end
                    trajectory-final-state trajectory-states trajectory-events
