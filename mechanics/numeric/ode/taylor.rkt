@@ -20,7 +20,7 @@
 (require racket/flonum
          racket/unsafe/ops
          "expandable.rkt" "stepper.rkt" "vectors.rkt"
-         "../fields.rkt" "../flvector.rkt"
+         (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt"
          "../jet/expansion.rkt")
 
 (provide taylor expands-from?
@@ -44,9 +44,10 @@
 
 (define (order-for tolerance) (max 4 (fl->exact-integer (ceiling (- 1.0 (* 0.5 (log tolerance)))))))
 
-;; tolerated : a tenth of the tolerance (integrate.rkt), which the terms left out do not need
+;; tolerated : a tenth of the tolerance (integrate.rkt), which the terms left out do not need;
+;; or no more than rounding, and then these are to be nothing beside rounding
 (define (start f! y0 tolerated)
-  (define r (make-run f! y0 (fl* 10.0 tolerated)))
+  (define r (make-run f! y0 (if (fl<= tolerated rounding) least-term (fl* 10.0 tolerated))))
   (define-fields run r n y slope)
   (foreseeing-stepper y
                       (lambda () (f! y slope) slope)
@@ -63,6 +64,8 @@
   (define e ((expandable-expand f!) order))
   (run f! n e tolerance order y lost z rest from slope
        (first-unit f! y slope) #f 0.0 0.0 #f #f #f (make-semaphore 1)))
+
+(define least-term 1e-17)
 
 (define taylor (adaptive-method 'Taylor #f start #:asks 'expansion))
 

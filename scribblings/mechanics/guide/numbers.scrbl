@@ -98,14 +98,17 @@ directions that carry no inertia:
 
 @section{Which method}
 
-The method that is used unless told otherwise, @racket['Dormand-Prince-853], is right for
-nearly everything. Others are chosen by the keyword @racket[#:method], or for a whole session
+The method that is used unless told otherwise, @racket['auto], is right for nearly everything.
+It is @racket['Taylor], which follows the Taylor series of the motion, where the state
+derivative is smooth, and @racket['Dormand-Prince-853] where it takes decisions or uses a
+function without a recurrence; @racket[trajectory-method] tells which. Others are chosen by the keyword @racket[#:method], or for a whole session
 by @racket[set-ode-integration-method!].
 
 @tabular[#:sep @hspace[2] #:style 'boxed #:row-properties '(bottom-border ())
  (list
   (list @bold{method} @bold{order} @bold{steps} @bold{for})
-  (list @racket['Dormand-Prince-853] "8" "adapt" "smooth motions, small tolerances")
+  (list @racket['Taylor] "⌈1 − ½ ln ε⌉" "adapt" "smooth motions, any tolerance, long runs")
+  (list @racket['Dormand-Prince-853] "8" "adapt" "motions with decisions in them")
   (list @racket['Dormand-Prince-54] "5" "adapt" "tolerances above 1e-6")
   (list @racket['bulirsch-stoer] "14" "adapt" "very smooth motions, tiny tolerances")
   (list @racket['qcrk4] "4" "adapt" "comparison with the book")
@@ -203,9 +206,9 @@ a measure of what else is wrong:
 @examples[#:eval session #:label #f
 (define (angle-at-10 tolerance method)
   (coordinate ((state-advancer pendulum 9.8 1 1) (up 0 1 0) 10 tolerance #:method method)))
-(angle-at-10 1e-6 'Dormand-Prince-853)
-(angle-at-10 1e-9 'Dormand-Prince-853)
-(angle-at-10 1e-12 'Dormand-Prince-853)
+(angle-at-10 1e-6 'auto)
+(angle-at-10 1e-9 'auto)
+(angle-at-10 1e-12 'auto)
 (angle-at-10 1e-12 'bulirsch-stoer)]
 
 @bold{There and back.} A motion followed backwards ends where it began.

@@ -157,15 +157,19 @@ swing
               @defproc[(trajectory-final-state [tr trajectory?]) value]
               @defproc[(trajectory-states [tr trajectory?] [times (listof real?) _own])
                        (listof value)]
-              @defproc[(trajectory-events [tr trajectory?]) (listof occurrence?)])]{
+              @defproc[(trajectory-events [tr trajectory?]) (listof occurrence?)]
+              @defproc[(trajectory-method [tr trajectory?]) integration-method?])]{
 
 Its first and last time, its last state, its states at @racket[times] or at the ends
-of the steps of integration, and the events found, in the order of time.
+of the steps of integration, the events found, in the order of time, and the method by which
+it was integrated, which is never @racket['auto]; @racket['extrapolation] with a precision.
 
 @examples[#:eval session
 (trajectory? swing)
 (list (trajectory-start swing) (trajectory-end swing))
-(trajectory-states swing '(0 1 2))]}
+(trajectory-states swing '(0 1 2))
+(trajectory-method swing)
+(trajectory-method (evolve-trajectory (lambda (s) (up 1 (abs (coordinate s)))) (up 0 1) 1))]}
 
 @deftogether[(@defproc[(event [f (-> value real?)]
                               [#:name name any/c _that-of-f]
@@ -176,14 +180,18 @@ of the steps of integration, and the events found, in the order of time.
               @defproc[(occurrence? [x any/c]) boolean?]
               @defproc[(occurrence-event [o occurrence?]) event?]
               @defproc[(occurrence-time [o occurrence?]) real?]
-              @defproc[(occurrence-state [o occurrence?]) value])]{
+              @defproc[(occurrence-state [o occurrence?]) value]
+              @defproc[(occurrence-grazing? [o occurrence?]) boolean?])]{
 
 An event happens when @racket[f], a function of the state, passes through zero: while
 it grows along the integration, backwards as well, or falls, or either. Its time is found to the
 accuracy
 of the trajectory. A
 terminal event ends the trajectory. A zero at the start is no event, and neither is a
-pole; two zeros much closer than an eighth of a step of integration can be missed. Where
+pole. With the method @racket['Taylor] no zero within a step is missed where @racket[f] has a
+Taylor series along the step; and where @racket[f] only touches zero, up to the tolerance, an
+event whose direction is @racket['both] happens, of which @racket[occurrence-grazing?] is true.
+With other methods two zeros much closer than an eighth of a step can be missed. Where
 @racket[f] has no real value, @racket[exn:fail:mechanics:singular] carries the trajectory
 so far.
 
@@ -196,7 +204,11 @@ so far.
   (car (trajectory-events (evolve-trajectory pendulum (up 0 1 0) 6 #:events bottom))))
 (list (event? bottom) (occurrence? first-fall))
 (occurrence-event first-fall)
-(occurrence-state first-fall)]
+(occurrence-state first-fall)
+(define at-rest (event (lambda (s) (- (coordinate s) 1)) #:name 'highest))
+(for/list ([o (trajectory-events
+               (evolve-trajectory pendulum (up 0 1 0) 6 #:tolerance 1e-12 #:events at-rest))])
+  (list (occurrence-time o) (occurrence-grazing? o)))]
 
 A particle that slides down a sphere leaves it when the force of the constraint
 vanishes, where the cosine of the angle is 2/3:
@@ -212,6 +224,42 @@ vanishes, where the cosine of the angle is 2/3:
 (trajectory-end slide)
 (cos (coordinate (trajectory-final-state slide)))]}
 
+@section{Derivatives of motions}
+
+@defproc[(linearized-flow [system-derivative (-> real? ... (-> value value))]
+                          [parameter any/c] ...)
+         (->* (value real?)
+              (real? #:by-parameters? any/c #:method integration-method?
+               #:longest-step real? #:most-steps exact-positive-integer?
+               #:precision (or/c exact-integer? #f) #:progress any/c)
+              value)]{
+
+The derivative of what @racket[state-advancer] computes: a procedure of a state, a duration and
+perhaps a tolerance, whose value is how the state reached depends on the state at the start,
+in the shape that @racket[D] gives. With @racket[#:by-parameters? #t] it is a down tuple of
+that and of the derivatives by each parameter that is a number or a tuple of numbers.
+
+It is integrated along with the motion, by the equation of variations, and its error is held
+to the tolerance as well: no differences are taken. @racket[D] and @racket[gradient] of the
+value of a @racket[state-advancer] do the same, by the state, by parameters, and by the
+duration; their results may be differentiated again.
+
+@examples[#:eval session
+(define ((oscillator ω) (up t x v)) (up 1 v (* -1 (square ω) x)))
+((linearized-flow oscillator 2) (up 0 1 0) 1 1e-13)
+(list (cos 2) (* -2 (sin 2)) (/ (sin 2) 2))
+((D (lambda (ω) ((state-advancer oscillator ω) (up 0 1 0) 1 1e-13))) 2)
+(define (x-reached x v) (coordinate ((state-advancer oscillator 2) (up 0 x v) 1 1e-13)))
+((gradient x-reached) 1.0 0.0)]
+
+A pendulum that starts near the top falls the later the nearer it was:
+
+@examples[#:eval session
+(ref ((linearized-flow (lambda () pendulum)) (up 0 3.14 0) 2 1e-12) 1)]
+
+(E. Hairer, S. P. Nørsett and G. Wanner 1993, I.14; the motion of the tangent vectors of
+@sicm{3.7}.)}
+
 @section{Methods}
 
 @deftogether[(@defparam[ode-integration-method method integration-method?]
@@ -223,8 +271,18 @@ book's way to set it. It is a method with a fixed step, below, or the name of on
 makes its steps as long as the tolerance allows:
 
 @itemlist[
+@item{@racket['auto], the one to begin with: @racket['Taylor] where it can be, and
+@racket['Dormand-Prince-853] for the rest. Which it was, @racket[trajectory-method] tells.}
+@item{@racket['Taylor], the Taylor series of the motion itself, whose coefficients follow from
+recurrences for the operations that the state derivative is made of (Jorba and Zou 2005;
+Biscani and Izzo 2021). The order follows from the tolerance, ⌈1 − ½ ln ε⌉, and the step from
+the last two coefficients. The state is summed with what rounding loses of it, so that the
+error of long runs grows as the root of the time. Between the ends of steps the motion is
+that polynomial, and events are its zeros, of which none is missed. A state derivative that
+takes decisions, uses @racket[abs] or another function that has no recurrence, or has no
+coefficients where the motion begins, is refused.}
 @item{@racket['Dormand-Prince-853], of order 8 with interpolation of order 7 (Hairer,
-Nørsett and Wanner 1993): the one to begin with, and best for small tolerances.}
+Nørsett and Wanner 1993), for state derivatives of any kind.}
 @item{@racket['Dormand-Prince-54], of order 5, for tolerances above about
 @racket[1e-6].}
 @item{@racket['bulirsch-stoer], by extrapolation of Gragg's method to order 14: long
@@ -244,8 +302,10 @@ doubled to know their error.}]
 (integration-method? 'qcrk4)
 (set-ode-integration-method! 'bulirsch-stoer)
 (ode-integration-method)
-(set-ode-integration-method! 'Dormand-Prince-853)
-(eval:error (after-10 'euler))]
+(set-ode-integration-method! 'auto)
+(eval:error (after-10 'euler))
+(define ((with-a-kink) (up t x v)) (up 1 v (- (abs x))))
+(eval:error ((state-advancer with-a-kink) (up 0 1 0) 1 1e-10 #:method 'Taylor))]
 
 A pendulum in a very thick fluid falls slowly, but for the first moment. What takes
 @racket['Radau-IIA-5] a hundred steps takes others a hundred thousand:
