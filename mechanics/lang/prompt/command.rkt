@@ -41,6 +41,7 @@
   (with-handlers ([exn:fail:contract:variable? (lambda (e) #f)] [exn:fail:syntax? (lambda (e) #f)])
     (namespace-variable-value name #f)
     #t))
+
 ;; ---------------------------------------------------------------------------
 ;; Styles: the command is the style's name in small letters
 

@@ -295,9 +295,9 @@ printed in that, and not in the one of @racket[display-style].
               @defproc[(println [x any/c] [port output-port? (current-output-port)]
                                 [quote-depth (or/c 0 1) 0]) void?])]{
 
-Racket's procedures, which show a value of ours as the prompt does: simplified, in lines, with
-what that took for granted beneath. @racket[write] and @racket[write-line] show it as it
-stands.
+Racket's procedures, which show a value of ours as the prompt does in a terminal: simplified, an
+S-expression in lines, with what that took for granted beneath. @racket[write] and
+@racket[write-line] show it as it stands.
 
 @examples[#:eval session
 (displayln (up (+ 'a 'a) (sqrt (square 'm))))
