@@ -7,7 +7,8 @@
 ;; proof nor refutation, and for functions, the answer is no more than that forms differ,
 ;; which is told once.
 
-(require "prove-zero.rkt" "verdict.rkt"
+(require (only-in racket/list drop-right)
+         "prove-zero.rkt" "verdict.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
          "../error/note.rkt" "../error/words.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
@@ -19,48 +20,61 @@
 
 (define-named equal-by-proof? =
   (case-lambda
-    [(a b) (two a b)]
+    [(a b) (if (and (number? a) (number? b)) (= a b) (all-equal? (list a b)))]
     [(a) #t]
-    [(a b . more) (and (two a b) (apply equal-by-proof? b more))]))
+    [(a b . more)
+     (define all (list* a b more))
+     (if (andmap number? all) (apply = all) (all-equal? all))]))
 
 (define-named zero-by-proof? zero?
-  (lambda (x) (if (number? x) (zero? x) (or (g:zero? x) (vanishes? x)))))
+  (lambda (x) (if (number? x) (zero? x) (proved-equal? (open-zeros x '()) x 0))))
 
 (define-named one-by-proof? one?
-  (lambda (x) (if (number? x) (= x 1) (or (g:one? x) (differently-written-equals? x 1)))))
+  (lambda (x) (if (number? x) (= x 1) (or (g:one? x) (all-equal? (list x 1))))))
 
-(define (two a b)
-  (if (and (number? a) (number? b))
-      (= a b)
-      (or (g:= a b) (differently-written-equals? a b))))
+(define (all-equal? all)
+  (proved-equal? (open-equalities (drop-right all 1) (cdr all) '()) (car all) (cadr all)))
 
 ;; ---------------------------------------------------------------------------
 ;; What g:= and g:zero? take for different
+;;
+;; All of one question is asked at once, so that what is assumed for its parts holds together.
 
-(define (differently-written-equals? a b)
+;; The pairs of expressions that would have to be equal, before those found; #f where something
+;; differs whatever they are.  found : such pairs, or #f
+(define (open-equalities xs ys found)
+  (for/fold ([found found]) ([x xs] [y ys] #:break (not found)) (open-equality x y found)))
+
+(define (open-equality a b found)
   (define x (comparand a))
   (define y (comparand b))
-  (cond [(and (expression? x) (expression? y)) (equal-expressions? x y)]
+  (cond [(g:= a b) found]
+        [(and (expression? x) (expression? y))
+         (and (not (and (atom? x) (atom? y))) (cons (cons x y) found))]
         [(and (tuple? x) (tuple? y))
-         (and (compatible? (adopt x) (adopt y)) (all-equal? (tuple-elements x) (tuple-elements y)))]
+         (and (compatible? (adopt x) (adopt y))
+              (open-equalities (tuple-elements x) (tuple-elements y) found))]
         [(and (matrix? x) (matrix? y))
          (and (same-size? x y)
-              (for/and ([r (in-vector (matrix-rows x))] [s (in-vector (matrix-rows y))])
-                (all-equal? r s)))]
+              (for/fold ([found found]) ([r (in-vector (matrix-rows x))]
+                                         [s (in-vector (matrix-rows y))])
+                (open-equalities r s found)))]
         [(and (function? x) (function? y)) (note-functions) #f]
         [else #f]))
-
-(define (all-equal? xs ys) (for/and ([x (in-vector xs)] [y (in-vector ys)]) (two x y)))
 
 (define (same-size? x y)
   (and (= (m:num-rows x) (m:num-rows y)) (= (m:num-cols x) (m:num-cols y))))
 
-(define (vanishes? x)
+;; The same of x and what is zero as it is.
+(define (open-zeros x found)
   (define c (comparand x))
-  (cond [(expression? c) (equal-expressions? c 0)]
-        [(tuple? c) (for/and ([e (in-vector (tuple-elements c))]) (zero-by-proof? e))]
+  (define (all-open xs found)
+    (for/fold ([found found]) ([e (in-vector xs)] #:break (not found)) (open-zeros e found)))
+  (cond [(g:zero? x) found]
+        [(expression? c) (and (not (atom? c)) (cons (cons c 0) found))]
+        [(tuple? c) (all-open (tuple-elements c) found)]
         [(matrix? c)
-         (for*/and ([row (in-vector (matrix-rows c))] [e (in-vector row)]) (zero-by-proof? e))]
+         (for/fold ([found found]) ([row (in-vector (matrix-rows c))]) (all-open row found))]
         [(function? c) (note-functions) #f]
         [else #f]))
 
@@ -68,15 +82,23 @@
 (define (function? x) (and (procedure? x) (not (tuple? x)) (not (matrix? x))))
 
 ;; Symbols, and a symbol and a number, differ for all the algebra could say.
-(define (equal-expressions? x y)
-  (and (not (and (atom? x) (atom? y)))
-       (let ([v (verify-equal x y)])
-         (case (verdict-status v)
-           [(proved) (tell-grounds x y (undeclared (verdict-assumptions v))) #t]
-           [(refuted) #f]
-           [else (note-undecided x y) #f]))))
-
 (define (atom? x) (or (number? x) (and (symbol? x) (not (pi-symbol? x)))))
+
+;; pairs : or #f; a and b : what was compared, to speak of where there are several
+(define (proved-equal? pairs a b)
+  (cond [(not pairs) #f]
+        [(null? pairs) #t]
+        [(null? (cdr pairs)) (judged-equal? (caar pairs) (cdar pairs) (caar pairs) (cdar pairs))]
+        [else (judged-equal? (tuple-of (map car pairs)) (tuple-of (map cdr pairs)) a b)]))
+
+(define (tuple-of reversed) (vector->up (list->vector (reverse reversed))))
+
+(define (judged-equal? x y a b)
+  (define v (verify-equal x y))
+  (case (verdict-status v)
+    [(proved) (tell-grounds a b (undeclared (verdict-assumptions v))) #t]
+    [(refuted) #f]
+    [else (note-undecided a b) #f]))
 
 ;; ---------------------------------------------------------------------------
 ;; What is told

@@ -58,6 +58,19 @@
                 "; = takes (sqrt (* m m)) and m for equal assuming (>= m 0)\n")
   (check-equal? (told (assuming ('(>= m 0)) (= (sqrt (square 'm)) 'm))) ""))
 
+;; √(b − a) has a value where b ≥ a alone, there and beside it.
+(test-case "what is assumed for the parts of a question holds together"
+  (define size (sqrt (square (- 'a 'b))))
+  (define root (sqrt (- 'b 'a)))
+  (check-true (= (+ root size) (+ root (- 'b 'a))))
+  (check-true (= size (- 'a 'b)))
+  (check-false (= (up (+ root size) size) (up (+ root (- 'b 'a)) (- 'a 'b))))
+  (check-true (= (up (+ root size) size) (up (+ root (- 'b 'a)) (- 'b 'a))))
+  (check-false (zero? (list->up (list (- (+ root size) (+ root (- 'b 'a))) (- size (- 'a 'b))))))
+  (check-false (= (matrix-by-rows (list (+ root size) size))
+                  (matrix-by-rows (list (+ root (- 'b 'a)) (- 'a 'b)))))
+  (check-false (= (- 'a 'b) size (+ size root (- root)) (- 'b 'a))))
+
 (test-case "where the form alone tells, that is told once"
   (check-regexp-match #rx"^; = answers #f for .* written differently: whether they are equal is not"
                       (told (check-false (= (* 0.1 3 'x) (* 0.3 'x)))))
