@@ -13,7 +13,8 @@
          (only-in "../algebra/expression/substitute.rkt" rebuild)
          "../error/complain.rkt")
 
-(require-on-demand ["../algebra/simplify/simplify-expression.rkt" simplify-expression])
+(require-on-demand ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
+                   ["../algebra/zero/constant-bounds.rkt" constant-bounds])
 
 (provide g:exact->inexact g:inexact->exact g:floor g:ceiling g:truncate g:round g:magnitude
          rounding-operations)
@@ -62,11 +63,10 @@
         (cond [(real? x) (numeric x)]
               [(other-number? x) (numeric c)]
               [(and (symbolic? c) (constant-value c))
-               => (lambda (size)
-                    (define value (rounded-constant 'name numeric c size))
-                    (if (or (eq? c x) (not (g:zero? (jump x value))))
-                        value
-                        (raise-at-jump 'name x)))]
+               (define value (rounded-constant 'name numeric c))
+               (if (or (eq? c x) (not (g:zero? (jump x value))))
+                   value
+                   (raise-at-jump 'name x))]
               [(real? c)                        ; x, of value c, is being differentiated
                (define value (numeric c))
                (if (g:zero? (jump c value)) (raise-at-jump 'name x) value)]
@@ -86,20 +86,19 @@
 (define-rounding g:round generic:round round round
   (lambda (x value) (g:- (g:abs (g:- x value)) 1/2)))
 
-;; What is made of numbers and π alone is simplified first, as 2 sin(π/6) is 1.  It is rounded by
-;; its size then, unless that is nearer to a jump than a flonum can tell.
-(define (rounded-constant who numeric e size)
+;; What is made of numbers and π alone is simplified first, as 2 sin(π/6) is 1.  Else bounds of
+;; its value tell, unless it is nearer to a jump than they come.
+(define (rounded-constant who numeric e)
   (define simple (simplify-expression e))
+  (define (alike low high)
+    (define value (numeric low))
+    (and (= value (numeric high)) value))
   (cond [(real? simple) (numeric simple)]
-        [(near-jump? size)
-         (complain who "too near to where it jumps to be told by its decimals\n  value: ~a"
-                   (describe-with-value e))]
-        [else (inexact->exact (numeric size))]))
-
-;; Floors jump at integers, roundings half way between them.
-(define (near-jump? size)
-  (define twice (* 2 size))
-  (< (abs (- twice (round twice))) (* 1e-12 (max 1.0 (abs twice)))))
+        [(constant-bounds simple alike)]
+        [else
+         (complain who "too near to where it jumps to be told by its decimals
+  value: ~a"
+                   (describe-with-value e))]))
 
 (define (raise-at-jump who x)
   (raise-no-derivative-at who (list x) "where it jumps"))
