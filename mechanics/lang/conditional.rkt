@@ -48,14 +48,23 @@
     [(_ [test . body] ...) (with-tests stx #'((test . body) ...) #'())]
     [_ (plain-form #'cond stx)]))
 
-;; stx : the form; tail : () or its clause with else.  An else elsewhere Racket will refuse.
+;; stx : the form; tail : () or its clause with else.  An else elsewhere Racket will refuse, and
+;; what is wrong behind =>, in the form as it was written.
 (define-for-syntax (with-tests stx clauses tail)
   (syntax-case clauses ()
     [([test . body] ...)
-     (if (ormap else? (syntax->list #'(test ...)))
+     (if (or (ormap else? (syntax->list #'(test ...)))
+             (ormap half-arrow? (syntax->list #'(body ...))))
          (plain-form #'cond stx)
          (quasisyntax/loc stx (cond [(truth cond test) . body] ... . #,tail)))]))
 
 (define-for-syntax (else? test) (and (identifier? test) (free-identifier=? test #'else)))
+
+;; => without one expression behind it
+(define-for-syntax (half-arrow? body)
+  (syntax-case body (=>)
+    [(=> f) #f]
+    [(=> . _) #t]
+    [_ #f]))
 
 (define-named asking-not not (lambda (x) (not (truth not x))))

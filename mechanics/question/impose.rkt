@@ -4,7 +4,8 @@
 ;;
 ;; A condition is a list of equations that hold together.  Each is solved for one of its
 ;; symbols, which is replaced wherever it stands; if it may be either root of a square, by the
-;; one that is not negative, and the verdict says so.  In a function it is replaced in the value;
+;; one that is not negative, and if both sides have a factor in common, as if that were not 0:
+;; the verdict says so.  In a function it is replaced in the value;
 ;; of derivatives of the function in their parts.  Only the tape of a gradient knows values
 ;; from before: a function is given symbols in place of those, and what it makes of them is
 ;; evaluated on the tape.
@@ -44,10 +45,10 @@
                    (lambda () ((verdict-question v) change))
                    'verify-again))
   (unless (eq? condition v) (check-met v equations replacements met))
-  (define roots (roots-taken equations replacements))
   (with-remark again
                (string-append "under the condition " (equations->text equations)
-                              (if (null? roots) "" ", with ") (equations->text roots))))
+                              (choices->text (roots-taken equations replacements)
+                                             (factors-in-common equations)))))
 
 (define (check-verdict v condition)
   (unless (verdict? v)
@@ -78,6 +79,13 @@
   (string-join (for/list ([q (in-list equations)])
                  (format "~a = ~a" (value->text (cadr q)) (value->text (caddr q))))
                ", "))
+
+;; roots : equations; factors : expressions that are taken not to be 0
+(define (choices->text roots factors)
+  (define texts
+    (append (if (null? roots) '() (list (equations->text roots)))
+            (for/list ([f (in-list factors)]) (format "~a not 0" (value->text f)))))
+  (if (null? texts) "" (string-append ", with " (string-join texts ", "))))
 
 ;; Relations that still speak of something.
 (define (known-relations relations)
@@ -164,6 +172,25 @@
              #:when (let ([others (map (lambda (s) (if (eq? s r) (negated s) s)) replacements)])
                       (andmap (lambda (q) (kept? q others)) equations)))
     (list '= (car r) (simplify-expression (cdr r)))))
+
+;; What both sides of an equation are divided by when it is solved: x, where x y = x z.  Where
+;; that is 0 the equation says nothing of the rest.
+(define (factors-in-common equations)
+  (remove-duplicates
+   (append-map (lambda (q)
+                 (define right (factors-above (caddr q)))
+                 (filter (lambda (f) (member f right)) (factors-above (cadr q))))
+               equations)))
+
+;; Those of a numerator that are not constant, each once.
+(define (factors-above e)
+  (define-values (factored grounds) (factored-expression e))
+  (let factors ([e factored])
+    (cond [(headed? e op:*) (append-map factors (node-args e))]
+          [(ormap (lambda (op) (headed? e op)) (list op:/ op:sqrt op:expt))
+           (factors (car (node-args e)))]
+          [(constant-value e) '()]
+          [else (list e)])))
 
 (define (negated r) (cons (car r) (e:negate (cdr r))))
 

@@ -62,5 +62,8 @@
   (check-regexp-match (string-append "cond: bad syntax [(]`else' clause must be last[)].*"
                                      " in: [(]cond [(]else 1[)] [(]#t 2[)][)]")
                       (complaint '(cond [else 1] [#t 2])))
+  (check-regexp-match (string-append "cond: bad syntax [(]bad clause form with =>[)].*"
+                                     " at: [(]#t => 1 2[)].* in: [(]cond [(]#t => 1 2[)][)]")
+                      (complaint '(cond [#t => 1 2])))
   (for ([name '(if when unless)])
     (check-regexp-match (format "^~a: bad syntax" name) (complaint name))))

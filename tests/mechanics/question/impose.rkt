@@ -217,6 +217,17 @@
   (check-exn #rx"^impose: the equation cannot be solved" (lambda () (impose '(= (/ 1 y) 0) 'y)))
   (check-exn #rx"^impose: the equation cannot be solved" (lambda () (impose '(= (sqrt x) -3) 'x))))
 
+(test-case "a factor that both sides of a condition have is told not to be 0"
+  (define (told claim condition) (verdict-remarks (verify-again claim condition)))
+  (check-equal? (told (verify-equal 'y 'z) '(= (* x y) (* x z)))
+                '("under the condition (* x y) = (* x z), with x not 0"))
+  (check-equal? (told (verify-equal 'y 1) '(= (* x y) x))
+                '("under the condition (* x y) = x, with x not 0"))
+  (check-equal? (told (verify-equal 'y 'z) '(= (* x (square y)) (* (square z) x)))
+                '("under the condition (* x (expt y 2)) = (* (expt z 2) x), with y = z, x not 0"))
+  (check-equal? (told (verify-equal (* 'c 'y) (* 'c 'z)) '(= (/ y c) (/ z c)))
+                '("under the condition (/ y c) = (/ z c)")))
+
 (test-case "a condition that changes nothing is refused"
   (check-message (string-append
                   "verify-again: the symbol z does not occur in what was asked, "
