@@ -84,9 +84,18 @@
 (define (variable-value name mapped?)
   (namespace-variable-value name mapped? (lambda () unknown)))
 
-;; That of a procedure with keywords, which is syntax for a variable.  Of other syntax nothing is
-;; evaluated; whatever it does not like in a name that stands alone is its own affair.
+;; That of a procedure with keywords or with a contract, which is syntax for it.
 (define (value-of-syntax name)
+  (eval #`(value-if-procedure #,(namespace-symbol->identifier name))))
+
+;; Of other syntax nothing is evaluated; whatever it does not like in a name that stands alone is
+;; its own affair.  From a contract definitions are lifted, once for each place where they may
+;; be put: where one only looks they are kept apart from those that will be made.
+(define-syntax (value-if-procedure stx)
+  (define name (cadr (syntax->list stx)))
   (define meant (with-handlers ([exn:fail? (lambda (e) #f)])
-                  (expand (namespace-symbol->identifier name))))
-  (if (identifier? meant) (eval meant) unknown))
+                  (local-expand/capture-lifts name 'expression '())))
+  (syntax-case meant (begin define-values)
+    [(begin (define-values . _) ... value) name]
+    [id (identifier? #'id) name]
+    [_ #'unknown]))
