@@ -40,7 +40,7 @@
         [(exponential? t) `(msup (mi ([mathvariant "normal"]) "e")
                                 ,(xexpr (exponential-exponent t)))]
         [(bars? t) (fenced "|" (list (xexpr (bars-body t))) "|")]
-        [(dotted? t) (with-dots (xexpr (dotted-base t)) (dotted-dots t))]
+        [(dotted? t) (name->xexpr (dotted-parts (name-symbol (dotted-base t)) (dotted-dots t)))]
         [(row? t) (row-of (map xexpr (row-items t)))]
         [(relation? t) (row-of (list (xexpr (relation-left t)) `(mo ,(visible (relation-sign t)))
                                      (xexpr (relation-right t))))]
@@ -149,7 +149,7 @@
         [(across? t) (fenced "[" (add-between (map xexpr (across-items t)) comma) "]"
                              (ormap tall? (across-items t)))]
         [(grid? t) (fenced "[" (list (table (grid-rows t) "center")) "]")]
-        [(listing? t) (if (ormap report? (listing-items t))
+        [(listing? t) (if (of-reports? t)
                           (table (map list (listing-items t)) "left")
                           (row-of (add-between (map xexpr (listing-items t)) comma)))]
         [(broken? t) (table (map list (broken-lines t)) "left")]

@@ -28,7 +28,7 @@
         [(radical? t) (command "sqrt" (radical-body t))]
         [(exponential? t) (string-append "\\mathrm{e}" (raised (exponential-exponent t)))]
         [(bars? t) (fenced "\\lvert " (tree->TeX (bars-body t)) "\\rvert ")]
-        [(dotted? t) (with-dots (tree->TeX (dotted-base t)) (dotted-dots t))]
+        [(dotted? t) (name->TeX (dotted-parts (name-symbol (dotted-base t)) (dotted-dots t)))]
         [(row? t) (apply string-append (map tree->TeX (row-items t)))]
         [(relation? t) (string-append (tree->TeX (relation-left t))
                                       (sign->TeX (relation-sign t))
@@ -125,7 +125,7 @@
   (cond [(column? t) (array "(" (map list (column-items t)) ")" "")]
         [(across? t) (array "[" (list (across-items t)) "]" ",")]
         [(grid? t) (array "[" (grid-rows t) "]" "")]
-        [(listing? t) (if (ormap report? (listing-items t))
+        [(listing? t) (if (of-reports? t)
                           (stacked (map tree->TeX (listing-items t)))
                           (string-join (map tree->TeX (listing-items t)) ",\\quad "))]
         [(broken? t) (format "\\begin{aligned}~a\\end{aligned}"

@@ -38,7 +38,10 @@
 (define (fit-container t width wide inner)
   (cond [(column? t) (column (for/list ([x (in-list (column-items t))]) (inner x 2)))]
         [(across? t) (across (list (in-lines (across-items t) (- width 2) wide)))]
-        [(listing? t) (listing (list (in-lines (listing-items t) width wide)))]
+        [(listing? t)
+         (listing (if (of-reports? t)
+                      (for/list ([x (in-list (listing-items t))]) (inner x))
+                      (list (in-lines (listing-items t) width wide))))]
         [(grid? t)
          (define share (quotient (- width 2) (max 1 (length (car (grid-rows t))))))
          (grid (for/list ([row (in-list (grid-rows t))])

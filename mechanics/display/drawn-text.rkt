@@ -106,13 +106,13 @@
   (cond [(column? t) (fence (stack (spread (map draw (column-items t))) 'center) "(" ")")]
         [(across? t) (fence (with-commas (across-items t)) "[" "]")]
         [(grid? t) (fence (draw-grid (grid-rows t)) "[" "]")]
-        [(listing? t) (if (ormap report? (listing-items t))
+        [(listing? t) (if (of-reports? t)
                           (stack (map draw (listing-items t)) 'left 0)
                           (with-commas (listing-items t)))]
         [(broken? t) (stack (spread (map draw (broken-lines t))) 'left)]
         [(continuation? t) (beside (text-box (format "  ~a " (continuation-sign t)))
                                    (draw (continuation-body t)))]
-        [(report? t) (stack (map draw-line (report-lines t)) 'left 0)]
+        [(report? t) (draw-report (map draw-line (report-lines t)))]
         [else (text-box (visible (format "~s" t)))]))
 
 (define (with-commas items)
@@ -138,6 +138,10 @@
   (define free (- width (box2-width b)))
   (define left (quotient free 2))
   (beside (text-box (make-string left #\space)) b (text-box (make-string (- free left) #\space))))
+
+;; The first line stands level with what is beside the report.
+(define (draw-report lines)
+  (stack lines 'left (if (null? lines) 0 (box2-base (car lines)))))
 
 (define (draw-line l)
   (apply beside

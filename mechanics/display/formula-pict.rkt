@@ -48,7 +48,7 @@
         [(exponential? t) (with-exponent g (upright g "e")
                             (draw (exponential-exponent t) (smaller g)))]
         [(bars? t) (fenced g "|" (draw (bars-body t) g) "|")]
-        [(dotted? t) (draw-dotted t g)]
+        [(dotted? t) (draw-name (dotted-parts (name-symbol (dotted-base t)) (dotted-dots t)) g)]
         [(row? t) (apply hbl-append (draw-all (row-items t) g))]
         [(relation? t) (hbl-append (draw (relation-left t) g)
                                    (spaced-sign g (relation-sign t))
@@ -70,11 +70,6 @@
         (upright g (visible (parts-base p)))))
   (define base (with-dots g letters (parts-dots p) #:tall? (tall-letter? p)))
   (with-indices g base (index (subscripts p) g) (index (superscripts p) g)))
-
-;; A function whose name is one letter and what stands around it, which the dots leave out.
-(define (draw-dotted t g)
-  (define p (name-parts (name-symbol (dotted-base t))))
-  (draw-name (struct-copy parts p [dots (dotted-dots t)]) g))
 
 (define (tall-letter? p)
   (regexp-match? #px"^(?:\\p{Lu}|[bdfhikltjβδζθλξϕψ])" (parts-base p)))
@@ -135,7 +130,7 @@
         [(grid? t) (fenced g "[" (rows g (for/list ([r (in-list (grid-rows t))]) (draw-all r g))
                                        'center)
                            "]")]
-        [(listing? t) (if (ormap report? (listing-items t))
+        [(listing? t) (if (of-reports? t)
                           (lines g (draw-all (listing-items t) g))
                           (with-commas (listing-items t) g))]
         [(broken? t) (lines g (draw-all (broken-lines t) g))]

@@ -23,12 +23,12 @@
           [(has-notation? x) ((notation-of x) x see)]
           [(symbolic? x) (datum->tree (expression->datum x) ordered)]
           [(vector? x) (column (map see (vector->list x)))]
-          [(relation-datum? x) (datum->tree x as-written)]
+          [(relation-datum? x) (datum->tree (value->datum x) as-written)]
           [(list? x) (listing (map see x))]
           [(or (has-kind? x) (procedure? x)) (datum->tree (value->datum x) as-written)]
           [else (plain (format "~s" x))]))
   (if (cyclic? x) (plain (format "~s" x)) (see x)))
 
-;; As assumptions are quoted: (> m 0)
+;; As assumptions are quoted: (> m 0); one of its sides may be an expression.
 (define (relation-datum? x)
-  (and (list? x) (= 3 (length x)) (memq (car x) '(> < >= <= =)) #t))
+  (and (list? x) (>= (length x) 3) (memq (car x) '(> < >= <= =)) #t))

@@ -16,7 +16,7 @@
 (define (equilibrium-notation e see)
   (apply statement
          (list 0 "equilibrium at" (see (equilibrium-coordinates e)))
-         (for/list ([c (in-list (equilibrium-conditions e))]) (list 1 "if" (tree:datum c)))))
+         (for/list ([c (in-list (equilibrium-conditions e))]) (list 1 "if" (see c)))))
 
 (define (check-coordinates who q)
   (unless (or (scalar? q) (and (tuple? q) (up? q)))

@@ -35,7 +35,7 @@
 ;; conditions : inequalities (> e 0) for it to be stable, unstable if e < 0 in one
 (value-struct stability (kind conditions)
   #:text stability->text
-  #:notation (lambda (s see) (stability-notation s))
+  #:notation (lambda (s see) (stability-notation s see))
   #:property prop:no-truth-value
   "how stable it is, is neither true nor false; ask (eq? (stability-kind s) 'stable)")
 
@@ -153,8 +153,8 @@
     [(unstable) "unstable"]
     [else "undecided: second derivatives do not tell"]))
 
-(define (stability-notation s)
-  (define conditions (map tree:datum (stability-conditions s)))
+(define (stability-notation s see)
+  (define conditions (map see (stability-conditions s)))
   (define headline (stability-headline s))
   (cond [(null? conditions) (statement (list 0 headline))]
         [(null? (cdr conditions))

@@ -7,7 +7,7 @@
          "name.rkt" "numeral.rkt" "tree.rkt"
          "../expression/pi.rkt")
 
-(provide sum-of difference-of product-of quotient-of power-of as-function)
+(provide sum-of difference-of product-of quotient-of power-of as-function as-operand)
 
 ;; ---------------------------------------------------------------------------
 ;; Sums
@@ -65,9 +65,19 @@
   (define needed (if (null? factors) factors (remove-ones factors)))
   (cond [(null? needed) (digits "1")]
         [(null? (cdr needed)) (car needed)]
-        [else (product (cons (as-factor (car needed))
-                             (for/list ([f (in-list (cdr needed))])
-                               (if (begins-with-digit? f) (parenthesized f) (as-factor f)))))]))
+        [else (product (closed (cons (as-factor (car needed))
+                                     (for/list ([f (in-list (cdr needed))])
+                                       (if (begins-with-digit? f)
+                                           (parenthesized f)
+                                           (as-factor f))))))]))
+
+;; Before a factor that it would seem to hold, too, a function has parentheses: sin(x) f(x),
+;; but sin x cos y.
+(define (closed factors)
+  (for/list ([f (in-list factors)] [next (in-list (append (cdr factors) '(#f)))])
+    (if (and next (bare? f) (not (known-power? next)))
+        (struct-copy application f [bare? #f])
+        f)))
 
 (define (remove-ones factors)
   (define others (filter (lambda (f) (not (one? f))) factors))
@@ -94,8 +104,11 @@
         [(name? t) (if (pi-symbol? (name-symbol t)) 1 2)]
         [(product? t) (apply max (map place (product-factors t)))]
         [(or (sum? t) (fraction? t) (bars? t)) 4]
+        [(bare? t) 6]
         [(or (application? t) (derivative? t) (exponential? t)) 5]
-        [else 6]))
+        [else 7]))
+
+(define (bare? t) (and (application? t) (application-bare? t)))
 
 ;; ---------------------------------------------------------------------------
 ;; Quotients
@@ -133,6 +146,10 @@
 
 ;; sin x, whose square is sin² x
 (define (known-function? t) (and (application? t) (word? (application-function t))))
+(define (known-power? t)
+  (or (known-function? t)
+      (and (application? t) (power? (application-function t))
+           (word? (power-base (application-function t))))))
 
 ;; Small as an exponent is, it has its numbers on one line.
 (define (slashed t)
@@ -145,9 +162,11 @@
 (define (as-base t)
   (if (or (sum? t) (product? t) (fraction? t) (power? t) (radical? t) (exponential? t)
           (scientific? t) (imaginary? t) (relation? t) (derivative? t)
-          (and (application? t) (application-bare? t))
-          (and (application? t) (power? (application-function t)))
-          (and (name? t) (raised? t)))
+          (bare? t)
+          (and (application? t) (or (power? (application-function t))
+                                    (derivative? (application-function t))))
+          (and (name? t) (raised? t))
+          (and (dotted? t) (raised? (dotted-base t))))
       (parenthesized t)
       t))
 
@@ -163,3 +182,6 @@
           (and (application? t) (not (application-bare? t))))
       t
       (parenthesized t)))
+
+;; What a derivative may stand before: Df(a) is the derivative of f, at a.
+(define (as-operand t) (if (application? t) (parenthesized t) (as-function t)))

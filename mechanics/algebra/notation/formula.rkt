@@ -59,7 +59,7 @@
         [(matrix-rows d) => (lambda (rows) (grid (map (lambda (row) (map tree row)) rows)))]
         [(marks-of d) => (lambda (marks) (derivative marks #f))]
         [(and (marks-of head) (= 1 (length arguments)))
-         (derivative (marks-of head) (as-function (tree (car arguments))))]
+         (derivative (marks-of head) (as-operand (tree (car arguments))))]
         [else (application-form d w tree)]))
 
 ;; The rows of (matrix-by-rows (list a ...) ...), or #f

@@ -129,10 +129,13 @@
   (list->string (for/list ([c (in-string (number->string n))])
                   (integer->char (+ 8272 (char->integer c))))))
 
+;; A name between bars has no letter to bear the dots.
 (define (dotted-line t s)
-  (string-normalize-nfc
-   (string-append (line (dotted-base t) s)
-                  (vector-ref (vector "" "\u307" "\u308" "\u20DB") (dotted-dots t)))))
+  (define base (dotted-base t))
+  (define n (dotted-dots t))
+  (if (regexp-match? #rx"^[|]" (line base s))
+      (derivative-line (derivative (list (mark #f n)) base) s)
+      (dotted-line-name (name-symbol base) n)))
 
 (define (grid-line t s)
   (string-append "["

@@ -7,7 +7,7 @@
 (require "name.rkt" "tree.rkt"
          "../expression/operation.rkt")
 
-(provide line-name line-name->symbol speller
+(provide line-name dotted-line-name line-name->symbol speller
          superscript->text raised-text)
 
 ;; ---------------------------------------------------------------------------
@@ -32,6 +32,8 @@
   (define p (name-parts s))
   (define text (if (eq? (parts-sort p) 'odd) "" (regular-text p)))
   (if (or (string=? text "") (reserved? text) (eq? s 'pi)) (between-bars s) text))
+
+(define (dotted-line-name s n) (regular-text (dotted-parts s n)))
 
 (define (regular-text p)
   (string-append

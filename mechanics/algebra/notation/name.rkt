@@ -8,7 +8,7 @@
 
 (require "../expression/pi.rkt")
 
-(provide name-parts (struct-out parts) subscripts superscripts letter->greek)
+(provide name-parts dotted-parts (struct-out parts) subscripts superscripts letter->greek)
 
 ;; base : what is shown, its Greek letters as letters
 ;; sort : 'letter, 'capital (Greek), 'word of several letters, or 'odd
@@ -22,6 +22,9 @@
         [(regexp-match whole-name text)
          => (lambda (m) (regular (cadr m) (caddr m) (cadddr m)))]
         [else (parts text 'odd 0 "" '())]))
+
+;; The same with so many dots, which stand over the letter alone: those of p_x over the p.
+(define (dotted-parts symbol dots) (struct-copy parts (name-parts symbol) [dots dots]))
 
 (define whole-name
   (let* ([letter "(?:\\p{Lu}|\\p{Ll}|\\p{Lt}|\\p{Lo})"]

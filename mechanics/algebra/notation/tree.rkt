@@ -21,7 +21,7 @@
          (struct-out relation) (struct-out omitted)
          (struct-out report) (struct-out report-line)
          (struct-out broken) (struct-out continuation)
-         tree-parts fenced-itself? unlabelled?)
+         tree-parts fenced-itself? of-reports? unlabelled?)
 
 ;; Leaves
 (struct name (symbol) #:prefab)          ; a variable or function, by the reader's name
@@ -42,7 +42,7 @@
 (struct exponential (exponent) #:prefab) ; a power of e
 (struct parenthesized (body) #:prefab)
 (struct bars (body) #:prefab)            ; an absolute value
-(struct dotted (base dots) #:prefab)     ; a time derivative, marked by 1 to 3 dots
+(struct dotted (base dots) #:prefab)     ; a time derivative: a name, 1 to 3 dots over it
 (struct derivative (marks function) #:prefab)    ; function: #f of the operator alone
 (struct mark (path count) #:prefab)      ; path: #f for D, or the indices of a ∂
 ;; bare?: without parentheses, as in sin x
@@ -60,6 +60,9 @@
 (struct report (lines) #:prefab)
 ;; label : a string; parts : trees, none where the label stands alone
 (struct report-line (depth label parts) #:prefab)
+
+;; Statements in a list stand one below the other, without commas.
+(define (of-reports? l) (ormap report? (listing-items l)))
 
 (define (unlabelled? l) (string=? "" (report-line-label l)))
 
