@@ -11,7 +11,7 @@ export RACKET
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
-.PHONY: help demo repl run show tex test attack lint elsewhere bench docs pictures clean \
+.PHONY: help demo repl run show tex test attack lint elsewhere bench peers docs pictures clean \
         racket libraries editing compile begin-tests
 
 help:
@@ -24,6 +24,7 @@ help:
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    unused requires, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
+	@echo 'make peers   what benchmarks compare with, in a Python environment in build/python'
 	@echo 'make docs    build the manual in build/doc'
 	@echo 'make pictures    the pictures of the README, of a real DrRacket (Xvfb, xdotool, ImageMagick)'
 	@echo 'make clean   remove all that make built'
@@ -74,6 +75,10 @@ elsewhere:
 bench: compile
 	@$(RACO) make -j $(JOBS) $(wildcard tests/mechanics/bench/*.rkt)
 	@$(RACKET) tests/mechanics/bench/main.rkt $(TASK)
+
+peers:
+	@python3 -m venv build/python
+	@build/python/bin/pip install --quiet heyoka numpy scipy sympy
 
 docs: compile
 	@echo 'Building the manual ...'

@@ -17,12 +17,16 @@
 (define (suited p s y)
   (define m (plan-method p))
   (cond [(eq? m automatic)
-         (plan-by p (if (reason-against p s y) dormand-prince-853 taylor))]
+         (plan-by p (if (or (long? s) (reason-against p s y)) dormand-prince-853 taylor))]
         [(eq? m taylor)
          (define reason (reason-against p s y))
          (when reason (raise-not-suited (plan-who p) reason))
          p]
         [else p]))
+
+;; Recurrences of that many operations cost more than the longer steps save.
+(define (long? s) (> (or (system-operations s) 0) most-operations))
+(define most-operations 200)
 
 (define (plan-by p m) (struct-copy plan p [method m]))
 

@@ -25,11 +25,12 @@
 ;; make-slope!    : -> (y dy -> void), for one integration
 ;; make-jacobian! : -> (y J -> void), for one integration, or #f if the derivative
 ;;                  cannot be differentiated; compiled when first asked for
+;; operations     : how many flonum operations its rates take, or #f
 ;; expander       : -> (order -> expansion), for Taylor coefficients, or a string that says why
 ;;                  there are none; found out when first asked for
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
 ;; separable?     : was that found out (separable.rkt)?
-(struct system (shape clock? derivative make-slope! make-jacobian! expander corrections
+(struct system (shape clock? derivative make-slope! make-jacobian! operations expander corrections
                 [separable? #:auto #:mutable])
   #:authentic
   #:auto-value #f)
@@ -71,6 +72,7 @@
   (system state clock? derivative
           slope!
           (lambda () (let ([c (jacobian)]) (and c (compiled-function-runner c))))
+          (compiled-function-operations code)
           (once (lambda () (expander-of code (shape-length state) (flvector))))
           corrections))
 
@@ -117,6 +119,7 @@
        (system state (clock-first? code) derivative
                (lambda () (with-parameters code))
                (lambda () (with-parameters (jacobian)))
+               (compiled-function-operations code)
                (once (lambda () (expander-of code n ps)))
                #f)))
 

@@ -4,6 +4,8 @@
 ;; The coefficients of f up to order k follow from those of y by kernels (kernels.rkt), and
 ;; y_{k+1} = f_k / (k + 1).  They are those of t/h, for a unit h of time near the length of
 ;; a step, so that none overflows whatever the system's own units: y_{k+1} = h f_k / (k + 1).
+;; It is divided by k + 1: a factor 1/(k + 1) would be rounded in the same direction at every
+;; step, and a long run drift.
 
 (require racket/flonum
          racket/unsafe/ops
@@ -36,11 +38,12 @@
       (loop (unsafe-fx+ i 1))))
   (start-all! (expansion-starts e))
   (let loop ([k 1])
-    (define factor (fl/ h (unsafe-fx->fl k)))
+    (define order-now (unsafe-fx->fl k))
     (let next ([i 0])
       (when (unsafe-fx< i n)
         (put! (unsafe-vector-ref states i) k
-              (unsafe-fl* factor (at (unsafe-vector-ref slopes i) (unsafe-fx- k 1))))
+              (unsafe-fl/ (unsafe-fl* h (at (unsafe-vector-ref slopes i) (unsafe-fx- k 1)))
+                          order-now))
         (next (unsafe-fx+ i 1))))
     (when (unsafe-fx< k order)
       (run-ending! (expansion-ending e) k)

@@ -172,10 +172,10 @@
 (define (pair-kernel r u p v d degree)
   (define end (last-index degree))
   (lambda (k)
-    (define 1/k (unsafe-fl/ 1.0 (unsafe-fx->fl k)))
+    (define order (unsafe-fx->fl k))
     (convolve k 1 (smaller k end) ([s d p] [t d r])
-              (begin (put! r k (unsafe-fl* (unsafe-fl* u 1/k) s))
-                     (put! p k (unsafe-fl* (unsafe-fl* v 1/k) t))))))
+              (begin (put! r k (unsafe-fl/ (unsafe-fl* u s) order))
+                     (put! p k (unsafe-fl/ (unsafe-fl* v t) order))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Equations l r = x for r, where x_k has been stored in r_k

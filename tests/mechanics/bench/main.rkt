@@ -8,7 +8,7 @@
          racket/file
          racket/runtime-path
          "derivatives.rkt" "gradients.rkt" "maps.rkt" "measure.rkt" "native.rkt" "peers.rkt"
-         "table.rkt" "task.rkt" "tasks.rkt")
+         "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt")
 
 (define-runtime-path build "../../../build")
 
@@ -149,12 +149,14 @@
     (for ([g (in-list growths)]) (print-growth g runs table)))
   (when (wanted? 'native)
     (table native-heading (native-rows)))
+  (when (wanted? 'Taylor)
+    (table Taylor-heading (Taylor-rows)))
   (when (wanted? 'maps)
     (table maps-heading (maps-rows)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
-(define further-tables '(growth orders gradients chains native maps load))
+(define further-tables '(growth orders gradients chains native Taylor maps load))
 
 (define (check-names names)
   (for ([name (in-list names)])

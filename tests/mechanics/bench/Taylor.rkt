@@ -1,0 +1,106 @@
+#lang racket/base
+;; The Taylor method beside heyoka's (github.com/bluescarni/heyoka), on the same operations.
+;;
+;; heyoka compiles a system by LLVM, which takes most of a tenth of a second; that is counted
+;; apart.  Events are crossings of x = 0 with growing x.
+
+(require racket/flonum racket/string
+         (only-in mechanics/compile/trace trace)
+         (only-in mechanics/motion/event event)
+         (only-in mechanics/motion/evolution state-advancer)
+         (only-in mechanics/motion/trajectory evolve-trajectory)
+         (only-in mechanics/value/shape structure->flvector)
+         (only-in mechanics ref)
+         "clock.rkt" "motion-systems.rkt" "program-text.rkt" "python.rkt" "table.rkt")
+
+(provide Taylor-heading Taylor-rows)
+
+(define Taylor-heading
+  '("Taylor method, CPU ms" "ours" "by DOP853" "heyoka" "ours : heyoka"
+    "heyoka compiles" "ours, first run"))
+
+(define repetitions 9)
+
+(define (Taylor-rows)
+  (append (for/list ([s (in-list (motions))]) (row (motion-name s) (advancing s) (heyoka s)))
+          (list (let ([s (Henon-Heiles-long)])
+                  (row (motion-name s) (crossing s) (heyoka s #:events? #t))))))
+
+(define (Henon-Heiles-long)
+  (motion "Hénon–Heiles to 60 000 with its crossings" Henon-Heiles
+          (Henon-Heiles-start 1/12 0.1 0.0) 60000.0 1e-12 0.0 #f))
+
+;; run : method -> thunk that integrates, which has compiled what it needs after one call;
+;; peer : list of milliseconds and those of compilation, or a string
+(define (row name run peer)
+  (define-values (first ours) (times (run 'Taylor)))
+  (define-values (_ other) (times (run 'Dormand-Prince-853)))
+  (list name (milliseconds ours) (milliseconds other)
+        (if (pair? peer) (milliseconds (car peer)) peer)
+        (if (pair? peer) (ratio ours (car peer)) "–")
+        (if (pair? peer) (milliseconds (cadr peer)) "–")
+        (milliseconds first)))
+
+(define (times thunk)
+  (define-values (_ first) (call/cpu thunk))
+  (values first
+          (apply min (for/list ([_ (in-range repetitions)])
+                       (define-values (r ms) (call/cpu thunk))
+                       ms))))
+
+(define ((advancing s) method)
+  (define advance (state-advancer (lambda () (motion-derivative s))))
+  (lambda () (advance (motion-start s) (motion-end s) (motion-tolerance s) #:method method)))
+
+(define ((crossing s) method)
+  (define section (event (lambda (s) (ref s 1 0)) #:direction 'rising))
+  (lambda ()
+    (evolve-trajectory (motion-derivative s) (motion-start s) (motion-end s)
+                       #:tolerance (motion-tolerance s) #:events section #:method method)))
+
+;; ---------------------------------------------------------------------------
+
+;; -> (milliseconds milliseconds-to-compile), or why there are none
+(define (heyoka s #:events? [events? #f])
+  (define-values (program _) (trace 'bench (motion-derivative s) (motion-start s)))
+  (define y (structure->flvector (motion-start s) values))
+  (define text (program->Python program))
+  (if (string-contains? text "solve(")
+      "–"
+      (numbers-of (python/text (heyoka-program text y s events?)))))
+
+(define (numbers-of text)
+  (define found (regexp-match #px"([0-9.]+) ([0-9.]+)" text))
+  (if found (map string->number (cdr found)) text))
+
+(define (heyoka-program text y s events?)
+  (format #<<PYTHON
+import time
+import heyoka as hy
+from heyoka import sin, cos, tan, exp, log, sqrt
+n = ~a
+y = [hy.time] + list(hy.make_vars(*["y%d" % k for k in range(1, n)]))
+def system():
+    dy = [0.0]*n
+~a    return [(y[k], hy.expression(0.0) + dy[k]) for k in range(1, n)]
+start = [~a]
+crossings = []
+def crossed(integrator, t, *sign):
+    crossings.append(t)
+before = time.process_time()
+events = [hy.nt_event(y[1], crossed, direction=hy.event_direction.positive)] if ~a else []
+ta = hy.taylor_adaptive(system(), start[1:], tol=~a, nt_events=events)
+compiled = time.process_time() - before
+best = 1e9
+for _ in range(~a):
+    ta.time = 0.0
+    ta.state[:] = start[1:]
+    before = time.process_time()
+    ta.propagate_until(~a)
+    best = min(best, time.process_time() - before)
+print("%.4f %.4f" % (1e3*best, 1e3*compiled))
+PYTHON
+          (flvector-length y) text
+          (string-join (for/list ([x (in-flvector y)]) (number->string x)) ", ")
+          (if events? "True" "False")
+          (motion-tolerance s) repetitions (motion-end s)))
