@@ -31,11 +31,14 @@
               (for/list ([a (in-list operands)]) (list relation a 0)))]
         [else (reject (if (eq? name '=) 'equation 'name) d)]))
 
-;; A datum without expressions in it.
+;; A datum without expressions in it, nor quotes, as in '(> 'm 0).
 (define (plain d)
   (cond [(node? d) (expression->datum d)]
+        [(quotation? d) (plain (cadr d))]
         [(pair? d) (cons (plain (car d)) (plain (cdr d)))]
         [else d]))
+
+(define (quotation? d) (and (list? d) (= (length d) 2) (eq? (car d) 'quote)))
 
 ;; d : a relation between two expressions, as a datum
 (define (read-relation d [reject raise-no-relation])

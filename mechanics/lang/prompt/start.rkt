@@ -67,8 +67,10 @@
 (define (gone? e)
   (or (exn:break:hang-up? e) (exn:break:terminate? e) (exn:fail:filesystem:errno? e)))
 
-;; Lines until they are complete forms -> list of forms or eof
+;; Lines until they are complete forms -> list of forms or eof.  What was written without the
+;; end of a line is seen before the prompt, which does not go through this port.
 (define (read-entry lines)
+  (flush-output)
   (define first-line ((line-source-next lines) prompt))
   (cond [(eof-object? first-line) eof]
         [(command? first-line)

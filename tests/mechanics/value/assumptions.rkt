@@ -26,6 +26,11 @@
   (check-equal? (simplify (sqrt (square 'x))) (* -1 'x))
   (check-equal? (shown (up (abs 'x) (sqrt (square 'y)))) "(up (* -1 x) y)\n; assuming (>= y 0)\n"))
 
+(session "a symbol quoted within the quote is that symbol"
+  (assume '(> 'm 0) '(< 'x (* 2 'y)))
+  (check-equal? (assumptions) '((> m 0) (< x (* 2 y))))
+  (check-equal? (shown (sqrt (square 'm))) "m\n"))
+
 (session "every form honours what is declared"
   (assume '(< x 0))
   (define r (sqrt (square 'x)))

@@ -89,6 +89,7 @@
   (define (check-session t)
     (prompted t)
     (enter t "(+ 'a 'a)" #rx"\n\\(\\* 2 a\\)\n")
+    (enter t "(display 'no-line-end)" #rx"\nno-line-end")
     (type t "(up 1\r")
     (shows t #rx"\\(up 1\n  $")
     (enter t "2)" #rx"\n\\(up 1 2\\)\n")
