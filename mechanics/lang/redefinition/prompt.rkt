@@ -96,6 +96,6 @@
   (define meant (with-handlers ([exn:fail? (lambda (e) #f)])
                   (local-expand/capture-lifts name 'expression '())))
   (syntax-case meant (begin define-values)
-    [(begin (define-values . _) ... value) name]
-    [id (identifier? #'id) name]
+    [(begin (define-values . _) . _) name]
+    [(begin id) (identifier? #'id) name]
     [_ #'unknown]))
