@@ -8,7 +8,7 @@
 
 (require "result.rkt"
          "../algebra/expression/expression.rkt"
-         "../generic/kind.rkt" "../generic/naming.rkt"
+         "../generic/cyclic.rkt" "../generic/kind.rkt" "../generic/naming.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt")
 
 (provide (rename-out [show:display display] [show:displayln displayln]
@@ -62,14 +62,17 @@
         [(unprintable-alone? x) (shown x)]
         [else x]))
 
+;; For `format` and its kin.
+(define (as-text x) (if (cyclic? x) x (within-text x)))
+
 ;; A procedure that Racket would print as #<procedure:its-name>.
 (define (unprintable-alone? x) (and (procedure? x) (not (custom-write? x))))
 
 (define-named show:format format
-  (lambda (text . xs) (apply format text (map within-text xs))))
+  (lambda (text . xs) (apply format text (map as-text xs))))
 (define-named show:printf printf
-  (lambda (text . xs) (apply printf text (map within-text xs))))
+  (lambda (text . xs) (apply printf text (map as-text xs))))
 (define-named show:eprintf eprintf
-  (lambda (text . xs) (apply eprintf text (map within-text xs))))
+  (lambda (text . xs) (apply eprintf text (map as-text xs))))
 (define-named show:fprintf fprintf
-  (lambda (port text . xs) (apply fprintf port text (map within-text xs))))
+  (lambda (port text . xs) (apply fprintf port text (map as-text xs))))

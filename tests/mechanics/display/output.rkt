@@ -72,3 +72,8 @@
   (check-equal? errors
                 (lines (string-append "; a frequency that is not real belongs to no oscillation: "
                                       "this one grows as (exp (* 2 t)); the equilibrium is unstable"))))
+
+(test-case "what contains itself is shown as Racket shows it"
+  (define v (vector 1 2))
+  (vector-set! v 0 v)
+  (check-equal? (format "~a" v) "#0=#(#0# 2)"))
