@@ -9,6 +9,7 @@
 ;; multiplication for an order.
 
 (require racket/flonum
+         racket/list
          "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-rows.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/kernels.rkt"
          "../numeric/jet/linear-system.rkt")
@@ -35,9 +36,13 @@
     (unless (eq? 'sum (vector-ref uses id))
       (emit-node! r nodes id uses shared)))
   (for ([x (in-flvector inputs)] [id (in-naturals)]) (flvector-set! (row r id) 0 x))
-  (expansion order
-             (for/vector ([id (in-range (graph-varying g))]) (row r id))
-             (for/vector ([id (in-vector (graph-outputs g))]) (row r id))
+  (define states (for/list ([id (in-range (graph-varying g))]) (row r id)))
+  (define slopes (for/list ([id (in-vector (graph-outputs g))]) (row r id)))
+  (define moving
+    (for/list ([state (in-list states)] [slope (in-list slopes)] [id (in-naturals)]
+               #:unless (< (degree r id) +inf.0))
+      (list state slope)))
+  (expansion order (list->vector states) (list->vector slopes) (list->vector (append* moving))
              (starts r) (ending-kernels r) (endless-kernels r)))
 
 ;; ---------------------------------------------------------------------------
@@ -131,19 +136,22 @@
       (if (vector-ref uses (car t))
           (values (cons t products) others)
           (values products (cons t others)))))
-  (define (kernels varying? add?)
+;; one multiple of a row is where the first product begins
+  (define (kernels varying? base)
     (define kept
       (for/list ([t (in-list others)] #:when (or (not varying?) (> (degree r (car t)) 0)))
         (weighed (real->double-flonum (cdr t)) (row r (car t)))))
-    (define sums (sum-kernels x kept add?))
-    (append sums (products-of r nodes x products (or add? (pair? sums)))))
+    (if (and (not base) (pair? products) (pair? kept) (null? (cdr kept)))
+        (products-of r nodes x products (car kept))
+        (let ([sums (sum-kernels x kept base)])
+          (append sums (products-of r nodes x products (if (pair? sums) (itself x) base))))))
   (unless (fl= constant 0.0) (emit-start! r (lambda () (flvector-set! x 0 constant))))
-  (for ([kernel (in-list (kernels #f (not (fl= constant 0.0))))])
+  (for ([kernel (in-list (kernels #f (if (fl= constant 0.0) #f (itself x))))])
     (emit-start! r (lambda () (kernel 0))))
   (for ([kernel (in-list (kernels #t #f))]) (emit! r id kernel)))
 
-;; Kernels of x = or += Σ c a b, squares among them.
-(define (products-of r nodes x terms add?)
+;; Kernels of x = base + Σ c a b, squares among them.
+(define (products-of r nodes x terms base)
   (define-values (squares others)
     (for/fold ([squares '()] [others '()]) ([t (in-list terms)])
       (define n (vector-ref nodes (car t)))
@@ -151,8 +159,8 @@
       (if (and (= (cadr n) (caddr n)) (= +inf.0 (degree r (cadr n))))
           (values (cons (weighed c (row r (cadr n))) squares) others)
           (values squares (cons (a-product r c (cadr n) (caddr n)) others)))))
-  (define first (square-kernels x squares add?))
-  (append first (product-kernels x others (or add? (pair? first)))))
+  (define first (square-kernels x squares base))
+  (append first (product-kernels x others (if (pair? first) (itself x) base))))
 
 (define (a-product r c a b)
   (product c (row r a) (degree r a) (row r b) (degree r b)))

@@ -6,6 +6,7 @@
 ;; themselves do.
 
 (require racket/flonum
+         racket/list
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "recording.rkt"
          "suited.rkt" "system.rkt"
          "../calculus/perturbed.rkt"
@@ -31,8 +32,9 @@
                                 "to" (see (trajectory-end tr)))))
   #:property prop:procedure (lambda (tr t) (state-at tr t)))
 
-;; From one time to another, and what leads to the states between.
-(struct step (from to inside) #:authentic)
+;; From one time to another, and what leads to the states between; in flonums the interpolant
+;; from the first to `end`, which is beyond the other if an event ended the trajectory.
+(struct step (from to inside end) #:authentic)
 
 ;; exactly : real -> the same as times of steps are; shown : back
 ;; state   : step time -> state
@@ -93,15 +95,12 @@
 
 (define (precise-trajectory p derivative state end events)
   (define (make steps occurrences exactly shown state)
-    (trajectory (for/vector ([s (in-list steps)]) (apply step s))
+    (trajectory (for/vector ([s (in-list steps)])
+                  (step (first s) (second s) (third s) (second s)))
                 occurrences
                 (reading exactly shown (lambda (s t) (state (step-inside s) t)))
                 'extrapolation))
   (follow-precise-trajectory p derivative state end events make))
-
-;; The inside of a step in flonums: the time to which it was taken, beyond its end if an event
-;; ended the trajectory, and its interpolant.
-(struct span (end at) #:authentic)
 
 (define (flonum-trajectory given derivative state end events)
   (define s (make-system 'evolve-trajectory derivative state))
@@ -110,16 +109,16 @@
   (define events-in (watch-for 'evolve-trajectory events state (flvector-length y) (plan-tolerance p)))
   (define start (start-time s y))
   (define r (make-recording))
-  (define (stay) (step start start (span start (lambda (theta out) (flvector-copy! out y)))))
+  (define (stay) (step start start (lambda (theta out) (flvector-copy! out y)) start))
   (define (so-far)
     (trajectory (list->vector (recorded-steps r stay)) (recorded-occurrences r)
                 (flonum-reading s) (method-shown (plan-method p))))
   ;; -> is the integration to go on?
   (define (visit from to interpolant)
-    (define inside (span to (interpolant)))
-    (record-crossings! r (timed (events-in (span-at inside)) from to) to
-                       (lambda (t) (record-step! r (step from t inside)))
-                       #:state (lambda (t) (state-within s (step from to inside) t))
+    (define at (interpolant))
+    (record-crossings! r (timed (events-in at) from to) to
+                       (lambda (t) (record-step! r (step from t at to)))
+                       #:state (lambda (t) (state-within s (step from to at to) t))
                        #:shown values
                        #:give-up (lambda (e t there) (raise-undefined e t there (so-far)))))
   (run-system p s y start end visit (lambda (state) (so-far)))
@@ -189,8 +188,7 @@
 
 (define (state-within s st x)
   (define y (make-flvector (system-size s)))
-  (define inside (step-inside st))
-  (define length (fl- (span-end inside) (step-from st)))
-  ((span-at inside) (if (fl= length 0.0) 0.0 (fl/ (fl- x (step-from st)) length)) y)
+  (define length (fl- (step-end st) (step-from st)))
+  ((step-inside st) (if (fl= length 0.0) 0.0 (fl/ (fl- x (step-from st)) length)) y)
   (when (system-clock? s) (flvector-set! y 0 x))
   (system-state s y))

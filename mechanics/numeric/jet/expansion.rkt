@@ -7,17 +7,19 @@
 ;; It is divided by k + 1: a factor 1/(k + 1) would be rounded in the same direction at every
 ;; step, and a long run drift.
 
-(require racket/unsafe/ops
-         "../flvector.rkt"
+(require racket/flonum
+         racket/unsafe/ops
+         "../fields.rkt" "../flvector.rkt"
          "convolution.rkt")
 
 (provide (struct-out expansion) (struct-out ending) expand! follow! coefficient-row
          value-at! coefficients-finite?)
 
 ;; order   : the last one; states, slopes : vectors of rows, y and f(y)
+;; moving  : vector, state row and slope row in turn, of those that do not end
 ;; starts  : vector of thunks, for order 0; ending : list of those below, whose rows end;
-;; endless : vector of kernels
-(struct expansion (order states slopes starts ending endless) #:authentic)
+;; kernels : vector of those that do not
+(struct expansion (order states slopes moving starts ending kernels) #:authentic)
 
 ;; A kernel of rows that are 0 beyond an order.
 (struct ending (last kernel) #:authentic)
@@ -26,35 +28,42 @@
 
 ;; Coefficients of the motion from the state y on, in the unit h.
 (define (expand! e y h)
-  (define states (expansion-states e))
-  (define slopes (expansion-slopes e))
+  (define-fields expansion e states slopes moving order kernels ending)
   (define n (vector-length states))
-  (define order (expansion-order e))
-  (define endless (expansion-endless e))
   (let loop ([i 0])
     (when (unsafe-fx< i n)
       (put! (unsafe-vector-ref states i) 0 (unsafe-flvector-ref y i))
       (loop (unsafe-fx+ i 1))))
   (start-all! (expansion-starts e))
   (let loop ([k 1])
-    (define order-now (unsafe-fx->fl k))
-    (let next ([i 0])
-      (when (unsafe-fx< i n)
-        (put! (unsafe-vector-ref states i) k
-              (unsafe-fl/ (unsafe-fl* h (at (unsafe-vector-ref slopes i) (unsafe-fx- k 1)))
-                          order-now))
-        (next (unsafe-fx+ i 1))))
+    (if (unsafe-fx<= k latest-end) (next-of-all! states slopes h k) (next-of! moving h k))
     (when (unsafe-fx< k order)
-      (run-ending! (expansion-ending e) k)
-      (run-all! endless k)
+      (when (unsafe-fx<= k latest-end) (run-ending! ending k))
+      (run-all! kernels k)
       (loop (unsafe-fx+ k 1)))))
+
+;; Rows that end are 0 from the order after this one on.
+(define latest-end 5)
+
+(define-syntax-rule (next! state slope h k)
+  (put! state k (unsafe-fl/ (unsafe-fl* h (at slope (unsafe-fx- k 1))) (unsafe-fx->fl k))))
+
+(define (next-of-all! states slopes h k)
+  (for ([state (in-vector states)] [slope (in-vector slopes)]) (next! state slope h k)))
+
+(define (next-of! moving h k)
+  (define n (vector-length moving))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      (next! (unsafe-vector-ref moving i) (unsafe-vector-ref moving (unsafe-fx+ i 1)) h k)
+      (loop (unsafe-fx+ i 2)))))
 
 ;; Coefficients of what depends on rows that are known already, up to the order.
 (define (follow! e)
   (start-all! (expansion-starts e))
   (for ([k (in-range 1 (+ 1 (expansion-order e)))])
     (run-ending! (expansion-ending e) k)
-    (run-all! (expansion-endless e) k)))
+    (run-all! (expansion-kernels e) k)))
 
 (define (start-all! starts)
   (define n (vector-length starts))

@@ -6,6 +6,7 @@
 ;; function of time has two coefficients) run over what there is.
 
 (require racket/flonum
+         racket/list
          racket/unsafe/ops
          "convolution.rkt")
 
@@ -13,7 +14,7 @@
          differential-kernel pair-kernel leading-kernel differential-leading-kernel
          root-kernel power-kernel reciprocal-kernel
          derivative-kernel integral-kernel
-         (struct-out weighed) (struct-out product) (struct-out target))
+         itself (struct-out weighed) (struct-out product) (struct-out target))
 
 ;; weight times a row; weight times a product of rows of the degrees given, or +inf.0 for one
 ;; that does not end
@@ -25,41 +26,41 @@
 ;; ---------------------------------------------------------------------------
 ;; Sums
 
-;; In groups of at most three: (make group add?) makes the kernel of each, of which the first
-;; stores and the others add.
-(define (grouped things add? make)
-  (let loop ([things things] [add? add?])
+;; What is there before a kernel adds to it: #f for nothing; or a weighed row, which may be
+;; the one that the kernel makes.
+(define (itself r) (weighed 1.0 r))
+
+;; In groups of at most three: (make group base) makes the kernel of each, of which the first
+;; begins with the base and the others with what is there.
+(define (grouped r things base make)
+  (let loop ([things things] [base base])
     (cond [(null? things) '()]
           [else
            (define n (min 3 (length things)))
-           (define-values (group rest) (split things n))
-           (cons (make group add?) (loop rest #t))])))
+           (define-values (group rest) (split-at things n))
+           (cons (make group base) (loop rest (itself r)))])))
 
-(define (split xs n)
-  (for/fold ([group '()] [rest xs] #:result (values (reverse group) rest)) ([_ (in-range n)])
-    (values (cons (car rest) group) (cdr rest))))
-
-;; r_k = x or r_k + x, as `add?` says when the kernel is made
-(define-syntax-rule (storing add? r k x wrap)
-  (if add?
-      (lambda (k) (wrap (lambda-result r k (unsafe-fl+ (at r k) x))))
-      (lambda (k) (wrap (lambda-result r k x)))))
-(define-syntax-rule (lambda-result r k x) (put! r k x))
-
-;; Σ weight row
-(define (sum-kernels r terms add?)
-  (grouped terms add?
-           (lambda (group add?)
-             (define ws (map weighed-weight group))
-             (define rows (map weighed-row group))
+;; base + Σ weight row
+(define (sum-kernels r terms base)
+  (grouped r terms base
+           (lambda (group base)
              (apply (case (length group) [(1) sum-1] [(2) sum-2] [else sum-3])
-                    r add? (append ws rows)))))
+                    r base (append (map weighed-weight group) (map weighed-row group))))))
+
+;; A kernel of k that stores in r_k the sum of the base and of the terms, in the loop `within`.
+(define-syntax-rule (storing-kernel r k base (within loop-part ...) term ...)
+  (if base
+      (let ([b0 (weighed-weight base)] [from (weighed-row base)])
+        (lambda (k)
+          (within k loop-part ...
+                  (put! r k (total (unsafe-fl* b0 (at from k)) term ...)))))
+      (lambda (k) (within k loop-part ... (put! r k (total term ...))))))
+
+(define-syntax-rule (at-once k body) body)
 
 (define-syntax-rule (define-sum name (w x) ...)
-  (define (name r add? w ... x ...)
-    (if add?
-        (lambda (k) (put! r k (total (at r k) (unsafe-fl* w (at x k)) ...)))
-        (lambda (k) (put! r k (total (unsafe-fl* w (at x k)) ...))))))
+  (define (name r base w ... x ...)
+    (storing-kernel r k base (at-once) (unsafe-fl* w (at x k)) ...)))
 
 (define-syntax total
   (syntax-rules ()
@@ -73,61 +74,49 @@
 ;; ---------------------------------------------------------------------------
 ;; Products
 
-;; Σ weight a b
-(define (product-kernels r products add?)
-  (define-values (ending endless)
-    (for/fold ([ending '()] [endless '()]) ([p (in-list (reverse products))])
-      (if (ends? p) (values (cons p ending) endless) (values ending (cons p endless)))))
-  (append (grouped endless add? (lambda (group add?) (endless-products r group add?)))
+;; base + Σ weight a b
+(define (product-kernels r products base)
+  (define-values (ending endless) (partition ends? products))
+  (append (grouped r endless base (lambda (group base) (endless-products r group base)))
           (for/list ([p (in-list ending)] [k (in-naturals)])
-            (ending-product r p (or add? (pair? endless) (> k 0))))))
+            (ending-product r p (if (or (pair? endless) (> k 0)) (itself r) base)))))
 
 (define (ends? p) (< (min (product-a-degree p) (product-b-degree p)) +inf.0))
 
-(define (endless-products r group add?)
+(define (endless-products r group base)
   (apply (case (length group) [(1) products-1] [(2) products-2] [else products-3])
-         r add?
+         r base
          (append (map product-weight group) (map product-a group) (map product-b group))))
 
 (define-syntax-rule (define-products name (w a b s) ...)
-  (define (name r add? w ... a ... b ...)
-    (if add?
-        (lambda (k)
-          (convolve k 0 k ([s a b] ...) (put! r k (total (at r k) (unsafe-fl* w s) ...))))
-        (lambda (k)
-          (convolve k 0 k ([s a b] ...) (put! r k (total (unsafe-fl* w s) ...)))))))
+  (define (name r base w ... a ... b ...)
+    (storing-kernel r k base (convolve 0 k ([s a b] ...)) (unsafe-fl* w s) ...)))
 
 (define-products products-1 (u a b s))
 (define-products products-2 (u a b s) (v c d t))
 (define-products products-3 (u a b s) (v c d t) (w e f q))
 
-(define (ending-product r p add?)
+(define (ending-product r p base)
   (define-values (a b w) (values (product-a p) (product-b p) (product-weight p)))
   (define la (last-index (product-a-degree p)))
   (define lb (last-index (product-b-degree p)))
-  (lambda (k)
-    (define low (greater 0 (unsafe-fx- k lb)))
-    (convolve k low (smaller k la) ([s a b])
-              (put! r k (if add? (unsafe-fl+ (at r k) (unsafe-fl* w s)) (unsafe-fl* w s))))))
+  (storing-kernel r k base
+                  (convolve (greater 0 (unsafe-fx- k lb)) (smaller k la) ([s a b]))
+                  (unsafe-fl* w s)))
 
 ;; A degree as an index: of a row that does not end one that is never reached.
 (define (last-index degree) (if (< degree +inf.0) degree 1000000))
 
-;; Σ weight row²
-(define (square-kernels r terms add?)
-  (grouped terms add?
-           (lambda (group add?)
+;; base + Σ weight row²
+(define (square-kernels r terms base)
+  (grouped r terms base
+           (lambda (group base)
              (apply (case (length group) [(1) squares-1] [(2) squares-2] [else squares-3])
-                    r add? (append (map weighed-weight group) (map weighed-row group))))))
+                    r base (append (map weighed-weight group) (map weighed-row group))))))
 
 (define-syntax-rule (define-squares name (w a s) ...)
-  (define (name r add? w ... a ...)
-    (if add?
-        (lambda (k)
-          (convolve-halves k 0 ([s a] ...)
-                           (put! r k (total (at r k) (unsafe-fl* w s) ...))))
-        (lambda (k)
-          (convolve-halves k 0 ([s a] ...) (put! r k (total (unsafe-fl* w s) ...)))))))
+  (define (name r base w ... a ...)
+    (storing-kernel r k base (convolve-halves 0 ([s a] ...)) (unsafe-fl* w s) ...)))
 
 (define-squares squares-1 (u a s))
 (define-squares squares-2 (u a s) (v b t))
@@ -135,7 +124,7 @@
 
 ;; Each target becomes the product of its row and b, endless ones.
 (define (shared-product-kernels targets b)
-  (grouped targets #f
+  (grouped #f targets #f
            (lambda (group _)
              (apply (case (length group) [(1) shared-1] [(2) shared-2] [else shared-3])
                     b (append (map target-row group) (map target-weight group)
@@ -159,14 +148,10 @@
 ;; r_k = d_k / k
 (define (integral-kernel r d) (lambda (k) (put! r k (unsafe-fl/ (at d k) (unsafe-fx->fl k)))))
 
-;; r_k = or += weight Σ d_j b_{k−j}, j from 1, where d ends with its degree
-(define (differential-kernel r weight d degree b add?)
+;; r_k = base + weight Σ d_j b_{k−j}, j from 1, where d ends with its degree
+(define (differential-kernel r weight d degree b base)
   (define end (last-index degree))
-  (lambda (k)
-    (convolve k 1 (smaller k end) ([s d b])
-              (put! r k (if add?
-                            (unsafe-fl+ (at r k) (unsafe-fl* weight s))
-                            (unsafe-fl* weight s))))))
+  (storing-kernel r k base (convolve 1 (smaller k end) ([s d b])) (unsafe-fl* weight s)))
 
 ;; r' = u p a' and p' = v r a', given d of a
 (define (pair-kernel r u p v d degree)

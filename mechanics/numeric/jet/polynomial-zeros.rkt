@@ -8,7 +8,8 @@
 ;; or shows that p touches zero or stays away; otherwise the interval is halved.  A zero that
 ;; is known to be alone is refined by Newton's method within its bounds.
 
-(require racket/flonum)
+(require racket/flonum
+         racket/unsafe/ops)
 
 (provide polynomial-zeros (struct-out zero))
 
@@ -100,8 +101,12 @@
 (define (shifted p)
   (define q (flvector-copy p))
   (define n (flvector-length q))
-  (for* ([i (in-range (- n 1))] [k (in-range (- n 2) (- i 1) -1)])
-    (flvector-set! q k (fl+ (flvector-ref q k) (flvector-ref q (+ k 1)))))
+  (for ([i (in-range (- n 1))])
+    (let loop ([k (unsafe-fx- n 2)] [above (unsafe-flvector-ref q (unsafe-fx- n 1))])
+      (when (unsafe-fx>= k i)
+        (let ([sum (unsafe-fl+ (unsafe-flvector-ref q k) above)])
+          (unsafe-flvector-set! q k sum)
+          (loop (unsafe-fx- k 1) sum)))))
   q)
 
 ;; Of (1 + x)ⁿ p(1/(1 + x)).

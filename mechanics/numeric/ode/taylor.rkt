@@ -124,9 +124,9 @@
   (define a (size e y n order))
   (define b (size e y n (- order 1)))
   (cond [(and (fl< a +inf.0) (fl< b +inf.0))
-         (flmin (fl* (safety order)
-                     (flmin (flexpt a (fl/ -1.0 (->fl order)))
-                            (flexpt b (fl/ -1.0 (->fl (- order 1))))))
+         (flmin (flexp (fl- (safety order)
+                            (flmax (fl/ (fllog a) (->fl order))
+                                   (fl/ (fllog b) (->fl (- order 1))))))
                 (flmax (falling (size e y n (- order 2)) a) (falling (size e y n (- order 3)) b)))]
         [else +nan.0]))
 
@@ -135,7 +135,7 @@
 (define (falling earlier later)
   (if (or (fl= later 0.0) (fl= earlier 0.0)) +inf.0 (fl* 0.5 (flsqrt (fl/ earlier later)))))
 
-(define (safety order) (flexp (fl- -2.0 (fl/ 0.7 (->fl (- order 1))))))
+(define (safety order) (fl- -2.0 (fl/ 0.7 (->fl (- order 1)))))
 
 ;; ‖y_k‖; not less than infinite if one is not a number
 (define (size e y n k)
@@ -163,28 +163,27 @@
 ;; A step that is longer than the last by more is looked at.
 (define growth 4.0)
 
-;; z + rest = y + lost + the increment, where rounding loses nothing that is not in `rest`
+;; z + rest = y + lost + Σ c_k u^k, k from 1, where rounding loses nothing that is not in `rest`
 (define (advance-all! e n order u y lost z rest)
   (let loop ([i 0])
     (when (unsafe-fx< i n)
-      (let* ([x (unsafe-flvector-ref y i)]
-             [d (unsafe-fl+ (increment (coefficient-row e i) order u)
-                            (unsafe-flvector-ref lost i))]
-             [sum (unsafe-fl+ x d)]
-             [back (unsafe-fl- sum x)])
-        (unsafe-flvector-set! z i sum)
-        (unsafe-flvector-set! rest i
-                              (unsafe-fl+ (unsafe-fl- x (unsafe-fl- sum back))
-                                          (unsafe-fl- d back)))
-        (loop (unsafe-fx+ i 1))))))
+      (let ([c (coefficient-row e i)])
+        (let horner ([k (unsafe-fx- order 1)] [sum (at c order)])
+          (if (unsafe-fx= k 0)
+              (add-exactly! i (unsafe-fl+ (unsafe-fl* u sum) (at lost i)) y z rest)
+              (horner (unsafe-fx- k 1) (unsafe-fl+ (at c k) (unsafe-fl* u sum))))))
+      (loop (unsafe-fx+ i 1)))))
 
-;; Σ c_k u^k, k from 1
-(define-syntax-rule (increment row order u)
-  (let ([c row])
-    (let loop ([k (unsafe-fx- order 1)] [sum (at c order)])
-      (if (unsafe-fx= k 0)
-          (unsafe-fl* u sum)
-          (loop (unsafe-fx- k 1) (unsafe-fl+ (at c k) (unsafe-fl* u sum)))))))
+;; z + rest = y + d (Knuth)
+(define-syntax-rule (add-exactly! i d-form y z rest)
+  (let* ([d d-form]
+         [x (at y i)]
+         [sum (unsafe-fl+ x d)]
+         [back (unsafe-fl- sum x)])
+    (unsafe-flvector-set! z i sum)
+    (unsafe-flvector-set! rest i
+                          (unsafe-fl+ (unsafe-fl- x (unsafe-fl- sum back))
+                                      (unsafe-fl- d back)))))
 
 ;; By how much y' and f(y) differ at the end of a step, times its length.
 (define (defect r h)
