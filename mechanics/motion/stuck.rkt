@@ -43,9 +43,12 @@
      (string-append
       (if (method-step m) (step-text m) "")
       (or (beyond-text s y)
-          (if (eq? why 'boundary)
-              "\n  the state derivative is not finite beyond"
-              "\n  steps became too short to change the time")))]))
+          (cond [(eq? why 'boundary) "\n  the state derivative is not finite beyond"]
+                ;; they are a part of the radius of convergence
+                [(eq? 'expansion (method-asks m))
+                 (string-append "\n  the motion is singular there: "
+                                "steps became too short to change the time")]
+                [else "\n  steps became too short to change the time"])))]))
 
 ;; What there is instead of a finite state derivative; #f if there is one.
 (define (slope-text s y where)

@@ -7,8 +7,7 @@
 ;; It is divided by k + 1: a factor 1/(k + 1) would be rounded in the same direction at every
 ;; step, and a long run drift.
 
-(require racket/flonum
-         racket/unsafe/ops
+(require racket/unsafe/ops
          "../fields.rkt" "../flvector.rkt"
          "convolution.rkt")
 

@@ -133,7 +133,8 @@ large tolerance as well. A bound on the steps tells:
 
 @emph{Symplectic} methods do what Hamilton's equations do: they preserve areas in phase
 space. Their steps are of one length, and their energy is wrong by some amount that does not
-grow. The adaptive methods are better for a hundred periods, these for a million.
+grow. With a tolerance of a few digits the adaptive methods are better for a hundred periods,
+these for a million.
 
 @examples[#:eval session #:label #f
 (define E (Lagrangian->energy (L-pendulum 9.8 1 1)))
@@ -143,6 +144,28 @@ grow. The adaptive methods are better for a hundred periods, these for a million
   (- (E (trajectory-final-state tr)) (E (tr 0))))
 (list (energy-change 'Dormand-Prince-54 20) (energy-change 'Dormand-Prince-54 2000))
 (list (energy-change (leapfrog 0.02) 20) (energy-change (leapfrog 0.02) 2000))]
+
+For many digits over many periods the Taylor method is the one to take: its steps leave out
+nothing that rounding would keep, and what rounding loses is carried along, so that errors come
+and go with either sign and grow as the root of the time only. The relative error of the energy,
+root of the mean square over the last part of the run, at a tolerance of 1e-15, for Kepler's
+ellipse with @italic{e} = 0.3 and for Hénon and Heiles's motion at energy 1/12, a period of the
+latter being counted as 2π:
+
+@tabular[#:sep @hspace[2] #:style 'boxed #:row-properties '(bottom-border ())
+ (list
+  (list @bold{periods} "" @bold{10³} @bold{10⁴} @bold{10⁵} @bold{10⁶} @bold{time for 10⁵})
+  (list "Kepler" @racket['Taylor] "1e-15" "1e-14" "6e-14" "2e-13" "6 s")
+  (list "" @racket['Dormand-Prince-853] "7e-13" "6e-12" "7e-11" "–" "6 s")
+  (list "" @racket[(Yoshida-8 (/ 2pi 200))] "2e-13" "5e-13" "1e-12" "–" "12 s")
+  (list "Hénon–Heiles" @racket['Taylor] "2e-15" "3e-15" "2e-14" "3e-14" "2 s")
+  (list "" @racket['Dormand-Prince-853] "2e-13" "2e-12" "2e-11" "–" "4 s")
+  (list "" @racket[(Yoshida-8 (/ 2pi 50))] "2e-10" "2e-10" "2e-10" "–" "2 s"))]
+
+Of eight ellipses the energy was wrong by 4e-15 after a hundred periods, and by 5e-14 after a
+hundred thousand, with both signs: a thousand times the time, fifteen times the error. The error
+of @racket['Dormand-Prince-853] grows in proportion to the time, that of symplectic methods
+stays until rounding, added up, is above it.
 
 Leapfrog and its like move coordinates and velocities in turn, which is only right where
 forces do not depend on velocities and the kinetic energy not on positions. Elsewhere they

@@ -103,3 +103,29 @@
                     reason "\n  use 'auto, which takes another method then")
      (run f s 'Taylor))
     (check-equal? (run f s 'auto) (run f s 'Dormand-Prince-853))))
+
+(test-case "a singularity of the motion is located: x' = x², a fall onto a centre, x' = -1/x"
+  (define (check-singular f s0 t)
+    (define e
+      (with-handlers ([exn:fail:mechanics:singular? values])
+        (evolve-trajectory f s0 2 #:method 'Taylor)))
+    (check-regexp-match #rx"the motion is singular there" (exn-message e))
+    (define so-far (exn:fail:mechanics:singular-where e))
+    (check-= (trajectory-end so-far) t 1e-10))
+  (check-singular (lambda (s) (up 1 (square (ref s 1)))) (up 0 1) 1)
+  (check-singular (lambda (s) (up 1 (ref s 2) (/ -1 (square (ref s 1))))) (up 0 1 0)
+                  (/ pi (sqrt 8)))
+  (check-singular (lambda (s) (up 1 (/ -1 (ref s 1)))) (up 0 1.0) 1/2))
+
+(test-case "which method it was, and many operations by Dormand and Prince's"
+  (define (method-of f s #:method [m 'auto])
+    (trajectory-method (evolve-trajectory f s 0.1 #:method m)))
+  (check-eq? (method-of (oscillator 1.0) (up 0 1 0)) 'Taylor)
+  (check-eq? (method-of (lambda (s) (up 1 (abs (ref s 1)))) (up 0 1)) 'Dormand-Prince-853)
+  (check-eq? (method-of (oscillator 1.0) (up 0 1 0) #:method 'qcrk4) 'qcrk4)
+  (check-equal? (format "~a" (method-of (oscillator 1.0) (up 0 1 0) #:method (leapfrog 0.1)))
+                "(leapfrog 0.1)")
+  (define (long s)
+    (up 1 (for/fold ([sum 0]) ([k (in-range 1 150)]) (+ sum (/ (sin (* k (ref s 1))) k)))))
+  (check-eq? (method-of long (up 0 1)) 'Dormand-Prince-853)
+  (check-eq? (method-of long (up 0 1) #:method 'Taylor) 'Taylor))
