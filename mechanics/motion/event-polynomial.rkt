@@ -8,7 +8,7 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "../compile/instruction.rkt" "../compile/jet-program.rkt" "../compile/program.rkt"
+         "../compile/jet-program.rkt" "../compile/program.rkt"
          "../numeric/flvector.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/polynomial-zeros.rkt"
          "../numeric/ode/taylor.rkt")

@@ -10,7 +10,8 @@
 ;; so that the last term is about ε, and the work for a unit of time least.  ‖y_k‖ is the
 ;; greatest component relative to 1 + |y|; and the last terms must not grow.  The step is known
 ;; before it is taken, and is taken once.  Only where it grows much, as the first one does from
-;; nothing, is it asked whether y' = f(y) holds at its end: terms beyond the order may be the first that are not 0.
+;; nothing, is it asked whether y' = f(y) holds at its end: terms beyond the order may be the
+;; first that are not 0.
 ;;
 ;; The state is kept with what rounding loses of it at each step, so that the error of a long
 ;; run grows as the root of the number of steps.  Within a step the polynomial itself is the

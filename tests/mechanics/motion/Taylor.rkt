@@ -2,7 +2,7 @@
 ;; The Taylor method, compared with motions that are known exactly.
 
 (require (except-in rackunit fail)
-         mechanics mechanics/book
+         mechanics
          "../support/messages.rkt")
 
 (define (by-Taylor derivative start duration tolerance)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Zeros of polynomials whose zeros are known, in (0, 1].
 
-(require racket/flonum racket/list
+(require racket/flonum
          rackunit
          mechanics/numeric/jet/polynomial-zeros)
 
@@ -45,7 +45,7 @@
   (check-zeros (list '(0.0626 -0.5 1.0)) '()))          ; misses 0 by 1e-4
 
 (test-case "a zero in the middle of a half"
-  (check-zeros (append (with-zeros 0.5 0.25 0.75) (list '(1.0))) 
+  (check-zeros (append (with-zeros 0.5 0.25 0.75) (list '(1.0)))
                '((0.25 . rising) (0.5 . falling) (0.75 . rising))))
 
 (test-case "constants and nothing"
