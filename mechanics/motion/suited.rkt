@@ -8,7 +8,8 @@
 
 (require "method.rkt" "plan.rkt" "system.rkt"
          "../error/complain.rkt"
-         "../numeric/ode/dormand-prince-853.rkt" "../numeric/ode/expandable.rkt"
+         "../numeric/ode/bridged.rkt" "../numeric/ode/dormand-prince-853.rkt"
+         "../numeric/ode/expandable.rkt"
          "../numeric/ode/taylor.rkt")
 
 (provide suited)
@@ -17,7 +18,7 @@
 (define (suited p s y)
   (define m (plan-method p))
   (cond [(eq? m automatic)
-         (plan-by p (if (or (long? s) (reason-against p s y)) dormand-prince-853 taylor))]
+         (plan-by p (if (or (long? s) (reason-against p s y)) dormand-prince-853 bridged-taylor))]
         [(eq? m taylor)
          (define reason (reason-against p s y))
          (when reason (raise-not-suited (plan-who p) reason))
@@ -27,6 +28,8 @@
 ;; Recurrences of that many operations cost more than the longer steps save.
 (define (long? s) (> (or (system-operations s) 0) most-operations))
 (define most-operations 200)
+
+(define bridged-taylor (bridged-method taylor dormand-prince-853))
 
 (define (plan-by p m) (struct-copy plan p [method m]))
 

@@ -99,11 +99,13 @@
   (let try ([h (flmin longest limit)])
     (define now (if (fl>= h (fl* almost-all remaining)) end (fl+ t (fl* sign h))))
     (when (fl= now t) (give-up t 'step-too-short))
-    (define error (fl/ ((stepper-try! s) (fl- now t)) tolerance))
+    (define length (fl- now t))
+    (define error (fl/ ((stepper-try! s) length) tolerance))
     (cond [(fl<= error 1.0)
            ((stepper-accept! s))
            (values now +inf.0 #t)]
-          [else (try (fl* 0.5 (flabs (fl- now t))))])))
+          [(fl= (fl+ t (fl* 0.125 length)) t) (give-up t 'step-too-short)]
+          [else (try (fl* 0.5 (flabs length)))])))
 
 (define almost-all (fl- 1.0 1e-7))
 

@@ -36,7 +36,8 @@
   (cond [(controlled-stepper? s)
          (controlled-stepper y slope try! accept! interpolant (controlled-stepper-propose s))]
         [(foreseeing-stepper? s)
-         (foreseeing-stepper y slope try! accept! interpolant (foreseeing-stepper-limit s))]
+         (foreseeing-stepper y slope try! accept! interpolant (foreseeing-stepper-limit s)
+                             (foreseeing-stepper-moved! s))]
         [else (stepper y slope try! accept! interpolant)]))
 
 (define rounding 1e-15)

@@ -53,8 +53,9 @@
   #:authentic)
 
 ;; One that knows how long the next step may be before it is tried.
-;; limit : -> the greatest length, not a number where there is none
-(struct foreseeing-stepper stepper (limit)
+;; limit  : -> the greatest length, not a number where there is none
+;; moved! : -> void; to be told when the state was changed by another
+(struct foreseeing-stepper stepper (limit moved!)
   #:authentic)
 
 (define (start-stepper m f! y0 tolerance)

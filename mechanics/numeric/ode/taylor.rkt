@@ -55,7 +55,8 @@
                       (lambda (h) (try! r h))
                       (lambda () (accept! r))
                       (lambda () (make-piece r))
-                      (lambda () (limit-of r))))
+                      (lambda () (limit-of r))
+                      (lambda () (forget! r))))
 
 (define (make-run f! y0 tolerance)
   (define n (flvector-length y0))
@@ -200,6 +201,12 @@
 (define (derivative row order u)
   (for/fold ([sum 0.0]) ([k (in-range order 0 -1)])
     (fl+ (fl* (->fl k) (at row k)) (fl* u sum))))
+
+;; The state is another one, of which rounding has lost nothing yet.
+(define (forget! r)
+  (scale! (run-lost r) 0.0)
+  (set-run-last! r 0.0)
+  (set-run-limit! r #f))
 
 (define (accept! r)
   (define-fields run r y lost z rest from tried)

@@ -272,7 +272,10 @@ makes its steps as long as the tolerance allows:
 
 @itemlist[
 @item{@racket['auto], the one to begin with: @racket['Taylor] where it can be, and
-@racket['Dormand-Prince-853] for the rest. Which it was, @racket[trajectory-method] tells.}
+@racket['Dormand-Prince-853] for the rest: state derivatives that have no recurrences, and
+those of more than 200 operations, for which they would take longer. Which it was,
+@racket[trajectory-method] tells. Where a formula is 0/0, as that of a top upright, and its
+coefficients lose their digits, @racket['Dormand-Prince-853] bridges the gap.}
 @item{@racket['Taylor], the Taylor series of the motion itself, whose coefficients follow from
 recurrences for the operations that the state derivative is made of (Jorba and Zou 2005;
 Biscani and Izzo 2021). The order follows from the tolerance, ⌈1 − ½ ln ε⌉, and the step from
