@@ -27,7 +27,7 @@
 (test-case "x'' = -x by a formula that loses its digits where x = 0"
   (define (f s)
     (define x (ref s 1))
-    (up 1 (ref s 2) (/ (* -2 (- 1 (cos x)) (square x)) (* x (square (* 2 (sin (/ x 2)))))))
+    (up 1 (ref s 2) (/ (* -2 (- 1 (cos x)) (square x)) (* x (square (* 2 (sin (/ x 2))))))))
   (define tr (evolve-trajectory f (up 0 1 0) 20 #:tolerance 1e-9))
   (check-= (ref (tr 20) 1) (cos 20) 1e-5))
 
