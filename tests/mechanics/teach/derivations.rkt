@@ -95,8 +95,8 @@
  [(show-derivation (Lagrange-equations L-plane))
   "show-derivation: needs the path: (show-derivation (Lagrange-equations L) q)"]
  [(show-derivation Legendre #:as 'PDF)
-  "show-derivation: contract violation\n"
-  "  expected: a format: 'infix, 'text, 'TeX or 'MathML\n  given: 'PDF"]
+  "show-derivation: there is no such style\n"
+  "  styles: 'automatic, 'typeset, 'text, 'infix, 'TeX, 'MathML, 'expression\n  given: 'PDF"]
  [(print-expression 'x #:as 'PDF)
-  "print-expression: contract violation\n"
-  "  expected: a format: 'infix, 'text, 'TeX or 'MathML\n  given: 'PDF"])
+  "print-expression: there is no such style\n"
+  "  styles: 'automatic, 'typeset, 'text, 'infix, 'TeX, 'MathML, 'expression\n  given: 'PDF"])
