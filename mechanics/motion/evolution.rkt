@@ -27,7 +27,9 @@
     (define p (plan-with tolerance))
     (cond
       [(varied? parameters state duration)
-       (advance-perturbed 'state-advancer (advancing p) derivative-maker parameters state duration)]
+       (continue
+        (advance-perturbed 'state-advancer (advancing p) derivative-maker parameters state duration)
+        duration duration)]
       [else
        (check-real 'state-advancer "duration" duration)
        (define-values (last longest)

@@ -4,8 +4,9 @@
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/rounding.rkt" "../generic/tracing.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/rounding.rkt"
+         "../generic/tracing.rkt" "../generic/up-down.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt")
 
 (provide principal-value)
@@ -23,9 +24,16 @@
           [(and (being-traced?) (open-leaf? x)) (make-node op:wrapped (list x low cut :2pi))]
           [(and (symbolic? x) (constant-value x)) => principal]
           [(symbolic? x) (raise-not-an-angle "expected an angle that is a real number" x)]
-          [else (g:- x (g:* :2pi (g:floor (g:/ (g:- x low) :2pi))))]))
+          [else (g:- x (g:* :2pi (turns (if (carrier? x) (undisturbed x) x) low)))]))
   (unary-function (lambda () (list 'principal-value given)) (x)
     (principal x)))
+
+;; How many whole turns x is beyond low
+(define (turns x low) (g:floor (g:/ (g:- x low) :2pi)))
+
+;; The angle of which x is a variation.  An angle that varies is none the less differentiable
+;; where it is brought back by a turn.
+(define (undisturbed x) (if (carrier? x) (undisturbed (comparand x)) x))
 
 (define (raise-not-an-angle what x)
   (complain 'principal-value "~a\n  given: ~a~a" what (describe-with-value x)
