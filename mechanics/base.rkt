@@ -9,7 +9,7 @@
          "generic/arithmetic.rkt" "generic/compare.rkt" "generic/elementary.rkt"
          "generic/loops.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
          "lang/conditional.rkt" "lang/pattern/pattern.rkt"
-         (only-in "numeric/constants.rkt" pi :pi :-pi :pi/2 :2pi)
+         (only-in "numeric/constants.rkt" pi :pi :-pi :pi/2 :2pi golden-ratio)
          (except-in "value/assumptions.rkt"
                     assumptions-in-force call-assuming note-used! undeclared)
          "value/compose.rkt" "value/operator.rkt" "value/principal-value.rkt" "value/rewrite.rkt"
@@ -41,7 +41,7 @@
              [g:exact->inexact exact->inexact] [g:inexact->exact inexact->exact]
              [g:magnitude magnitude]
              [g:floor floor] [g:ceiling ceiling] [g:truncate truncate] [g:round round])
- pi :pi :-pi :pi/2 :2pi principal-value
+ pi :pi :-pi :pi/2 :2pi golden-ratio principal-value
  make-rectangular make-polar real-part imag-part conjugate
  ;; comparison
  (rename-out [equal-by-proof? =] [g:< <] [g:> >] [g:<= <=] [g:>= >=]

@@ -5,7 +5,8 @@
 (require "book/section-1-4.rkt" "book/section-1-5.rkt" "book/section-1-6.rkt"
          "book/section-1-7.rkt" "book/section-1-8.rkt"
          "book/section-2-8.rkt"
-         "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt")
+         "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt"
+         "book/section-3-6.rkt" "book/section-3-9.rkt")
 
 (provide
  ;; 1.4
@@ -32,4 +33,10 @@
  ;; 3.4
  L-axisymmetric-top
  ;; 3.5
- H-pend-sysder monitor-p-theta)
+ H-pend-sysder monitor-p-theta
+ ;; 3.6
+ driven-pendulum-map
+ HHpotential HHHam HHsysder section->state HHmap
+ make-advance find-next-crossing refine-crossing
+ ;; 3.9
+ standard-map standard-map-inverse Henon-map Henon-map-inverse)

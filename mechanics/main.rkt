@@ -97,7 +97,7 @@
  ;; motion
  (all-from-out "motion/on-demand.rkt") report-progress
  ;; maps of the plane
- iterated-map
+ (all-from-out "map/on-demand.rkt")
  ;; coordinates
  F->C Gamma-bar osculating-path
  p->r r->p polar->rectangular rectangular->polar

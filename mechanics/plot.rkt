@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Pictures: frames as in the book, and what is drawn in them.
 
-(require "plot/contour.rkt" "plot/draw.rkt" "plot/frame.rkt" "plot/frame-pict.rkt"
-         "plot/plot-trajectory.rkt" "plot/save.rkt" "plot/show.rkt")
+(require "plot/contour.rkt" "plot/draw.rkt" "plot/explore-map.rkt" "plot/frame.rkt"
+         "plot/frame-pict.rkt" "plot/plot-trajectory.rkt" "plot/save.rkt" "plot/show.rkt")
 
 (provide
  ;; frames
@@ -10,6 +10,8 @@
  ;; drawing
  plot-point plot-line plot-function plot-parametric plot-parametric-fill
  plot-trajectory plot-contours
+ ;; maps of the plane
+ explore-map display-map
  ;; what was drawn
  frame-points frame-curves
  graphics-save graphics-show frame->pict)

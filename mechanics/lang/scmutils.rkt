@@ -4,6 +4,8 @@
 
 (require "../calculus/derivative.rkt" "../calculus/literal-function.rkt"
          "../error/complain.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt"
+         "../numeric/constants.rkt" "../numeric/finite.rkt"
          "../value/compose.rkt" "../value/rewrite.rkt" "../value/structure.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt")
 
@@ -13,10 +15,32 @@
              [factor factor-polynomial-expression]
              [matrix-by-columns matrix-by-cols] [m:generate matrix:generate]
              [identity-matrix m:make-identity] [null-space lu-null-space]
-             [up->column-matrix vector->column-matrix] [down->row-matrix vector->row-matrix])
+             [up->column-matrix vector->column-matrix] [down->row-matrix vector->row-matrix]
+             [golden-ratio :phi] [epsilon *machine-epsilon*])
+ floor->exact close-enuf?
  column-matrix row-matrix column-matrix->vector row-matrix->vector literal-matrix)
 
 ;; ---------------------------------------------------------------------------
+;; Numbers
+
+;; The greatest integer that is not greater, exact.
+(define (floor->exact x)
+  (define number (comparand x))
+  (unless (finite? number) (raise-argument-error 'floor->exact "a real number" x))
+  (inexact->exact (floor number)))
+
+;; Do two numbers differ by no more than tolerance times half the sum of their sizes and
+;; `scale`?
+(define (close-enuf? a b [tolerance (* 10 epsilon)] [scale 1])
+  (for ([x (in-list (list a b))])
+    (unless (number? (comparand x))
+      (complain 'close-enuf? "expected two numbers; given ~a" (describe-with-value x))))
+  (define-values (x y) (values (comparand a) (comparand b)))
+  (<= (magnitude (- x y))
+      (* tolerance (+ (* 1/2 (+ (magnitude x) (magnitude y))) scale))))
+
+;; ---------------------------------------------------------------------------
+;; Matrices
 
 (define (column-matrix . entries) (up->column-matrix (list->up entries)))
 (define (row-matrix . entries) (down->row-matrix (list->down entries)))

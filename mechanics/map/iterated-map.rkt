@@ -1,20 +1,15 @@
 #lang racket/base
 ;; A map of the plane, done again and again (SICM 4.3, p. 308).
 ;;
-;; A *map* takes a point by its two coordinates, and two procedures: it calls the first
-;; with the coordinates of the image, or the second, without arguments, where there is
-;; none (SICM 3.6.1).
-;;
 ;; What is done often is compiled, if that is possible: a map that takes no decision is
 ;; arithmetic on two numbers.  Otherwise, and where the numbers stop being real, the map
 ;; itself is called.
 
 (require racket/flonum
+         "compiled-map.rkt" "map-of-the-plane.rkt"
          "../compile/compile-function.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
-         "../numeric/flvector.rkt"
-         (only-in "../value/structure.rkt" ref))
+         "../generic/describe.rkt" "../generic/function.rkt"
+         "../numeric/flvector.rkt")
 
 (provide iterated-map)
 
@@ -27,7 +22,7 @@
     (raise-argument-error 'iterated-map "how many times, a natural number" n))
   (define step #f)                      ; compiled, or 'none if it cannot be
   (define (compiled-step x y)
-    (unless step (set! step (or (compile-step map x y) 'none)))
+    (unless step (set! step (or (compile-map map x y) 'none)))
     (and (compiled-function? step) step))
   (define (further n x y return fail)
     (define code (and (real? x) (real? y) (or (flonum? x) (flonum? y)) (compiled-step x y)))
@@ -58,20 +53,3 @@
           [else
            (run! from to)
            (loop (- n 1) to from)])))
-
-;; -> the map as a compiled function from (up x y) to (up x y), or #f
-(define (compile-step map x y)
-  (define (no-image) #f)                ; what no compiled function has for its value
-  (define (image point) (map (ref point 0) (ref point 1) up no-image))
-  (compile-traced image (up x y) #:name 'iterated-map))
-
-(define (check-map who map)
-  (unless (and (procedure? map) (accepts? map 4))
-    (complain who
-              (string-append "expected a map, a procedure of two "
-                             "coordinates and of two procedures"
-                             "\n  given: ~a~a")
-              (describe-with-value map)
-              (if (and (procedure? map) (accepts? map 2))
-                  "\n  its image goes to the third argument: (define (map x y return fail) ...)"
-                  ""))))

@@ -4,4 +4,11 @@
 (require "../generic/on-demand.rkt")
 
 (provide-on-demand
- ["iterated-map.rkt" iterated-map])
+ ["iterated-map.rkt" iterated-map]
+ ["section.rkt" Poincare-map stroboscopic-map]
+ ["plane-points.rkt" make-point abscissa ordinate plane-near? cylinder-near? torus-near?]
+ ["fixed-point-eigen.rkt" fixed-point-eigen]
+ ["unstable-manifold.rkt" unstable-manifold]
+ ["radially-mapping.rkt" radially-mapping-points]
+ ["invariant-curve.rkt" find-invariant-curve which-way?]
+ ["orbit-stream.rkt" circle-map orbit-stream position-stream compare-streams])

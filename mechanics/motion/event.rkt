@@ -26,7 +26,7 @@
 (provide event event? event-f event-name event-direction event-terminal?
          event-value raise-undefined
          (struct-out occurrence)
-         watch-for (struct-out crossing) (struct-out undefined)
+         watch-for watches-for (struct-out crossing) (struct-out undefined)
          crosses?)
 
 ;; f : state -> real; direction : 'rising, 'falling or 'both
@@ -76,11 +76,17 @@
 ;; -> (interpolant -> crossings): what is within a step, in order; to be asked of each step
 ;; in turn
 (define (watch-for who events state n tolerance)
-  (define all
-    (for/list ([e (in-list events)])
-      (define c (event-code who e state))
-      (watched e (compiled-function-runner c)
-               (polynomial-along (compiled-function-program c) n tolerance) #f)))
+  ((watches-for who events state n tolerance)))
+
+;; -> (-> what watch-for gives), for one motion after another
+(define (watches-for who events state n tolerance)
+  (define codes (for/list ([e (in-list events)]) (event-code who e state)))
+  (define (new-watch e c)
+    (watched e (compiled-function-runner c)
+             (polynomial-along (compiled-function-program c) n tolerance) #f))
+  (lambda () (watch (map new-watch events codes) n tolerance)))
+
+(define (watch all n tolerance)
   (define value (make-flvector 1))
   (define point (make-flvector n))
   (define ((along at code) theta)

@@ -3,7 +3,7 @@
 
 (provide pi
          :pi :-pi :pi/2 :2pi          ; as the book's programs spell them
-         golden-fraction golden-part
+         golden-ratio golden-fraction golden-part
          epsilon rounding)
 
 (define pi 3.141592653589793)
@@ -12,6 +12,9 @@
 (define :-pi (- pi))
 (define :pi/2 (/ pi 2))
 (define :2pi (* 2 pi))
+
+;; (1 + √5)/2
+(define golden-ratio 1.618033988749895)
 
 ;; (√5 − 1)/2: its multiples, modulo 1, are spread over [0, 1] more evenly than those of
 ;; any other number.

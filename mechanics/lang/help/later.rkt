@@ -9,18 +9,7 @@
 
 ;; (section subject name-or-(name page) ...) ...
 (define chapters
-  '(("3.6" "surfaces of section"
-     (driven-pendulum-map 247) (explore-map 248) display-map (HHmap 261) (section->state 261)
-     (HHHam 261) (HHpotential 261) (HHsysder 261) (find-next-crossing 261)
-     (refine-crossing 261) (make-advance 261))
-    ("3.9" "the standard map" (standard-map 278) standard-map-inverse)
-    ("4.3" "homoclinic tangles"
-     (unstable-manifold 308) (cylinder-near? 309) plane-near? fixed-point-eigen (make-point 308)
-     (abscissa 308) (ordinate 308) (close-enuf? 308) (floor->exact 308) (*machine-epsilon* 308))
-    ("4.5" "the Poincaré–Birkhoff theorem" (radially-mapping-points 321))
-    ("4.6" "invariant curves"
-     (find-invariant-curve 326) (which-way? 327) (golden-ratio 328) circle-map orbit-stream
-     position-stream compare-streams)
+  '(("3.6" "surfaces of section" pointer-coordinates default-collector default-monitor)
     ("5.1" "point transformations"
      (F->CH 339) F->CT (H-central 339) (F->K 340) (translating 340) (H-free 340) (H-prime 341))
     ("5.2" "general canonical transformations"

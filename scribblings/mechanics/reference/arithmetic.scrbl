@@ -225,6 +225,17 @@ number is needed, in a motion, a compiled function or a picture, one is made;
 
 @sicm{1.4, p. 21, note}}
 
+@deftogether[(@defthing[golden-ratio real?]
+              @defthing[:phi real?])]{
+
+The floating-point number nearest to (1 + √5)/2, under two names.
+
+@examples[#:eval session
+golden-ratio
+(- :phi (/ 1 golden-ratio))]
+
+@sicm{4.6, p. 328}}
+
 @defproc[((principal-value [cut real?]) [x value]) value]{
 
 The angle that differs from @racket[x] by whole turns and is at least

@@ -1,35 +1,235 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics mechanics/book mechanics/plot racket/stream)
+          "../eval.rkt" "../citation.rkt")
 
-@(define session (make-session))
+@(define session (make-session '(require mechanics/book racket/stream)))
 
-@title[#:tag "maps"]{Maps of the plane}
+@title[#:tag "maps" #:style '(toc)]{Maps and sections}
 
-A map takes the two coordinates of a point and two procedures. It calls the first one with
-the coordinates of the point's image, and the second one, without arguments, where there
-is no image.
+A map of the plane takes the two coordinates of a point and two procedures. It calls the first
+one with the coordinates of the point's image, and the second one, without arguments, where
+there is no image. @racketmodname[mechanics/book] has the maps of @|the-book|;
+@racket[explore-map] draws their orbits.
 
 @examples[#:eval session #:label #f
-(define ((standard-map K) theta I return fail)
+(define ((twist K) theta I return fail)
   (let ((nI (+ I (* K (sin theta)))))
     (return ((principal-value :2pi) (+ theta nI))
             ((principal-value :2pi) nI))))
-((standard-map 0.6) 1 1 list void)]
+((twist 0.6) 1 1 list void)]
 
-@defproc[(iterated-map [map (-> any/c any/c (-> any/c any/c any) (-> any) any)]
-                       [n exact-nonnegative-integer?])
-         (-> any/c any/c (-> any/c any/c any) (-> any) any)]{
+In the entries below, @italic{map of the plane} is such a procedure. What is done often is
+compiled where that pays, as by @racket[compile-function]: a map is to compute the image from
+the coordinates and to do nothing else.
 
-The map that does @racket[map] @racket[n] times.
+@local-table-of-contents[]
+
+@section{Maps made of motions}
+
+@defproc[(Poincare-map [derivative (-> value value)] [event event?]
+                       [#:tolerance tolerance real? 1e-12]
+                       [#:longest-step longest real? +inf.0]
+                       [#:most-steps most exact-positive-integer? 100000])
+         (-> value value)]{
+
+The map from a state to the one where the motion next crosses a surface of section: where
+the function of @racket[event] passes through zero in the event's direction. It works on states
+of any shape, of a Hamiltonian, a Lagrangian or anything else that has a state derivative. A
+start on the surface is no crossing.
+
+@examples[#:eval session
+(define upwards (event (lambda (s) (ref (coordinate s) 0)) #:direction 'rising))
+(define next (Poincare-map (HHsysder) upwards))
+(next (up 0 (up 0 0.1) (down 0.49 0)))]
+
+The state is right to about the @racket[tolerance], a tenth of which each step of integration may
+err by. @racket[D] has the derivatives of the map, from the variational equations.
+
+@examples[#:eval session
+((D (lambda (y) (coordinate (next (up 0 (up 0 y) (down 0.49 0)))))) 0.1)]
+
+A motion that takes @racket[most] steps without crossing raises
+@racket[exn:fail:mechanics:not-convergent].
+
+@sicm{3.6.2, p. 248}}
+
+@defproc[(stroboscopic-map [derivative (-> value value)] [period real?]
+                           [#:tolerance tolerance real? 1e-12])
+         (-> value value)]{
+
+The map from a state to the one a period later; a negative period leads back. It can be
+differentiated.
+
+@examples[#:eval session
+(define (turn s) (up 1 (momentum s) (- (coordinate s))))
+((stroboscopic-map turn :pi/2) (up 0 1 0))]
+
+@sicm{3.6.1, p. 240}}
+
+@section{Orbits}
+
+@defproc[(iterated-map [map procedure?] [n exact-nonnegative-integer?]) procedure?]{
+
+The map of the plane that does @racket[map] @racket[n] times.
 
 @examples[#:eval session
 ((iterated-map (standard-map 0.6) 10) 1 1 list void)
 ((iterated-map (standard-map 0.6) 1000000) 1 1 list void)]
 
-Where it pays, @racket[map] is compiled, as by @racket[compile-function]: it is to compute
-the image from the coordinates and to do nothing else. The values are the same but for
+Where it pays, @racket[map] is compiled. The values are the same but for
 rounding, to which chaotic motion is sensitive. A map that takes decisions, or of which
 points have no image, is called each time, and so is one that keeps exact numbers exact.
 Anything but a map is an error, and so is an @racket[n] that is no natural number.
 
 @sicm{4.3, p. 308}}
+
+@deftogether[(@defproc[(orbit-stream [map procedure?] [x real?] [y real?]) stream?]
+              @defproc[(circle-map [rotation-number scalar]) procedure?])]{
+
+The points @racket[(list x y)] of an orbit, as a stream of @racketmodname[racket/stream],
+which ends where there is no image; and the map that turns every point by one
+angle, @racket[rotation-number] turns.
+
+@examples[#:eval session
+(stream->list (stream-take (orbit-stream (standard-map 0.6) 1 1) 3))
+((circle-map 1/4) 0 'J list void)]
+
+@sicm{4.6}}
+
+@deftogether[(@defproc[(position-stream [cut real?] [orbit stream?] [before (listof real?)])
+                       stream?]
+              @defproc[(compare-streams [s1 stream?] [s2 stream?] [count exact-integer?])
+                       exact-integer?])]{
+
+For each point of an orbit, how many of the points before it have a lesser angle, angles being
+brought to one turn below @racket[cut]; the angles in @racket[before], rising, count as well. Two
+orbits that go around in the same order have the same positions.
+@racket[compare-streams] counts the numbers on which two streams agree, from @racket[count] on; it
+is negative if the first one on which they do not is greater in the second stream.
+
+@examples[#:eval session
+(define (positions map)
+  (position-stream :2pi (orbit-stream map 0.0 2.0) '()))
+(stream->list (stream-take (positions (circle-map 0.38)) 8))
+(compare-streams (positions (circle-map 0.38))
+                 (positions (standard-map 0.95))
+                 0)]
+
+@sicm{4.6}}
+
+@section{Fixed points and their manifolds}
+
+@defproc[(fixed-point-eigen [map procedure?] [xe real?] [ye real?] [eps real?]
+                            [continue procedure?])
+         any]{
+
+Calls @racket[continue] with the multipliers of a map of the plane at a fixed point, each with the
+direction it belongs to: six numbers A, dx, dy, B, dx, dy. The multiplier of greater size
+comes first; where they are complex, the one with positive imaginary part.
+
+@examples[#:eval session
+(fixed-point-eigen (standard-map 0.6) 0 0 1e-10 list)
+(fixed-point-eigen (standard-map 0.6) :pi 0 1e-10 list)]
+
+The derivatives are exact; @racket[eps] bounds the step of differences where a map refuses what is
+being differentiated. That the point is a fixed one is not checked.
+
+@sicm{4.3, p. 308}}
+
+@defproc[((unstable-manifold [map procedure?] [xe real?] [ye real?] [dx real?] [dy real?]
+                             [A real?] [eps real?])
+          [parameter real?])
+         tuple?]{
+
+The curve of points that come from an unstable fixed point (xe, ye) of the map. A > 1 is its
+multiplier and (dx, dy) its direction. The parameter is the distance along that direction, in
+units of its length, near the fixed point, and is multiplied by A when the map is applied;
+within @racket[eps] of 0 the curve is taken for straight. Negative parameters are
+those of the other branch. The stable manifold is the unstable one of the inverse map, with
+1/A.
+
+@examples[#:eval session
+(define branch
+  (fixed-point-eigen (standard-map 0.6) 0 0 1e-10
+                     (lambda (A dx dy B ex ey)
+                       (unstable-manifold (standard-map 0.6) 0 0 dx dy A 1e-8))))
+(branch 1)
+(branch 2.13066238629181)
+((standard-map 0.6) (ref (branch 1) 0) (ref (branch 1) 1) make-point void)]
+
+A multiplier of size 1 or less is an error. @racket[plot-parametric-fill] draws the curve.
+
+@sicm{4.3, p. 308}}
+
+@deftogether[(@defproc[(make-point [x value] [y value]) tuple?]
+              @defproc[(abscissa [p any/c]) value]
+              @defproc[(ordinate [p any/c]) value])]{
+
+A point of the plane, and its coordinates; a pair of numbers counts as a point.
+
+@examples[#:eval session
+(make-point 1 2)
+(list (abscissa (make-point 1 2)) (ordinate (cons 1 2)))]
+
+@sicm{4.3, p. 308}}
+
+@deftogether[(@defproc[((plane-near? [eps real?]) [p any/c] [q any/c]) boolean?]
+              @defproc[((cylinder-near? [eps real?]) [p any/c] [q any/c]) boolean?]
+              @defproc[((torus-near? [eps real?]) [p any/c] [q any/c]) boolean?])]{
+
+Are two points less than @racket[eps] apart? On a cylinder the abscissa is an angle, and on a torus
+the ordinate is one, too. These are for @racket[plot-parametric-fill].
+
+@examples[#:eval session
+((plane-near? 0.1) (make-point 3.14 0) (make-point -3.14 0))
+((cylinder-near? 0.1) (make-point 3.14 0) (make-point -3.14 0))
+((torus-near? 0.1) (make-point 3.14 0) (make-point -3.14 :2pi))]
+
+@sicm{4.3, p. 309}}
+
+@defproc[(radially-mapping-points [map procedure?] [Jmin real?] [Jmax real?] [phi real?]
+                                  [eps real?])
+         real?]{
+
+The action between @racket[Jmin] and @racket[Jmax] at which the map leaves the angle
+@racket[phi] as it is, to @racket[eps]. It is an error if the angle is turned the same way at
+both.
+
+@examples[#:eval session
+(define thrice (iterated-map (standard-map 0.3) 3))
+(define J (radially-mapping-points thrice 1.8 2.4 1.0 1e-12))
+(list J (thrice 1.0 J list void))
+(eval:error (radially-mapping-points thrice 0.3 0.4 1.0 1e-12))]
+
+@sicm{4.5, p. 321}}
+
+@section{Invariant curves}
+
+@deftogether[(@defproc[(find-invariant-curve [map procedure?] [rotation-number real?]
+                                             [theta0 real?] [Jmin real?] [Jmax real?] [eps real?])
+                       real?]
+              @defproc[(which-way? [rotation-number real?] [x0 real?] [y0 real?] [map procedure?]
+                                   [most-steps exact-nonnegative-integer? 20000000])
+                       (or/c -1 0 1)])]{
+
+The action at the angle @racket[theta0] of the invariant curve that has a rotation number, of a map
+that turns angles the faster the greater the action. @racket[which-way?] compares the order of
+points around the circle with that of a rotation: 1 if the orbit from there is ahead, −1 if it is
+behind, 0 if no difference is seen in @racket[most-steps] steps. @racket[find-invariant-curve]
+bisects.
+
+@examples[#:eval session
+(define golden (- 1 (/ 1 golden-ratio)))
+(map (lambda (J) (which-way? golden 0 J (standard-map 0.95))) '(2.0 2.2))
+(find-invariant-curve (standard-map 0.95) golden 0 2.0 2.2 1e-8)
+(eval:error
+ (find-invariant-curve (standard-map 0.95) golden 0 2.2 2.4 1e-8))]
+
+How far the action is to be believed: n steps tell actions apart that differ by about
+1/n², and rounding adds up on the way. For the golden curve that leaves some 1e-13, after several
+million steps. Where the curve has broken up the search ends as well, in the gap that is
+left of it.
+
+@sicm{4.6, pp. 326 and 327}}
+
+@(close-session session)

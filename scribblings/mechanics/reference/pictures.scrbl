@@ -205,6 +205,42 @@ for linear: a curve much smaller than the grid's cells can be missed.
 (plot-contours wells double-well '(0.1 0.5 1 2))
 wells]}
 
+@defproc[(explore-map [f frame?] [map procedure?] [n exact-nonnegative-integer? 1000]
+                      [#:from from (or/c (listof any/c) #f) #f]
+                      [#:grid grid (or/c (list/c exact-positive-integer? exact-positive-integer?) #f)
+                              #f]
+                      [#:size size real? 1.0])
+         frame?]{
+
+Draws orbits of a map of the plane: each start and its @racket[n] images, in a colour of its own.
+Starts are the points of the list @racket[from], or the middles of as many equal parts of the frame,
+across and up, as @racket[grid] says; the frame is returned. An orbit ends where the map has no
+image. A start in the list that has none is an error, one of the grid is left out.
+
+@examples[#:eval session
+(define ((kicked K) theta I return fail)
+  (define next (+ I (* K (sin theta))))
+  (return ((principal-value :2pi) (+ theta next))
+          ((principal-value :2pi) next)))
+(explore-map (frame 0 :2pi 0 :2pi #:width 300 #:height 300)
+             (kicked 0.6) 500 #:grid '(4 6))
+(define (halved x y return fail) (if (> x 0) (return (/ x 2) y) (fail)))
+(eval:error (explore-map (frame -1 1 -1 1) halved 500 #:from (list (up -0.9 0))))]
+
+@sicm{3.6.1, p. 248}}
+
+@defproc[(display-map [f frame?] [map procedure?] [x real?] [y real?]
+                      [n exact-nonnegative-integer?])
+         frame?]{
+
+Draws one orbit of a map of the plane: its start and @racket[n] images.
+
+@examples[#:eval session
+(define (turned x y return fail)
+  (define sheared (- y (square x)))
+  (return (- (* 0.25 x) (* 0.97 sheared)) (+ (* 0.97 x) (* 0.25 sheared))))
+(display-map (frame -1 1 -1 1 #:width 300 #:height 300) turned 0.3 0.2 2000)]}
+
 @section{What was drawn}
 
 @deftogether[(@defproc[(frame-points [f frame?]) (listof vector?)]

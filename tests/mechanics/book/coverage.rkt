@@ -78,6 +78,18 @@
      Routhian-state->Lagrangian-state)
     ("3.5 Phase space evolution (pp. 236-239)"
      H-pend-sysder monitor-p-theta)
+    ("3.6 Surfaces of section (pp. 239-263)"
+     driven-pendulum-map HHmap section->state HHHam HHpotential HHsysder find-next-crossing
+     refine-crossing make-advance explore-map iterated-map display-map)
+    ("3.9 The standard map (pp. 277-281)"
+     standard-map standard-map-inverse)
+    ("4.2-4.5 Stability, homoclinic tangles, Poincaré-Birkhoff (pp. 290-322)"
+     unstable-manifold plot-parametric-fill cylinder-near? radially-mapping-points make-point
+     abscissa ordinate bisect close-enuf? floor->exact fixed-point-eigen plane-near?
+     plot-parametric)
+    ("4.6 Invariant curves (pp. 322-330)"
+     find-invariant-curve which-way? golden-ratio *machine-epsilon* circle-map orbit-stream
+     position-stream compare-streams)
     ("8 Scheme, as far as the programs of chapter 1 use it"
      write-line pp 1+ -1+ iota runtime exact->inexact)))
 
@@ -98,7 +110,8 @@
     (angle-axis->rotation-matrix angle&axis->rotation-matrix)
     (T-body-Euler T-rigid-body) (L-body-Euler Euler-state->L-body)
     (L-space-Euler Euler-state->L-space)
-    (compatible-zero dual-zero)))
+    (compatible-zero dual-zero)
+    (golden-ratio :phi)))
 
 ;; ---------------------------------------------------------------------------
 

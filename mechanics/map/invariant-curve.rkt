@@ -1,0 +1,78 @@
+#lang racket/base
+;; The invariant curve of a twist map that has a given rotation number (SICM 4.6, pp. 322 to
+;; 330).
+;;
+;; The points of an orbit on such a curve follow each other around the circle as those of a
+;; rotation do.  So an orbit and the rotation are followed together, from one angle.  Only the
+;; points nearest to that angle, before it and behind it, need be kept: when the rotation comes
+;; nearer than ever, the orbit must as well, on the same side.  If it does not it is ahead, or
+;; behind.  Where actions turn faster the greater they are, bisection finds the curve.
+
+(require racket/flonum
+         "compiled-map.rkt" "map-of-the-plane.rkt"
+         "../error/complain.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt"
+         "../numeric/constants.rkt" "../numeric/finite.rkt"
+         "../search/find-root.rkt")
+
+(provide find-invariant-curve which-way?)
+
+;; -> the action at the angle theta0
+(define (find-invariant-curve map rotation-number theta0 Jmin Jmax eps)
+  (define who 'find-invariant-curve)
+  (check-map who map)
+  (for ([x (in-list (list rotation-number theta0 Jmin Jmax))]
+        [what (in-list '("rotation number" "angle" "least action" "greatest action"))])
+    (unless (finite? (comparand x))
+      (raise-argument-error who (format "a real number as ~a" what) x)))
+  (define (ahead J) (which-way? rotation-number theta0 J map))
+  (define-values (low high) (values (ahead Jmin) (ahead Jmax)))
+  (when (= low high (if (= low 0) 1 low)) (raise-no-bracket who rotation-number Jmin Jmax low))
+  (bisect ahead Jmin Jmax eps))
+
+(define (raise-no-bracket who rotation-number Jmin Jmax way)
+  (complain who
+            (string-append
+             "the orbits from both ends are ~a the rotation: no curve is between them"
+             "\n  rotation number: ~a\n  actions: ~a and ~a")
+            (if (> way 0) "ahead of" "behind") (value->text rotation-number)
+            (value->text Jmin) (value->text Jmax)))
+
+;; 1 if the orbit from (x0, y0) is found ahead of the rotation, -1 if behind, 0 if neither
+;; within so many steps
+(define (which-way? rotation-number x0 y0 map [most-steps 20000000])
+  (check-map 'which-way? map)
+  (define start (real->double-flonum (comparand x0)))
+  (define turn (fl* :2pi (real->double-flonum (comparand rotation-number))))
+  (define low (fl- start pi))
+  (define orbit (flvector start (real->double-flonum (comparand y0))))
+  (define step! (orbit-stepper map start (flvector-ref orbit 1)))
+  (define (next)
+    (define-values (x y) (values (flvector-ref orbit 0) (flvector-ref orbit 1)))
+    (unless (step! orbit) (raise-no-image 'which-way? map x y))
+    (flvector-set! orbit 0 (wrapped (flvector-ref orbit 0) low)))
+  (define (later)
+    (next)
+    (flvector-ref orbit 0))
+  (compare-order start turn low later most-steps))
+
+;; z : the rotation's angle, x : the orbit's; the nearest to the start so far: z- and x- before
+;; it, z+ and x+ behind it
+(define (compare-order start turn low later most-steps)
+  (let loop ([n 0] [z start] [x start]
+             [z- (fl- start :2pi)] [x- (fl- start :2pi)]
+             [z+ (fl+ start :2pi)] [x+ (fl+ start :2pi)])
+    (define (on z- x- z+ x+) (loop (+ n 1) (wrapped (fl+ z turn) low) (later) z- x- z+ x+))
+    (cond [(> n most-steps) 0]
+          [(fl< start z z+) (cond [(fl< start x x+) (on z- x- z x)]
+                                  [(fl> x start) 1]
+                                  [else -1])]
+          [(fl< z- z start) (cond [(fl< x- x start) (on z x z+ x+)]
+                                  [(fl< x start) -1]
+                                  [else 1])]
+          [else (on z- x- z+ x+)])))
+
+(define (wrapped x low)
+  (if (and (fl<= low x) (fl< x (fl+ low :2pi)))
+      x
+      (fl- x (fl* :2pi (flfloor (fl/ (fl- x low) :2pi))))))

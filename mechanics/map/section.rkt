@@ -1,0 +1,125 @@
+#lang racket/base
+;; Maps made of motions (SICM 3.6): from where a motion crosses a surface in phase space to where
+;; it crosses it next, and from a state to the one a period later.
+;;
+;; The crossing is found along the interpolants of the integration.  Its derivatives by the start
+;; x need no interpolant: with T the duration and g the event's function, zero there, the motion
+;; from x + ε dx to T is advanced by the δ that one step of Newton's method for g = 0 finds in the
+;; arithmetic of perturbed values, which is right to first order in each ε.
+
+(require racket/flonum
+         "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/once.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt"
+         "../motion/check.rkt" "../motion/event.rkt" "../motion/evolution.rkt"
+         "../motion/plan.rkt" "../motion/system.rkt"
+         "../search/implicit.rkt"
+         "../value/shape.rkt")
+
+(provide Poincare-map stroboscopic-map)
+
+;; derivative : state -> its rate
+;; -> (state -> the state where the event happens next)
+(define-plain (Poincare-map derivative event
+                            #:tolerance [tolerance 1e-12]
+                            #:longest-step [longest +inf.0]
+                            #:most-steps [most 100000])
+  (check-section derivative event)
+  (define p (make-plan 'Poincare-map tolerance #f longest +inf.0 #:precision #f #:progress #f))
+  (check-most 'Poincare-map most)
+  (define finder-for (finders derivative event p most))
+  (define advance (once (lambda () (state-advancer (lambda () derivative)))))
+  (unary-function (lambda () (list 'Poincare-map (value->datum derivative) (value->datum event)))
+      (state)
+    (if (ormap perturbed? (scalars state))
+        (varied-crossing derivative event (advance) tolerance finder-for state)
+        (let-values ([(t next) ((finder-for state) state)]) next))))
+
+(define (check-section derivative e)
+  (check-state-derivative 'Poincare-map derivative)
+  (unless (event? e)
+    (complain 'Poincare-map
+              (string-append "expected an event; (event f #:direction 'rising) makes one of a "
+                             "function of the state\n  given: ~a")
+              (describe-with-value e))))
+
+(define (check-state-derivative who f)
+  (unless (and (procedure? f) (accepts? f 1))
+    (complain who "expected a state derivative, a function of the state; given ~a"
+              (describe-function f))))
+
+;; ---------------------------------------------------------------------------
+;; Where the motion crosses next
+
+;; -> (state -> (state -> how long it takes, the state there)), compiled once for each shape
+(define (finders derivative e p most)
+  (define system-for (system-by-shape 'Poincare-map (lambda () derivative) '()))
+  (define known '())                    ; systems and their finders
+  (lambda (state)
+    (define s (system-for state))
+    (or (for/first ([k (in-list known)] #:when (eq? s (car k))) (cdr k))
+        (let* ([watches (watches-for 'Poincare-map (list e) state (system-size s)
+                                     (plan-tolerance p))]
+               [find (finder s e p most watches)])
+          (set! known (cons (cons s find) known))
+          find))))
+
+(define ((finder s e p most new-watch) state)
+  (define y (state-vector 'Poincare-map state))
+  (define start (start-time s y))
+  (define watch (new-watch))
+  (define steps 0)
+  (define found #f)
+  (define there (make-flvector (flvector-length y)))
+  (define (visit from to interpolant)
+    (set! steps (+ steps 1))
+    (define at (interpolant))
+    (define c (first-crossing (watch at) (= steps 1)))
+    (when c
+      (when (undefined? (crossing-event c))
+        (raise-undefined e from state #f))
+      (set! found (fl+ (fl- from start) (fl* (crossing-at c) (fl- to from))))
+      (at (crossing-at c) there))
+    (and (not c) (< steps most)))
+  (run-system p s y start +inf.0 visit)
+  (unless found (raise-never e state steps))
+  (when (system-clock? s) (flvector-set! there 0 (fl+ start found)))
+  (values found (system-state s there)))
+
+;; A start on the surface may seem to cross it by rounding.
+(define (first-crossing found first-step?)
+  (for/first ([c (in-list found)]
+              #:unless (and first-step? (< (crossing-at c) 1e-8)))
+    c))
+
+(define (raise-never e state steps)
+  (raise-not-convergent 'Poincare-map "the motion has not come back to the surface" state #f
+                        #:show? #f
+                        "event" e "start" state "steps" steps))
+
+;; ---------------------------------------------------------------------------
+;; Derivatives by the start
+
+(define (varied-crossing f e advance tolerance finder-for state)
+  (define start (plain state))
+  (define-values (duration there) ((finder-for start) start))
+  (define tags (for/list ([x (in-list (scalars state))] #:when (perturbed? x)) (perturbed-tag x)))
+  (for/fold ([x (advance state duration tolerance)]) ([tag (in-list (distinct tags))])
+    (define-values (g rate) (value-and-derivative-along (event-f e) x (f x)))
+    (advance x (g:- (g:/ g rate)) tolerance)))
+
+(define (distinct tags)
+  (for/fold ([all '()]) ([t (in-list tags)]) (if (memv t all) all (cons t all))))
+
+;; ---------------------------------------------------------------------------
+;; A period later
+
+;; -> (state -> the state a period later); a negative period leads back
+(define-plain (stroboscopic-map derivative period #:tolerance [tolerance 1e-12])
+  (check-state-derivative 'stroboscopic-map derivative)
+  (check-real 'stroboscopic-map "period" period)
+  (check-tolerance 'stroboscopic-map tolerance)
+  (define advance (state-advancer (lambda () derivative)))
+  (unary-function (lambda () (list 'stroboscopic-map (value->datum derivative) period)) (state)
+    (advance state period tolerance)))

@@ -1,0 +1,92 @@
+#lang racket/base
+;; Orbits of a map of the plane, as points (SICM 3.6.1, p. 248).
+
+(require racket/flonum
+         "coordinate.rkt" "frame.rkt"
+         "../error/complain.rkt"
+         "../generic/describe.rkt" "../generic/on-demand.rkt"
+         "../generic/up-down.rkt"
+         "../map/map-of-the-plane.rkt")
+
+(require-on-demand ["../map/compiled-map.rkt" orbit-stepper])
+
+(provide explore-map display-map)
+
+;; n : how many points each orbit has; from : a list of points; grid : (list across up)
+;; -> the frame
+(define (explore-map f map [n 1000] #:from [from #f] #:grid [grid #f] #:size [size 1.0])
+  (define who 'explore-map)
+  (check-exploration who f map n)
+  (define starts
+    (append (if from (checked-starts who map from) '())
+            (if grid (grid-starts who f grid) '())))
+  (unless (or from grid) (raise-nowhere-to-start))
+  (for ([p (in-list starts)] [k (in-naturals)])
+    (draw-orbit who f map n (car p) (cdr p) k size))
+  f)
+
+;; One orbit, by the convention of scmutils.
+(define (display-map f map x y n)
+  (check-exploration 'display-map f map n)
+  (define-values (x0 y0)
+    (values (check-number 'display-map "the abscissa" x)
+            (check-number 'display-map "the ordinate" y)))
+  (check-image 'display-map map x0 y0)
+  (draw-orbit 'display-map f map n x0 y0 0 1.0)
+  f)
+
+;; The start is drawn as well.  It ends early where there is no image.
+(define (draw-orbit who f map n x y color size)
+  (define p (flvector x y))
+  (define step! (and (> n 0) (stepper-at map x y)))
+  (define (draw) (add-dot! who f color size #f (flvector-ref p 0) (flvector-ref p 1)))
+  (when step!
+    (draw)
+    (let loop ([n n])
+      (when (and (> n 0) (step! p))
+        (draw)
+        (loop (- n 1))))))
+
+;; #f where the map has no image at once.
+(define (stepper-at map x y) (and (image? map x y) (orbit-stepper map x y)))
+
+(define (image? map x y) (map x y (lambda (x y) #t) (lambda () #f)))
+
+;; ---------------------------------------------------------------------------
+;; Where orbits start
+
+(define (check-exploration who f map n)
+  (check-open who f)
+  (check-map who map)
+  (unless (exact-nonnegative-integer? n)
+    (raise-argument-error who "how many points an orbit has, a natural number" n)))
+
+(define (checked-starts who map from)
+  (unless (list? from)
+    (complain who "#:from is a list of points to start at; given ~a" (describe-with-value from)))
+  (for/list ([p (in-list from)] [k (in-naturals)])
+    (define-values (x y) (plane-point who (lambda () (format "start ~a" k)) p))
+    (check-image who map x y)
+    (cons x y)))
+
+(define (check-image who map x y)
+  (unless (image? map x y)
+    (complain who "the map has no image of the start ~a\n  map: ~a"
+              (value->text (up x y)) (value->text map))))
+
+;; The middles of as many equal parts of the frame; those without an image start no orbit.
+(define (grid-starts who f grid)
+  (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))
+    (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"
+              (describe-with-value grid)))
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (define (middle low high k n) (+ low (* (- high low) (/ (+ k 0.5) n))))
+  (for*/list ([j (in-range (cadr grid))] [i (in-range (car grid))])
+    (cons (middle x-min x-max i (car grid)) (middle y-min y-max j (cadr grid)))))
+
+(define (raise-nowhere-to-start)
+  (complain 'explore-map
+            (string-append
+             "where are orbits to start?"
+             "\n  at points: (explore-map f map n #:from (list (up x y) ...))"
+             "\n  at places all over the frame: (explore-map f map n #:grid (list 5 5))")))

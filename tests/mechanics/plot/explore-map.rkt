@@ -1,0 +1,71 @@
+#lang racket/base
+;; Orbits drawn without a screen.
+
+(require mechanics
+         mechanics/book
+         mechanics/plot
+         rackunit
+         "../support/close.rkt" "../support/messages.rkt")
+
+(define (section) (frame 0 :2pi 0 :2pi))
+(define T (standard-map 0.6))
+(define (points f) (map vector->list (frame-points f)))
+
+(test-case "the start and n images of it, as the map gives them; the frame is returned"
+  (define win (section))
+  (check-eq? (explore-map win T 10 #:from (list (up 1 1))) win)
+  (check-equal? (length (points win)) 11)
+  (check-close (list-ref (points win) 0) '(1 1) 1e-15)
+  (check-close (list-ref (points win) 10) '(2.02201816481268 1.33373402711283) 1e-13))
+
+(test-case "several orbits, points as tuples or pairs, each orbit in a colour of its own"
+  (define win (section))
+  (explore-map win T 5 #:from (list (up 1 1) (cons 2 3)))
+  (check-equal? (length (points win)) 12)
+  (define other (section))
+  (display-map other T 2 3 5)
+  (check-equal? (points other) (list-tail (points win) 6)))
+
+(test-case "a grid starts in the middle of equal parts of the frame"
+  (define win (frame 0 4 0 2))
+  (define (stay x y return fail) (return x y))
+  (explore-map win stay 1 #:grid '(2 1))
+  (check-equal? (points win) '((1.0 1.0) (1.0 1.0) (3.0 1.0) (3.0 1.0))))
+
+(test-case "an orbit ends where there is no image; starts of a grid without one are left out"
+  (define (down x y return fail) (if (> y 0) (return x (- y 1)) (fail)))
+  (define win (frame -1 1 -5 5))
+  (explore-map win down 100 #:from (list (up 0 2.5)))
+  (check-equal? (points win) '((0.0 2.5) (0.0 1.5) (0.0 0.5) (0.0 -0.5)))
+  (graphics-clear win)
+  (explore-map win down 100 #:grid '(1 2))
+  (check-equal? (length (points win)) 4))
+
+(test-case "points that leave for ever end an orbit, too"
+  (define win (frame -1 1 -1 1))
+  (explore-map win (Henon-map 1.32) 100000 #:from (list (up 0 0.1) (up 0.9 30)))
+  (check-true (andmap (lambda (p) (< (abs (car p)) 1)) (points win))))
+
+(define win (section))
+(define (nowhere x y return fail) (fail))
+
+(says
+ [(explore-map win T 10)
+  "explore-map: where are orbits to start?\n"
+  "  at points: (explore-map f map n #:from (list (up x y) ...))\n"
+  "  at places all over the frame: (explore-map f map n #:grid (list 5 5))"]
+ [(explore-map win nowhere 10 #:from (list (up 1 2)))
+  "explore-map: the map has no image of the start (up 1.0 2.0)\n  map: nowhere"]
+ [(explore-map win T 10 #:from 3)
+  "explore-map: #:from is a list of points to start at; given the number 3"]
+ [(explore-map win T 10 #:from '(3))
+  "explore-map: start 0 is no point of the plane, such as (up x y) or (cons x y)\n"
+  "  given: the number 3"]
+ [(explore-map win T -1 #:from '())
+  "explore-map: contract violation\n  expected: how many points an orbit has, a natural number\n"
+  "  given: -1"]
+ [(explore-map win T 1 #:grid 5)
+  "explore-map: #:grid is a list of two numbers of starts, across and up; given the number 5"]
+ [(explore-map win sin 1 #:grid '(5 5))
+  "explore-map: expected a map, a procedure of two coordinates and of two procedures\n"
+  "  given: the procedure `sin`"])
