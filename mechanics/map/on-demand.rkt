@@ -7,6 +7,10 @@
  ["iterated-map.rkt" iterated-map]
  ["section.rkt" Poincare-map stroboscopic-map]
  ["plane-points.rkt" make-point abscissa ordinate plane-near? cylinder-near? torus-near?]
+ ["fixed-point.rkt" find-fixed-point fixed-point? fixed-point-coordinates fixed-point-period
+                    fixed-point-multipliers fixed-point-kind fixed-point-rotation-angle
+                    fixed-point-determinant fixed-point-error]
+ ["periodic-points.rkt" periodic-points]
  ["fixed-point-eigen.rkt" fixed-point-eigen]
  ["unstable-manifold.rkt" unstable-manifold]
  ["radially-mapping.rkt" radially-mapping-points]

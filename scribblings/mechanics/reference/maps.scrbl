@@ -119,6 +119,86 @@ is negative if the first one on which they do not is greater in the second strea
 
 @section{Fixed points and their manifolds}
 
+@defproc[(find-fixed-point [map procedure?] [guess value]
+                           [#:period period exact-positive-integer? 1]
+                           [#:tolerance tolerance real? 1e-13])
+         fixed-point?]{
+
+The fixed point of a map, or a point of the given period, that Newton's method leads to from
+@racket[guess], with its multipliers, its kind and, where it is elliptic, the angle by which
+neighbours turn about it in a period. The derivatives are exact.
+
+@examples[#:eval session
+(find-fixed-point (standard-map 0.6) (up 3 0.1))
+(find-fixed-point (standard-map 0.6) (up 1.4 2.8) #:period 2)
+(define omega (* 4.2 (sqrt 9.8)))
+(find-fixed-point (driven-pendulum-map 1 1 9.8 0.05 omega) (up 3 0))]
+
+The map is one of the plane, or a function of states, such as @racket[Poincare-map] and
+@racket[stroboscopic-map] make: a state @racket[(up t q p)] is fixed if all but its time comes
+back. A coordinate is taken for an angle, which may come back by whole turns, if a turn of it
+changes the image by no more than that.
+
+@examples[#:eval session
+(find-fixed-point (stroboscopic-map (H-pend-sysder 1 1 9.8 0.05 omega) (/ :2pi omega))
+                  (up 0 0.1 0.1))]
+
+Kinds are @racket['elliptic] (multipliers on the unit circle), @racket['hyperbolic],
+@racket['reflection-hyperbolic] (two negative ones), @racket['parabolic] (one is 1 or −1 to 1e-6),
+@racket['attracting], @racket['repelling], and @racket['mixed] of some on the unit circle and some
+not. Where areas are not kept the determinant is shown.
+
+@examples[#:eval session
+(define (dissipative x y return fail)
+  (return (+ 1 y (* -1.4 x x)) (* 0.3 x)))
+(find-fixed-point dissipative (up 0.6 0.2))
+(define (shift x y return fail) (return (+ x 1/3) y))
+(eval:error (find-fixed-point shift (up 0.6 0.2)))]
+
+@sicm{4.1, p. 286}}
+
+@deftogether[(@defproc[(fixed-point? [x any/c]) boolean?]
+              @defproc[(fixed-point-coordinates [p fixed-point?]) value]
+              @defproc[(fixed-point-period [p fixed-point?]) exact-positive-integer?]
+              @defproc[(fixed-point-multipliers [p fixed-point?]) (listof number?)]
+              @defproc[(fixed-point-kind [p fixed-point?]) symbol?]
+              @defproc[(fixed-point-rotation-angle [p fixed-point?]) (or/c real? #f)]
+              @defproc[(fixed-point-determinant [p fixed-point?]) real?]
+              @defproc[(fixed-point-error [p fixed-point?]) real?])]{
+
+What @racket[find-fixed-point] found: the point or the state; its period; the multipliers, the
+greatest in size first; the kind; the angle of rotation of an elliptic point; the product of
+the multipliers, 1 where areas are kept; and the last step of Newton's method, an upper bound of
+the error.
+
+@examples[#:eval session
+(define center (find-fixed-point (standard-map 0.6) (up 3 0.1)))
+(fixed-point? center)
+(fixed-point-coordinates center)
+(fixed-point-period center)
+(fixed-point-multipliers center)
+(fixed-point-kind center)
+(fixed-point-rotation-angle center)
+(fixed-point-determinant center)
+(< (fixed-point-error center) 1e-6)]}
+
+@defproc[(periodic-points [map procedure?] [n exact-positive-integer?]
+                          [region (list/c real? real? real? real?)]
+                          [#:grid grid (list/c exact-positive-integer? exact-positive-integer?)
+                                  '(20 20)])
+         (listof fixed-point?)]{
+
+The points of period @racket[n], and of no lesser one, of a map of the plane in the rectangle
+@racket[(list x-min x-max y-min y-max)]: those that Newton's method leads to from the nodes of a
+grid, each once, from left to right. A finer grid may find more.
+
+@examples[#:eval session
+(define two (periodic-points (standard-map 0.6) 2 (list 0 :2pi 0 :2pi)))
+(map fixed-point-coordinates two)
+(map fixed-point-kind two)]
+
+@sicm{4.5, p. 316}}
+
 @defproc[(fixed-point-eigen [map procedure?] [xe real?] [ye real?] [eps real?]
                             [continue procedure?])
          any]{

@@ -1,0 +1,96 @@
+#lang racket/base
+;; Fixed points of a map and of its iterates, and what the map does near them.
+;;
+;; A displacement from the point is multiplied by the matrix M of the map's derivatives there.  Its
+;; eigenvalues, the multipliers, decide: where areas are kept two of them have the product 1 and
+;; are both on the unit circle, the point is *elliptic* and neighbours turn about it by the
+;; angle of the multiplier; or both are real, and it is *hyperbolic*, with a reflection if they are
+;; negative (SICM 4.1 to 4.3).
+
+(require racket/flonum
+         "jacobian.rkt" "map-on-tuples.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
+         "../numeric/linear/general-eigenvalues.rkt"
+         "../numeric/search/newton.rkt")
+
+(provide find-fixed-point fixed-point?
+         fixed-point-coordinates fixed-point-period fixed-point-multipliers fixed-point-kind
+         fixed-point-rotation-angle fixed-point-determinant fixed-point-error
+         ;; for those who look for many, or go on from one
+         fixed-point-near fixed-point-map fixed-point-angles fixed-point-matrix)
+
+;; coordinates : a point or a state; multipliers : by falling size; determinant : of the matrix
+;; error : how far off the point may be; matrix : a vector of rows; angles : list of booleans
+(value-struct fixed-point
+              (coordinates period multipliers kind determinant error matrix angles map)
+  #:text (lambda (p) (fixed-point->text p)))
+
+(define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])
+  (unless (exact-positive-integer? period)
+    (raise-argument-error 'find-fixed-point "a period, a positive integer" period))
+  (fixed-point-near 'find-fixed-point map guess period tolerance))
+
+;; Newton's method for the displacement, the derivatives being exact where the map can be
+;; differentiated, as those made of motions can.
+(define (fixed-point-near who map guess period tolerance [limit 100])
+  (define m (make-map-on-tuples who map guess period))
+  (define (less-unit rows)
+    (for/vector ([row (in-vector rows)] [i (in-naturals)])
+      (for/vector ([x (in-vector row)] [j (in-naturals)]) (if (= i j) (- x 1.0) x))))
+  (define-values (z error)
+    (newton (lambda (z) (displacement m z)) (lambda (z) (less-unit (slopes-of-image m z)))
+            (map-on-tuples-start m)
+            #:tolerance tolerance #:limit limit #:argument (map-on-tuples-point m) #:name who))
+  (define M (slopes-of-image m z))
+  (define multipliers (multipliers-of M))
+  (define determinant (apply * multipliers))
+  (fixed-point ((map-on-tuples-point m) z) period multipliers
+               (kind-of multipliers (real-part determinant))
+               (real-part determinant) error M (map-on-tuples-angles m) map))
+
+;; By falling size.
+(define (multipliers-of M)
+  (define n (vector-length M))
+  (define (entry i j) (vector-ref (vector-ref M i) j))
+  (cond [(= n 2)
+         (define-values (a b)
+           (eigenvalues (jacobian (entry 0 0) (entry 0 1) (entry 1 0) (entry 1 1))))
+         (list a b)]
+        [else
+         (define all (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
+                       (entry i j)))
+         (sort (or (real-matrix-eigenvalues all n) '()) > #:key magnitude)]))
+
+;; How near to 1 a size is taken for 1.
+(define near 1e-6)
+
+(define (kind-of multipliers determinant)
+  (define sizes (map magnitude multipliers))
+  (define (on-circle? s) (<= (abs (- s 1)) near))
+  (define (unit? l) (<= (magnitude (- (* l l) 1)) near))
+  (cond [(ormap unit? multipliers) 'parabolic]
+        [(andmap on-circle? sizes) 'elliptic]
+        [(andmap (lambda (s) (< s 1)) sizes) 'attracting]
+        [(andmap (lambda (s) (> s 1)) sizes) 'repelling]
+        [(ormap on-circle? sizes) 'mixed]
+        [(and (= (length sizes) 2) (< (car multipliers) 0) (> determinant 0))
+         'reflection-hyperbolic]
+        [else 'hyperbolic]))
+
+;; By which neighbours of an elliptic point turn about it in a period; #f of others
+(define (fixed-point-rotation-angle p)
+  (unless (fixed-point? p) (raise-argument-error 'fixed-point-rotation-angle "fixed-point?" p))
+  (and (eq? (fixed-point-kind p) 'elliptic)
+       (abs (angle (car (fixed-point-multipliers p))))))
+
+(define (fixed-point->text p)
+  (define turn (fixed-point-rotation-angle p))
+  (define excess (- (fixed-point-determinant p) 1))
+  (string-append
+   (format "~a point of period ~a at ~a" (fixed-point-kind p) (fixed-point-period p)
+           (value->text (fixed-point-coordinates p)))
+   (format "\n  multipliers: ~a" (value->text (fixed-point-multipliers p)))
+   (if turn (format "\n  rotation angle: ~a" turn) "")
+   (if (> (abs excess) near)
+       (format "\n  areas are not kept: the determinant is ~a" (fixed-point-determinant p))
+       "")))
