@@ -13,7 +13,7 @@
          "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
          "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/up-down.rkt"
-         "../numeric/constants.rkt"
+         "../numeric/whole-turns.rkt"
          "../numeric/search/differences.rkt"
          "../value/shape.rkt")
 
@@ -52,13 +52,11 @@
   (define (value s)
     (for/flvector #:length 2 ([z (in-flvector (numbers (image (along s))))]
                               [z0 (in-flvector middle)])
-      (nearest-turn (fl- z z0))))
+      (whole-turns-less (fl- z z0))))
   (define-values (slopes error count)
     (difference-derivative value 0.0 #:step (real->double-flonum step) #:tolerance 1e-4
                            #:name who))
   slopes)
-
-(define (nearest-turn x) (fl- x (fl* :2pi (flround (fl/ x :2pi)))))
 
 (define (numbers p) (structure->flvector p (lambda (x) (comparand (innermost x)))))
 

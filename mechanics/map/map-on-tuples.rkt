@@ -12,10 +12,11 @@
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt" "../numeric/flvector.rkt"
+         "../numeric/whole-turns.rkt"
          "../value/shape.rkt")
 
 (provide make-map-on-tuples (struct-out map-on-tuples)
-         displacement slopes-of-image whole-turns-less)
+         displacement slopes-of-image)
 
 ;; image : (up z ...) -> (up z' ...), of the numbers that come back; point : flvector -> what the
 ;; user calls a point; start : flvector; angles : list of booleans
@@ -75,8 +76,6 @@
     (with-handlers ([refusal? (lambda (e) #f)])
       (for/and ([a (in-flvector there)] [b (in-flvector (numbers (image (up-of-numbers moved))))])
         (fl< (flabs (whole-turns-less (fl- b a))) 1e-6)))))
-
-(define (whole-turns-less x) (fl- x (fl* :2pi (flround (fl/ x :2pi)))))
 
 ;; How far the image of z is from z.
 (define (displacement m z [image (numbers ((map-on-tuples-image m) (up-of-numbers z)))])

@@ -7,7 +7,7 @@
  ["iterated-map.rkt" iterated-map]
  ["section.rkt" Poincare-map stroboscopic-map]
  ["plane-points.rkt" make-point abscissa ordinate plane-near? cylinder-near? torus-near?]
- ["fixed-point.rkt" find-fixed-point fixed-point? fixed-point-coordinates fixed-point-period
+ ["fixed-points.rkt" find-fixed-point fixed-point? fixed-point-coordinates fixed-point-period
                     fixed-point-multipliers fixed-point-kind fixed-point-rotation-angle
                     fixed-point-determinant fixed-point-error]
  ["periodic-points.rkt" periodic-points]
@@ -15,4 +15,8 @@
  ["unstable-manifold.rkt" unstable-manifold]
  ["radially-mapping.rkt" radially-mapping-points]
  ["invariant-curve.rkt" find-invariant-curve which-way?]
+ ["invariant-circle.rkt" invariant-circle invariant-circle? invariant-circle-error
+                         invariant-circle-modes invariant-circle-ordinate]
+ ["rotation-number.rkt" rotation-number rotation? rotation-value rotation-error
+                        rotation-regular?]
  ["orbit-stream.rkt" circle-map orbit-stream position-stream compare-streams])

@@ -3,7 +3,7 @@
 ;; the nodes of a grid.  What converges slowly, or to outside, is left out; so a finer grid may
 ;; find more.
 
-(require "fixed-point.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
+(require "fixed-points.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt"

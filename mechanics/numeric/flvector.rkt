@@ -8,7 +8,7 @@
          racket/unsafe/ops)
 
 (provide flvector-finite?
-         flvector->list flvector-copy!
+         flvector->list flvector-copy! flvector-swap!
          along difference dot norm greatest distance)
 
 (define (flvector-finite? v)
@@ -42,3 +42,8 @@
   (for/fold ([m 0.0]) ([x (in-flvector v)]) (flmax m (flabs x))))
 (define (distance v w)
   (for/fold ([m 0.0]) ([x (in-flvector v)] [y (in-flvector w)]) (flmax m (flabs (fl- x y)))))
+
+(define (flvector-swap! v i j)
+  (define x (flvector-ref v i))
+  (flvector-set! v i (flvector-ref v j))
+  (flvector-set! v j x))

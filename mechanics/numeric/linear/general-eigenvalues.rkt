@@ -12,7 +12,7 @@
 
 (require racket/flonum
          "unit.rkt"
-         "../constants.rkt")
+         "../constants.rkt" "../flvector.rkt")
 
 (provide real-matrix-eigenvalues)
 
@@ -73,13 +73,8 @@
         (clear! h n i m (fl/ (at h n i (- m 1)) pivot))))))
 
 (define (exchange! h n p m)
-  (for ([j (in-range n)]) (swap! h (+ (* p n) j) (+ (* m n) j)))
-  (for ([j (in-range n)]) (swap! h (+ (* j n) p) (+ (* j n) m))))
-
-(define (swap! h i j)
-  (define x (flvector-ref h i))
-  (flvector-set! h i (flvector-ref h j))
-  (flvector-set! h j x))
+  (for ([j (in-range n)]) (flvector-swap! h (+ (* p n) j) (+ (* m n) j)))
+  (for ([j (in-range n)]) (flvector-swap! h (+ (* j n) p) (+ (* j n) m))))
 
 (define (clear! h n i m factor)
   (unless (fl= factor 0.0)

@@ -312,4 +312,81 @@ left of it.
 
 @sicm{4.6, pp. 326 and 327}}
 
+@defproc[(invariant-circle [map procedure?] [rotation-number real?]
+                           [#:between between (or/c (list/c real? real?) #f) #f]
+                           [#:most-modes most exact-positive-integer? 4096])
+         invariant-circle?]{
+
+The invariant circle of a map that keeps areas, on which the map is a rotation by
+@racket[rotation-number] turns, by Newton's method in Fourier space. It is a procedure: of the angle θ
+of that rotation it gives the point of the circle, an abscissa that grows by a turn with
+θ, and an ordinate. The search begins with an orbit that @racket[find-invariant-curve]
+finds @racket[between] two ordinates at the abscissa 0; unless they are given, those are half a
+radian below and above the angle of the rotation.
+
+@examples[#:eval session
+(define circle (invariant-circle (standard-map 0.8) golden))
+circle
+(circle 1.0)
+(define there ((standard-map 0.8) (ref (circle 1.0) 0) (ref (circle 1.0) 1) up void))
+(- there (circle (+ 1.0 (* :2pi golden))))]
+
+The residual is the greatest distance between the image of a point and the circle's point an
+angle ahead, at the angles of the Fourier series and between them. Where it does not come
+down to rounding with @racket[most] terms, @racket[exn:fail:mechanics:not-convergent] is
+raised: the circle has broken up, or is about to.
+
+@examples[#:eval session
+(eval:error (invariant-circle (standard-map 1.1) golden #:most-modes 256))]
+
+@sicm{4.6, p. 322}}
+
+@deftogether[(@defproc[(invariant-circle? [x any/c]) boolean?]
+              @defproc[(invariant-circle-error [c invariant-circle?]) real?]
+              @defproc[(invariant-circle-modes [c invariant-circle?]) exact-positive-integer?]
+              @defproc[(invariant-circle-ordinate [c invariant-circle?] [abscissa real?]) real?])]{
+
+The residual of a circle that @racket[invariant-circle] found, the number of terms of its
+series, and its ordinate at an abscissa.
+
+@examples[#:eval session
+(invariant-circle? circle)
+(< (invariant-circle-error circle) 1e-13)
+(invariant-circle-modes circle)
+(invariant-circle-ordinate circle 0)
+(find-invariant-curve (standard-map 0.8) golden 0 2.0 2.6 1e-8)]}
+
+@defproc[(rotation-number [map procedure?] [start tuple?] [n exact-positive-integer? 10000]
+                          [#:about about (or/c tuple? #f) #f])
+         rotation?]{
+
+How many turns an orbit of a map of the plane makes for each step, a number from 0 to 1: of the
+first coordinate, an angle, or of the direction from the point @racket[about], then from −1/2 to
+1/2 and counterclockwise. The steps are averaged with weights that vanish at both ends of the
+orbit, which gives some ten digits or more of 10,000 steps where the orbit is quasiperiodic. How much
+the averages over the two halves of the orbit differ tells how many; where they differ by more than
+1e-5, it is said that the orbit does not look regular.
+
+@examples[#:eval session
+(rotation-number (standard-map 0.8) (circle 0))
+(rotation-number (standard-map 0.6) (up 3 0) #:about (up :pi 0))
+(rotation-number (standard-map 1.4) (up 0.1 0.1))]
+
+@sicm{4.4, p. 309}}
+
+@deftogether[(@defproc[(rotation? [x any/c]) boolean?]
+              @defproc[(rotation-value [r rotation?]) real?]
+              @defproc[(rotation-error [r rotation?]) real?]
+              @defproc[(rotation-regular? [r rotation?]) boolean?])]{
+
+What @racket[rotation-number] found: the number, the difference of the averages over the halves,
+and whether the orbit looks regular.
+
+@examples[#:eval session
+(define turning (rotation-number (standard-map 0.8) (up 0 2)))
+(rotation? turning)
+(rotation-value turning)
+(< (rotation-error turning) 1e-9)
+(rotation-regular? turning)]}
+
 @(close-session session)

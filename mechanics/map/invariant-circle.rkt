@@ -1,0 +1,110 @@
+#lang racket/base
+;; Invariant circles of maps that keep areas, by Newton's method in Fourier space.
+;;
+;; Wanted is a closed curve k(θ) on which the map T is the rotation by ω,
+;;
+;;     T(k(θ)) = k(θ + ω).
+;;
+;; Of a curve that misses this by e(θ), the tangent α = k' and β = (−α₂, α₁)/|α|² make a frame of
+;; area 1, in which the derivative of T is a shear but for terms as small as e:
+;;
+;;     DT α = α₊,    DT β = S α₊ + β₊,    S = det(DT β, β₊),    f₊(θ) = f(θ + ω).
+;;
+;; So the correction ξα + ζβ solves, with (η, κ) the components of −e in the frame at θ + ω,
+;;
+;;     ξ − ξ₊ + S ζ = η,     ζ − ζ₊ = κ,
+;;
+;; two equations that are solved term by term in Fourier series; the mean of ζ is the one for
+;; which the first one can be (de la Llave, González, Jorba and Villanueva 2005).  Each step
+;; squares the error.
+
+(require racket/flonum
+         "circle-equation.rkt" "invariant-curve.rkt" "map-of-the-plane.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
+         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../numeric/constants.rkt" "../numeric/finite.rkt" "../numeric/periodic.rkt")
+
+(provide invariant-circle invariant-circle? invariant-circle-error invariant-circle-modes
+         invariant-circle-ordinate)
+
+;; x, y : (angle -> value): the curve is (θ + x(θ), y(θ)); modes : terms of its Fourier series
+;; error : the greatest |T(k(θ)) − k(θ + ω)| where it was computed
+(value-struct circle (rotation x y modes error)
+  #:text (lambda (c) (circle->text c))
+  #:property prop:procedure (lambda (c theta) (point-at c theta)))
+
+(define (invariant-circle? x) (circle? x))
+
+(define (invariant-circle-error c) (circle-error (checked 'invariant-circle-error c)))
+(define (invariant-circle-modes c) (circle-modes (checked 'invariant-circle-modes c)))
+
+(define (checked who c)
+  (unless (circle? c) (raise-argument-error who "invariant-circle?" c))
+  c)
+
+(define (point-at c angle)
+  (define theta (flonum 'invariant-circle angle))
+  (up (fl+ theta ((circle-x c) theta)) ((circle-y c) theta)))
+
+(define (flonum who x)
+  (define number (comparand x))
+  (unless (finite? number) (raise-argument-error who "a real number" x))
+  (real->double-flonum number))
+
+;; The ordinate of the circle at an abscissa, by the secant method.
+(define (invariant-circle-ordinate c abscissa)
+  (checked 'invariant-circle-ordinate c)
+  (define x (flonum 'invariant-circle-ordinate abscissa))
+  (define (miss theta) (fl- (fl+ theta ((circle-x c) theta)) x))
+  (let loop ([a (fl- x 1e-3)] [at-a (miss (fl- x 1e-3))] [b x] [at-b (miss x)] [n 0])
+    (if (or (fl<= (flabs at-b) 4e-16) (fl= at-a at-b) (= n 60))
+        ((circle-y c) b)
+        (let ([next (fl- b (fl* at-b (fl/ (fl- b a) (fl- at-b at-a))))])
+          (loop b at-b next (miss next) (+ n 1))))))
+
+(define (circle->text c)
+  (format "invariant circle with rotation number ~a\n  residual: ~a, with ~a terms"
+          (circle-rotation c) (circle-error c) (circle-modes c)))
+
+;; ---------------------------------------------------------------------------
+;; Finding one
+
+;; The residual that rounding leaves.
+(define small 1e-13)
+
+;; between : two ordinates, at the angle 0, with the circle between them
+(define-plain (invariant-circle map rotation-number #:between [between #f]
+                                #:most-modes [most 4096])
+  (define who 'invariant-circle)
+  (check-map who map)
+  (define rotation (flonum who rotation-number))
+  (define omega (fl* :2pi rotation))
+  (define-values (low high) (ends who between omega))
+  (define J (flonum who (find-invariant-curve map rotation 0 low high 1e-9)))
+  (define equation (circle-equation who map J omega))
+  (define orbit (curve-of-orbit map J omega))
+  (let refine ([n 128])
+    (define-values (x y error) (solve-circle equation (orbit n) n))
+    (define modes (quotient n 2))
+    (cond [(fl< error small)
+           (circle rotation (periodic-value-at x) (periodic-value-at y) modes error)]
+          [(>= modes most) (raise-none who rotation error modes)]
+          [else (refine (* 2 n))])))
+
+(define (raise-none who rotation error modes)
+  (raise-not-convergent who
+                        (string-append "no smooth invariant circle was found with so many terms; "
+                                       "it may have broken up")
+                        #f error #:show? #f
+                        "rotation number" rotation "residual" error "terms" modes))
+
+;; Where actions are the angles by which they turn, as in the standard map, half a radian on both
+;; sides of the rotation's is usually enough.
+(define (ends who between omega)
+  (cond [(not between) (values (fl- omega 0.5) (fl+ omega 0.5))]
+        [(and (list? between) (= (length between) 2))
+         (values (flonum who (car between)) (flonum who (cadr between)))]
+        [else
+         (complain who "#:between is a list of two ordinates at the angle 0; given ~a"
+                   (describe-with-value between))]))

@@ -1,0 +1,95 @@
+#lang racket/base
+;; Invariant circles to rounding, and how fast orbits go around.
+
+(require (except-in rackunit fail)
+         racket/flonum
+         mechanics
+         mechanics/book
+         mechanics/numeric/Fourier
+         mechanics/numeric/periodic
+         "../support/close.rkt" "../support/messages.rkt")
+
+(define golden (- 1 (/ 1 golden-ratio)))
+
+(test-case "Fourier transforms: of two terms, and back"
+  (define n 16)
+  (define f (for/flvector ([j n]) (fl+ 2.0 (flcos (fl* 3.0 (node-angle j n))))))
+  (define-values (re im) (values (flvector-copy f) (make-flvector n)))
+  (fourier-transform! re im)
+  (check-close re (for/list ([k n]) (case k [(0) 32] [(3 13) 8] [else 0])) 1e-13)
+  (inverse-fourier-transform! re im)
+  (check-close re f 1e-15))
+
+(define (sampled f [n 64]) (for/flvector ([j n]) (f (node-angle j n))))
+(define (bell t) (flexp (flsin t)))
+
+(test-case "periodic functions: slopes, shifts, values between, and sums that come back"
+  (check-close (periodic-slope (sampled bell))
+               (sampled (lambda (t) (fl* (flcos t) (bell t)))) 1e-13)
+  (check-close (periodic-shifted (sampled bell) 0.7)
+               (sampled (lambda (t) (bell (fl+ t 0.7)))) 1e-14)
+  (check-close ((periodic-value-at (sampled bell)) 0.1234) (bell 0.1234) 1e-14)
+  (define g (periodic-unshifted (sampled bell) 2.4))
+  (define m (periodic-mean (sampled bell)))
+  (check-close (for/list ([u g] [v (periodic-shifted g 2.4)]) (- u v))
+               (for/list ([u (sampled bell)]) (- u m)) 1e-14))
+
+(test-case "the golden curve of K = 0.95, to rounding"
+  (define c (invariant-circle (standard-map 0.95) golden))
+  (check-true (< (invariant-circle-error c) 1e-13))
+  (check-close (invariant-circle-ordinate c 0) 2.1144605494391726 4e-13))
+
+(test-case "on a circle the map is a rotation, at any angle"
+  (define c (invariant-circle (standard-map 0.6) golden))
+  (for ([theta '(0.0 1.234 3.0 5.5)])
+    (define there ((standard-map 0.6) (ref (c theta) 0) (ref (c theta) 1) up void))
+    (check-true ((torus-near? 1e-12) there (c (+ theta (* :2pi golden)))))))
+
+(test-case "without kicks circles are straight"
+  (define c (invariant-circle (standard-map 0) golden))
+  (check-close (c 1.0) (up 1.0 (* :2pi golden)) 1e-9))
+
+(test-case "of the driven pendulum, a motion: a circle of rotations"
+  (define T (driven-pendulum-map 1 1 9.8 0.002 (* 4.2 (sqrt 9.8))))
+  (define rotation (rotation-value (rotation-number T (up 0 14) 2000)))
+  (check-true (< 0 rotation 1)))
+
+(test-case "circles that have broken up are told"
+  (check-exn (lambda (e) (and (exn:fail:mechanics:not-convergent? e)
+                              (regexp-match? #rx"it may have broken up" (exn-message e))))
+             (lambda () (invariant-circle (standard-map 1.1) golden #:most-modes 256))))
+
+(test-case "rotation numbers of regular orbits"
+  (define r (rotation-number (standard-map 0.95) (up 0 2.1144605494391726)))
+  (check-true (rotation-regular? r))
+  (check-close (rotation-value r) golden 1e-11)
+  ;; a rotation
+  (check-close (rotation-value (rotation-number (circle-map 0.3) (up 1 2) 1000)) 0.3 1e-12))
+
+(test-case "around a center they tend to the angle of its multipliers"
+  (define center (find-fixed-point (standard-map 0.6) (up 3 0)))
+  (define r (rotation-number (standard-map 0.6) (up 3.14159 0.0) #:about (up :pi 0)))
+  (check-close (abs (rotation-value r)) (/ (fixed-point-rotation-angle center) :2pi) 1e-9)
+  (check-close (rotation-value (rotation-number (Henon-map 1.32) (up 1e-4 0) #:about (up 0 0)))
+               (/ 1.32 :2pi) 1e-7))
+
+(test-case "a chaotic orbit is said not to look regular"
+  (define r (rotation-number (standard-map 1.4) (up 0.1 0.1)))
+  (check-false (rotation-regular? r))
+  (check-regexp-match #rx"^rotation number about 0[.]4[0-9]*, if there is one:\n  the orbit does"
+                      (format "~a" r)))
+
+(define (hole x y return fail) (if (< x 3) (return (+ x 1) y) (fail)))
+
+(says
+ [(invariant-circle (standard-map 0.5) golden #:between 3)
+  "invariant-circle: #:between is a list of two ordinates at the angle 0; given the number 3"]
+ [(invariant-circle (standard-map 0.5) golden #:between '(2.7 3.0))
+  "find-invariant-curve: the orbits from both ends are ahead of the rotation: no curve is "
+  "between them\n  rotation number: 0.3819660112501052\n  actions: 2.7 and 3.0"]
+ [(rotation-number hole (up 0.5 0))
+  "rotation-number: the map has no image of a point that is needed\n  map: hole\n"
+  "  point: (up 3.5 0.0)"]
+ [(rotation-number (standard-map 0.5) (up 0 0) 3)
+  "rotation-number: contract violation\n"
+  "  expected: the length of the orbit, an integer of 100 or more\n  given: 3"])
