@@ -11,6 +11,7 @@
 (require racket/flonum
          "map-of-the-plane.rkt"
          "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
+         "../compile/compile-function.rkt"
          "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/up-down.rkt"
          "../numeric/whole-turns.rkt"
@@ -18,7 +19,7 @@
          "../value/shape.rkt")
 
 (provide map-jacobian (struct-out jacobian) jacobian-trace jacobian-determinant
-         eigenvalues eigenvector)
+         eigenvalues eigenvector jacobian-runner)
 
 (struct jacobian (a b c d) #:transparent)
 
@@ -85,3 +86,12 @@
         [(= a d) (if first? (values 1 0) (values 0 1))]
         [(= eigenvalue a) (values 1 0)]
         [else (values 0 1)]))
+
+;; ---------------------------------------------------------------------------
+;; For many points
+
+;; -> (p J -> void), between flvectors: the derivatives of both coordinates by x, then by y
+(define (jacobian-runner who map x y)
+  (define (image p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+  (compiled-function-runner
+   (compile-function (lambda (p) (derivative-at image p)) (up x y) #:name who)))

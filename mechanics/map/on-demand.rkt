@@ -19,4 +19,7 @@
                          invariant-circle-modes invariant-circle-ordinate]
  ["rotation-number.rkt" rotation-number rotation? rotation-value rotation-error
                         rotation-regular?]
+ ["Floquet.rkt" Floquet-multipliers]
+ ["Lyapunov.rkt" Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov? Lyapunov-values
+                 Lyapunov-history Lyapunov-change]
  ["orbit-stream.rkt" circle-map orbit-stream position-stream compare-streams])

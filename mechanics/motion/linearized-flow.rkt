@@ -11,11 +11,14 @@
          "../calculus/derivative.rkt" "../calculus/dual.rkt" "../calculus/perturbed.rkt"
          "../calculus/recorded.rkt"
          "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../value/shape.rkt"
          (only-in "../value/structure.rkt" ref structure->list))
 
-(provide advance-perturbed flow-derivative)
+(provide advance-perturbed flow-derivative
+         ;; for exponents and multipliers
+         with-displacements unit-displacements)
 
 ;; advance : maker parameters state duration -> state, as of a state-advancer
 
@@ -120,6 +123,20 @@
   (flow (car end) by-state by-parameters))
 
 (define (unit-structure x k) (scalars->structure x (lambda (j) (if (eqv? j k) 1 0))))
+
+;; A motion with displacements of it: (up s v ...) ↦ (up f(s) Df(s)v ...).
+(define (with-displacements f)
+  (unary-function (lambda () (list 'with-displacements (value->datum f))) (all)
+    (define parts (structure->list all))
+    (define s (car parts))
+    (apply up (f s)
+           (for/list ([v (in-list (cdr parts))])
+             (define-values (slope change) (value-and-derivative-along f s v))
+             change))))
+
+;; One in the direction of each scalar of the state from number `first` on.
+(define (unit-displacements state first)
+  (for/list ([k (in-range first (shape-length state))]) (unit-structure state k)))
 
 ;; For each scalar of each parameter, the changes of all parameters.
 (define (unit-changes ps no-changes)

@@ -4,7 +4,7 @@
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/rounding.rkt"
          "../generic/tracing.rkt" "../generic/up-down.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt")
@@ -24,12 +24,12 @@
           [(and (being-traced?) (open-leaf? x)) (make-node op:wrapped (list x low cut :2pi))]
           [(and (symbolic? x) (constant-value x)) => principal]
           [(symbolic? x) (raise-not-an-angle "expected an angle that is a real number" x)]
-          [else (g:- x (g:* :2pi (turns (if (carrier? x) (undisturbed x) x) low)))]))
+          [(carrier? x)
+           (define angle (undisturbed x))
+           (g:+ (g:- x angle) (principal angle))]
+          [else (g:- x (g:* :2pi (g:floor (g:/ (g:- x low) :2pi))))]))
   (unary-function (lambda () (list 'principal-value given)) (x)
     (principal x)))
-
-;; How many whole turns x is beyond low
-(define (turns x low) (g:floor (g:/ (g:- x low) :2pi)))
 
 ;; The angle of which x is a variation.  An angle that varies is none the less differentiable
 ;; where it is brought back by a turn.

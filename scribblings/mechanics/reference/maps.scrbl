@@ -283,6 +283,67 @@ both.
 
 @sicm{4.5, p. 321}}
 
+@section{What becomes of small displacements}
+
+How a motion depends on its start is told by @racket[linearized-flow].
+
+@defproc[(Floquet-multipliers [derivative (-> value value)] [state value] [period real?]
+                              [#:tolerance tolerance real? 1e-12])
+         (listof number?)]{
+
+The multipliers of a closed orbit, the eigenvalues of the derivatives of the state a period later
+by the state; where the first scalar of the state is the time, it is left out. The greatest in size comes
+first.
+
+@examples[#:eval session
+(Floquet-multipliers (H-pend-sysder 1 1 9.8 0.05 omega) (up 0 :pi 0) (/ :2pi omega))
+(eval:error
+ (Floquet-multipliers (H-pend-sysder 1 1 9.8 0.05 omega) (up 0 1 0) (/ :2pi omega)))]
+
+@sicm{4.2, p. 295}}
+
+@deftogether[(@defproc[(Lyapunov-exponents [derivative (-> value value)] [state value]
+                                           [duration real?]
+                                           [#:count count (or/c exact-positive-integer? #f) #f]
+                                           [#:interval interval (or/c real? #f) #f]
+                                           [#:tolerance tolerance real? 1e-10])
+                       Lyapunov?]
+              @defproc[(maximal-Lyapunov-exponent [system procedure?] [start value]
+                                                  [duration real?]
+                                                  [#:interval interval (or/c real? #f) #f]
+                                                  [#:tolerance tolerance real? 1e-10])
+                       Lyapunov?])]{
+
+The rates at which neighbouring motions part, from the variational equations over so long a time:
+all of them, or the greatest @racket[count], by falling size; or the greatest one, of a motion or of
+a map of the plane, for which the duration is a number of steps. Displacements are brought back
+to length 1 and to right angles after each @racket[interval], a thousandth of the
+duration unless it is given. What is printed tells by how much the exponents have changed over the last
+half of the time: that is about how far they are to be believed. Of a regular motion they tend to
+0 as log(t)/t does.
+
+@examples[#:eval session
+(Lyapunov-exponents (HHsysder) (section->state 1/8 0.1 0) 200)
+(maximal-Lyapunov-exponent (standard-map 10) (up 0.1 0.1) 100000)
+(log 5)]
+
+@sicm{3.6.4, p. 263}}
+
+@deftogether[(@defproc[(Lyapunov? [x any/c]) boolean?]
+              @defproc[(Lyapunov-values [e Lyapunov?]) (listof real?)]
+              @defproc[(Lyapunov-history [e Lyapunov?]) (listof (listof real?))]
+              @defproc[(Lyapunov-change [e Lyapunov?]) real?])]{
+
+The exponents; lists of a time and of the exponents up to it; and by how much an exponent has
+changed over the last half of the time, at most.
+
+@examples[#:eval session
+(define strong (maximal-Lyapunov-exponent (standard-map 10) (up 0.1 0.1) 5000))
+(Lyapunov? strong)
+(Lyapunov-values strong)
+(car (Lyapunov-history strong))
+(< (Lyapunov-change strong) 0.1)]}
+
 @section{Invariant curves}
 
 @deftogether[(@defproc[(find-invariant-curve [map procedure?] [rotation-number real?]

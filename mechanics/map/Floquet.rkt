@@ -1,0 +1,59 @@
+#lang racket/base
+;; Floquet's multipliers: what a period of a motion does to small displacements of a closed orbit
+;; (SICM 4.2).  They are the eigenvalues of the derivatives of the state a period later by the
+;; state, which follow from the variational equations (motion/linearized-flow).
+
+(require racket/flonum
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/up-down.rkt"
+         "../motion/check.rkt" "../motion/evolution.rkt" "../motion/linearized-flow.rkt"
+         "../numeric/linear/general-eigenvalues.rkt" "../numeric/whole-turns.rkt"
+         "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
+
+(provide Floquet-multipliers
+         ;; for exponents
+         timed-state?)
+
+;; How far from closed an orbit may be, beside 1 + |x|.
+(define closed 1e-6)
+
+;; The eigenvalues, by falling size, of the derivatives of a state a period later; of a state
+;; (up t q p) those by all but the time.
+(define-plain (Floquet-multipliers derivative state period #:tolerance [tolerance 1e-12])
+  (define who 'Floquet-multipliers)
+  (check-derivative who derivative state)
+  (check-real who "period" period)
+  (define first (if (timed-state? derivative state) 1 0))
+  (define-values (end columns) (displaced derivative state first period tolerance))
+  (check-closed who state end first)
+  (define n (length columns))
+  (define entries
+    (for*/flvector #:length (* n n) ([i (in-range n)] [column (in-list columns)])
+      (list-ref column (+ first i))))
+  (sort (or (real-matrix-eigenvalues entries n) '()) > #:key magnitude))
+
+;; -> where the state goes, and where the unit displacements from scalar number `first` on go
+(define (displaced derivative state first duration tolerance)
+  (define end
+    (structure->list
+     ((state-advancer (lambda () (with-displacements derivative)))
+      (apply up state (unit-displacements state first)) duration tolerance)))
+  (values (car end) (map scalars (cdr end))))
+
+;; Is the first scalar of the state the time?
+(define (timed-state? f state)
+  (and (tuple? state) (eqv? (car (scalars (f state))) 1)))
+
+(define (check-closed who start end first)
+  (define gap
+    (for/fold ([most 0.0]) ([a (in-list (scalars start))] [b (in-list (scalars end))]
+                            [k (in-naturals)] #:when (>= k first))
+      (define x (real->double-flonum (comparand a)))
+      (flmax most (fl/ (flabs (whole-turns-less (fl- b x))) (fl+ 1.0 (flabs x))))))
+  (unless (fl< gap closed)
+    (complain who
+              (string-append "the orbit is not closed after that period; its ends are ~a apart"
+                             "\n  start: ~a\n  end: ~a")
+              gap (value->text start) (value->text end))))
