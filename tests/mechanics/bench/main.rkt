@@ -152,7 +152,8 @@
   (when (wanted? 'Taylor)
     (table Taylor-heading (Taylor-rows)))
   (when (wanted? 'maps)
-    (table maps-heading (maps-rows)))
+    (table maps-heading (maps-rows))
+    (table sections-heading (sections-rows)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 

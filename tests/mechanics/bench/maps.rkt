@@ -1,11 +1,14 @@
 #lang racket/base
-;; A map of the plane done many times: compiled, beside loops written by hand.
+;; A map of the plane done many times: compiled, beside loops written by hand; and maps made of
+;; motions, beside the time they may take.
 
 (require racket/flonum
-         (only-in mechanics iterated-map)
+         (only-in mechanics golden-ratio invariant-circle iterated-map
+                  maximal-Lyapunov-exponent up)
+         (only-in mechanics/book HHmap driven-pendulum-map [standard-map book-standard-map])
          "C.rkt" "clock.rkt" "motion-systems.rkt" "table.rkt")
 
-(provide maps-heading maps-rows)
+(provide maps-heading maps-rows sections-heading sections-rows)
 
 (define maps-heading
   '("map" "ours, ns each" "million a second" "loop in Racket" "ours : it" "in C" "ours : C"))
@@ -23,6 +26,40 @@
               (milliseconds ours) (milliseconds (/ 1e3 ours))
               (milliseconds by-hand) (ratio ours by-hand)
               (if C (milliseconds C) in-C) (ratio ours C))))
+
+;; ---------------------------------------------------------------------------
+;; Maps made of motions
+
+(define sections-heading '("what is computed" "ours, ms" "goal, ms" "ours : goal"))
+
+(define (sections-rows)
+  (for/list ([task (in-list section-tasks)])
+    (define-values (name run goal) (apply values task))
+    (run)
+    (define-values (result ms) (call/cpu run))
+    (list name (milliseconds ms) (milliseconds goal) (ratio ms goal))))
+
+(define (Henon-Heiles-section)
+  (define T (iterated-map (HHmap 1/8 0.1 1e-10 1e-12) 500))
+  (for ([k (in-range 60)]) (T (* 0.008 k) 0.0 list void)))
+
+(define (strobe)
+  ((iterated-map (driven-pendulum-map 1.0 1.0 9.8 0.05 (* 4.2 (sqrt 9.8))) 10000)
+   1.0 0.0 list void))
+
+(define (golden-circle)
+  (invariant-circle (book-standard-map 0.95) (- 1 (/ 1 golden-ratio))))
+
+(define (exponent)
+  (maximal-Lyapunov-exponent (book-standard-map 10.0) (up 0.1 0.1) 1000000))
+
+(define section-tasks
+  (list (list "Hénon and Heiles, 60 starts, 500 crossings each" Henon-Heiles-section 1000)
+        (list "driven pendulum, 10,000 periods" strobe 150)
+        (list "golden circle of K = 0.95, to rounding" golden-circle 300)
+        (list "Lyapunov exponent of a map, 1,000,000 steps" exponent 200)))
+
+;; ---------------------------------------------------------------------------
 
 (define (nanoseconds run)
   (run)
