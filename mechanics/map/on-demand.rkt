@@ -13,6 +13,7 @@
  ["periodic-points.rkt" periodic-points]
  ["fixed-point-eigen.rkt" fixed-point-eigen]
  ["unstable-manifold.rkt" unstable-manifold]
+ ["invariant-manifold.rkt" invariant-manifold homoclinic-points]
  ["radially-mapping.rkt" radially-mapping-points]
  ["invariant-curve.rkt" find-invariant-curve which-way?]
  ["invariant-circle.rkt" invariant-circle invariant-circle? invariant-circle-error

@@ -6,8 +6,10 @@
 ;; is about eps, the latter is on the straight line.
 
 (require "iterated-map.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
+         "../calculus/perturbed.rkt"
          "../error/complain.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt"
          "../numeric/finite.rkt")
 
 (provide unstable-manifold)
@@ -22,11 +24,10 @@
   (unless (positive? nearest)
     (raise-argument-error 'unstable-manifold "a positive distance from the fixed point" eps))
   (unary-function (lambda () (list 'unstable-manifold (value->datum T) xe ye dx dy A eps)) (s)
-    (define parameter (finite-number s))
-    (define n (times-stretched parameter stretch nearest))
-    (define start (/ parameter (expt stretch n)))
+    (define n (times-stretched (finite-number (innermost s)) stretch nearest))
+    (define start (g:/ s (expt stretch n)))
     (image-of 'unstable-manifold (iterated-map T n)
-              (+ x (* across start)) (+ y (* up start))
+              (g:+ x (g:* across start)) (g:+ y (g:* up start))
               make-point)))
 
 (define (times-stretched s A eps)

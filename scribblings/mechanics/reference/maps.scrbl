@@ -241,6 +241,47 @@ A multiplier of size 1 or less is an error. @racket[plot-parametric-fill] draws 
 
 @sicm{4.3, p. 308}}
 
+@defproc[(invariant-manifold [map procedure?] [p fixed-point?]
+                             [#:stable? stable? any/c #f]
+                             [#:inverse inverse (or/c procedure? #f) #f]
+                             [#:branch side (or/c 1 -1) 1]
+                             [#:length length real? 5.0] [#:gap gap real? 0.05])
+         (listof tuple?)]{
+
+The points of a branch of the unstable manifold of a hyperbolic point that
+@racket[find-fixed-point] found, or of the stable one, for which the inverse map is
+needed: as far as @racket[length] along the branch, no two neighbours farther apart than
+@racket[gap]. The branches 1 and −1 begin in opposite directions.
+
+@examples[#:eval session
+(define strong-map (standard-map 1.4))
+(define saddle (find-fixed-point strong-map (up 0 0)))
+(length (invariant-manifold strong-map saddle #:length 8))
+(eval:error (invariant-manifold strong-map saddle #:stable? #t))
+(eval:error
+ (invariant-manifold strong-map (find-fixed-point strong-map (up 3 0))))]
+
+Within 3e-5 of the point the branch is taken for straight. It is off by the square of that there, and
+by less the farther away, for the map contracts what is beside the branch.
+
+@sicm{4.3, p. 307}}
+
+@defproc[(homoclinic-points [map procedure?] [p fixed-point?] [#:inverse inverse procedure?]
+                            [#:branch side (or/c 1 -1) 1]
+                            [#:stable-branch stable-side (or/c 1 -1) side]
+                            [#:length length real? 5.0] [#:gap gap real? 0.05])
+         (listof tuple?)]{
+
+Where a branch of the unstable manifold of a hyperbolic point crosses a branch of its stable
+one, within @racket[length] of both. Crossings are found between points @racket[gap] apart, and
+then to some ten digits by Newton's method along both branches.
+
+@examples[#:eval session
+(homoclinic-points strong-map saddle #:inverse (standard-map-inverse 1.4)
+                   #:stable-branch -1 #:length 5)]
+
+@sicm{4.3, p. 303}}
+
 @deftogether[(@defproc[(make-point [x value] [y value]) tuple?]
               @defproc[(abscissa [p any/c]) value]
               @defproc[(ordinate [p any/c]) value])]{

@@ -1,0 +1,78 @@
+#lang racket/base
+;; Manifolds of hyperbolic points as curves, and where they cross.
+
+(require (except-in rackunit fail)
+         mechanics
+         mechanics/book
+         "../support/close.rkt" "../support/messages.rkt")
+
+(define K 1.4)
+(define T (standard-map K))
+(define inverse (standard-map-inverse K))
+(define saddle (find-fixed-point T (up 0 0)))
+
+(define (lengths points)
+  (for/list ([p points] [q (cdr points)])
+    (define turned ((principal-value :pi) (- p q)))
+    (sqrt (square turned))))
+
+(test-case "the curve is as long as asked for, and has no gaps"
+  (define steps (lengths (invariant-manifold T saddle #:length 8 #:gap 0.02)))
+  (check-true (< (apply max steps) 0.020001))
+  (check-close (apply + steps) 8 0.05))
+
+(test-case "all its points come from the fixed point"
+  (for ([p (invariant-manifold T saddle #:length 6 #:gap 0.3)])
+    (define back ((iterated-map inverse 15) (abscissa p) (ordinate p) make-point void))
+    (check-true ((torus-near? 2e-3) back (make-point 0 0)) (format "~a ~a" p back))))
+
+(test-case "points of the stable one go there"
+  (for ([p (invariant-manifold T saddle #:stable? #t #:inverse inverse #:length 6 #:gap 0.3)])
+    (define end ((iterated-map T 15) (abscissa p) (ordinate p) make-point void))
+    (check-true ((torus-near? 2e-3) end (make-point 0 0)))))
+
+(define crossings
+  (homoclinic-points T saddle #:inverse inverse #:branch 1 #:stable-branch -1 #:length 9))
+
+(test-case "homoclinic points go there in both directions"
+  (check-true (>= (length crossings) 3))
+  (for ([p crossings])
+    (for ([map (list T inverse)])
+      (check-true
+       (for/or ([n 20])
+         ((torus-near? 2e-3) ((iterated-map map n) (abscissa p) (ordinate p) make-point void)
+                             (make-point 0 0)))))))
+
+;; The map is (reflection in θ = π after kicks) its own inverse: one crossing is on that line.
+(test-case "one of them is on the line of symmetry"
+  (check-true (for/or ([p crossings]) (< (abs (- (abscissa p) :pi)) 1e-9))))
+
+(test-case "the image of one is another"
+  (define near? (torus-near? 1e-7))
+  (define (image p) (T (abscissa p) (ordinate p) make-point void))
+  (check-true (for*/or ([p crossings] [q crossings]) (near? (image p) q))))
+
+(test-case "of a motion: the pendulum upside down, whose manifolds tangle"
+  (define omega (* 4.2 (sqrt 9.8)))
+  (define strobe (driven-pendulum-map 1 1 9.8 0.05 omega))
+  (define top (find-fixed-point strobe (up :pi 0)))
+  (define tangle
+    (homoclinic-points strobe top #:inverse (driven-pendulum-map 1 1 9.8 0.05 (- omega))
+                       #:branch 1 #:stable-branch -1 #:length 12 #:gap 0.2))
+  (check-true (> (length tangle) 0)))
+
+(define center (find-fixed-point T (up 3 0)))
+
+(says
+ [(invariant-manifold T center)
+  "invariant-manifold: only hyperbolic points have manifolds; this one is elliptic\n"
+  "  (up 3.141592653589793 " (number->string (ordinate (fixed-point-coordinates center))) ")"]
+ [(invariant-manifold T saddle #:stable? #t)
+  "invariant-manifold: the stable manifold is followed backwards: give the inverse map, #:inverse"]
+ [(invariant-manifold T (up 0 0))
+  "invariant-manifold: expected a fixed point, as find-fixed-point finds one; given (up 0 0), "
+  "an up tuple of 2"]
+ [(invariant-manifold T saddle #:branch 2)
+  "invariant-manifold: contract violation\n  expected: one of the branches 1 and -1\n  given: 2"]
+ [(invariant-manifold T saddle #:length -1)
+  "invariant-manifold: contract violation\n  expected: a positive length\n  given: -1"])
