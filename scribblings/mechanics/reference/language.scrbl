@@ -210,23 +210,6 @@ x + 1 and x − 1.
 
 @examples[#:eval session (list (1+ 'n) (-1+ 3))]}
 
-@deftogether[(@defproc[(floor->exact [x real?]) exact-integer?]
-              @defproc[(close-enuf? [a number?] [b number?] [tolerance real? 2.220446049250313e-15]
-                                    [scale real? 1])
-                       boolean?]
-              @defthing[*machine-epsilon* real?])]{
-
-The greatest integer that is not greater than @racket[x]; whether two numbers differ by no more
-than @racket[tolerance] times the sum of their mean size and @racket[scale]; and the distance from
-1 to the next floating-point number.
-
-@examples[#:eval session
-(floor->exact -2.7)
-(close-enuf? 1 1.0001 1e-3)
-*machine-epsilon*]
-
-@sicm{4.3, p. 308}}
-
 @defproc[(iota [n exact-nonnegative-integer?] [start value 0] [step value 1]) list?]{
 
 The list of n values from @racket[start] on, each larger by @racket[step].
@@ -296,6 +279,23 @@ Other names, in this order, of @racket[D], @racket[constant-function], @racket[l
 (literal-up-tuple 'q 2)
 (literal-down-tuple 'p 2)
 (factor-polynomial-expression (- (square 'x) 1))]}
+
+@deftogether[(@defproc[(floor->exact [x real?]) exact-integer?]
+              @defproc[(close-enuf? [a number?] [b number?] [tolerance real? 2.220446049250313e-15]
+                                    [scale real? 1])
+                       boolean?]
+              @defthing[*machine-epsilon* real?])]{
+
+The greatest integer that is not greater than @racket[x]; whether two numbers differ by no more
+than @racket[tolerance] times the sum of their mean size and @racket[scale]; and the distance from
+1 to the next floating-point number.
+
+@examples[#:eval session
+(floor->exact -2.7)
+(close-enuf? 1 1.0001 1e-3)
+*machine-epsilon*]
+
+@sicm{4.3, p. 308}}
 
 @deftogether[(@defproc[(matrix-by-cols [column (or/c list? tuple)] ...+) matrix?]
               @defproc[(matrix:generate [rows exact-nonnegative-integer?]
