@@ -4,7 +4,6 @@
 ;; state, which follow from the variational equations (motion/linearized-flow).
 
 (require racket/flonum
-         "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt"

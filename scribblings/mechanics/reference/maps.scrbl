@@ -261,8 +261,8 @@ needed: as far as @racket[length] along the branch, no two neighbours farther ap
 (eval:error
  (invariant-manifold strong-map (find-fixed-point strong-map (up 3 0))))]
 
-Within 3e-5 of the point the branch is taken for straight. It is off by the square of that there, and
-by less the farther away, for the map contracts what is beside the branch.
+Within 3e-5 of the point the branch is taken for straight. It is off by the square of that
+there, and by less the farther away, for the map contracts what is beside the branch.
 
 @sicm{4.3, p. 307}}
 
@@ -333,8 +333,8 @@ How a motion depends on its start is told by @racket[linearized-flow].
          (listof number?)]{
 
 The multipliers of a closed orbit, the eigenvalues of the derivatives of the state a period later
-by the state; where the first scalar of the state is the time, it is left out. The greatest in size comes
-first.
+by the state; where the first scalar of the state is the time, it is left out. The greatest in
+size comes first.
 
 @examples[#:eval session
 (Floquet-multipliers (H-pend-sysder 1 1 9.8 0.05 omega) (up 0 :pi 0) (/ :2pi omega))
@@ -359,8 +359,9 @@ The rates at which neighbouring motions part, from the variational equations ove
 all of them, or the greatest @racket[count], by falling size; or the greatest one, of a motion or of
 a map of the plane, for which the duration is a number of steps. Displacements are brought back
 to length 1 and to right angles after each @racket[interval], a thousandth of the
-duration unless it is given. What is printed tells by how much the exponents have changed over the last
-half of the time: that is about how far they are to be believed. Of a regular motion they tend to
+duration unless it is given. What is printed tells by how much the exponents have changed over
+the last half of the time: that is about how far they are to be believed. Of a regular motion
+they tend to
 0 as log(t)/t does.
 
 @examples[#:eval session
@@ -420,8 +421,8 @@ left of it.
          invariant-circle?]{
 
 The invariant circle of a map that keeps areas, on which the map is a rotation by
-@racket[rotation-number] turns, by Newton's method in Fourier space. It is a procedure: of the angle θ
-of that rotation it gives the point of the circle, an abscissa that grows by a turn with
+@racket[rotation-number] turns, by Newton's method in Fourier space. It is a procedure: of the
+angle θ of that rotation it gives the point of the circle, an abscissa that grows by a turn with
 θ, and an ordinate. The search begins with an orbit that @racket[find-invariant-curve]
 finds @racket[between] two ordinates at the abscissa 0; unless they are given, those are half a
 radian below and above the angle of the rotation.
@@ -465,8 +466,9 @@ series, and its ordinate at an abscissa.
 How many turns an orbit of a map of the plane makes for each step, a number from 0 to 1: of the
 first coordinate, an angle, or of the direction from the point @racket[about], then from −1/2 to
 1/2 and counterclockwise. The steps are averaged with weights that vanish at both ends of the
-orbit, which gives some ten digits or more of 10,000 steps where the orbit is quasiperiodic. How much
-the averages over the two halves of the orbit differ tells how many; where they differ by more than
+orbit, which gives some ten digits or more of 10,000 steps where the orbit is quasiperiodic. How
+much the averages over the two halves of the orbit differ tells how many; where they differ by
+more than
 1e-5, it is said that the orbit does not look regular.
 
 @examples[#:eval session

@@ -207,7 +207,8 @@ wells]}
 
 @defproc[(explore-map [f frame?] [map procedure?] [n exact-nonnegative-integer? 1000]
                       [#:from from (or/c (listof any/c) #f) #f]
-                      [#:grid grid (or/c (list/c exact-positive-integer? exact-positive-integer?) #f)
+                      [#:grid grid
+                              (or/c (list/c exact-positive-integer? exact-positive-integer?) #f)
                               #f]
                       [#:size size real? 1.0])
          frame?]{
