@@ -25,4 +25,4 @@
   (define make (format-of-file who file formats ".gif or .html"))
   (check-file who file why-no-pictures)
   (define bytes (make who ((animation-pictures a))))
-  (write-picture-file who file (lambda (port) (void (write-bytes bytes port)))))
+  (write-file who file bytes))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Trees as text in two dimensions: fractions with their bars, roots with their roofs.
 
-(require "text-box.rkt"
+(require "text-box.rkt" "visible.rkt"
          "../algebra/notation/infix.rkt" "../algebra/notation/line-name.rkt"
          "../algebra/notation/tree.rkt"
          (only-in racket/list add-between append-map))
@@ -41,9 +41,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Names
-
-;; What a terminal would obey is shown as a character that it has none for.
-(define (visible text) (regexp-replace* #px"\\p{C}|[\u2028\u2029]" text "\uFFFD"))
 
 (define (shown-name s)
   (define text (line-name s))

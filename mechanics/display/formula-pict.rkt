@@ -5,7 +5,7 @@
 ;; another by `hbl-append` stand level.
 
 (require (only-in pict colorize hbl-append)
-         "pict-glyphs.rkt" "pict-parts.rkt"
+         "pict-glyphs.rkt" "pict-parts.rkt" "visible.rkt"
          "../algebra/notation/name.rkt" "../algebra/notation/tree.rkt"
          (only-in racket/list add-between append-map)
          (only-in racket/string string-join))
@@ -57,7 +57,6 @@
         [(omitted? t) (upright g (visible (omitted-count t)))]
         [else (draw-container t g)]))
 
-(define (visible text) (regexp-replace* #px"\\p{C}" text "\uFFFD"))
 (define (minus-sign n) (regexp-replace #rx"-" (number->string n) "−"))
 
 ;; ---------------------------------------------------------------------------

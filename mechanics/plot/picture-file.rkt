@@ -1,11 +1,12 @@
 #lang racket/base
-;; Pictures in files: what their names say, and writing them whole or not at all.
+;; Files with what is to be seen, pictures and pages: what their names say, and writing them
+;; whole or not at all.
 
 (require racket/file
          racket/path
          "../error/machine.rkt")
 
-(provide format-of-file check-file write-picture-file)
+(provide format-of-file check-file write-file)
 
 ;; formats : ((extension . format) ...), such as #".png"; listed : as a message lists them
 (define (format-of-file who file formats listed)
@@ -21,7 +22,7 @@
           "file" file)]))
 
 ;; Complains before anything is computed; why-not : -> string or #f, if nothing can be drawn
-(define (check-file who file why-not)
+(define (check-file who file [why-not (lambda () #f)])
   (define folder (path-only (path->complete-path file)))
   (unless (directory-exists? folder)
     (raise-not-written who "there is no such folder" file (path->string folder)))
@@ -31,11 +32,11 @@
   (when reason
     (raise-not-written who "pictures cannot be drawn on this machine" file reason)))
 
-;; write : port -> any; the file is written whole or not at all.
-(define (write-picture-file who file write)
+;; The file is written whole or not at all.
+(define (write-file who file bytes)
   (define (failed e) (raise-not-written who "the file cannot be written" file (exn-message e)))
   (with-handlers ([exn:fail:filesystem? failed])
-    (call-with-atomic-output-file file (lambda (port path) (write port)))))
+    (call-with-atomic-output-file file (lambda (port path) (void (write-bytes bytes port))))))
 
 (define (raise-not-written who what file reason)
   (raise-unwritable who "~a\n  file: ~a~a" what file

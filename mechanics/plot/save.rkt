@@ -14,4 +14,4 @@
   (define format (format-of-file 'graphics-save file formats ".png, .svg or .pdf"))
   (check-file 'graphics-save file why-not)
   (define bytes (frame->bytes f format))
-  (write-picture-file 'graphics-save file (lambda (port) (void (write-bytes bytes port)))))
+  (write-file 'graphics-save file bytes))

@@ -1,30 +1,27 @@
 #lang racket/base
 ;; `raco mechanics show FILE` and `raco mechanics tex FILE`: a program with its results, as a
 ;; page or for LaTeX.
-;;
-;; Files are written whole or not at all: under another name first.
 
 (require racket/cmdline
-         racket/file
          racket/path
          "program-document.rkt"
          "../../document/TeX-document.rkt" "../../document/web-page.rkt"
-         "../../error/complain.rkt")
+         "../../error/complain.rkt" "../../plot/picture-file.rkt")
 
 (provide show-command TeX-command)
 
 (define (show-command arguments)
   (define-values (file out) (files "show" arguments #".html"))
   (define-values (d error) (program-document 'show file))
-  (write-whole out (string->bytes/utf-8 (document->page d)))
+  (write-file 'show out (string->bytes/utf-8 (document->page d)))
   (told file (list out) error))
 
 (define (TeX-command arguments)
   (define-values (file out) (files "tex" arguments #".tex"))
   (define-values (d error) (program-document 'tex file))
   (define-values (text pictures) (document->TeX d (path-replace-extension out #"")))
-  (for ([p (in-list pictures)]) (write-whole (car p) (cdr p)))
-  (write-whole out (string->bytes/utf-8 text))
+  (for ([p (in-list pictures)]) (write-file 'tex (car p) (cdr p)))
+  (write-file 'tex out (string->bytes/utf-8 text))
   (told file (cons out (map car pictures)) error))
 
 ;; ---------------------------------------------------------------------------
@@ -41,8 +38,7 @@
   (define to
     (simple-form-path (or out (path-replace-extension (file-name-from-path from) extension))))
   (when (equal? from to) (complain name "the result would replace the program\n  file: ~a" file))
-  (unless (directory-exists? (path-only to))
-    (complain name "there is no such folder\n  folder: ~a" (path-only to)))
+  (check-file name to)
   (values from to))
 
 ;; They may stand behind the file, too.
@@ -53,9 +49,6 @@
            (loop (cddr left) (list* "-o" (cadr left) options) files)]
           [(regexp-match? #rx"^-" (car left)) (loop (cdr left) (cons (car left) options) files)]
           [else (loop (cdr left) options (append files (list (car left))))])))
-
-(define (write-whole file bytes)
-  (call-with-atomic-output-file file (lambda (port path) (void (write-bytes bytes port)))))
 
 ;; -> status
 (define (told file written error)

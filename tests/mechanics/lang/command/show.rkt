@@ -169,6 +169,7 @@
                '("bytes.rkt") #rx"^show: the file is no text in UTF-8"
                '("good.rkt" "-o" "good.rkt") #rx"^show: the result would replace the program"
                '("good.rkt" "-o" "no-such/x.html") #rx"^show: there is no such folder"
+               '("good.rkt" "-o" ".") #rx"^show: there is a folder of that name"
                '() #rx"^raco mechanics show: expects 1 <file>"
                '("good.rkt" "bad.rkt") #rx"^raco mechanics show: expects 1 <file>"
                '("good.rkt" "--odd") #rx"unknown switch")])

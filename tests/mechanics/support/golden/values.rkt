@@ -40,12 +40,12 @@
      (((* (partial 0) (expt (partial 1) 2)) F) x y) (((partial 1 0) F) (up t (up x y)))
      (((* (partial 0 1) (partial 1)) H) (up x (down p q)) y)
      (f (up) (down a) (up (up 1 2) (down 3)))
-     ((D p_x) t) ((D v^x) t) (((expt D 2) theta_1) t) (expt ((D f) x) 2)
-    (expt (((partial 0) F) x y) 3)
+     ((D p_x) t) ((D v^x) t) (((expt D 2) theta_1) t)
+     (expt ((D f) x) 2) (expt (((partial 0) F) x y) 3)
      ((D f) (g s))
      ;; functions beside what they do not hold
      (* (sin x) (f x)) (* (sin theta) ((D x) t)) (* (expt (cos x) 2) (f x) (sin y))
-    (* (sin x) (up a b))
+     (* (sin x) (up a b))
      ;; structures
      (up) (down) (up x) (down x) (up a b) (down a b) (up (down a b) (down c d))
      (up t (up x y) (down p_x p_y)) (up (/ a b) (sqrt (/ 1 x)))
