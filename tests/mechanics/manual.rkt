@@ -201,8 +201,8 @@
   (check-true (> (length (regexp-match* #rx"<math " page)) 15))
   (check-true (string-contains? page "<mover><mi>θ</mi><mo stretchy=\"false\">˙</mo></mover>"))
   (check-regexp-match #rx"class=\"printed\">[(][+] [(][*] g l m [(]cos theta[)][)]" page)
-  (define without-strings (regexp-replace* #rx"\"<math[^\n]*" text ""))
-  (check-false (string-contains? without-strings "<math")))
+  ;; A string that ->MathML gave prints with \\" where markup has a quotation mark.
+  (check-false (regexp-match? #rx"<math [a-z]+=\"" text)))
 
 (test-case "a phone shows each page in its width"
   (skip-unless widths "pages on a phone: Chromium is not here"
