@@ -19,17 +19,21 @@
 
 ;; What to print in place of x; ours takes lines of at most `width` columns.  manner : one of
 ;; those of manner-here (display-style.rkt); a special (print-shown.rkt) where that is 'snip
+;; What contains itself is left to Racket.
 (define (simplified-result x width [manner 'expression])
   (define see (seen-once))
-  (if (or (eq? manner 'expression) (not (formula? x)))
-      (expression-result x width see)
-      (let-values ([(shown notes) (shown-throughout x see)])
-        (call-announced
-         patience "typesetting the result ..."
-         (lambda ()
-           (styled-result shown notes width manner
-                          (lambda () (result-text x width see))
-                          laid-out))))))
+  (cond [(cyclic? x) x]
+        [(or (eq? manner 'expression) (not (formula? x))) (expression-result x width see)]
+        [else (typeset-result x width manner see)]))
+
+(define (typeset-result x width manner see)
+  (define-values (shown notes) (shown-throughout x see))
+  (call-announced
+   patience "typesetting the result ..."
+   (lambda ()
+     (styled-result shown notes width manner
+                    (lambda () (result-text x width see))
+                    laid-out))))
 
 ;; Seconds.  The libraries are loaded for the first result; on most machines that takes less.
 (define patience 1)
@@ -121,7 +125,7 @@
 (define (textual? x)
   (or (ours? x) (number? x) (string? x) (boolean? x)
       (and (list? x) (andmap textual? x))
-      (and (vector? x) (not (cyclic? x)) (andmap textual? (vector->list x)))))
+      (and (vector? x) (andmap textual? (vector->list x)))))
 
 (define (simplified-elements x width see)
   (define (simplified-element e)
@@ -129,15 +133,14 @@
           [(in-notation? e) (seen-value (see e))]
           [else (simplified-elements e width see)]))
   (cond [(list? x) (map simplified-element x)]
-        [(and (vector? x) (not (cyclic? x)))
-         (list->vector (map simplified-element (vector->list x)))]
+        [(vector? x) (list->vector (map simplified-element (vector->list x)))]
         [else x]))
 
 ;; ---------------------------------------------------------------------------
 
 ;; The same without simplification.
 (define (plain-result x width)
-  (if (in-notation? x) (laid-out (value->lines x width)) x))
+  (if (and (in-notation? x) (not (cyclic? x))) (laid-out (value->lines x width)) x))
 
 ;; Text that prints as itself in all of Racket's modes.
 (value-struct laid-out (text)

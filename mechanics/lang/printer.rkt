@@ -12,6 +12,7 @@
 (require "../display/advice.rkt" "../display/display-style.rkt" "../display/print-shown.rkt"
          "../display/receiver.rkt" "../display/result.rkt"
          "../error/note.rkt"
+         (only-in "../generic/cyclic.rkt" cyclic?)
          (only-in "../generic/on-demand.rkt" require-on-demand)
          (only-in "../generic/up-down.rkt" tuple?)
          (only-in "../algebra/expression/expression.rkt" symbolic?)
@@ -59,7 +60,7 @@
 
 ;; What a symbol in a result may have been meant to be, once in a session.
 (define (note-unknowns x)
-  (when (or (symbolic? x) (tuple? x))
+  (when (or (symbolic? x) (and (tuple? x) (not (cyclic? x))))
     (for-each note-once (remarks-on-pi x))))
 
 ;; ---------------------------------------------------------------------------

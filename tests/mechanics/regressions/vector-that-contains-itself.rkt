@@ -2,12 +2,45 @@
 ;; To print a vector that is its own element, the prompt walked through it without end.
 
 (require mechanics
+         mechanics/generic/cyclic
+         (only-in mechanics/lang/printer print-result)
          racket/port
          rackunit)
 
-(test-case "a vector that contains itself is printed as Racket prints it"
+(define (vector-in-itself)
   (define v (vector 'a 0))
   (vector-set! v 1 v)
-  (define (printed x) (with-output-to-string (lambda () (print-expression x))))
-  (check-equal? (printed v) "#0='#(a #0#)\n")
-  (check-equal? (printed (list 1 v)) "'(1 #0=#(a #0#))\n"))
+  v)
+
+(define (list-in-itself)
+  (define p (make-placeholder #f))
+  (placeholder-set! p (list 'a p))
+  (make-reader-graph p))
+
+;; What is written within a minute, or #f
+(define (written thunk)
+  (define out (open-output-string))
+  (define done (thread (lambda () (parameterize ([current-output-port out]) (thunk)))))
+  (begin0 (and (sync/timeout 60 done) (get-output-string out))
+          (kill-thread done)))
+
+(define-check (check-written thunk expected)
+  (define text (written thunk))
+  (unless (equal? text expected)
+    (with-check-info (['written text] ['expected expected]) (fail-check))))
+
+(test-case "a vector that contains itself is printed as Racket prints it"
+  (define v (vector-in-itself))
+  (check-written (lambda () (print-expression v)) "#0='#(a #0#)\n")
+  (check-written (lambda () (print-expression (list 1 v))) "'(1 #0=#(a #0#))\n"))
+
+(for ([x (list (vector-in-itself) (list-in-itself) (list 'a (vector-in-itself)))])
+  (test-case "what contains itself is left to Racket at the prompt and where it is displayed"
+    (check-true (cyclic? x))
+    (for ([show (list print-result display (lambda (y) (display (format "~a" y))))])
+      (check-regexp-match #rx"#0=" (written (lambda () (show x)))))))
+
+(test-case "what is shared alone does not contain itself, however often"
+  (define shared (for/fold ([x (vector 1 2)]) ([_ (in-range 60)]) (vector x (list x))))
+  (check-false (cyclic? shared))
+  (check-false (cyclic? '(1 (2 . 3) #(4)))))
