@@ -12,6 +12,7 @@
          "algebra/notation/formula-style.rkt"
          "display/on-demand.rkt" "display/output.rkt" "display/print-expression.rkt"
          (only-in "display/display-style.rkt" display-style)
+         "export/on-demand.rkt"
          "force/on-demand.rkt"
          (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
                     asked-for-momentum?)
@@ -64,6 +65,8 @@
  elliptic-integral-F elliptic-integral-E Jacobi-elliptic-functions
  ;; compiled functions
  compile-function compiled-function? compiled-function-reason compiled-function-operations
+ ;; systems in other languages
+ export-system
  ;; equations of motion
  Lagrange-equations generalized-LE delta verify-solution
  Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative

@@ -17,7 +17,7 @@
  (struct-out program) program-length (struct-out place)
  instruction-operation instruction-operands
  ;; from expressions
- expressions->program)
+ expressions->program prune)
 
 ;; inputs : how many
 ;; instructions : vector; the value of the k-th has the place inputs + k

@@ -18,9 +18,11 @@
 ;; f : a procedure of one structure of the shape of `example`
 ;; -> program and the shape of f's value there; or the reason why there is none,
 ;; a string, and #f.  as-constant : what numbers in the program become; check-unknown : called
-;; with who and an expression that has no numeric value
+;; with who and an expression that has no numeric value; further : the scalars of the value ->
+;; symbols that are inputs, too, after those of the example
 (define (trace who f example #:constants [as-constant real->double-flonum]
-               #:unknown [check-unknown raise-no-value])
+               #:unknown [check-unknown raise-no-value]
+               #:further-inputs [further (lambda (es) '())])
   (define placeholders
     (for/list ([k (in-range (shape-length example))])
       (make-placeholder (format "x~a" k))))
@@ -29,7 +31,7 @@
   (define result (value-or-reason run))
   (if (string? result)
       (values result #f)
-      (make-program placeholders (unbox result) as-constant
+      (make-program placeholders further (unbox result) as-constant
                     (lambda (e) (check-unknown who e)))))
 
 ;; An error that is not due to the placeholders comes up again when f is run on numbers.
@@ -38,7 +40,7 @@
     (call-traced (lambda () (box (run)))
                  (lambda (test) (format "it takes a decision by `~a`" test)))))
 
-(define (make-program placeholders value as-constant check-unknown)
+(define (make-program placeholders further value as-constant check-unknown)
   (define es (scalars value))
   (define odd (for/first ([e (in-list es)] #:unless (expression? e)) e))
   (if odd
@@ -47,7 +49,8 @@
         (define (fail e)
           (when (unknown? e) (check-unknown e))
           (return (format "~a is not a real number" (value->text e)) #f))
-        (values (expressions->program placeholders es fail #:constants as-constant) value))))
+        (define inputs (append placeholders (further es)))
+        (values (expressions->program inputs es fail #:constants as-constant) value))))
 
 (define (raise-no-value who e)
   (complain who "~a is left in the function's value, but has no numeric value\n  ~a"

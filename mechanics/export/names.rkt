@@ -1,0 +1,39 @@
+#lang racket/base
+;; Names of the user's variables in other languages.
+;;
+;; Greek letters are spelled out, what no identifier may hold becomes an underscore; what is
+;; a word of the language, the name of another variable, or one of the names v7, v12 ... that
+;; values have, gets another one behind it.
+
+(require racket/string)
+
+(provide identifiers identifier?)
+
+;; names : symbols; reserved : strings -> as many strings, all different
+(define (identifiers names reserved)
+  (for/fold ([done '()] #:result (reverse done)) ([name (in-list names)])
+    (cons (free-identifier (identifier name) (append done reserved)) done)))
+
+(define (free-identifier text taken)
+  (if (or (member text taken) (regexp-match? #px"^v[0-9]+$" text))
+      (free-identifier (string-append text "_") taken)
+      text))
+
+(define (identifier name)
+  (define plain (regexp-replace* #px"[^A-Za-z0-9_]" (spelled (symbol->string name)) "_"))
+  (if (regexp-match? #px"^[A-Za-z]" plain) plain (string-append "x" plain)))
+
+(define (spelled text)
+  (for/fold ([text text]) ([letter (in-list letters)])
+    (string-replace text (car letter) (cdr letter))))
+
+(define letters
+  '(("α" . "alpha") ("β" . "beta") ("γ" . "gamma") ("δ" . "delta") ("ε" . "epsilon")
+    ("ζ" . "zeta") ("η" . "eta") ("θ" . "theta") ("κ" . "kappa") ("λ" . "lambda") ("μ" . "mu")
+    ("ν" . "nu") ("ξ" . "xi") ("π" . "pi") ("ρ" . "rho") ("σ" . "sigma") ("τ" . "tau")
+    ("φ" . "phi") ("χ" . "chi") ("ψ" . "psi") ("ω" . "omega")
+    ("Γ" . "Gamma") ("Δ" . "Delta") ("Θ" . "Theta") ("Λ" . "Lambda") ("Σ" . "Sigma")
+    ("Φ" . "Phi") ("Ψ" . "Psi") ("Ω" . "Omega") ("′" . "prime") ("'" . "prime")))
+
+;; Is the text good for the name of a folder and of functions?
+(define (identifier? text) (regexp-match? #px"^[A-Za-z][A-Za-z0-9_]*$" text))
