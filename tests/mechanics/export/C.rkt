@@ -146,7 +146,8 @@
         (define ours
           (apply append (for/list ([t times])
                           (for/list ([x (in-flvector (structure->flvector (tr t) error))]) x))))
-        (check-all (close-to (if (eq? same? (same-as-far-as s 1)) 1e-14 1e-7)) rows (list->flvector ours) s y))))))
+        (define tolerance (if (eq? same? (same-as-far-as s 1)) 1e-14 1e-7))
+        (check-all (close-to tolerance) rows (list->flvector ours) s y))))))
 
 (test-case "many motions at once are each as alone, and one that fails leaves the others"
   (with-compiler
