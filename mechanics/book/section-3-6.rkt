@@ -44,11 +44,11 @@
        (up 0 (up 0 y) (down (sqrt twice-left) p_y))))
 
 ;; From a crossing of the section with that energy to the next one (pp. 261 and 262): the motion
-;; is followed to int-eps, and the sign of x looked at after at most dt.  The crossing is found
-;; to rounding, and so nearer than sec-eps.
+;; is followed to int-eps.  Crossings are zeros of the polynomials that the motion is along its
+;; steps: none is missed, whatever dt, and each is found to rounding, nearer than sec-eps.
 (define (HHmap E dt sec-eps int-eps)
   (define next-crossing
-    (Poincare-map (HHsysder) (upwards) #:tolerance int-eps #:longest-step (* 8 dt)))
+    (Poincare-map (HHsysder) (upwards) #:tolerance int-eps))
   (lambda (y p_y return fail)
     (define start (section->state E y p_y))
     (cond [start
@@ -57,7 +57,6 @@
                    (ref (momentum crossing) 1))]
           [else (fail)])))
 
-;; Poincare-map looks at eight places in a step.
 (define (upwards)
   (event (lambda (s) (ref (coordinate s) 0)) #:direction 'rising #:name 'section))
 

@@ -82,7 +82,7 @@
       (set! found (fl+ (fl- from start) (fl* (crossing-at c) (fl- to from))))
       (at (crossing-at c) there))
     (and (not c) (< steps most)))
-  (run-system p s y start +inf.0 visit)
+  (call-with-spares s (lambda (s) (run-system p s y start +inf.0 visit)))
   (unless found (raise-never e state steps))
   (when (system-clock? s) (flvector-set! there 0 (fl+ start found)))
   (values found (system-state s there)))

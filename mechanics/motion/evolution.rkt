@@ -90,7 +90,8 @@
   (define (visit from to interpolant)
     (set! longest (flmax longest (flabs (fl- to from))))
     #t)
-  (define last (run-system p s y start (fl+ start duration) visit))
+  (define last
+    (call-with-spares s (lambda (s) (run-system p s y start (fl+ start duration) visit))))
   (values last longest))
 
 ;; (evolve sysder p ...) : state, monitor, time step, final time, tolerance -> state

@@ -19,7 +19,7 @@
 
 ;; m : method; s : system; y : flvector, the state at the start
 (define (check-separable who m s y)
-  (when (and (method-alternative m) (not (system-separable? s)))
+  (when (and (method-alternative m) (not (unbox (system-separable s))))
     (define n (flvector-length y))
     (define first (if (system-clock? s) 1 0))      ; of the coordinates
     (define middle (+ first (quotient (- n first) 2)))
@@ -33,7 +33,7 @@
       (raise-not-separable who m "velocities" "velocities"))
     (when (depend? first middle 0 middle)
       (raise-not-separable who m "coordinates" "time or the coordinates"))
-    (set-system-separable?! s #t)))
+    (set-box! (system-separable s) #t)))
 
 (define (slope-of s n)
   (define f! ((system-make-slope! s)))

@@ -18,6 +18,7 @@
 
 (provide (struct-out system) make-system make-parametric-system
          system-right-hand-side system-method system-state system-size system-expand check-start
+         call-with-spares
          derivative-for constant-rate? raise-rate-varies)
 
 ;; shape : a state; clock? : is its first scalar the time, with derivative 1?
@@ -29,11 +30,11 @@
 ;; expander       : -> (order -> expansion), for Taylor coefficients, or a string that says why
 ;;                  there are none; found out when first asked for
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
-;; separable?     : was that found out (separable.rkt)?
+;; spares         : a box of (cons order expansion) that no integration uses any more
+;; separable      : a box: was that found out (separable.rkt)?
 (struct system (shape clock? derivative make-slope! make-jacobian! operations expander corrections
-                [separable? #:auto #:mutable])
-  #:authentic
-  #:auto-value #f)
+                spares separable)
+  #:authentic)
 
 ;; What a method integrates.
 (define (system-right-hand-side s m)
@@ -50,6 +51,37 @@
 
 ;; What integrates it by a method.
 (define (system-method s m) (method-on m (system-corrections s) (system-size s)))
+
+;; (use s'), s' being s for one integration of which no interpolant is kept: what it needs for
+;; Taylor coefficients, which takes longer to make than a few steps, is left to the next.
+(define (call-with-spares s use)
+  (define expand (system-expand s))
+  (define lent '())
+  (define (lend order)
+    (define e (or (take-spare! (system-spares s) order) (cons order (expand order))))
+    (set! lent (cons e lent))
+    (cdr e))
+  (if (string? expand)
+      (use s)
+      (begin0 (use (with-expander s (lambda () lend)))
+              (give-back! (system-spares s) lent))))
+
+(define (take-spare! spares order)
+  (define all (unbox spares))
+  (define found (assv order all))
+  (cond [(not found) #f]
+        [(box-cas! spares all (remq found all)) found]
+        [else (take-spare! spares order)]))
+
+;; Those of one integration are kept, a few.
+(define (give-back! spares lent)
+  (define all (unbox spares))
+  (when (< (length all) 8) (box-cas! spares all (append lent all))))
+
+(define (with-expander s expander)
+  (system (system-shape s) (system-clock? s) (system-derivative s) (system-make-slope! s)
+          (system-make-jacobian! s) (system-operations s) expander (system-corrections s)
+          (system-spares s) (system-separable s)))
 
 ;; Does a motion begin where it can?
 (define (check-start who s y) (check-on who (system-corrections s) y (system-state s y)))
@@ -74,7 +106,7 @@
           (lambda () (let ([c (jacobian)]) (and c (compiled-function-runner c))))
           (compiled-function-operations code)
           (once (lambda () (expander-of code (shape-length state) (flvector))))
-          corrections))
+          corrections (box '()) (box #f)))
 
 ;; n : how many scalars a state has; ps : the values of the parameters
 (define (expander-of code n ps)
@@ -121,7 +153,7 @@
                (lambda () (with-parameters (jacobian)))
                (compiled-function-operations code)
                (once (lambda () (expander-of code n ps)))
-               #f)))
+               #f (box '()) (box #f))))
 
 ;; Masses may be given as a tuple.
 (define (numeric? parameter) (andmap real? (scalars parameter)))
