@@ -8,21 +8,29 @@
          "../generic/up-down.rkt"
          "../map/map-of-the-plane.rkt")
 
-(require-on-demand ["../map/compiled-map.rkt" orbit-stepper])
+(require-on-demand ["../map/compiled-map.rkt" orbit-stepper]
+                   ["explore-in-window.rkt" explore-in-window])
 
 (provide explore-map display-map)
 
 ;; n : how many points each orbit has; from : a list of points; grid : (list across up)
+;; color : of the first orbit; window? : is it to be explored in a window?
+;; source : the expression of the map, for the program that a window saves
 ;; -> the frame
-(define (explore-map f map [n 1000] #:from [from #f] #:grid [grid #f] #:size [size 1.0])
+(define (explore-map f map [n 1000] #:from [from #f] #:grid [grid #f]
+                     #:size [size 1.0] #:color [color 0]
+                     #:window? [window? (not (or from grid))] #:source [source #f])
   (define who 'explore-map)
   (check-exploration who f map n)
+  (unless (exact-nonnegative-integer? color)
+    (raise-argument-error who "a small natural number as the first color" color))
   (define starts
     (append (if from (checked-starts who map from) '())
             (if grid (grid-starts who f grid) '())))
-  (unless (or from grid) (raise-nowhere-to-start))
-  (for ([p (in-list starts)] [k (in-naturals)])
-    (draw-orbit who f map n (car p) (cdr p) k size))
+  (if window?
+      (explore-in-window who f map n starts source)
+      (for ([p (in-list starts)] [k (in-naturals color)])
+        (draw-orbit who f map n (car p) (cdr p) k size)))
   f)
 
 ;; One orbit, by the convention of scmutils.
@@ -83,10 +91,3 @@
   (define (middle low high k n) (+ low (* (- high low) (/ (+ k 0.5) n))))
   (for*/list ([j (in-range (cadr grid))] [i (in-range (car grid))])
     (cons (middle x-min x-max i (car grid)) (middle y-min y-max j (cadr grid)))))
-
-(define (raise-nowhere-to-start)
-  (complain 'explore-map
-            (string-append
-             "where are orbits to start?"
-             "\n  at points: (explore-map f map n #:from (list (up x y) ...))"
-             "\n  at places all over the frame: (explore-map f map n #:grid (list 5 5))")))

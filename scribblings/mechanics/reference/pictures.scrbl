@@ -210,13 +210,28 @@ wells]}
                       [#:grid grid
                               (or/c (list/c exact-positive-integer? exact-positive-integer?) #f)
                               #f]
-                      [#:size size real? 1.0])
+                      [#:size size real? 1.0]
+                      [#:color color exact-nonnegative-integer? 0]
+                      [#:window? window? any/c (not (or from grid))]
+                      [#:source source any/c #f])
          frame?]{
 
-Draws orbits of a map of the plane: each start and its @racket[n] images, in a colour of its own.
-Starts are the points of the list @racket[from], or the middles of as many equal parts of the frame,
-across and up, as @racket[grid] says; the frame is returned. An orbit ends where the map has no
-image. A start in the list that has none is an error, one of the grid is left out.
+Draws orbits of a map of the plane: each start and its @racket[n] images, in a colour of its own,
+the first of which is @racket[color]. Starts are the points of the list @racket[from], or the
+middles of as many equal parts of the frame, across and up, as @racket[grid] says; the frame is
+returned. An orbit ends where the map has no image. A start in the list that has none is an
+error, one of the grid is left out.
+
+Without starts, or where @racket[window?] says so, a window opens in which the map is explored,
+and the call waits until it is closed; the orbits that are left are in the frame then. A click
+starts an orbit, which grows while others are computed; a drag enlarges a part. @litchar{u} undoes
+the last of what was done, @litchar{m} asks for @racket[n] more points of each orbit,
+@litchar{w} shows the whole again, @litchar{c} clears, @litchar{q} closes. @litchar{s} saves
+the picture and a program that draws the same orbits again, as @filepath{explored-1.png}
+and @filepath{explored-1.rkt} in the current folder; @racket[source], the expression of the map,
+is written into that program, @racket['(standard-map 0.6)] say. Without it the program provides
+@racketidfont{redraw}, which takes the map. Where there is no screen the error says
+how to do without a window.
 
 @examples[#:eval session
 (define ((kicked K) theta I return fail)

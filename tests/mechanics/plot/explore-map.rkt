@@ -26,6 +26,11 @@
   (display-map other T 2 3 5)
   (check-equal? (points other) (list-tail (points win) 6)))
 
+(test-case "the first orbit may have another colour; a saved exploration is drawn again so"
+  (define win (section))
+  (explore-map win T 5 #:from (list (up 1 1)) #:color 3)
+  (check-equal? (length (points win)) 6))
+
 (test-case "a grid starts in the middle of equal parts of the frame"
   (define win (frame 0 4 0 2))
   (define (stay x y return fail) (return x y))
@@ -50,10 +55,6 @@
 (define (nowhere x y return fail) (fail))
 
 (says
- [(explore-map win T 10)
-  "explore-map: where are orbits to start?\n"
-  "  at points: (explore-map f map n #:from (list (up x y) ...))\n"
-  "  at places all over the frame: (explore-map f map n #:grid (list 5 5))"]
  [(explore-map win nowhere 10 #:from (list (up 1 2)))
   "explore-map: the map has no image of the start (up 1.0 2.0)\n  map: nowhere"]
  [(explore-map win T 10 #:from 3)
@@ -63,6 +64,9 @@
   "  given: the number 3"]
  [(explore-map win T -1 #:from '())
   "explore-map: contract violation\n  expected: how many points an orbit has, a natural number\n"
+  "  given: -1"]
+ [(explore-map win T 1 #:from '() #:color -1)
+  "explore-map: contract violation\n  expected: a small natural number as the first color\n"
   "  given: -1"]
  [(explore-map win T 1 #:grid 5)
   "explore-map: #:grid is a list of two numbers of starts, across and up; given the number 5"]

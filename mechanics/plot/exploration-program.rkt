@@ -1,0 +1,55 @@
+#lang racket/base
+;; An exploration written as a program that draws it again.
+
+(require "exploration.rkt" "orbit-worker.rkt" "view.rkt")
+
+(provide write-exploration)
+
+;; source : the expression of the map, a datum, or #f if it is not known
+;; picture : the name of the file that the program writes
+(define (write-exploration e v source picture port)
+  (define frame (frame-expression v (exploration-bounds e)))
+  (for ([text (list opening (orbits->text e) (format redrawing frame) (ending source picture))])
+    (write-string text port)))
+
+(define opening
+  "#lang racket/base
+;; Orbits of a map, as they were explored.
+
+(require mechanics mechanics/book mechanics/plot)
+
+(provide redraw)
+
+;; Where each begins, how many points it has, and the number of its colour.
+")
+
+(define (orbits->text e)
+  (define (orbit->text o)
+    (format "\n        (list (up ~a ~a) ~a ~a)"
+            (car (orbit-start o)) (cdr (orbit-start o)) (orbit-asked o) (orbit-color o)))
+  (format "(define orbits\n  (list~a))\n\n"
+          (apply string-append
+                 (reverse (map (lambda (t) (orbit->text (traced-orbit t)))
+                               (exploration-orbits e))))))
+
+(define redrawing
+  "(define (redraw map)
+  (define win ~s)
+  (for ([o (in-list orbits)])
+    (define-values (start n color) (apply values o))
+    (explore-map win map n #:from (list start) #:color color))
+  win)
+")
+
+(define (ending source picture)
+  (if source
+      (format "\n(module+ main\n  (graphics-save (redraw ~s) ~s))\n" source picture)
+      (format "\n;; (graphics-save (redraw map) ~s) draws it, of the map that was explored.\n"
+              picture)))
+
+(define (frame-expression v bounds)
+  (define (given key value) (if value (list key value) '()))
+  `(frame ,@bounds
+          ,@(given '#:title (view-title v)) ,@(given '#:x-label (view-x-label v))
+          ,@(given '#:y-label (view-y-label v))
+          #:width ,(view-width v) #:height ,(view-height v)))

@@ -1,0 +1,96 @@
+#lang racket/base
+;; Orbits of a map, computed by a thread of their own while a window goes on.
+;;
+;; The thread takes the orbits in turn, a few hundredths of a second each, and hands on the points
+;; of each turn; it does not begin the next before they have been received.  So many orbits
+;; grow side by side, and a window that is slow to draw is not flooded.
+
+(require racket/flonum
+         "../generic/on-demand.rkt")
+
+(require-on-demand ["../map/compiled-map.rkt" orbit-stepper])
+
+(provide start-worker ask-worker stop-worker
+         make-orbit orbit-color orbit-start orbit-asked orbit-stopped? stop-orbit!)
+
+;; color : a number; start : (cons x y); asked : how many points were asked for; at : where it
+;; is, an flvector; step! : what moves that, made by the worker
+(struct orbit (color start at [asked #:mutable] [step! #:mutable] [stopped? #:mutable])
+  #:authentic)
+
+(define (make-orbit color x y) (orbit color (cons x y) (flvector x y) 0 #f #f))
+(define (stop-orbit! o) (set-orbit-stopped?! o #t))
+
+(struct worker (thread custodian))
+
+;; receive : orbit, flvector of x y x y ..., how many entries of it count, a text that says why
+;; there are no more, or #f -> any; it is called in the worker's thread
+(define (start-worker map receive)
+  (define custodian (make-custodian))
+  (worker (parameterize ([current-custodian custodian])
+            (thread (lambda () (work map receive))))
+          custodian))
+
+;; n further points of an orbit
+(define (ask-worker w o n)
+  (set-orbit-asked! o (+ n (orbit-asked o)))
+  (thread-send (worker-thread w) (job o n) void))
+
+(define (stop-worker w) (custodian-shutdown-all (worker-custodian w)))
+
+;; ---------------------------------------------------------------------------
+
+(struct job (orbit left))
+
+(define (work map receive)
+  (let loop ([jobs '()])
+    (define new (if (null? jobs) (thread-receive) (thread-try-receive)))
+    (cond [new (loop (append jobs (list new)))]
+          [else
+           (define left (take-turn map (car jobs) receive))
+           (loop (if left (append (cdr jobs) (list left)) (cdr jobs)))])))
+
+(define turn 30.0)               ; milliseconds
+(define most 8192)               ; points in a turn
+
+;; -> the rest of the job, or #f.  Whatever the reader's map raises ends its orbit.
+(define (take-turn map j receive)
+  (define o (job-orbit j))
+  (define points (make-flvector (* 2 most)))
+  (define count 0)
+  (define (add! at)
+    (flvector-set! points count (flvector-ref at 0))
+    (flvector-set! points (+ count 1) (flvector-ref at 1))
+    (set! count (+ count 2)))
+  (define (finish why left)
+    (receive o points count why)
+    left)
+  (with-handlers ([exn:fail? (lambda (e) (finish (exn-message e) #f))])
+    (define begun? (orbit-step! o))
+    (define step! (or begun? (begin-orbit map o)))
+    (cond [(not step!) (finish "no image" #f)]
+          [else
+           (unless begun? (add! (orbit-at o)))
+           (define-values (left ended?) (advance o step! (job-left j) add!))
+           (finish (and ended? "no further image")
+                   (and (> left 0) (not ended?) (not (orbit-stopped? o)) (job o left)))])))
+
+;; #f if the map has no image of the start
+(define (begin-orbit map o)
+  (define-values (x y) (values (car (orbit-start o)) (cdr (orbit-start o))))
+  (define step!
+    (and (map x y (lambda (x y) #t) (lambda () #f)) (orbit-stepper map x y)))
+  (set-orbit-step!! o step!)
+  step!)
+
+;; -> how many points are left when the turn is over, and whether there is none to come
+(define (advance o step! n add!)
+  (define end (+ (current-inexact-milliseconds) turn))
+  (let loop ([left n] [room (- most 1)])
+    (cond [(or (= left 0) (= room 0) (orbit-stopped? o)
+               (and (eqv? 0 (bitwise-and left 15)) (> (current-inexact-milliseconds) end)))
+           (values left #f)]
+          [(step! (orbit-at o))
+           (add! (orbit-at o))
+           (loop (- left 1) (- room 1))]
+          [else (values 0 #t)])))
