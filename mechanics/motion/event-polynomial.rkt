@@ -8,6 +8,7 @@
 
 (require racket/flonum
          racket/unsafe/ops
+         "event-noise.rkt"
          "../compile/jet-program.rkt" "../compile/program.rkt"
          "../numeric/flvector.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/polynomial-zeros.rkt"
@@ -17,14 +18,20 @@
 
 ;; p : the program of a function of a state of n scalars, or #f
 ;; -> (interpolant, the value where the step begins or #f -> coefficients along the step, from
-;; 0 to 1, an flvector; 'clear if there is plainly no zero; or how many places to look at)
+;; 0 to 1, an flvector; 'clear if there is plainly no zero; or how many places to look at), and
+;; (interpolant -> is the function of that step, which was looked at last, only noise?)
 (define (polynomial-along p n tolerance)
   (define coordinate (and p (coordinate-of p n)))
   (define make (and p (not coordinate) (program->expansion-maker p n #:follow? #t)))
+  (define f (and (procedure? make) (follower make n tolerance #f)))
   (define row-along
     (cond [coordinate (lambda (e) (coefficient-row e coordinate))]
-          [(procedure? make) (following make n tolerance)]
+          [f (lambda (e) (follow-function! f e))]
           [else #f]))
+  (values (polynomial-maker row-along coordinate tolerance)
+          (lambda (at) (and f (follows-noise? f (taylor-piece-span at))))))
+
+(define (polynomial-maker row-along coordinate tolerance)
   (lambda (at first)
     (if (and row-along (taylor-piece? at))
         (call-with-coefficients at
@@ -71,15 +78,30 @@
   (define o (vector-ref (program-outputs p) 0))
   (and (place? o) (< (place-index o) n) (place-index o)))
 
-;; -> (expansion -> the row of the function), made for the order when it is known
-(define (following make n tolerance)
-  (define own #f)
-  (lambda (e)
-    (unless own (set! own (make (expansion-order e) (make-flvector n))))
-    (for ([from (in-vector (expansion-states e))] [to (in-vector (expansion-states own))])
-      (flvector-copy! to from))
-    (follow! own)
-    (vector-ref (expansion-slopes own) 0)))
+;; make : order inputs -> expansion; own : that of the function, made for the order when it is
+;; known
+(struct follower (make n tolerance [own #:mutable]) #:authentic)
+
+;; -> the row of the function along the motion
+(define (follow-function! f e)
+  (unless (follower-own f)
+    (set-follower-own! f ((follower-make f) (expansion-order e) (make-flvector (follower-n f)))))
+  (define own (follower-own f))
+  (for ([from (in-vector (expansion-states e))] [to (in-vector (expansion-states own))])
+    (flvector-copy! to from))
+  (follow! own)
+  (function-row own))
+
+(define (function-row own) (vector-ref (expansion-slopes own) 0))
+
+;; The motion followed last is changed for it.
+(define (follows-noise? f span)
+  (define own (follower-own f))
+  (define (size row) (row-size row (expansion-order own) span))
+  (define row (flvector-copy (function-row own)))
+  (vary-rows! (expansion-states own) (follower-tolerance f))
+  (follow! own)
+  (noise? (size row) (size (difference (function-row own) row))))
 
 ;; c_k span^k
 (define (scaled row order span)

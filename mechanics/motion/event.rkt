@@ -13,9 +13,11 @@
 ;; Steps that are polynomials leave nothing to chance: there the zeros of the polynomial that
 ;; the event's function is along the step are isolated (event-polynomial.rkt), and where it
 ;; touches zero is found as well.
+;;
+;; The zeros of a function that is nothing but noise are no events (event-noise.rkt).
 
 (require racket/flonum
-         "check.rkt" "event-polynomial.rkt"
+         "check.rkt" "event-noise.rkt" "event-polynomial.rkt"
          "../algebra/expression/expression.rkt"
          "../compile/compile-function.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
@@ -62,9 +64,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Watching
 
-;; code : flvector flvector -> void; polynomial : interpolant, value where it begins or #f ->
-;; its polynomial along the step, or #f; last : its value where the last step ended, or #f
-(struct watched (event code polynomial [last #:mutable]) #:authentic)
+;; polynomial : interpolant, value where it begins or #f -> its polynomial along the step, or #f
+;; noise?     : interpolant -> is that polynomial noise?
+;; sampled    : interpolant -> place -> value; doubtful : the same, of a state that is changed by
+;;              what is uncertain of it
+;; last       : its value where the last step ended, or #f; size : the greatest that was seen
+;;              of the last step, if it was looked at in places
+(struct watched (event polynomial noise? sampled doubtful [last #:mutable] [size #:mutable])
+  #:authentic)
 
 ;; An event whose function has no real value.
 (struct undefined (event) #:authentic)
@@ -82,23 +89,37 @@
 (define (watches-for who events state n tolerance)
   (define codes (for/list ([e (in-list events)]) (event-code who e state)))
   (define (new-watch e c)
-    (watched e (compiled-function-runner c)
-             (polynomial-along (compiled-function-program c) n tolerance) #f))
-  (lambda () (watch (map new-watch events codes) n tolerance)))
+    (define-values (polynomial noise?)
+      (polynomial-along (compiled-function-program c) n tolerance))
+    (define-values (sampled doubtful) (samplers (compiled-function-runner c) n tolerance))
+    (watched e polynomial noise? sampled doubtful #f 0.0))
+  (lambda () (watch (map new-watch events codes) tolerance)))
 
-(define (watch all n tolerance)
-  (define value (make-flvector 1))
-  (define point (make-flvector n))
-  (define ((along at code) theta)
-    (at theta point)
-    (code point value)
-    (flvector-ref value 0))
+(define (watch all tolerance)
   (lambda (at)
     (define found
       (for*/list ([w (in-list all)]
-                  [found (in-list (crossings-along! w at (along at (watched-code w)) tolerance))])
+                  [found (in-list (crossings-along! w at tolerance))])
         found))
     (if (or (null? found) (null? (cdr found))) found (sort found < #:key crossing-at))))
+
+;; code : flvector flvector -> void
+(define (samplers code n tolerance)
+  (define point (make-flvector n))
+  (define value (make-flvector 1))
+  (define (value-at-point)
+    (code point value)
+    (flvector-ref value 0))
+  (define ((sampled at) theta)
+    (at theta point)
+    (value-at-point))
+  (define (doubtful at)
+    (define by (uncertainties at n tolerance))
+    (lambda (theta)
+      (at theta point)
+      (vary-point! point by)
+      (value-at-point)))
+  (values sampled doubtful))
 
 (define (event-code who e state)
   (define value (event-value who e state))
@@ -125,31 +146,52 @@
                     [else ""]))))
 
 ;; The zeros in (0, 1], up to where the function is undefined; one at 0 belongs to the step
-;; before.  g : place -> value
-(define (crossings-along! w at g tolerance)
-  (define e (watched-event w))
-  (define direction (event-direction e))
+;; before.
+(define (crossings-along! w at tolerance)
   (define p ((watched-polynomial w) at (watched-last w)))
-  (cond [(exact-integer? p) (crossings! w g p)]
+  (cond [(exact-integer? p) (crossings! w at p)]
         [(eq? p 'clear)
          (set-watched-last! w #f)
          '()]
         [else
          (set-watched-last! w (polynomial-end p))
-         (for/list ([z (in-list (zeros-along p tolerance))]
-                    #:when (or (eq? direction 'both) (eq? direction (zero-kind z))))
-           (crossing (zero-at z) e (eq? (zero-kind z) 'touching)))]))
+         (define found (crossings-of w (zeros-along p tolerance)))
+         (if (and (pair? found) ((watched-noise? w) at)) '() found)]))
 
-;; The same where nothing is known of g: its sign is looked at in so many places.
-(define (crossings! w g places)
+(define (crossings-of w zeros)
+  (define e (watched-event w))
+  (define direction (event-direction e))
+  (for/list ([z (in-list zeros)]
+             #:when (or (eq? direction 'both) (eq? direction (zero-kind z))))
+    (crossing (zero-at z) e (eq? (zero-kind z) 'touching))))
+
+;; The same where nothing is known of the function: it is looked at in so many places.
+(define (crossings! w at places)
+  (define g ((watched-sampled w) at))
+  (define size (watched-size w))
+  (set-watched-size! w 0.0)
+  (define found (sign-changes! w g places))
+  (define (change)
+    (define h ((watched-doubtful w) at))
+    (for/fold ([most 0.0]) ([k (in-range 1 (+ places 1))])
+      (define theta (place k places))
+      (flmax most (flabs (fl- (h theta) (g theta))))))
+  (if (and (pair? found) (noise? (flmax size (watched-size w)) (change)))
+      (filter (lambda (c) (undefined? (crossing-event c))) found)
+      found))
+
+(define (place k places) (fl/ (->fl k) (->fl places)))
+
+(define (sign-changes! w g places)
   (define e (watched-event w))
   (let loop ([a 0.0] [ga (or (watched-last w) (g 0.0))] [k 1])
+    (set-watched-size! w (flmax (watched-size w) (flabs ga)))
     (cond [(not (fl= ga ga)) (list (crossing a (undefined e) #f))]
           [(> k places)
            (set-watched-last! w ga)
            '()]
           [else
-           (define b (fl/ (->fl k) (->fl places)))
+           (define b (place k places))
            (define gb (g b))
            (define (rest) (loop b gb (+ k 1)))
            (define zero
@@ -171,6 +213,6 @@
            (unless-pole b gb)]
           [else
            (define gc (g c))
-           (if (fl< (fl* gc gb) 0.0)
+           (if (if (fl< gb 0.0) (fl> gc 0.0) (fl< gc 0.0))
                (loop b gb c gc (+ count 1))
                (loop a (fl* 0.5 ga) c gc (+ count 1)))])))

@@ -33,8 +33,7 @@ stability
                   (Lagrangian->Hamiltonian (L-axisymmetric-top 6.96e-4 1.32e-4 .112))))
 (define (farthest p)
   (define motion
-    (evolve-trajectory (system) (up 0 (up 0.01 0.0 0.0) (down 0.0 p (* p 1.0))) 2
-                       #:method 'Dormand-Prince-853))
+    (evolve-trajectory (system) (up 0 (up 0.01 0.0 0.0) (down 0.0 p (* p 1.0))) 2))
   (for/fold ([most 0]) ([i 401]) (max most (ref (coordinate (motion (/ i 200.0))) 0))))
 (define critical (sqrt (* 4 6.96e-4 .112)))
 (list critical (farthest (* 1.1 critical)) (farthest (* 0.9 critical)))

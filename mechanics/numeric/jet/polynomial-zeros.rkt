@@ -74,7 +74,10 @@
           middle
           (search (without-zero-at-0 right) (fl+ low half) half touch halvings)))
 
-(define (opposite? p a b) (fl< (fl* (value p a) (value p b)) 0.0))
+;; Not by a product, which may be too small for a flonum.
+(define (opposite? p a b)
+  (define-values (pa pb) (values (value p a) (value p b)))
+  (if (fl< pa 0.0) (fl> pb 0.0) (and (fl> pa 0.0) (fl< pb 0.0))))
 
 ;; Is the extremum at x zero, as far as can be told, and p of one sign on both sides?
 (define (touches? p x touch)

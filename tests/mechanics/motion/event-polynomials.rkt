@@ -56,6 +56,41 @@
   (check-equal? (events-of (lambda (s) (- (ref s 1) 1)) #:direction 'rising) '())
   (check-equal? (events-of (lambda (s) (- (ref s 1) 1.0001))) '()))
 
+;; the energy of the oscillator, from its start on
+(define (energy s) (- (+ (square (ref s 1)) (square (ref s 2))) 1))
+
+(test-case "what is 0 all the time is not touched"
+  (check-equal? (events-of (lambda (s) (- (+ (square (ref s 1)) (square (ref s 2))) 1))) '())
+  (for* ([method '(Taylor Dormand-Prince-853 bulirsch-stoer)] [direction '(both rising)])
+    (check-equal? (events-of energy #:method method #:direction direction) '())
+    (check-equal? (events-of (lambda (s) (* 1e9 (energy s))) #:method method) '())
+    (check-equal? (events-of (lambda (s) (- (log (+ 2 (energy s))) (log 2))) #:method method)
+                  '())))
+
+(test-case "a motion may be as small as it likes"
+  (for* ([method '(Taylor Dormand-Prince-853)]
+         [f (list (lambda (s) (ref s 1))
+                  (lambda (s) (* 2 (ref s 1) (exp (ref s 2))))
+                  (lambda (s) (* 1e-200 (ref s 1))))])
+    (define tr
+      (evolve-trajectory oscillator (up 0 1e-15 0) 20 #:tolerance 1e-12 #:method method
+                         #:longest-step 0.5 #:events (event f)))
+    (check-times (trajectory-events tr) (for/list ([k (in-range 6)]) (* pi (+ k 1/2))) 1e-8)))
+
+(test-case "what is large and varies little is no noise"
+  ;; late, and far away
+  (for ([method '(Taylor Dormand-Prince-853)])
+    (define tr
+      (evolve-trajectory oscillator (up 1e6 1 0) (+ 1e6 3) #:tolerance 1e-6 #:method method
+                         #:events (list (event (lambda (s) (- (ref s 0) (+ 1e6 2))))
+                                        (event (lambda (s) (sin (* 3 (- (ref s 0) 1e6))))
+                                               #:direction 'falling))))
+    (check-times (trajectory-events tr) (list (+ 1e6 (/ pi 3)) (+ 1e6 2)) 1e-8)
+    ;; at the very end
+    (define end (+ (acos 0.3) 1e-11))
+    (check-times (events-of (lambda (s) (- (ref s 1) 0.3)) #:end end #:method method)
+                 (list (acos 0.3)) 1e-10)))
+
 (test-case "what is nearly 0 all the time is not touched"
   (define (nearly s) (+ 3e-13 (- (+ (square (ref s 1)) (square (ref s 2))) 1)))
   (check-equal? (events-of nearly) '()))
