@@ -78,7 +78,7 @@ bench: compile
 
 peers:
 	@python3 -m venv build/python
-	@build/python/bin/pip install --quiet heyoka numpy scipy sympy
+	@build/python/bin/pip install --quiet heyoka casadi numpy scipy sympy
 
 docs: compile
 	@echo 'Building the manual ...'

@@ -5,7 +5,7 @@
 ;; that nothing stale can be served.  The last few are kept.
 
 (require racket/list
-         "code.rkt")
+         "tiers.rkt")
 
 (provide compiled-program clear-compiled-programs compiled-program-count)
 
@@ -23,7 +23,7 @@
   (define known (assoc p (unbox cache)))
   (cond [known (cdr known)]
         [else
-         (define maker (program->maker p))
+         (define maker (program->tiered-maker p))
          (remember p maker)
          maker]))
 

@@ -14,8 +14,7 @@
 
 (require racket/linklet
          racket/list
-         "program.rkt"
-         "../algebra/expression/operation.rkt"
+         "flonum-functions.rkt" "program.rkt"
          "../numeric/linear/factored-system.rkt")
 
 (provide program->maker)
@@ -26,21 +25,11 @@
   (define linklet (compile-linklet (program->form p) 'mechanics))
   (instance-variable-value (instantiate-linklet linklet (list (functions))) 'make-run))
 
-;; Every operation of the algebra, under its name, for where there is no primitive:
-;; its numeric body, not a number where that is not real.
+;; Every operation of the algebra, under its name, for where there is no primitive.
 (define (functions)
   (apply make-instance 'functions #f 'constant
          'solve-dense! solve-dense!
-         (append*
-          (for/list ([op (in-list operations)])
-            (list (operation-name op) (flonum-function (operation-numeric op)))))))
-
-;; f is an operation of the algebra, no function of the user's.
-(define ((flonum-function f) . xs)
-  (define value
-    (with-handlers ([exn:fail:contract? (lambda (e) +nan.0)])
-      (apply f xs)))
-  (if (real? value) (real->double-flonum value) +nan.0))
+         (flonum-functions)))
 
 ;; ---------------------------------------------------------------------------
 ;; The linklet

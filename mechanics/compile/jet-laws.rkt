@@ -2,7 +2,7 @@
 ;; Kernels of operations that have equations (generic/operation-equations.rkt).
 
 (require racket/flonum
-         "jet-rows.rkt"
+         "flonum-functions.rkt" "jet-rows.rkt"
          "../generic/operation-equations.rkt"
          "../numeric/jet/kernels.rkt")
 

@@ -10,7 +10,7 @@
 
 (require racket/flonum
          racket/list
-         "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-rows.rkt"
+         "flonum-functions.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-rows.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/kernels.rkt"
          "../numeric/jet/linear-system.rkt")
 

@@ -2,12 +2,10 @@
 ;; Rows of coefficients for the nodes of a graph, and the kernels that fill them, in order.
 
 (require racket/flonum
-         "../algebra/expression/operation.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/kernels.rkt")
 
 (provide make-rows row spare-row degree derivative-row emit! emit-always! emit-start!
-         starts ending-kernels endless-kernels
-         flonum-body)
+         starts ending-kernels endless-kernels)
 
 ;; degrees : of the nodes; order : of the expansion; rows, derivatives : id -> flvector
 ;; starts, kernels : the latest first; a kernel with the degree of its row
@@ -47,19 +45,3 @@
 
 (define (endless-kernels r)
   (for/vector ([k (in-list (reverse (rows-kernels r)))] #:when (= (car k) +inf.0)) (cdr k)))
-
-;; ---------------------------------------------------------------------------
-
-;; The operation of that name on flonums; not a number where its value is not real.
-(define (flonum-body name arguments)
-  (case name
-    [(sin) flsin] [(cos) flcos] [(tan) fltan] [(exp) flexp] [(log) fllog]
-    [(asin) flasin] [(acos) flacos]
-    [else
-     (define f
-       (operation-numeric (for/first ([op (in-list operations)]
-                                      #:when (eq? name (operation-name op)))
-                            op)))
-     (lambda xs
-       (define value (with-handlers ([exn:fail:contract? (lambda (e) +nan.0)]) (apply f xs)))
-       (if (real? value) (real->double-flonum value) +nan.0))]))

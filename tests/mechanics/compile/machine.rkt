@@ -1,0 +1,68 @@
+#lang racket/base
+;; The machine that runs programs at once does what machine code does, bit for bit.
+
+(require racket/flonum
+         (except-in rackunit fail)
+         mechanics
+         (only-in mechanics/compile/code program->maker)
+         (only-in mechanics/compile/compile-function compiled-function-program)
+         (only-in mechanics/compile/machine program->machine-maker)
+         (only-in mechanics/compile/program place program program-outputs)
+         (only-in mechanics/compile/tiers program->tiered-maker))
+
+(define (run maker p input)
+  (define output (make-flvector (vector-length (program-outputs p))))
+  ((maker) input output)
+  output)
+
+(define (check-tiers f example inputs)
+  (define p (compiled-function-program (compile-function f example)))
+  (define code (program->maker p))
+  (define machine (program->machine-maker p))
+  (for ([v (in-list inputs)]) (check-equal? (run machine p v) (run code p v))))
+
+(define every-operation
+  (lambda (s)
+    (define-values (x y) (values (ref s 0) (ref s 1)))
+    (up (+ x y) (- x y) (* x y) (/ x y) (- x) (+ 3 (* 2 x)) 7 y
+        (sin x) (cos x) (tan x) (asin x) (acos x) (atan x) (atan x y) (exp x) (log x) (sqrt x)
+        (expt x y) (expt x 5/2) (sinh x) (cosh x) (tanh x) (asinh x) (acosh x) (atanh x) (abs x)
+        (sgn y) ((principal-value 2) x))))
+
+(test-case "each operation, at ordinary values and others"
+  (check-tiers every-operation (up 0.3 0.7)
+               (list (flvector 0.3 0.7) (flvector -0.3 0.7) (flvector 2.5 -1.0)
+                     (flvector 0.0 0.0) (flvector +inf.0 +nan.0))))
+
+(define (chain n)
+  (compose (lambda (local)
+             (- (* 1/2 (dot-product (velocity local) (velocity local)))
+                (* 9.8 (ref (coordinate local) (- n 1) 1))))
+           (F->C (lambda (local)
+                   (let loop ([k 0] [x 0] [y 0] [places '()])
+                     (if (= k n)
+                         (apply up (reverse places))
+                         (let ([x (+ x (sin (ref (coordinate local) k)))]
+                               [y (- y (cos (ref (coordinate local) k)))])
+                           (loop (+ k 1) x y (cons (up x y) places)))))))))
+
+(test-case "systems of equations, two in one program"
+  (define one (Lagrangian->state-derivative (chain 3)))
+  (define start (up 0.0 (up 0.1 0.2 0.4) (up 0.5 -0.3 0.2)))
+  (check-tiers (lambda (s) (up (one s) (one (* 2 s)))) start
+               (list (flvector 0.0 0.1 0.2 0.4 0.5 -0.3 0.2) (make-flvector 7 0.0))))
+
+(test-case "a runner goes over to machine code in the end, and nobody sees it"
+  (define p
+    (program 1
+             (for/vector ([k (in-range 600)]) (list 'add (place k) 1.0))
+             (vector (place 600))))
+  (define maker (program->tiered-maker p))
+  (define one (maker))
+  (define out (make-flvector 1))
+  (for ([k (in-range 10000)])
+    (one (flvector (->fl k)) out)
+    (unless (= (flvector-ref out 0) (+ k 600.0)) (error "wrong at" k)))
+  (define another (maker))
+  (another (flvector 1.0) out)
+  (check-equal? out (flvector 601.0)))
