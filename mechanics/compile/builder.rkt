@@ -10,7 +10,7 @@
          "../numeric/constants.rkt")
 
 (provide make-builder written
-         do! write! add! subtract! multiply! divide! power! pi-times!)
+         do! write! add! subtract! multiply! divide! negate! power! pi-times!)
 
 ;; inputs : how many; as-constant : real -> what stands for it in an instruction
 ;; places : instruction -> place; instructions : index -> instruction

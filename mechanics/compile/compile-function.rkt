@@ -7,10 +7,11 @@
 ;; slower, and the same in all else: what is complex is not a number there too.
 
 (require racket/flonum
-         "agreement.rkt" "cache.rkt" "program.rkt" "trace.rkt"
+         "agreement.rkt" "cache.rkt" "program.rkt" "sweep.rkt" "trace.rkt"
+         "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../numeric/constants.rkt" "../numeric/flvector.rkt"
          "../value/shape.rkt")
 
@@ -38,12 +39,39 @@
 (define (compiled-function-runner c) ((compiled-function-make-runner c)))
 
 ;; value : that of f at the example, if known
-(define-plain (compile-function f example #:name [who 'compile-function] #:value [value #f])
+;; gradient? : is it to give, after its value, its derivatives by the scalars of its argument?
+(define-plain (compile-function f example #:name [who 'compile-function] #:value [value #f]
+                                #:gradient? [gradient? #f])
   (check-function who f)
-  (define (value-at v) (f (flvector->structure example v)))
-  (define-values (code reason)
-    (code-or-reason who f example value-at (shape-length example) value))
-  (or code (evaluate-generically who f example reason)))
+  (cond [gradient? (compile-with-gradient who f example)]
+        [else
+         (define (value-at v) (f (flvector->structure example v)))
+         (define-values (code reason)
+           (code-or-reason who f example value-at (shape-length example) value))
+         (or code (evaluate-generically who f example reason))]))
+
+;; One sweep back over what f does gives all its derivatives; where that is not possible
+;; they are taken of f itself.
+(define (compile-with-gradient who f example)
+  (define point (example->flvector who example))
+  (define (both x) (up (f x) (derivatives-at f x)))
+  (define (both-at v) (both (flvector->structure example v)))
+  (check-scalar-value who f (flvector->structure example point))
+  (define-values (p shape) (trace who f example))
+  (define q (and (program? p) (program-with-gradient p)))
+  (define n (shape-length example))
+  (define code (and q (compiled f q (apply up (for/list ([_ (in-range (+ n 1))]) 0)))))
+  (cond [(and code (right? code both-at point n #f)) code]
+        [(program? p) (compile-function both example #:name who)]
+        [else (evaluate-generically who both example p)]))
+
+(define (derivatives-at f x) ((gradient f) x))
+
+(define (check-scalar-value who f x)
+  (define y (f x))
+  (unless (= 1 (shape-length y))
+    (complain who "a gradient is that of a function whose value is one number\n  value: ~a"
+              (describe-with-value y))))
 
 ;; The same for a function that can be traced; of others, and where symbols are left, #f.
 ;; The code is used only where the scalars of the argument after the first `varying` are

@@ -17,7 +17,9 @@
  (struct-out program) program-length (struct-out place)
  instruction-operation instruction-operands
  ;; from expressions
- expressions->program prune)
+ expressions->program
+ ;; programs made of others
+ builder->program write-expression! solve!)
 
 ;; inputs : how many
 ;; instructions : vector; the value of the k-th has the place inputs + k
@@ -34,7 +36,16 @@
   (define leaves
     (for/hasheq ([s (in-list inputs)] [i (in-naturals)]) (values s (place i))))
   (define outputs (translate b (expressions->tape es) leaves fail))
-  (prune (program (length inputs) (written b) (list->vector outputs))))
+  (builder->program b (length inputs) outputs))
+
+;; What was written, as far as these operands need it.
+(define (builder->program b inputs outputs)
+  (prune (program inputs (written b) (list->vector outputs))))
+
+;; -> the operand that an expression in the leaves, symbol -> operand, becomes
+(define (write-expression! b e leaves)
+  (car (translate b (expressions->tape (list e)) leaves
+                  (lambda (e) (raise-argument-error 'write-expression! "no unknown" e)))))
 
 ;; ---------------------------------------------------------------------------
 ;; From a graph

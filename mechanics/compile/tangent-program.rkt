@@ -28,7 +28,7 @@
     (vector-set! rows k r))
   (define outputs
     (for*/vector ([o (in-vector (program-outputs p))] [x (in-vector (row o))]) x))
-  (prune (program n (written b) outputs)))
+  (builder->program b n (vector->list outputs)))
 
 ;; -> the operand of the instruction's value, and the row of its derivatives; of a system the
 ;; operands of its solution, and a row for each
