@@ -7,7 +7,7 @@
 ;; slower, and the same in all else: what is complex is not a number there too.
 
 (require racket/flonum
-         "agreement.rkt" "cache.rkt" "program.rkt" "sweep.rkt" "trace.rkt"
+         "agreement.rkt" "cache.rkt" "machine.rkt" "program.rkt" "sweep.rkt" "trace.rkt"
          "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
@@ -19,7 +19,7 @@
  compile-function
  compiled-function? compiled-function-reason compiled-function-operations
  ;; for the integrators
- compile-traced check-function
+ compile-traced traced-program program->compiled-function check-function
  compiled-function-runner compiled-function-value-shape compiled-function-inputs
  compiled-function-outputs compiled-function-program)
 
@@ -60,7 +60,7 @@
   (define-values (p shape) (trace who f example))
   (define q (and (program? p) (program-with-gradient p)))
   (define n (shape-length example))
-  (define code (and q (compiled f q (apply up (for/list ([_ (in-range (+ n 1))]) 0)))))
+  (define code (and q (program->compiled-function q (apply up (build-list (+ n 1) (lambda (k) 0))) f)))
   (cond [(and code (right? code both-at point n #f)) code]
         [(program? p) (compile-function both example #:name who)]
         [else (evaluate-generically who both example p)]))
@@ -89,18 +89,30 @@
                         #:unknown [check-unknown raise-no-value])
   (define point (example->flvector who example))
   (define-values (p shape) (trace who f example #:unknown check-unknown))
-  (define code (and (program? p) (compiled f p shape)))
+  (define code (and (program? p) (program->compiled-function p shape f)))
   (cond [(not code) (values #f p)]
         [(right? code value-at point varying value) (values code #f)]
         [else (values #f different)]))
+
+;; The program of a function that can be traced, which gives its values; or #f.  It is only
+;; run, where that is checked, and not compiled.
+(define (traced-program f example #:name who)
+  (define-values (p shape) (trace who f example #:unknown void))
+  (define code
+    (and (program? p) (program->compiled-function p shape f (program->machine-maker p))))
+  (define (value-at v) (f (flvector->structure example v)))
+  (and code
+       (right? code value-at (example->flvector who example) (shape-length example) #f)
+       p))
 
 (define different "its value differs from that of its trace: it tells symbols from numbers")
 
 (define (example->flvector who example)
   (structure->flvector example (lambda (x) (raise-not-a-number who "example" x))))
 
-(define (compiled f p shape)
-  (compiled-function (compiled-program p)
+;; shape : of its value; f : what it is the program of
+(define (program->compiled-function p shape f [make-runner (compiled-program p)])
+  (compiled-function make-runner
                      (program-inputs p) (shape-length shape) shape
                      (program-length p) p #f (value->datum f)))
 

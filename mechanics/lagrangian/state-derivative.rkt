@@ -13,7 +13,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/compose.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt")
 
@@ -22,7 +22,9 @@
          qv->state-path qv->local-path
          check-velocity
          ;; for those who explain a failure
-         directions->text)
+         directions->text
+         ;; for those who compile it
+         Lagrangian-derivative? Lagrangian-derivative-Lagrangian)
 
 ;; (Lagrangian->acceleration L) : (t, q, v) ↦ a
 (define (Lagrangian->acceleration L [dissipation #f] #:force [Q #f])
@@ -32,9 +34,16 @@
 (define (Lagrangian->state-derivative L [dissipation #f] #:force [Q #f])
   (define acceleration-at
     (acceleration-function 'Lagrangian->state-derivative L dissipation Q))
-  (function-of-state
-   'Lagrangian->state-derivative L dissipation Q
-   (lambda (state) (up 1 (velocity state) (acceleration-at state)))))
+  (define f
+    (function-of-state
+     'Lagrangian->state-derivative L dissipation Q
+     (lambda (state) (up 1 (velocity state) (acceleration-at state)))))
+  (if (or dissipation Q)
+      f
+      (Lagrangian-derivative (function-procedure f) (function-mask f) (function-make-datum f) L)))
+
+;; The state derivative of a Lagrangian alone, which those who compile it want to know.
+(value-struct Lagrangian-derivative function (Lagrangian))
 
 (define local-state-derivative Lagrangian->state-derivative)
 

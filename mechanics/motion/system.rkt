@@ -7,7 +7,7 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "check.rkt" "manifold.rkt"
+         "check.rkt" "Lagrangian-code.rkt" "manifold.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt" "../compile/jet-program.rkt"
          "../error/once.rkt"
@@ -93,8 +93,10 @@
 ;; given : state -> state
 (define (make-system who given state)
   (define-values (derivative corrections) (prepare-motion who given state))
-  (define slope (check-derivative who derivative state))
-  (define code (compile-function derivative state #:name who #:value slope))
+  (define code
+    (or (Lagrangian-code who derivative state)
+        (let ([slope (check-derivative who derivative state)])
+          (compile-function derivative state #:name who #:value slope))))
   (define clock? (clock-first? code))
   (define (slope!)
     (define run (compiled-function-runner code))

@@ -1,0 +1,80 @@
+#lang racket/base
+;; The rates of a Lagrangian's motions, compiled from the Lagrangian itself.
+;;
+;; Lagrange's equations take second derivatives of L.  Run on placeholders as they are, these
+;; make each part of L some n² times.  Here L is traced once, to a short list of instructions;
+;; one sweep back over it gives ∂L/∂q and the momenta P = ∂L/∂v; one forwards over that, in
+;; the direction (1, v, 0), what of dP/dt is known; and one in the direction of each velocity
+;; a column of the mass matrix M, of which half is enough.  What remains is the system
+;;
+;;     M a = ∂L/∂q − ∂P/∂t − (∂P/∂q) v.
+;;
+;; Each scalar of q is a coordinate with its own equation, however q is made up of tuples.
+
+(require racket/flonum
+         "check.rkt"
+         "../compile/builder.rkt" "../compile/compile-function.rkt" "../compile/program.rkt"
+         "../compile/sweep.rkt"
+         "../generic/up-down.rkt"
+         "../lagrangian/state-derivative.rkt"
+         "../numeric/flvector.rkt"
+         "../value/shape.rkt" "../value/structure.rkt")
+
+(provide Lagrangian-code)
+
+;; For less, what is saved is not worth a second way.
+(define fewest-coordinates 6)
+
+;; -> the compiled rates, or #f where the derivative is another one, or does not allow that
+(define (Lagrangian-code who derivative state)
+  (define y (state-vector who state))
+  (and (Lagrangian-derivative? derivative)
+       (local-state? state)
+       (>= (flvector-length y) (+ 1 (* 2 fewest-coordinates)))
+       (code-of-Lagrangian who derivative state y)))
+
+(define (local-state? state)
+  (and (structure? state)
+       (= 3 (structure-length state))
+       (real? (structure-ref state 0))
+       (same-shape? (structure-ref state 1) (structure-ref state 2))))
+
+(define (code-of-Lagrangian who derivative state y)
+  (define L (Lagrangian-derivative-Lagrangian derivative))
+  (define p (traced-program L state #:name who))
+  (define q (and p (= 1 (vector-length (program-outputs p))) (rates-program p)))
+  (define shape (up 1 (structure-ref state 2) (structure-ref state 2)))
+  (define code (and q (program->compiled-function q shape derivative)))
+  (and code (flvector-finite? (code y)) code))
+
+;; ---------------------------------------------------------------------------
+
+;; p : the program of L, of (t, q, v) -> that of (1, v, a), or #f
+(define (rates-program p)
+  (define gradient (program-with-gradient p))
+  (and gradient (differentiable? gradient) (motion-program gradient)))
+
+;; Of L and its derivatives by t, q and v.
+(define (motion-program gradient)
+  (define inputs (program-inputs gradient))
+  (define n (quotient (- inputs 1) 2))
+  (define outputs (program-outputs gradient))
+  (define (by-coordinate i) (vector-ref outputs (+ 2 i)))
+  (define (momentum i) (vector-ref outputs (+ 2 n i)))
+  (define velocities (for/list ([i (in-range n)]) (place (+ 1 n i))))
+  (define b (reload gradient))
+  ;; direction : input index -> operand; -> i ↦ the derivative of momentum i in it
+  (define (along direction)
+    (define tangents (sweep-forward! b gradient (build-vector inputs direction)))
+    (lambda (i)
+      (define x (momentum i))
+      (if (place? x) (vector-ref tangents (place-index x)) 0)))
+  (define known-rate
+    (along (lambda (k) (cond [(= k 0) 1] [(<= k n) (list-ref velocities (- k 1))] [else 0]))))
+  (define columns
+    (for/vector ([j (in-range n)]) (along (lambda (k) (if (= k (+ 1 n j)) 1 0)))))
+  (define (mass i j) ((vector-ref columns (min i j)) (max i j)))
+  (define system
+    (for*/list ([i (in-range n)] [j (in-range (+ n 1))])
+      (if (= j n) (subtract! b (by-coordinate i) (known-rate i)) (mass i j))))
+  (builder->program b inputs (cons 1 (append velocities (solve! b system)))))
