@@ -19,7 +19,7 @@
 
 (require (only-in racket/list add-between)
          (for-syntax racket/base
-                     "imported.rkt" "mistake/misread.rkt")
+                     "imported.rkt" "mistake/misread.rkt" "mistake/sign.rkt")
          (only-in "pattern/mismatch.rkt" short-text tuple-advice)
          "mistake/advised.rkt"
          "../error/complain.rkt"
@@ -112,12 +112,19 @@
   (define (expand-application stx row)
     (define operator (car row))
     (cond
-      [(and (identifier? operator) (imported? operator)) (application-of-import stx row)]
+      [(and (identifier? operator) (imported? operator) (not (number-before-sign? row)))
+       (application-of-import stx row)]
       [(lambda-form? operator) (plain-application stx row)]
       [else
        (define advice (advice-on-call stx row))
-       (define advised-row (if advice (map (lambda (x) (with-advice x advice)) row) row))
+       (define text (or advice (advice-on-product row)))
+       (define advised-row (if text (map (lambda (x) (with-advice x text)) row) row))
        (application-of-own stx (car advised-row) (cdr advised-row) advice)]))
+
+  ;; (pi / 2): what may be a number is not trusted to be a procedure.
+  (define (number-before-sign? row)
+    (and (infix? (map syntax-e row))
+         (not (memq (syntax-e (car row)) '(apply map for-each foldl foldr sort andmap ormap)))))
 
   (define (application-of-import stx row)
     (define operator (car row))

@@ -8,24 +8,26 @@
          "../as-written.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["prefix-form.rkt" prefix-form])
+(require-on-demand ["prefix-form.rkt" prefix-form call-form])
 
-(provide advice-on-call called-beside call-in-print? as-called without-commas)
+(provide advice-on-call advice-on-product called-beside call-in-print? as-called)
 
-;; A call, and its operator and arguments, syntaxes -> text or #f
+;; A call, and its operator and arguments, syntaxes -> text or #f.  Within a formula that has
+;; advice on it, that holds for what is written so, too.
 (define (advice-on-call stx row)
   (or (syntax-property stx called)
+      (and (formula? row) (advice-on stx))
       (advice-on-infix row)
       (advice-on-brackets stx row)
-      (let ([f (syntax-e (car row))])
-        (and (number? f) (null? (cdr row)) (format "f(~a) is written (f ~a)" f f)))))
+      (and (null? (cdr row)) (number? (syntax-e (car row)))
+           (let ([f (syntax-e (car row))])
+             (format "a number is written ~a, without parentheses; f(~a) is written (f ~a)"
+                     f f f)))))
 
-(define (advice-on-brackets stx row)
-  (define shape (syntax-property stx 'paren-shape))
-  (and (memv shape '(#\[ #\{))
-       (format "~a are parentheses here; a tuple is ~a"
-               (if (eqv? shape #\[) "brackets" "braces")
-               (form->text (cons 'up (map syntax->datum row))))))
+;; (m * v), and (1/2 m v) in which a number is applied
+(define (formula? row)
+  (define data (map syntax-e row))
+  (or (infix? data) (and (number? (car data)) (pair? (cdr data)))))
 
 (define (advice-on-infix row)
   (and (infix? (map syntax-e row))
@@ -33,6 +35,18 @@
          (if form
              (string-append "operations come first: " (form->text form))
              "operations come first, as in (* 2 x)"))))
+
+;; For whoever finds a name in it unknown: where all are known, the refusal shows their values.
+(define (advice-on-product row)
+  (define form (and (formula? row) (prefix-form (map syntax->datum row))))
+  (and form (string-append "a product is " (form->text form))))
+
+(define (advice-on-brackets stx row)
+  (define shape (syntax-property stx 'paren-shape))
+  (and (memv shape '(#\[ #\{))
+       (format "~a are parentheses here; a tuple is ~a"
+               (if (eqv? shape #\[) "brackets" "braces")
+               (form->text (cons 'up (map syntax->datum row))))))
 
 ;; ---------------------------------------------------------------------------
 ;; f(x), which is read as f and, beside it, the call (x)
@@ -62,24 +76,17 @@
 ;; f(x + 1), a name and what touches it -> "f(x + 1) is written (f (+ x 1))"
 (define (as-called f arguments)
   (format "~a~a is written ~a"
-          (syntax-e f) (typed-text arguments) (form->text (call-form f arguments))))
+          (syntax-e f) (typed-text arguments) (form->text (called-form f arguments))))
 
-(define (call-form f arguments)
-  (define data (argument-forms (syntax->list arguments)))
-  (cons (syntax-e f)
-        (or (and (infix? data) (let ([form (prefix-form data)]) (and form (list form)))) data)))
+(define (called-form f arguments)
+  (call-form (syntax-e f) (argument-forms (syntax->list arguments))))
 
-;; Data of syntaxes in a row, calls among them being taken together, without commas.
+;; Data of syntaxes in a row, calls among them being taken together.
 (define (argument-forms row)
   (cond [(null? row) '()]
         [(and (pair? (cdr row)) (call-in-print? (car row) (cadr row)))
-         (cons (call-form (car row) (cadr row)) (argument-forms (cddr row)))]
-        [else (append (without-commas (list (syntax->datum (car row))))
-                      (argument-forms (cdr row)))]))
-
-(define (without-commas data)
-  (for/list ([d (in-list data)])
-    (if (and (list? d) (= (length d) 2) (eq? (car d) 'unquote)) (cadr d) d)))
+         (cons (called-form (car row) (cadr row)) (argument-forms (cddr row)))]
+        [else (cons (syntax->datum (car row)) (argument-forms (cdr row)))]))
 
 ;; As it stands in the program, but for spaces at the ends.
 (define (typed-text stx)

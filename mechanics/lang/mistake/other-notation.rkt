@@ -1,13 +1,18 @@
 #lang racket/base
 ;; Names that other programs, and books, have for what is called otherwise here.  Letters of
-;; physics (e, i, N) are left out: who writes one means a symbol.  Of some there are too many
+;; physics (e, i, N) are left out: who writes one means a symbol, mostly.  Of some there are too many
 ;; to list: they are known by their pattern, as dx/dt is.
 
 (provide notation-names notation-sentence)
 
+(define about-degrees "angles are in radians: 30 degrees are (* 30 (/ pi 180))")
+(define about-units
+  (string-append "numbers have no units here; any consistent ones will do, as kilograms, "
+                 "meters and seconds in (* 5 9.8)"))
+
 ;; (advice name ...) ...
 (define notations
-  '(("powers are (expt x 2)" pow power ** raise-to)
+  `(("powers are (expt x 2)" pow power ** raise-to)
     ("the natural logarithm is (log x)" ln Log)
     ("to another base it is (log x 10)" log10 log2 lg)
     ("its name is asin" arcsin Arcsin ArcSin arc-sin)
@@ -49,9 +54,8 @@
     ("the true value is #t, the false one #f" true false True False)
     ("a definition is (define (f x) ...)" def defun function)
     ("a function without a name is (lambda (x) ...)" fn fun)
-    ("angles are in radians: 30 degrees are (* 30 (/ pi 180))" deg degree degrees :degree °)
-    ("numbers have no units here; any consistent ones will do, as kilograms, meters and seconds in (* 5 9.8)"
-     kg meter meters metre metres newton newtons joule joules m/s m/s^2 m/s² m/s/s rad/s)
+    (,about-degrees deg degree degrees :degree °)
+    (,about-units kg meter meters metre metres newton newtons joule joules m/s m/s^2 m/s² m/s/s rad/s)
     ("a library is loaded by (require mechanics/plot)" import from using)
     ("numbers in a row are (in-range 10), or as a list (iota 10)" range linspace arange)
     ("a component is (ref x 0), one of a list (list-ref x 0)" first second third nth getitem)
@@ -75,7 +79,7 @@
 (define (notation-sentence name)
   (or (hash-ref advice-of name #f)
       (let ([text (symbol->string name)])
-        (or (sentence-about-rate text) (sentence-about-power text)))))
+        (for/or ([sentence (in-list patterns)]) (sentence text)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Patterns
@@ -90,10 +94,11 @@
        (format "the rate of a path ~a is (D ~a), at a time ((D ~a) 't)"
                (cadr found) (cadr found) (cadr found))))
 
-;; sin^2, sin², sin^-1
+;; sin^2, sin², sin^-1, sin-1
 (define (sentence-about-power text)
   (define found
-    (regexp-match #px"^(a?(?:sin|cos|tan)h?|exp|log|sqrt)(?:\\^(-?[0-9]+)|([²³]))$" text))
+    (or (regexp-match #px"^(a?(?:sin|cos|tan)h?|exp|log|sqrt)(?:\\^(-?[0-9]+)|([²³]))$" text)
+        (regexp-match #px"^((?:sin|cos|tan)h?)(-1|[2-9])()$" text)))
   (and found
        (let ([name (cadr found)] [power (or (caddr found) (cadddr found))])
          (cond [(member power '("2" "²")) (format "powers come outside: (square (~a x))" name)]
@@ -101,3 +106,27 @@
                [(equal? power "-1") (format "the inverse is (a~a x), one over it (/ 1 (~a x))"
                                              name name)]
                [else (format "powers come outside: (expt (~a x) ~a)" name power)]))))
+
+;; 30deg, 30°, and 9.8m/s^2
+(define (sentence-about-unit text)
+  (define found (regexp-match #px"^([0-9.]+)(.+)$" text))
+  (define number (and found (string->number (cadr found)) (cadr found)))
+  (define advice (and number (hash-ref advice-of (string->symbol (caddr found)) #f)))
+  (cond [(not advice) #f]
+        [(eq? advice about-degrees)
+         (format "angles are in radians: ~a degrees are (* ~a (/ pi 180))" number number)]
+        [(eq? advice about-units) (format "write ~a: ~a" number about-units)]
+        [else #f]))
+
+;; :tolerance 1e-9 and m=2, as elsewhere arguments are named
+(define (sentence-about-argument text)
+  (cond [(regexp-match #px"^:(\\p{L}(?:\\p{L}|-)*)$|^--(\\p{L}(?:\\p{L}|-)*)$" text)
+         => (lambda (found) (format "a keyword is written #:~a" (or (cadr found) (caddr found))))]
+        [(regexp-match #px"^(\\p{L}(?:\\p{L}|[0-9_-])*)=(.+)$" text)
+         => (lambda (found)
+              (format "an argument is given by its place, as ~a, or by a keyword, as #:~a ~a"
+                      (caddr found) (cadr found) (caddr found)))]
+        [else #f]))
+
+(define patterns
+  (list sentence-about-rate sentence-about-power sentence-about-unit sentence-about-argument))

@@ -5,11 +5,14 @@
 ;; The forms of a list are read as operands and signs in turn.  Two operands without a sign
 ;; are multiplied, and a name before parentheses is called; powers bind closest, then products,
 ;; then sums, then comparisons.  What is left of a sign is taken together first, but for powers.
+;; A function of one argument, as cos, takes all that stands in the parentheses behind it for
+;; that, or else the next operand.
 
 (require racket/list
-         "sign.rkt" "typed-formula.rkt")
+         "sign.rkt" "typed-formula.rkt"
+         "../as-written.rkt")
 
-(provide prefix-form)
+(provide prefix-form call-form one-argument-function?)
 
 ;; Signs from the loosest to the closest, and how the operation is called here.
 (define levels
@@ -74,20 +77,58 @@
 (define (operand d)
   (cond [(sign? d) #f]
         [(symbol? d) (formula-of d)]
-        [(and (list? d) (infix? d)) (prefix-form d)]
+        [(and (list? d) (formula? d)) (prefix-form d)]
         [else d]))
+
+;; A formula in parentheses: with a sign, or a number before what it multiplies.
+(define (formula? forms)
+  (or (infix? forms)
+      (and (pair? forms) (pair? (cdr forms)) (number? (car forms)))))
 
 (define (formula-of name)
   (define text (typed-formula name))
-  (if text (read (open-input-string text)) name))
+  (cond [text (read (open-input-string text))]
+        [(memq name '(deg degree degrees °)) '(/ pi 180)]
+        [else name]))
 
-;; sin (x) is a call, as long as (x) is no formula.
+;; ---------------------------------------------------------------------------
+;; Calls
+
+;; sin (x) is a call, and so is f (x) as long as (x) is no formula.
 (define (with-calls forms)
   (cond [(or (null? forms) (null? (cdr forms))) forms]
-        [(and (symbol? (car forms)) (not (sign? (car forms)))
-              (argument-list? (cadr forms)))
-         (with-calls (cons (cons (car forms) (cadr forms)) (cddr forms)))]
+        [(or (function-before? (car forms) (cadr forms)) (call-before? (car forms) (cadr forms)))
+         (cons (call-form (car forms) (behind (cadr forms))) (with-calls (cddr forms)))]
         [else (cons (car forms) (with-calls (cdr forms)))]))
 
-(define (argument-list? d)
-  (and (list? d) (not (infix? d)) (not (memq (if (pair? d) (car d) #f) '(quote quasiquote)))))
+(define (function-before? name next) (and (one-argument-function? name) (not (sign? next))))
+
+(define (call-before? name next)
+  (and (symbol? name) (not (sign? name)) (not (memq name '(pi :pi)))
+       (list? next) (not (formula? next)) (not (written-call? next))))
+
+;; What stands behind a function, as the list of its arguments: that in parentheses, unless it is
+;; a call as they are written here, (sin (square x)).
+(define (behind d) (if (and (list? d) (not (written-call? d))) d (list d)))
+
+(define (written-call? d)
+  (and (pair? d)
+       (or (one-argument-function? (car d)) (sign? (car d)) (memq (car d) '(quote quasiquote)))
+       #t))
+
+;; name (arguments), data -> the call.  Without commas, several operands are a product where one
+;; argument is wanted.
+(define (call-form name arguments)
+  (define plain (without-commas arguments))
+  (define single (and (one-argument-function? name) (equal? plain arguments)))
+  (define whole
+    (cond [(and single (written-call? plain)) plain]
+          [(and (pair? plain) (or single (formula? plain))) (prefix-form plain)]
+          [else #f]))
+  (cons name (if whole (list whole) (map (lambda (d) (or (operand d) d)) plain))))
+
+(define (one-argument-function? name) (and (memq name functions) #t))
+
+(define functions
+  '(sin cos tan cot sec csc asin acos atan sinh cosh tanh asinh acosh atanh
+    sqrt exp log abs square cube))

@@ -40,7 +40,14 @@
   (define letter (and formula (first-letter (read (open-input-string formula)))))
   (if letter
       (format "a symbol in it is quoted, as '~s" letter)
-      (format "as a symbol it is written '~s" name)))
+      (format "as a symbol it is written '~s~a" name (or-number name))))
+
+;; Letters that are numbers to mathematicians
+(define (or-number name)
+  (case name
+    [(e) "; the number e is (exp 1)"]
+    [(i) "; the imaginary unit is +i"]
+    [else ""]))
 
 ;; In a formula, a datum: the first symbol that is no operation; or #f.
 (define (first-letter formula)

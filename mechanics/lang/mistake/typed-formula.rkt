@@ -17,7 +17,8 @@
   (regexp-replace* #rx"²" (regexp-replace* #rx"³" text "^3") "^2"))
 
 (define (formula text)
-  (or (number-or-name? text)
+  (or (and (degrees? text) "(/ pi 180)")
+      (number-or-name? text)
       (for/or ([way (in-list ways)]) (way text))))
 
 ;; "x" -> "x"; "x^0" -> #f
@@ -26,6 +27,8 @@
            (regexp-match? #px"^\\p{L}(?:\\p{L}|[0-9_'-])*$" text))
        (not (regexp-match? difference text))
        text))
+
+(define (degrees? text) (and (member text '("deg" "degree" "degrees" "°")) #t))
 
 (define difference #px"^(\\p{L})-([0-9.]+)$")
 
@@ -51,5 +54,5 @@
         negative
         (splitting #px"^(.+)/(.+)$" "/")
         (splitting #px"^(.+)\\*(.+)$" "*")
-        (splitting #px"^([0-9.]+)(\\p{L}.*)$" "*")
+        (splitting #px"^([0-9.]+)((?:\\p{L}|°).*)$" "*")
         (splitting #px"^([^^]+)\\^(.+)$" "expt")))

@@ -2,7 +2,9 @@
 ;; Signs of print, which a program pasted from a page of a PDF may hold where those of the
 ;; keyboard belong: Racket takes them for letters of names.
 
-(provide typographic-sentence typographic-sentences)
+(require "../../error/note.rkt")
+
+(provide typographic-sentence typographic-sentences tell-curly-quotes)
 
 ;; character, what it is called, what to type
 (define signs
@@ -42,3 +44,22 @@
            (memv (string-ref text last) '(#\‘ #\’ #\´)))
       (substring text 0 last)
       text))
+
+;; ---------------------------------------------------------------------------
+;; 'x’ is a symbol, of another name than was meant: nothing fails.
+
+(define (tell-curly-quotes stx)
+  (syntax-case stx ()
+    [(q name)
+     (and (eq? (syntax-e #'q) 'quote) (identifier? #'name))
+     (tell-curly-quote #'name)]
+    [(first . others) (begin (tell-curly-quotes #'first) (tell-curly-quotes #'others))]
+    [_ (void)]))
+
+(define (tell-curly-quote id)
+  (define text (symbol->string (syntax-e id)))
+  (define clean (regexp-replace* #rx"[‘’“”]" text ""))
+  (define line (and (path? (syntax-source id)) (syntax-line id)))
+  (unless (equal? clean text)
+    (note (format "'~a~a is a symbol with a curly quote in its name; the symbol ~a is written '~a"
+                  text (if line (format ", line ~a," line) "") clean clean))))

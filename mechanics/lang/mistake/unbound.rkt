@@ -14,6 +14,7 @@
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["other-hint.rkt" hint-for-syntax hint-for-value hint-for-module]
+                   ["known-name.rkt" known-name?]
                    ["pasted.rkt" pasted-sentence]
                    ["whereabouts.rkt" whereabouts])
 
@@ -117,7 +118,7 @@
                     (if advice '() (pasted-sentences entry)))))))
 
 (define (pasted-sentences entry)
-  (define sentence (and entry (pasted-sentence entry)))
+  (define sentence (and entry (pasted-sentence entry known-name?)))
   (if sentence (list sentence) '()))
 
 (define (on-lines-of-their-own sentences)

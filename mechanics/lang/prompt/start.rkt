@@ -10,7 +10,8 @@
          (only-in "../../error/note.rkt" start-session-of-notes!)
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["line-habits.rkt" meant-as-one prime-alone])
+(require-on-demand ["../mistake/line-habits.rkt" meant-as-one prime-alone]
+                   ["../mistake/known-name.rkt" known-name? function-name?])
 
 (provide run-prompt read-entry)
 
@@ -95,7 +96,7 @@
 ;; forms : a list, #f if the text is unfinished, or an exception -> text or #f
 (define (other-meaning forms text)
   (cond [(not forms) (and (regexp-match? #rx"'[ \t]*$" text) (prime-alone text))]
-        [(and (pair? forms) (pair? (cdr forms))) (meant-as-one forms)]
+        [(and (pair? forms) (pair? (cdr forms))) (meant-as-one forms known-name? function-name?)]
         [else #f]))
 
 (define (raise-unfinished)

@@ -17,7 +17,8 @@
 (require (prefix-in core: '#%kernel)
          (for-syntax racket/base
                      "definitions.rkt" "forms.rkt" "imports.rkt" "survey.rkt"
-                     "../imported.rkt")
+                     "../imported.rkt" "../mistake/program-lines.rkt"
+                     (only-in "../mistake/typographic.rkt" tell-curly-quotes))
          "early-use.rkt"
          "../mistake/marked-line.rkt"
          "../printer.rkt")
@@ -31,6 +32,8 @@
      (let* ([forms (syntax->list #'(form ...))]
             [survey (survey-forms forms)]
             [outside (filter imported? (all-early survey))])
+       (check-lines forms (map syntax-e (survey-defined survey)))
+       (for-each tell-curly-quotes forms)
        (with-syntax ([state (datum->syntax #f (make-definitions survey (syntax-source stx)))]
                      [(configuration ...)
                       (if (ormap configuration? forms)

@@ -7,7 +7,8 @@
 ;; such a procedure need not be defined again.
 
 (require (for-syntax racket/base
-                     "forms.rkt" "heads.rkt" "specification.rkt")
+                     "forms.rkt" "heads.rkt" "specification.rkt"
+                     (only-in "../mistake/typographic.rkt" tell-curly-quotes))
          (only-in racket/list partition)
          "../imported.rkt" "clash.rkt" "heads.rkt")
 
@@ -15,6 +16,7 @@
 
 ;; A form as it is to be evaluated at the prompt.
 (define-syntax (at-prompt stx)
+  (tell-curly-quotes stx)
   (syntax-case stx (require)
     [(_ (require spec ...))
      #`(begin #,@(for/list ([spec (in-list (distinct-specifications

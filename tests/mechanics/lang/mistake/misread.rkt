@@ -18,6 +18,11 @@
            "(sin(phi))"
            "(define angle 2)"
            "(cos(angle))"
+           "(pi / 2)"
+           "((1/2 mass (square speed)) - potential)"
+           "(2 angle)"
+           "(2 breadth height)"
+           "(cos(angle/2))"
            "(tan(+ 1 1))"
            "(6)"
            "[1 2]"
@@ -50,7 +55,15 @@
                "as a symbol it is written 'unknown")
     (undefined "phi" "sin(phi) is written (sin phi)" "as a symbol it is written 'phi")
     "angle: cos(angle) is written (cos angle)\n"
-    "application: f(6) is written (f 6)\n"
+    "pi: operations come first: (/ pi 2)\n"
+    (undefined "mass" "operations come first: (- (* 1/2 mass (square speed)) potential)"
+               "as a symbol it is written 'mass")
+    (string-append "application: the value 2 is a number; it cannot be applied to the argument 2; "
+                   "a product is (* 2 2)\n")
+    (undefined "breadth" "a product is (* 2 breadth height)" "as a symbol it is written 'breadth")
+    (undefined "angle/2" "cos(angle/2) is written (cos (/ angle 2))"
+               "a symbol in it is quoted, as 'angle")
+    "application: a number is written 6, without parentheses; f(6) is written (f 6)\n"
     "application: brackets are parentheses here; a tuple is (up 1 2)\n"
     "application: brackets are parentheses here; a tuple is (up 'x 'y)\n"
     "application: braces are parentheses here; a tuple is (up 1 2)\n"

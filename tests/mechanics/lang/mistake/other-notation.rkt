@@ -58,6 +58,18 @@
   (check-suggestion 'kg units)
   (check-suggestion 'm/s^2 units))
 
+(test-case "units and degrees behind their numbers"
+  (for ([name '(30deg 30° 30degrees)])
+    (check-suggestion name "angles are in radians: 30 degrees are (* 30 (/ pi 180))"))
+  (check-regexp-match #rx"^write 9.8: numbers have no units here" (suggestion '9.8m/s^2 ours))
+  (check-suggestion '2x "operations come first: (* 2 x)"))
+
+(test-case "arguments by name"
+  (check-suggestion ':tolerance "a keyword is written #:tolerance")
+  (check-suggestion '--tolerance "a keyword is written #:tolerance")
+  (check-suggestion
+   'm=2 "an argument is given by its place, as 2, or by a keyword, as #:m 2"))
+
 (test-case "rates as they are printed"
   (for ([name '(dx/dt x_dot x-dot ẋ)])
     (check-suggestion name "the rate of a path x is (D x), at a time ((D x) 't)"))
@@ -70,10 +82,16 @@
   (for ([name '(sin^2 sin²)]) (check-suggestion name "powers come outside: (square (sin x))"))
   (check-suggestion 'cos³ "powers come outside: (cube (cos x))")
   (check-suggestion 'log^4 "powers come outside: (expt (log x) 4)")
-  (check-suggestion 'tan^-1 "the inverse is (atan x), one over it (/ 1 (tan x))"))
+  (for ([name '(tan^-1 tan-1)])
+    (check-suggestion name "the inverse is (atan x), one over it (/ 1 (tan x))"))
+  (check-suggestion 'sin2 "powers come outside: (square (sin x))"))
 
 (test-case "a symbol of that name is told where one may be meant"
   (check-equal? (what-was-meant 'theta ours #f) '("as a symbol it is written 'theta"))
+  (check-equal? (what-was-meant 'e ours #f)
+                '("as a symbol it is written 'e; the number e is (exp 1)"))
+  (check-equal? (what-was-meant 'i ours #f)
+                '("as a symbol it is written 'i; the imaginary unit is +i"))
   (check-equal? (what-was-meant 'x² ours #f)
                 '("operations come first: (expt x 2)" "a symbol in it is quoted, as 'x"))
   (check-equal? (what-was-meant 'sin² ours #f) '("powers come outside: (square (sin x))"))
@@ -132,8 +150,7 @@
                       errors)
   (check-regexp-match (beneath "‘x" "‘ in it is a curly quote; type 'x\n") errors)
   (check-regexp-match (beneath "−2" "− in it is a minus of print; type -2\n") errors)
-  (check-regexp-match #rx"given: 3.14159[0-9]*\n  operations come first, as in [(][*] 2 pi[)]"
-                      errors)
+  (check-regexp-match #rx"\npi: operations come first: [(][*] pi 2[)]\n" errors)
   (check-regexp-match #rx"application: operations come first: [(][*] 2 'x[)]" errors))
 
 (test-case "in a module"
@@ -146,3 +163,11 @@
   (check-equal? (refusal "(sin ‘x)")
                 (string-append "example:2:5: ‘x: unbound identifier; ‘ in it is a curly quote; "
                                "type 'x\n  in: ‘x")))
+
+(test-case "a quoted symbol with a curly quote in its name is one, which is told"
+  (define-values (output errors) (session '("-I" "mechanics") "(list 'x’ 'y)" "'z′"))
+  (check-equal? output '("'(x’ y)" "z′"))
+  (check-equal? errors "; 'x’ is a symbol with a curly quote in its name; the symbol x is written 'x\n")
+  (define port (open-output-string))
+  (parameterize ([current-error-port port]) (declare "#lang mechanics\n(define a 'x’)\n"))
+  (check-equal? (get-output-string port) errors))

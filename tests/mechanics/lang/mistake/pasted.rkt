@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Results typed or pasted again at the prompt.
 
-(require mechanics/lang/mistake/pasted
+(require mechanics/lang/mistake/known-name
+         mechanics/lang/mistake/pasted
          rackunit
          "../../support/run-text.rkt")
 
@@ -9,7 +10,7 @@
   (parameterize ([current-namespace (make-base-namespace)])
     (eval '(require mechanics))
     (eval '(define known 3))
-    (list (pasted-sentence 'entry) ...)))
+    (list (pasted-sentence 'entry known-name?) ...)))
 
 (define said "a result that was printed is read by (read-expression '")
 

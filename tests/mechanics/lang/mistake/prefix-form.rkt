@@ -42,6 +42,22 @@
   (check-prefix '(m (b + c) + 1) '(+ (* m (+ b c)) 1))
   (check-prefix '('m * 'v) '(* 'm 'v)))
 
+(test-case "a function of one argument takes what stands behind it"
+  (check-prefix '(A cos (omega t)) '(* A (cos (* omega t))))
+  (check-prefix '(A cos (omega*t + phi)) '(* A (cos (+ (* omega t) phi))))
+  (check-prefix '(sin x + 1) '(+ (sin x) 1))
+  (check-prefix '(omega sin (x)) '(* omega (sin x)))
+  (check-prefix '(sin (square x) + 1) '(+ (sin (square x)) 1))
+  (check-equal? (call-form 'cos '(pi/2)) '(cos (/ pi 2)))
+  (check-equal? (call-form 'cos '(omega t)) '(cos (* omega t)))
+  (check-equal? (call-form 'sin '(30 deg)) '(sin (* 30 (/ pi 180))))
+  (check-equal? (call-form 'atan '(y ,x)) '(atan y x))
+  (check-equal? (call-form 'tan '(+ 1 1)) '(tan (+ 1 1)))
+  (check-equal? (call-form 'f '(x/2 y)) '(f (/ x 2) y)))
+
+(test-case "a number before names is a product, within a formula too"
+  (check-prefix '((1/2 m (square v)) - (g * h)) '(- (* 1/2 m (square v)) (* g h))))
+
 (test-case "what is none has no other form"
   (check-prefix '(a *) #f)
   (check-prefix '(a * + b) #f)

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Lines that were meant as one form.
 
-(require mechanics/lang/prompt/line-habits
+(require mechanics/lang/mistake/known-name
+         mechanics/lang/mistake/line-habits
          mechanics/lang/prompt/typed-forms
          racket/string
          rackunit
@@ -14,7 +15,7 @@
   (eval '(define three 3)))
 
 (define-check (check-line text said)
-  (define found (parameterize ([current-namespace space]) (meant-as-one (forms-in text))))
+  (define found (parameterize ([current-namespace space]) (meant-as-one (forms-in text) known-name? function-name?)))
   (unless (equal? found said)
     (with-check-info (['text text] ['expected said] ['found found]) (fail-check))))
 
@@ -31,7 +32,14 @@
 (test-case "definitions"
   (check-line "x = 3" "a definition is written (define x 3)")
   (check-line "x := 3" "a definition is written (define x 3)")
-  (check-line "L = 1/2 m v^2" "a definition is written (define L (* 1/2 m (expt v 2)))")
+  (check-line "E = m g h" "a definition is written (define E (* 'm 'g 'h))")
+  (check-line "E = 2 three" "a definition is written (define E (* 2 three))")
+  (check-line "x(t) = A cos(omega t)"
+              "a definition is written (define ((x A omega) t) (* A (cos (* omega t))))")
+  (check-line "L = 1/2 m v^2 - 1/2 k x^2"
+              (string-append
+               "a Lagrangian is a function of (up t q v): (define ((L m k) (up t x v)) "
+               "(- (* 1/2 m (expt v 2)) (* 1/2 k (expt x 2))))"))
   (check-line "f(x, y) = x*y" "a definition is written (define (f x y) (* x y))")
   (check-line "define m = 3" "it stands in parentheses: (define m 3)")
   (check-line "define (g x) (* x x)" "it stands in parentheses: (define (g x) (* x x))")
@@ -46,6 +54,11 @@
   (check-equal? (prime-alone "  x'' ") said)
   (check-false (prime-alone "(list '"))
   (check-false (prime-alone "'")))
+
+(test-case "lines that were printed"
+  (check-line "> (+ 1 2)" "> is the prompt's, not part of what is typed: (+ 1 2)")
+  (check-line "proved: the residual is zero"
+              "proved: ... is a line that was printed, nothing to type"))
 
 (test-case "several forms in a line may be meant"
   (check-line "1 (+ 'a 'a)" #f)

@@ -1,0 +1,28 @@
+#lang racket/base
+;; Lines of a program that were meant as one form.
+
+(require rackunit
+         "../../support/run-text.rkt")
+
+(define (said text in) (string-append "example:" text "\n  in: " in))
+
+(test-case "a formula, a definition, a call as on paper"
+  (check-equal? (refusal "m = 3") (said "2:0: line: a definition is written (define m 3)" "m"))
+  (check-equal? (refusal "(define k 2)" "E = k m h")
+                (said "3:0: line: a definition is written (define E (* k 'm 'h))" "E"))
+  (check-equal? (refusal "L = 1/2 m v^2")
+                (said (string-append "2:0: line: a Lagrangian is a function of (up t q v): "
+                                     "(define ((L m) (up t q v)) (* 1/2 m (expt v 2)))")
+                      "L"))
+  (check-equal? (refusal "(define (f x) x)" "f(3)") (said "3:0: line: f(3) is written (f 3)" "f"))
+  (check-equal? (refusal "2 + 3") "example:2:0: line: operations come first: (+ 2 3)\n  in: 2"))
+
+(test-case "what was pasted with the prompt, or was printed"
+  (check-equal? (refusal "> (+ 1 2)")
+                (said "2:0: line: > is the prompt's, not part of what is typed: (+ 1 2)" ">"))
+  (check-equal? (refusal "'a" "proved: the residual is zero")
+                (said "3:0: line: proved: ... is a line that was printed, nothing to type"
+                      "proved:")))
+
+(test-case "several forms of a line may be meant"
+  (check-equal? (prints "(define a 1) (define b 2)" "a b (+ a b)" "'x 'y") "1\n2\n3\nx\ny\n"))
