@@ -42,8 +42,8 @@ run: compile
 
 COMMAND = mechanics/lang/command
 show tex: compile
-	@if [ ! -f "$(FILE)" ]; then \
-	    echo 'make $@ FILE=my-system.rkt typesets a file; given: FILE=$(FILE)' >&2; exit 2; \
+	@if [ -z "$(FILE)" ]; then \
+	    echo '$@: which file? as in  make $@ FILE=my-system.rkt' >&2; exit 2; \
 	fi
 	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/show-program.rkt
 	@$(RACKET) -l- $(COMMAND)/raco $@ $(if $(OUT),-o "$(OUT)") "$(FILE)"

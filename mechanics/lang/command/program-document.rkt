@@ -6,16 +6,20 @@
          racket/list
          racket/path
          "run-program.rkt" "watch.rkt"
-         "../../document/comments.rkt" "../../document/piece.rkt"
-         "../../error/complain.rkt")
+         "../program-file.rkt"
+         "../../document/comments.rkt" "../../document/piece.rkt")
 
 (provide program-document)
 
-;; who : in whose name is complained
+;; who : in whose name is complained; name : of the file, as it was given
 ;; -> document, and what is to be said if the program did not run to its end, or #f
-(define (program-document who file)
-  (define text (program-text who file))
-  (define stx (read-program who file text))
+(define (program-document who file [name (path->string (file-name-from-path file))])
+  (check-program who name file)
+  (define text (program-text file))
+  (define stx
+    (with-handlers ([exn:fail:read? (lambda (e) (raise-unreadable who name e))])
+      (parameterize ([current-load-relative-directory (path-only file)])
+        (read-program file (open-input-string text)))))
   (define o (run-program stx file))
   (define end (outcome-end o))
   (define pieces
@@ -30,25 +34,9 @@
 ;; Reading
 
 ;; Positions of syntax count a line end as one character, however it is written.
-(define (program-text who file)
-  (unless (file-exists? file) (complain who "there is no such file\n  file: ~a" file))
-  (define bytes (file->bytes file))
-  (define text
-    (with-handlers ([exn:fail:contract?
-                     (lambda (e) (complain who "the file is no text in UTF-8\n  file: ~a" file))])
-      (bytes->string/utf-8 bytes)))
+(define (program-text file)
+  (define text (bytes->string/utf-8 (file->bytes file)))
   (regexp-replace* #rx"\r\n?" (regexp-replace #rx"^\uFEFF" text "") "\n"))
-
-(define (read-program who file text)
-  (define port (open-input-string text))
-  (port-count-lines! port)
-  (define stx
-    (parameterize ([read-accept-reader #t] [read-accept-lang #t]
-                   [current-load-relative-directory (path-only file)])
-      (read-syntax file port)))
-  (unless (and (syntax? stx) (pair? (syntax-e stx)) (eq? 'module (syntax-e (car (syntax-e stx)))))
-    (complain who "a program begins with a line such as #lang mechanics\n  file: ~a" file))
-  stx)
 
 (define (language-line text)
   (define m (regexp-match #px"(?m:^#lang[ \t]+([^\n]*?)[ \t]*$)" text))

@@ -5,6 +5,7 @@
 (require racket/cmdline
          racket/path
          "program-document.rkt"
+         (only-in "../program-file.rkt" about-language language-without-us)
          "../../document/TeX-document.rkt" "../../document/web-page.rkt"
          "../../error/complain.rkt" "../../plot/picture-file.rkt")
 
@@ -12,13 +13,13 @@
 
 (define (show-command arguments)
   (define-values (file out) (files "show" arguments #".html"))
-  (define-values (d error) (program-document 'show file))
+  (define-values (d error) (program-document 'show file (path->string (short-path file))))
   (write-file 'show out (string->bytes/utf-8 (document->page d)))
   (told file (list out) error))
 
 (define (TeX-command arguments)
   (define-values (file out) (files "tex" arguments #".tex"))
-  (define-values (d error) (program-document 'tex file))
+  (define-values (d error) (program-document 'tex file (path->string (short-path file))))
   (define-values (text pictures) (document->TeX d (path-replace-extension out #"")))
   (for ([p (in-list pictures)]) (write-file 'tex (car p) (cdr p)))
   (write-file 'tex out (string->bytes/utf-8 text))
@@ -55,6 +56,8 @@
   (for ([w (in-list written)]) (printf "~a\n" (short-path w)))
   (cond [error
          (eprintf "~a did not run to its end:\n~a\n" (short-path file) error)
+         (define without-us (language-without-us file))
+         (when without-us (eprintf "~a\n" (about-language (short-path file) without-us)))
          1]
         [else 0]))
 

@@ -54,6 +54,10 @@
                                     (form->text (cadr data)))]
         [(and (regexp-match? #px"\\p{L}:$" (symbol->string first-one)) (not (known? first-one)))
          (format "~a ... is a line that was printed, nothing to type" first-one)]
+        [(and (> (length data) 3) (andmap symbol? data) (not (infix? data))
+              (not (ormap known? data)))
+         (format "no name in this line is known; a form stands in parentheses, as (f ~a)"
+                 first-one)]
         [else #f]))
 
 ;; f(3); of what is no name, as sin^2, its evaluation says more.

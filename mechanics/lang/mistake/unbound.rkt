@@ -16,6 +16,7 @@
 (require-on-demand ["other-hint.rkt" hint-for-syntax hint-for-value hint-for-module]
                    ["known-name.rkt" known-name?]
                    ["pasted.rkt" pasted-sentence]
+                   ["unreadable.rkt" unreadable]
                    ["whereabouts.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
@@ -76,6 +77,11 @@
 
 ;; The message in words of ours, with what there is to add.
 (define (explained message e entry)
+  (if (exn:fail:read? e)
+      (let-values ([(line what) (unreadable e)]) (string-append "read: " what))
+      (explained-in-part message e entry)))
+
+(define (explained-in-part message e entry)
   (string-append (if (exn:fail:contract? e) (in-our-words message e) message)
                  (or (hint-for message e entry) "")))
 
@@ -145,4 +151,5 @@
          (exn:fail:contract:variable message marks (exn:fail:contract:variable-id e))]
         [(exn:fail:syntax? e) (exn:fail:syntax message marks (exn:fail:syntax-exprs e))]
         [(exn:fail:filesystem? e) (exn:fail:filesystem message marks)]
+        [(exn:fail:read? e) (exn:fail:read message marks (exn:fail:read-srclocs e))]
         [else (exn:fail:contract message marks)]))

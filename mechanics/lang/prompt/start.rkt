@@ -7,11 +7,12 @@
          (only-in "../mistake/unbound.rkt" install-hints!)
          (only-in "../printer.rkt" install-printer!)
          "../../error/complain.rkt"
-         (only-in "../../error/note.rkt" start-session-of-notes!)
+         (only-in "../../error/note.rkt" note start-session-of-notes!)
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["../mistake/line-habits.rkt" meant-as-one prime-alone]
-                   ["../mistake/known-name.rkt" known-name? function-name?])
+                   ["../mistake/known-name.rkt" known-name? function-name?]
+                   ["../mistake/unreadable.rkt" unreadable unclosed])
 
 (provide run-prompt read-entry)
 
@@ -77,30 +78,57 @@
         [(command? first-line)
          ((line-source-remember lines) first-line)
          (run-command first-line)]
-        [else (read-to-end lines first-line)]))
+        [else (read-to-end lines (without-prompt first-line))]))
 
-(define (read-to-end lines text)
+;; As it is pasted from a session.
+(define (without-prompt line) (regexp-replace #px"^(?:> +)+(?=\\S)" line ""))
+
+;; told? : was it said that the form is still open?
+(define (read-to-end lines text [told? #f])
   (define forms (with-handlers ([exn:fail:read? (lambda (e) e)]) (forms-in text)))
+  (define open? (exn:fail:read:eof? forms))
   (define habit (other-meaning forms text))
   (when habit
     ((line-source-remember lines) text)
     (complain 'prompt "~a" habit))
-  (define line (if forms #f ((line-source-next lines) (continuation))))
-  (cond [(string? line) (read-to-end lines (string-append text "\n" line))]
+  (define line (if open? ((line-source-next lines) (continuation)) #f))
+  (cond [(string? line)
+         (define tell? (and (not told?) (begins-anew? line)))
+         (when tell? (tell-open text forms))
+         (read-to-end lines (string-append text "\n" line) (or told? tell?))]
         [else
          (unless (equal? forms '()) ((line-source-remember lines) text))
-         (cond [(exn? forms) (raise forms)]
-               [forms forms]
-               [else (raise-unfinished)])]))
+         (cond [open? (raise-unfinished text)]
+               [(exn? forms) (raise-unreadable forms)]
+               [else forms])]))
 
-;; forms : a list, #f if the text is unfinished, or an exception -> text or #f
+;; An empty line within a form, or a definition that is not indented: one may have been
+;; forgotten to be closed.
+(define (begins-anew? line) (regexp-match? #px"^\\s*$|^[(](?:define|require)\\b" line))
+
+(define (tell-open text e)
+  (note (format "the form that begins with  ~a  is still open: type ~a~a"
+                (first-line-of text)
+                (or (unclosed e) "what is missing")
+                (if (terminal-port? (current-input-port)) ", or Ctrl-C to drop it" ""))))
+
+(define (first-line-of text)
+  (define line (car (regexp-match #px"^[^\n]*" text)))
+  (if (> (string-length line) 40) (string-append (substring line 0 37) "...") line))
+
+(define (raise-unreadable e)
+  (define-values (line what) (unreadable e))
+  (complain 'prompt "~a; nothing of this was evaluated" what))
+
+;; forms : a list, or why the text cannot be read -> text or #f
 (define (other-meaning forms text)
-  (cond [(not forms) (and (regexp-match? #rx"'[ \t]*$" text) (prime-alone text))]
+  (cond [(exn:fail:read:eof? forms) (and (regexp-match? #rx"'[ \t]*$" text) (prime-alone text))]
         [(and (pair? forms) (pair? (cdr forms))) (meant-as-one forms known-name? function-name?)]
         [else #f]))
 
-(define (raise-unfinished)
-  (complain 'prompt "the input ends inside a form, which is left out"))
+(define (raise-unfinished text)
+  (complain 'prompt "the input ends inside a form, which is left out; it begins with  ~a"
+            (first-line-of text)))
 
 (module+ main
   (parameterize ([current-namespace (namespace-anchor->empty-namespace here)])

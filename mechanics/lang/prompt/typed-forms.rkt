@@ -7,13 +7,12 @@
 
 (provide forms-in one-line)
 
-;; -> list of syntaxes, or #f if the text ends inside a form.  Any other mistake of reading
-;; is raised.
+;; -> list of syntaxes.  A mistake of reading is raised, exn:fail:read:eof if the text ends
+;; inside a form.
 (define (forms-in text)
   (define port (open-input-string text))
   (port-count-lines! port)
-  (with-handlers ([exn:fail:read:eof? (lambda (e) #f)])
-    (for/list ([form (in-port read-form port)]) form)))
+  (for/list ([form (in-port read-form port)]) form))
 
 (define (read-form port)
   (parameterize ([read-accept-reader #t])
@@ -30,5 +29,4 @@
 
 (define (data-in text)
   (with-handlers ([exn:fail:read? (lambda (e) text)])
-    (define forms (forms-in text))
-    (if forms (map syntax->datum forms) text)))
+    (map syntax->datum (forms-in text))))

@@ -42,6 +42,10 @@
     ("misspelt.rkt" "#lang mechanic" "1")
     ("unknown.rkt" "#lang fortran" "1")
     ("open.rkt" "#lang mechanics" "(define (f x)" "  (* x 2)" "(f 3)")
+    ("marked.rkt" "\uFEFF#lang mechanics" "(+ 'a 'a)" "(module+ main 'main)")
+    ("racket.rkt" "#lang racket/base" "(* 2 'x)")
+    ("unbound.rkt" "#lang racket/base" "(Lagrange-equations 3)")
+    ("mixed.rkt" "#lang mechanics" "(up 1 2]")
     ("closed.rkt" "#lang mechanics" "(f 3))")
     ("text.rkt" "#lang mechanics" "(display \"abc)" "3")
     ("wrong.rkt" "#lang mechanics" "(define (f x) x)" "(f 1 2)")))
@@ -56,6 +60,7 @@
        output)
      (check-equal? (prints "system.rkt" "one" "2") "(* 2 a)\n'#(\"one\" \"2\")\nmain\n")
      (check-equal? (prints "plain.rkt") "'plain\n")
+     (check-equal? (prints "marked.rkt") "(* 2 a)\nmain\n")
      (check-equal? (prints "long-form.rkt") "long\n"))))
 
 (test-case "what cannot be run is told in a sentence, with what to do"
@@ -70,14 +75,14 @@
      (check-refused '("sistem.rkt") "run: there is no file sistem.rkt; did you mean system.rkt?")
      (check-refused '("other.rkt")
                     (string-append "run: there is no file other.rkt; the programs in its folder: "
-                                   "closed.rkt, empty.rkt, long-form.rkt, misspelt.rkt, "
-                                   "no-lang.rkt, open.rkt, plain.rkt, system.rkt, ..."))
+                                   "closed.rkt, empty.rkt, long-form.rkt, marked.rkt, "
+                                   "misspelt.rkt, mixed.rkt, no-lang.rkt, open.rkt, ..."))
      (check-refused '("there/a.rkt")
                     "run: there is no file there/a.rkt; the programs in its folder: none")
      (check-refused '(".")
                     (string-append "run: . is a folder; the programs in it: "
-                                   "closed.rkt, empty.rkt, long-form.rkt, misspelt.rkt, "
-                                   "no-lang.rkt, open.rkt, plain.rkt, system.rkt, ..."))
+                                   "closed.rkt, empty.rkt, long-form.rkt, marked.rkt, "
+                                   "misspelt.rkt, mixed.rkt, no-lang.rkt, open.rkt, ..."))
      (for ([name '("no-lang.rkt" "empty.rkt")])
        (check-refused (list name)
                       (string-append "run: " name " does not say its language: its first line is "
@@ -92,6 +97,16 @@
                     "run: open.rkt, line 2: the ( there is never closed"
                     "  indentation suggests a missing `)` before line 4")
      (check-refused '("closed.rkt") "run: closed.rkt, line 2: there is a ) too many")
+     (check-refused '("mixed.rkt") "run: mixed.rkt, line 2: the ( there is closed by a ]")
+     (check-refused '("racket.rkt")
+                    "*: contract violation" "  expected: number?" "  given: 'x"
+                    (string-append "; racket.rkt is in #lang racket/base, without mechanics: "
+                                   "begin it with  #lang mechanics"))
+     (check-refused '("unbound.rkt")
+                    "unbound.rkt:2:1: Lagrange-equations: unbound identifier"
+                    "  in: Lagrange-equations"
+                    (string-append "; unbound.rkt is in #lang racket/base, without mechanics: "
+                                   "begin it with  #lang mechanics"))
      (check-refused '("text.rkt") "run: text.rkt, line 2: the \" there has no other to close it")
      (check-refused '("wrong.rkt")
                     "f: takes 1 argument; it was given 2"

@@ -163,10 +163,10 @@
   (write-program "open.rkt" "#lang mechanics" "(define x (1" "")
   (display-to-file #"\xFF\xFE\0" (build-path folder "bytes.rkt"))
   (for ([(arguments message)
-         (hash '("no-such.rkt") #rx"^show: there is no such file"
-               '("data.rkt") #rx"^show: a program begins with a line such as #lang mechanics"
-               '("open.rkt") #rx"open.rkt:2:10: read-syntax: expected a `\\)`"
-               '("bytes.rkt") #rx"^show: the file is no text in UTF-8"
+         (hash '("no-such.rkt") #rx"^show: there is no file no-such.rkt; the programs in its folder"
+               '("data.rkt") #rx"^show: data.rkt does not say its language: its first line"
+               '("open.rkt") #rx"^show: open.rkt, line 2: the \\( there is never closed"
+               '("bytes.rkt") #rx"^show: bytes.rkt is no text in UTF-8; save it as such"
                '("good.rkt" "-o" "good.rkt") #rx"^show: the result would replace the program"
                '("good.rkt" "-o" "no-such/x.html") #rx"^show: there is no such folder"
                '("good.rkt" "-o" ".") #rx"^show: there is a folder of that name"

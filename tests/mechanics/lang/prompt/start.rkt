@@ -46,7 +46,7 @@
   (check-false (told? #rx"context"))
   (check-false (told? #rx"collects|body of"))
   (check-true (told? #rx"as a symbol it is written 'nothing-such"))
-  (check-true (told? #rx"unexpected `\\)`"))
+  (check-true (told? #rx"prompt: there is a \\) too many; nothing of this was evaluated\n"))
   (check-not-false (member "after" piped)))
 
 (test-case "commands answer, and what is none says so"
@@ -58,6 +58,31 @@
 
 (test-case "what ends inside a form is told"
   (check-true (told? #rx"prompt: the input ends inside a form, which is left out")))
+
+(test-case "a form that is still open after an empty line or before a definition is told, once"
+  (define-values (output errors)
+    (session arguments "(up 1" "" "" "2)" "(list \"a" "(define x 3)\")" "(define y" "  3" "1"))
+  (check-equal? (cddr output) '("(up 1 2)" "'(\"a\\n(define x 3)\")"))
+  (check-equal? errors
+                (lines "; the form that begins with  (up 1  is still open: type )"
+                       "; the form that begins with  (list \"a  is still open: type \""
+                       (string-append "prompt: the input ends inside a form, which is left out; "
+                                      "it begins with  (define y"))))
+
+(test-case "what was pasted with the prompt is taken without it; what was printed is told once"
+  (define-values (output errors)
+    (session arguments "> (+ 1 2)" "> > 'a" "proved: the residual is zero"
+             "cannot reference an identifier before its definition" "(up 1 2]"))
+  (check-equal? (cddr output) '("3" "a"))
+  (check-equal?
+   errors
+   (lines "prompt: proved: ... is a line that was printed, nothing to type"
+          "prompt: no name in this line is known; a form stands in parentheses, as (f cannot)"
+          "prompt: the ( there is closed by a ]; nothing of this was evaluated")))
+
+(test-case "at Racket's prompt, too, what cannot be read is told in words"
+  (define-values (output errors) (session '("-I" "mechanics") "(+ 1 2))"))
+  (check-equal? errors "read: there is a ) too many\n"))
 
 (test-case ",quit ends the session"
   (define-values (output errors) (session arguments "'before" ",quit" "'after"))
