@@ -102,6 +102,7 @@
 ;; At expansion time
 
 (define-syntax (application stx)
+  (check-keywords stx)
   (syntax-case stx ()
     [(_ operator argument ...)
      (expand-application stx (called-beside (syntax->list #'(operator argument ...))))]
@@ -195,6 +196,20 @@
     (syntax-property stx 'inferred-name (void)))
 
   (define (keyword-argument? stx) (keyword? (syntax-e stx)))
+
+  ;; Each is followed by its value.
+  (define (check-keywords stx)
+    (define parts (syntax-case stx ()
+                    [(_ operator . arguments) (syntax->list #'arguments)]
+                    [_ '()]))
+    (let check ([parts (or parts '())])
+      (cond [(null? parts) (void)]
+            [(not (keyword-argument? (car parts))) (check (cdr parts))]
+            [(or (null? (cdr parts)) (keyword-argument? (cadr parts)))
+             (raise-syntax-error
+              #f (format "~s has no value: it stands behind the keyword" (syntax-e (car parts)))
+              (datum->syntax stx (cdr (syntax-e stx)) stx))]
+            [else (check (cddr parts))])))
 
   (define (lambda-form? stx)
     (syntax-case stx ()

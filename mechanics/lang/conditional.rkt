@@ -43,8 +43,8 @@
 
 (define-syntax (asking-cond stx)
   (syntax-case stx (else)
-    [(_ [test . body] ... [else . last])
-     (with-tests stx #'((test . body) ...) #'([else . last]))]
+    [(_ [test . body] ... [else first . last])
+     (with-tests stx #'((test . body) ...) #'([else first . last]))]
     [(_ [test . body] ...) (with-tests stx #'((test . body) ...) #'())]
     [_ (plain-form #'cond stx)]))
 

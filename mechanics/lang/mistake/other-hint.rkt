@@ -10,6 +10,7 @@
     (#rx"missing procedure expression" "f() is written (f); the empty list is '()")
     (#rx"(^|: )let: bad syntax" "it is written (let ([m 3]) (* 2 m))")
     (#rx"(^|: )let[*]: bad syntax" "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))")
+    (#rx"(^|: )if: " "it is written (if (> x 0) x (- x)), with a value for either case")
     (#rx"(^|: )for[/a-z*]*: bad " "it is written (for/list ([i 10]) (* i i))")
     (#rx"bad require spec" "as in (require mechanics/plot)")))
 

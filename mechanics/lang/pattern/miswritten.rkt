@@ -8,7 +8,8 @@
 ;; pattern that lost its parentheses, (lambda (up t q v) ...), makes a function of four
 ;; arguments, the first of them called `up`.
 
-(require "../as-written.rkt")
+(require "incomplete.rkt"
+         "../as-written.rkt")
 
 (provide check-definition check-argument-list)
 
@@ -20,12 +21,24 @@
        (when found
          (raise-quoted stx found (list 'define (unquoted-head (datum #'head)) (shown #'body))))
        (check-equals stx)
+       (check-complete-definition stx)
+       (check-names-in-head #'head stx)
        (check-bare-in-head #'head #'body stx))]
-    [_ (void)]))
+    [_ (check-complete-definition stx)]))
+
+(define (check-names-in-head head stx)
+  (let check ([head head] [written (lambda (d) (list 'define d '...))])
+    (syntax-case head ()
+      [(inner . formals)
+       (begin
+         (check-names #'formals stx (lambda (d) (written (cons (datum #'inner) d))))
+         (check #'inner (lambda (d) (written (cons d (datum #'formals))))))]
+      [_ (void)])))
 
 ;; formals : an argument list of `stx`, a form such as lambda; body : its forms
 (define (check-argument-list formals body stx)
   (check-quoted formals stx)
+  (check-names formals stx (lambda (d) (list (datum (car (syntax-e stx))) d '...)))
   (when (bare-pattern? formals body)
     (raise-bare stx formals (list (datum (car (syntax-e stx))) (list (datum formals)) '...))))
 

@@ -5,7 +5,8 @@
 
 (require (for-syntax racket/base
                      (only-in racket/list append-map)
-                     "miswritten.rkt" "pattern-syntax.rkt" "slips.rkt" "../plain-form.rkt")
+                     "incomplete.rkt" "miswritten.rkt" "pattern-syntax.rkt"
+                     "slips.rkt" "../plain-form.rkt")
          "tuple.rkt")
 
 (provide up down
@@ -58,8 +59,8 @@
 ;; A curried head is taken apart from outside in, and every procedure it makes
 ;; bears the name that is defined.
 (define-syntax (define/pattern stx)
-  (check-definition stx)
   (check-pattern-in-head stx)
+  (check-definition stx)
   (check-head stx)
   (tell-slips-of-definition stx)
   (syntax-case stx ()
@@ -112,6 +113,7 @@
 
 (begin-for-syntax
   (define ((expand-lambda plain) stx)
+    (check-complete-procedure stx)
     (check-formals stx)
     (tell-slips-of-lambda stx)
     (syntax-case stx ()

@@ -4,6 +4,7 @@
 ;;     (define (L (up t q v)) (* 'm 'v))       'v is a constant, not the velocity
 ;;     (define (L (up t q v)) (+ ...) (- ...))  the first expression is without effect
 ;;     (define (L (up q v t)) ...)              the time comes first
+;;     (lambda t (* 2 t))                       t is the list of all arguments
 ;;
 ;; They are told where they are expanded, so when a file is compiled.  One of them can mean
 ;; nothing, and is refused: (define (L m) (up t q v) ...), where the pattern belongs into
@@ -44,6 +45,7 @@
   (define arguments (arguments-of formals))
   (for ([form (in-list body)])
     (tell-quoted name (append-map named-in arguments) form))
+  (when (identifier? formals) (tell-list name formals body))
   (tell-unused name body)
   (for ([a (in-list arguments)]) (tell-time name a)))
 
@@ -119,6 +121,26 @@
 (define operations
   '(+ - * / expt square cube sqrt exp log abs sin cos tan asin acos atan sinh cosh tanh
     dot-product cross-product magnitude))
+
+;; ---------------------------------------------------------------------------
+;; (lambda t ...)
+
+;; all : what the list of arguments is called
+(define (tell-list name all body)
+  (define symbol (syntax-e all))
+  (when (for/or ([form (in-list body)]) (operand-in? symbol form))
+    (tell name all
+          (format "~a without parentheses is the list of all arguments; one argument is (~a)"
+                  symbol symbol))))
+
+;; Does the symbol stand among the operands of arithmetic?
+(define (operand-in? symbol form)
+  (syntax-case form ()
+    [(head operand ...)
+     (for/or ([o (in-list (syntax->list #'(operand ...)))])
+       (or (and (arithmetic? #'head) (eq? (syntax-e o) symbol))
+           (operand-in? symbol o)))]
+    [_ #f]))
 
 ;; ---------------------------------------------------------------------------
 ;; Expressions without effect

@@ -16,10 +16,10 @@
 
 (require (prefix-in core: '#%kernel)
          (for-syntax racket/base
-                     "definitions.rkt" "forms.rkt" "imports.rkt" "survey.rkt"
+                     "defined-again.rkt" "definitions.rkt" "forms.rkt" "imports.rkt" "survey.rkt"
                      "../imported.rkt" "../mistake/program-lines.rkt"
                      (only-in "../mistake/typographic.rkt" tell-curly-quotes))
-         "early-use.rkt"
+         "defined-again.rkt" "early-use.rkt"
          "../mistake/marked-line.rkt"
          "../printer.rkt")
 
@@ -40,6 +40,8 @@
                           '()
                           #'((module configure-runtime '#%kernel
                                (#%require mechanics/lang/runtime))))]
+                     [((again ...) ...)
+                      (lines-of-repeated (survey-defined survey) (survey-repeated survey))]
                      [(start ...) (map start-as-outside outside)]
                      [(later ...)
                       (for/list ([ids (in-list (survey-early survey))])
@@ -48,6 +50,7 @@
          (syntax/loc stx
            (#%plain-module-begin
             configuration ...
+            (#%plain-app tell-repeated 'again ...) ...
             (module-form state () start) ... (module-form state later form) ...))))]
     [_ (raise-syntax-error #f "bad syntax" stx)]))
 

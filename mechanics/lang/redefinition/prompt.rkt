@@ -7,10 +7,11 @@
 ;; such a procedure need not be defined again.
 
 (require (for-syntax racket/base
-                     "forms.rkt" "heads.rkt" "specification.rkt"
+                     "forms.rkt" "heads.rkt" "specification.rkt" "../imported.rkt"
                      (only-in "../mistake/typographic.rkt" tell-curly-quotes))
          (only-in racket/list partition)
-         "../imported.rkt" "clash.rkt" "heads.rkt")
+         "../imported.rkt" "clash.rkt" "heads.rkt"
+         (only-in "../../error/note.rkt" note-once))
 
 (provide at-prompt head-at-prompt)
 
@@ -25,10 +26,24 @@
     [(_ form)
      (let ([id (defined-by-define #'form)])
        (if id
-           #`(begin form (note-head! '#,id '#,(definition-head (syntax->datum #'form))))
+           #`(begin form
+                    (note-definition! '#,id '#,(definition-head (syntax->datum #'form))
+                                      '#,(library-with id)))
            #'form))]))
 
 (begin-for-syntax
+  ;; The library, as `require` names it, from which the prompt has a name; or #f
+  (define (library-with id)
+    (define binding (identifier-binding id))
+    (define-values (path base)
+      (if (and (pair? binding) (imported? id))
+          (module-path-index-split (caddr binding))
+          (values #f #f)))
+    (cond [(symbol? path) path]
+          [(and (pair? path) (eq? (car path) 'lib) (null? (cddr path)))
+           (string->symbol (regexp-replace #rx"(/main)?[.]rkt$" (cadr path) ""))]
+          [else #f]))
+
   ;; Where the specification is wrong, `require` itself says so.
   (define (required spec form)
     (define names (names-imported spec))
@@ -61,8 +76,13 @@
 ;; namespace -> table: name -> head of its definition
 (define heads (make-weak-hasheq))
 
-(define (note-head! name head)
-  (hash-set! (hash-ref! heads (current-namespace) make-hasheq) name head))
+;; hidden : the library whose name it was, or #f
+(define (note-definition! name head hidden)
+  (hash-set! (hash-ref! heads (current-namespace) make-hasheq) name head)
+  (when hidden
+    (note-once (format (string-append "~a: your definition hides the one of ~a; "
+                                      "(require (only-in ~a ~a)) brings that back")
+                       name hidden hidden name))))
 
 ;; -> how what was defined at the prompt is called, a datum, or #f
 (define (head-at-prompt name)

@@ -113,6 +113,16 @@
                     "  it is called as (f x)"
                     "  in: wrong.rkt, line 3: (f 1 2)"))))
 
+(test-case "names that are defined again are told with their lines, once in a run"
+  (call-in-folder
+   '(("again.rkt" "#lang mechanics" "(define x 3)" "(define (f y) (* x y))" "(f 2)" "(define x 4)"
+                  "(f 2)" "(define x 5)" "(define (g) (define x 1) x)"))
+   (lambda (folder)
+     (define-values (output errors code) (run folder "again.rkt"))
+     (check-equal? output "6\n8\n")
+     (check-equal?
+      errors "; x is defined on lines 2, 5, 7: each definition holds from there on\n"))))
+
 (skip-unless (terminals?) "the program script is not installed: no terminal to run at"
   (test-case "at a terminal, a frame says how it is seen"
     (call-in-folder

@@ -46,7 +46,7 @@
     (talk "(require racket/list)" "(define (first x) 'mine)" "(first '(1 2))"
           "(require (only-in racket/list second) racket/list)" "(first '(1 2))" "(second '(1 2))"))
   (check-equal? output '("mine" "mine" "2"))
-  (check-equal? (length errors) 3))
+  (check-equal? (length errors) 4))
 
 (test-case "a procedure finds what is required after it, with keywords or without"
   (define-values (output errors)
@@ -87,3 +87,16 @@
                 '("; 'm: your own definitions stay"
                   ";   a"
                   ";   the library's: (require (prefix-in its: 'm)), then its:a")))
+
+(test-case "a definition that hides a name of a library is told once, with how to get that back"
+  (define-values (output errors)
+    (talk "(define D 3)" "(define (sin x) 'mine)" "(define D 4)" "(sin 1)"
+          "(require (only-in mechanics D))" "((D square) 3)" "(define mine 3)" "(define mine 4)"
+          "(require mechanics/plot)" "(define (frame x) x)"))
+  (define (said name library)
+    (format (string-append "; ~a: your definition hides the one of ~a; "
+                           "(require (only-in ~a ~a)) brings that back")
+            name library library name))
+  (check-equal? output '("mine" "6"))
+  (check-equal? errors (list (said 'D 'mechanics) (said 'sin 'mechanics)
+                             (said 'frame 'mechanics/plot))))

@@ -1,0 +1,110 @@
+#lang racket/base
+;; Definitions and procedures that lack something, or have what is no name where one belongs:
+;; (define x), (define 3 x), (define L (m, k) 3), (lambda (* 2 t)), (define (f x, y) ...).
+
+(require "../as-written.rkt"
+         "../redefinition/heads.rkt")
+
+(provide check-complete-definition check-complete-procedure check-names)
+
+;; stx : a form that begins with `define`
+(define (check-complete-definition stx)
+  (define (fail text . parts) (raise-syntax-error #f (apply format text parts) stx))
+  (define d (syntax->datum stx))
+  (syntax-case stx ()
+    [(_) (fail "a definition is written (define x 3)")]
+    [(_ head)
+     (identifier? #'head)
+     (fail "~a has no value; a definition is written (define ~a 3)" (cadr d) (cadr d))]
+    [(_ head)
+     (head-name-in (cadr d))
+     (fail "no expressions for procedure body; it is written (define ~a (* 2 x))"
+           (form->text (cadr d)))]
+    [(_ head . _)
+     (not (head-name-in (cadr d)))
+     (fail (if (pair? (cadr d))
+               "~a is no name; a function is defined as in (define (f x) (* 2 x))"
+               "~a is no name; a definition is written (define x 3)")
+           (form->text (first-in (cadr d))))]
+    [(_ head form more . others)
+     (identifier? #'head)
+     (fail "~a" (several-values d))]
+    [_ (void)]))
+
+(define (first-in d) (if (pair? d) (first-in (car d)) d))
+
+;; d : (define L (m, k) 3), where (m k) may be meant for arguments, and is with a comma
+(define (several-values d)
+  (define arguments (caddr d))
+  (define names (and (pair? arguments) (list? arguments) (without-commas arguments)))
+  (define function
+    (and names (andmap symbol? names)
+         (form->text (list* 'define (cons (cadr d) names) (cdddr d)))))
+  (cond [(and function (not (equal? names arguments)))
+         (format "a definition is written ~a" function)]
+        [else
+         (format "~a has one value, and here are several expressions~a" (cadr d)
+                 (if function (format "; a function is written ~a" function) ""))]))
+
+;; stx : a form that begins with `lambda`
+(define (check-complete-procedure stx)
+  (syntax-case stx ()
+    [(_ formula)
+     (operation? (syntax->datum #'formula))
+     (raise-syntax-error
+      #f (format "the arguments come first: ~a"
+                 (form->text `(lambda (,(first-letter (cdr (syntax->datum #'formula))))
+                                ,(syntax->datum #'formula))))
+      stx)]
+    [(_ formals)
+     (raise-syntax-error
+      #f (format "no expressions for procedure body; it is written (lambda ~a (* 2 t))"
+                 (form->text (syntax->datum #'formals)))
+      stx)]
+    [(_) (raise-syntax-error #f "a function is written (lambda (t) (* 2 t))" stx)]
+    [_ (void)]))
+
+(define (operation? d)
+  (and (list? d) (pair? d) (pair? (cdr d))
+       (memq (car d) '(+ - * / expt sqrt square cube sin cos tan exp log up down))
+       #t))
+
+;; The letter that is likeliest the argument: t, or the last one
+(define (first-letter ds)
+  (define letters (symbols-in ds))
+  (cond [(or (null? letters) (memq 't letters)) 't]
+        [else (car (reverse letters))]))
+
+(define (symbols-in d)
+  (cond [(symbol? d) (list d)]
+        [(pair? d) (append (if (pair? (car d)) (symbols-in (cdar d)) (symbols-in (car d)))
+                           (symbols-in (cdr d)))]
+        [else '()]))
+
+;; ---------------------------------------------------------------------------
+;; Argument lists
+
+;; formals : an argument list of stx; head : datum -> the definition or procedure with these
+;; formals, as it is written
+(define (check-names formals stx written)
+  (define (fail at text . parts) (raise-syntax-error #f (apply format text parts) stx at))
+  (let check ([formals* formals])
+    (syntax-case formals* ()
+      [((u name) . _)
+       (eq? (syntax-e #'u) 'unquote)
+       (fail (car (syntax-e formals*)) "no comma separates arguments: ~a"
+             (form->text (written (without-commas (syntax->datum formals)))))]
+      [(k . more)
+       (keyword? (syntax-e #'k))
+       (let ([name (keyword->string (syntax-e #'k))])
+         (syntax-case #'more ()
+           [(next . rest) (not (keyword? (syntax-e #'next))) (check #'rest)]
+           [_ (fail #'k "a keyword is followed by a name: #:~a ~a" name name)]))]
+      [(a . more)
+       (begin
+         (when (constant? (syntax-e #'a))
+           (fail #'a "an argument is a name, which ~a is not" (form->text (syntax-e #'a))))
+         (check #'more))]
+      [_ (void)])))
+
+(define (constant? x) (or (number? x) (string? x) (boolean? x) (char? x)))
