@@ -6,7 +6,8 @@
          "book/section-1-7.rkt" "book/section-1-8.rkt"
          "book/section-2-8.rkt"
          "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt"
-         "book/section-3-6.rkt" "book/section-3-9.rkt")
+         "book/section-3-6.rkt" "book/section-3-9.rkt"
+         "book/section-5-1.rkt" "book/section-5-2.rkt" "book/section-5-3.rkt")
 
 (provide
  ;; 1.4
@@ -39,4 +40,11 @@
  HHpotential HHHam HHsysder section->state HHmap
  make-advance find-next-crossing refine-crossing
  ;; 3.9
- standard-map standard-map-inverse Henon-map Henon-map-inverse)
+ standard-map standard-map-inverse Henon-map Henon-map-inverse
+ ;; 5.1
+ H-central translating H-free H-prime
+ ;; 5.2
+ H-harmonic rotating C-rotating K-rotating H-arbitrary
+ a-non-canonical-transform C-general C-simple-time
+ ;; 5.3
+ omega)

@@ -10,6 +10,7 @@
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
          "algebra/notation/formula-style.rkt"
+         "canonical/on-demand.rkt"
          "display/on-demand.rkt" "display/output.rkt" "display/print-expression.rkt"
          (only-in "display/display-style.rkt" display-style)
          "export/on-demand.rkt"
@@ -80,6 +81,9 @@
  ->H-state H-state? compatible-H-state? momentum momenta state->p P state->qp
  literal-Hamiltonian-state degrees-of-freedom
  (all-from-out "hamiltonian/on-demand.rkt")
+ ;; canonical transformations, with the names of both editions
+ (all-from-out "canonical/on-demand.rkt")
+ (rename-out [F->CH F->CT] [J-matrix symplectic-unit] [Phi* transpose-function])
  ;; energies and other integrals of the motion
  Lagrangian->energy Lagrangian->power-loss Noether-integral
  ;; questions about a system

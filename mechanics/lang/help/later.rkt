@@ -10,18 +10,6 @@
 ;; (section subject name-or-(name page) ...) ...
 (define chapters
   '(("3.6" "surfaces of section" pointer-coordinates default-collector default-monitor)
-    ("5.1" "point transformations"
-     (F->CH 339) F->CT (H-central 339) (F->K 340) (translating 340) (H-free 340) (H-prime 341))
-    ("5.2" "general canonical transformations"
-     (canonical? 344) (polar-canonical 345) polar-canonical-inverse (H-harmonic 345)
-     (T-func 347) (canonical-H? 348) (canonical-K? 348) (rotating 348)
-     (C-rotating 348) (H-arbitrary 348) (J-func 351) (canonical-transform? 351)
-     (a-non-canonical-transform 352) (J-matrix 353) (C-general 354) (C-simple-time 354)
-     (qp-submatrix 355) (D-as-matrix 355) (symplectic-matrix? 355) (symplectic-unit 355)
-     (symplectic-transform? 355) symplectic? qp-canonical? compositional-canonical?
-     time-independent-canonical? linear-function->multiplier transpose-function
-     multiplicative-transpose two-particle-center-of-mass two-particle-center-of-mass-canonical)
-    ("5.3" "invariants of canonical transformations" symplectic-two-form)
     ("5.4" "generating functions" F2->C-inv F1-flip F2-identity)
     ("6.2" "time evolution is canonical" (C->Cp 429) (shift-t 429) (H->Hp 429))
     ("6.4" "Lie series"

@@ -24,4 +24,5 @@ Parameters are scalars in any consistent system of units, local tuples are
 @include-section["book/section-2-8.scrbl"]
 @include-section["book/section-3.scrbl"]
 @include-section["book/section-3-6.scrbl"]
+@include-section["book/section-5.scrbl"]
 @include-section["book/editions.scrbl"]

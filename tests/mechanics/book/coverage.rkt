@@ -90,6 +90,19 @@
     ("4.6 Invariant curves (pp. 322-330)"
      find-invariant-curve which-way? golden-ratio *machine-epsilon* circle-map orbit-stream
      position-stream compare-streams)
+    ("5.1 Point transformations (pp. 336-341)"
+     F->CH H-central F->K translating H-free H-prime solve-linear-right F->CT)
+    ("5.2 General canonical transformations (pp. 342-357)"
+     canonical? polar-canonical H-harmonic T-func D-phase-space canonical-H? canonical-K? rotating
+     C-rotating J-func canonical-transform? a-non-canonical-transform qp-submatrix D-as-matrix
+     symplectic-matrix? symplectic-transform? H-arbitrary C-general C-simple-time
+     s->m m->s J-matrix m:nth-row m:nth-col m:dimension m:submatrix m:num-rows m:num-cols
+     symplectic-unit compositional-canonical? time-independent-canonical?
+     polar-canonical-inverse qp-canonical? symplectic? Phi Phi* linear-function->multiplier
+     transpose-function multiplicative-transpose two-particle-center-of-mass
+     two-particle-center-of-mass-canonical)
+    ("5.3 Invariants of canonical transformations (pp. 357-364)"
+     omega symplectic-two-form)
     ("8 Scheme, as far as the programs of chapter 1 use it"
      write-line pp 1+ -1+ iota runtime exact->inexact)))
 
@@ -111,7 +124,8 @@
     (T-body-Euler T-rigid-body) (L-body-Euler Euler-state->L-body)
     (L-space-Euler Euler-state->L-space)
     (compatible-zero dual-zero)
-    (golden-ratio :phi)))
+    (golden-ratio :phi)
+    (F->CH F->CT) (J-matrix symplectic-unit) (Phi* transpose-function)))
 
 ;; ---------------------------------------------------------------------------
 

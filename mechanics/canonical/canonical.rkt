@@ -1,0 +1,118 @@
+#lang racket/base
+;; Is a transformation canonical?  Residuals along which Hamilton's equations of the old state
+;; go over into those of the new one (SICM 5.2).
+;;
+;; C takes new states to old ones.  With the vector fields D_s H = (1, ∂₂H, −∂₁H) of the
+;; Hamiltonians, C is canonical for H and H' if moving in the new state and then transforming is
+;; the same as transforming and then moving in the old one:
+;;
+;;     D_s H ∘ C − DC · D_s H' = 0.
+;;
+;; If H' = H∘C + K, the terms fall apart in one that is linear in DH and one without it: DC is
+;; to keep J, which takes a gradient (a, b, c) to (0, c, −b), and K has to make up for the time
+;; in C.
+
+(require "transformation.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
+         "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/compose.rkt" "../value/structure.rkt")
+
+(provide canonical? compositional-canonical? canonical-H? canonical-K? qp-canonical?
+         time-independent-canonical?
+         T-func J-func Phi Phi* linear-function->multiplier
+         multiplicative-transpose)
+
+;; ---------------------------------------------------------------------------
+;; Two Hamiltonians
+
+;; ((canonical? C H H') state) : the residual, (up 0 (up 0 ...) (down 0 ...)) if it holds
+(define (canonical? C H H-prime) (residual 'canonical? C H H-prime Hamiltonian->state-derivative))
+
+;; The same where the new Hamiltonian is the composition of the old one with C.
+(define (compositional-canonical? C H)
+  (define who 'compositional-canonical?)
+  (check-both who C H)
+  (residual who C H (compose H C) Hamiltonian->state-derivative))
+
+;; Without the clock (p. 348): the terms with the derivatives of H.
+(define (canonical-H? C H)
+  (check-both 'canonical-H? C H)
+  (residual 'canonical-H? C H (compose H C) D-phase-space))
+
+(define (check-both who C H)
+  (check-transformation who C)
+  (check-Hamiltonian who H))
+
+(define (residual who C H H-prime flow)
+  (define checked (checked-transformation who C))
+  (check-Hamiltonian who H)
+  (check-Hamiltonian who H-prime)
+  (define-values (old new) (values (flow H) (flow H-prime)))
+  (unary-function (lambda () (cons who (map value->datum (list C H)))) (state)
+    (define-values (image moved) (value-and-derivative-along checked state (new state)))
+    (g:- (old image) moved)))
+
+;; The terms without H (p. 348): K makes up for the time in C.
+(define (canonical-K? C K)
+  (define checked (checked-transformation 'canonical-K? C))
+  (check-Hamiltonian 'canonical-K? K)
+  (define flow (Hamiltonian->state-derivative K))
+  (unary-function (lambda () (list 'canonical-K? (value->datum C) (value->datum K))) (state)
+    (define-values (image moved) (value-and-derivative-along checked state (flow state)))
+    (g:- (T-func image) moved)))
+
+;; The terms with the derivatives of H, through J: a test of C although H occurs in it.
+(define (qp-canonical? C H)
+  (check-both 'qp-canonical? C H)
+  (define checked (checked-transformation 'qp-canonical? C))
+  (define-values (slope composed-slope) (values (D H) (D (compose H C))))
+  (unary-function (lambda () (list 'qp-canonical? (value->datum C) (value->datum H))) (state)
+    (define direction (J-func (composed-slope state)))
+    (define-values (image moved) (value-and-derivative-along checked state direction))
+    (g:- (J-func (slope image)) moved)))
+
+;; ---------------------------------------------------------------------------
+;; No Hamiltonian
+
+;; ((time-independent-canonical? C) state) : J v − DC J (v DC) at a v of symbols (1st edition)
+(define (time-independent-canonical? C)
+  (define who 'time-independent-canonical?)
+  (define checked (checked-transformation who C))
+  (unary-function (lambda () (list who (value->datum C))) (state)
+    (define slope ((D checked) state))
+    (define v (compatible-shape state))
+    (g:- (J-func v) (g:* slope (J-func (g:* v slope))))))
+
+;; ---------------------------------------------------------------------------
+;; Linear functions of states
+
+;; (1, 0, 0): the rate of a state of which only the time moves
+(define (T-func state)
+  (check-H-state 'T-func state)
+  (up 1 (zero-like (coordinate state)) (zero-like (momentum state))))
+
+;; The direction (0, c, −b) in which the gradient (a, b, c) of a Hamiltonian moves a state
+(define (J-func gradient)
+  (unless (and (tuple? gradient) (= (structure-length (adopt gradient)) 3))
+    (complain 'J-func "expected the derivative of a function of the state, (down a b c); given ~a"
+              (describe-with-value gradient)))
+  (up 0 (s:ref gradient 2) (g:negate (s:ref gradient 1))))
+
+;; v ↦ A v
+(define (Phi A) (unary-function (lambda () (list 'Phi (value->datum A))) (v) (g:* A v)))
+
+;; w ↦ w A
+(define (Phi* A) (unary-function (lambda () (list 'Phi* (value->datum A))) (w) (g:* w A)))
+
+;; The A by which the linear function F multiplies.
+(define (linear-function->multiplier F argument) ((D F) argument))
+
+;; (multiplicative-transpose w) : A ↦ the B with B w = w A
+(define (multiplicative-transpose w)
+  (unary-function (lambda () (list 'multiplicative-transpose (value->datum w))) (A)
+    (linear-function->multiplier (Phi* A) w)))

@@ -1,0 +1,145 @@
+#lang racket/base
+;; Symplectic matrices and transformations (SICM 5.2.2, 5.3).
+;;
+;; With the states q, p in a row, J = (0 1; −1 0); the derivatives M of a transformation by q and
+;; p keep Poisson brackets if J − M J Mᵀ = 0, of which the entries are those brackets: with the
+;; components z of the old state
+;;
+;;     (M J Mᵀ)ᵢⱼ = Σ ∂zᵢ/∂q' ∂zⱼ/∂p' − ∂zᵢ/∂p' ∂zⱼ/∂q' = {zᵢ, zⱼ}.
+;;
+;; Such a matrix is antisymmetric: n (2n − 1) brackets decide.
+
+(require "transformation.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt"
+         "../value/linear/matrix.rkt")
+
+(provide J-matrix symplectic-matrix? symplectic? symplectic-transform?
+         canonical-transform? qp-submatrix D-as-matrix symplectic-two-form)
+
+;; ---------------------------------------------------------------------------
+;; Matrices
+
+;; The 2n by 2n matrix J
+(define (J-matrix n)
+  (unless (exact-positive-integer? n)
+    (raise-argument-error 'J-matrix "a number of coordinates, at least 1" n))
+  (m:generate (* 2 n) (* 2 n) (lambda (i j) (J-entry n i j))))
+
+(define (J-entry n i j)
+  (cond [(= j (+ i n)) 1]
+        [(= i (+ j n)) -1]
+        [else 0]))
+
+;; J − M J Mᵀ, all zero if M is symplectic
+(define (symplectic-matrix? M)
+  (unless (and (matrix? M) (= (m:num-rows M) (m:num-cols M)) (even? (m:num-rows M)))
+    (complain 'symplectic-matrix?
+              "a symplectic matrix is square, with an even number of rows; given ~a"
+              (describe-with-value M)))
+  (excess (for/list ([i (in-range (m:num-rows M))])
+            (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j)))))
+
+;; rows : of an even number of entries, each -> J less their brackets
+(define (excess rows)
+  (define n (quotient (length (car rows)) 2))
+  (define table (bracket-table rows n))
+  (m:generate (* 2 n) (* 2 n) (lambda (i j) (g:- (J-entry n i j) (entry table i j)))))
+
+;; rows -> what entry takes: those above the diagonal, as vectors
+(define (bracket-table rows n)
+  (define vectors (map list->vector rows))
+  (for/vector ([a (in-list vectors)] [i (in-naturals)])
+    (for/vector ([b (in-list vectors)] [j (in-naturals)])
+      (if (< i j) (bracket a b n) 0))))
+
+(define (entry table i j)
+  (cond [(< i j) (vector-ref (vector-ref table i) j)]
+        [(> i j) (g:negate (vector-ref (vector-ref table j) i))]
+        [else 0]))
+
+;; a, b : derivatives by n coordinates and n momenta
+(define (bracket a b n)
+  (for/fold ([sum 0]) ([k (in-range n)])
+    (g:+ sum (g:- (g:* (vector-ref a k) (vector-ref b (+ k n)))
+                  (g:* (vector-ref a (+ k n)) (vector-ref b k))))))
+
+;; ---------------------------------------------------------------------------
+;; Derivatives of transformations as matrices
+
+;; ((D-as-matrix F) state) : a row for each scalar of the value, a column for each of the state
+(define (D-as-matrix F)
+  (check-transformation 'D-as-matrix F)
+  (unary-function (lambda () (list 'D-as-matrix (value->datum F))) (state)
+    (apply matrix-by-rows (rows-of-derivatives F state))))
+
+;; -> for each scalar of F(state) the list of its derivatives by the scalars of the state
+(define (rows-of-derivatives F state)
+  (define names (scalars state))
+  (define columns
+    (for/list ([x (in-list names)] [k (in-naturals)])
+      (define direction (scalars->structure state (lambda (j) (if (= j k) 1 0))))
+      (define-values (_value slope) (value-and-derivative-along F state direction))
+      (scalars slope)))
+  (apply map list columns))
+
+;; Without the row and the column of the time.
+(define (qp-submatrix M)
+  (unless (and (matrix? M) (> (m:num-rows M) 1) (> (m:num-cols M) 1))
+    (complain 'qp-submatrix "expected a matrix with a row and a column for the time; given ~a"
+              (describe-with-value M)))
+  (m:submatrix M 1 (m:num-rows M) 1 (m:num-cols M)))
+
+;; ---------------------------------------------------------------------------
+;; Transformations
+
+;; ((symplectic-transform? C) state) : 2n by 2n, without the time
+(define (symplectic-transform? C)
+  (of-rows 'symplectic-transform? C (lambda (rows state) (excess (map cdr (cdr rows))))))
+
+;; ((symplectic? C) state) : the same with a row and a column for the time
+(define (symplectic? C)
+  (of-rows 'symplectic? C
+           (lambda (rows state)
+             (define n (degrees-of-freedom state))
+             (define table (bracket-table (map cdr rows) n))
+             (m:generate (+ n n 1) (+ n n 1)
+                         (lambda (i j) (g:- (timed-J-entry n i j) (entry table i j)))))))
+
+;; ((canonical-transform? C) state) : the brackets of the components of C less those of the
+;; state, as a structure of structures, each of the shape of the state (p. 351)
+(define (canonical-transform? C)
+  (of-rows 'canonical-transform? C
+           (lambda (rows state)
+             (define n (degrees-of-freedom state))
+             (define table (bracket-table (map cdr rows) n))
+             (scalars->structure
+              state
+              (lambda (i)
+                (scalars->structure
+                 state
+                 (lambda (j) (g:- (entry table i j) (timed-J-entry n i j)))))))))
+
+(define (of-rows who C make)
+  (define checked (checked-transformation who C))
+  (unary-function (lambda () (list who (value->datum C))) (state)
+    (check-H-state who state)
+    (make (rows-of-derivatives checked state) state)))
+
+;; J with a row and a column of zeros for the time before the others
+(define (timed-J-entry n i j)
+  (if (or (= i 0) (= j 0)) 0 (J-entry n (- i 1) (- j 1))))
+
+;; ---------------------------------------------------------------------------
+;; The two-form
+
+;; ω(ζ₁, ζ₂) = p₂ q₁ − p₁ q₂ of two increments of a state
+(define (symplectic-two-form zeta1 zeta2)
+  (check-H-state 'symplectic-two-form zeta1)
+  (check-H-state 'symplectic-two-form zeta2)
+  (g:- (g:* (momentum zeta2) (coordinate zeta1))
+       (g:* (momentum zeta1) (coordinate zeta2))))

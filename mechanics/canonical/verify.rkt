@@ -1,0 +1,90 @@
+#lang racket/base
+;; Is a transformation canonical?  The answer as a verdict.
+;;
+;; A transformation that keeps all Poisson brackets of coordinates and momenta is canonical for
+;; every Hamiltonian; with H and the new Hamiltonian it is asked about these two alone.  All
+;; brackets may come out multiplied by one number λ: then the motion is still Hamilton's, with
+;; H' = H∘C/λ, and the verdict, a refutation, says so.
+
+(require "canonical.rkt" "symplectic-transformation.rkt" "transformation.rkt"
+         "../algebra/expression/symbols.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/generic-state.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/linear/matrix.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+
+(provide verify-canonical verify-symplectic)
+
+;; (verify-canonical C state), or (verify-canonical C H H' state)
+(define verify-canonical
+  (case-lambda
+    [(C state) (verify-brackets 'verify-canonical C state canonical-transform?)]
+    [(C H H-prime state)
+     (check-Hamiltonian 'verify-canonical H)
+     (check-Hamiltonian 'verify-canonical H-prime)
+     (check-question 'verify-canonical state C H H-prime)
+     (judged state (lambda () ((canonical? C H H-prime) state))
+             (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state)))]
+    [arguments
+     (complain-of-arity 'verify-canonical
+                        (string-append "takes a transformation and a state, or a transformation, "
+                                       "the old and the new Hamiltonian and a state; "
+                                       "it was given ~a arguments")
+                        (length arguments))]))
+
+;; Of a transformation, or of a matrix of 2n rows
+(define verify-symplectic
+  (case-lambda
+    [(M)
+     (unless (matrix? M)
+       (complain 'verify-symplectic
+                 "a transformation is asked about at a state: (verify-symplectic C state)"))
+     (prove-zero (symplectic-matrix? M))]
+    [(C state) (verify-brackets 'verify-symplectic C state symplectic-transform?)]))
+
+(define (verify-brackets who C state residual)
+  (check-question who state C)
+  (judged state (lambda () ((residual C) state))
+          (lambda (change) (verify-brackets who (change C) state residual))
+          (lambda () (remarks-on-brackets C state))))
+
+(define (check-question who state C . Hs)
+  (check-transformation who C)
+  (check-H-state who state)
+  (check-symbols who state "state")
+  (void (transformed who C state))
+  (for ([f (in-list (cons C Hs))]) (check-parameters who f state "state")))
+
+;; find-residual : -> the residual, differentiated while kinks are noted
+(define (judged state find-residual again [remarks (lambda () '())])
+  (define-values (residual survey) (survey-derivatives find-residual (scalars state)))
+  (define v (prove-zero residual #:variables (scalars state) #:surveys (list survey)
+                        #:again again))
+  (if (refuted? v)
+      (for/fold ([v v]) ([text (in-list (remarks))]) (with-remark v text))
+      v))
+
+;; ---------------------------------------------------------------------------
+;; All brackets multiplied by one number
+
+(define (remarks-on-brackets C state)
+  (define factor (common-factor C state))
+  (if factor
+      (list (format (string-append "all Poisson brackets are multiplied by ~a, a constant: "
+                                   "the motion is that of the Hamiltonian H∘C divided by it")
+                    (value->text factor)))
+      '()))
+
+;; -> λ, free of the state, if the brackets are λ times those of q and p; else #f
+(define (common-factor C state)
+  (define excess ((symplectic-transform? C) state))
+  (define n (degrees-of-freedom state))
+  (define factor (simplify (g:- 1 (matrix-ref excess 0 n))))
+  (define (constant? x)
+    (for/and ([name (in-list (scalars state))]) (or (number? x) (not (occurs? name x)))))
+  (and (constant? factor)
+       (proved? (prove-zero (g:- (g:* (g:- 1 factor) (J-matrix n)) excess)))
+       factor))

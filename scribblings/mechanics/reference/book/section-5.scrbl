@@ -1,0 +1,97 @@
+#lang scribble/manual
+@(require (for-label mechanics mechanics/book) "../../eval.rkt" "../../citation.rkt")
+
+@title[#:tag "reference-book-5"]{5.1 to 5.3 Canonical transformations}
+
+@(define session
+   (make-session '(require mechanics/book)
+                 '(define space (up 't (up 'x 'y 'z) (down 'p_x 'p_y 'p_z)))))
+
+@defproc[((H-central [m scalar] [V procedure?]) [state structure?]) scalar]{
+
+A particle in the potential energy V(r) of a centre, in rectangular coordinates.
+
+@examples[#:eval session
+((compose (H-central 'm (literal-function 'V)) (F->CH p->r))
+ (up 't (up 'r 'phi) (down 'p_r 'p_phi)))]
+
+@sicm{5.1, p. 339}}
+
+@deftogether[(@defproc[((translating [v value]) [state structure?]) value]
+              @defproc[((H-free [m scalar]) [state structure?]) scalar]
+              @defproc[(H-prime [state structure?]) scalar])]{
+
+Coordinates that move with a velocity, the Hamiltonian of a free particle, and what that is in
+the moving coordinates, with the symbols m and v.
+
+@examples[#:eval session
+((translating 'v) (up 't 'x 'p))
+((H-free 'm) (up 't 'x 'p))
+(H-prime (up 't 'x 'p))]
+
+@sicm{5.1, pp. 340–341}}
+
+@defproc[((H-harmonic [m scalar] [k scalar]) [state structure?]) scalar]{
+
+The harmonic oscillator.
+
+@examples[#:eval session
+((H-harmonic 'm 'k) (up 't 'x 'p))
+((compose (H-harmonic 'm 'k) (polar-canonical (sqrt (* 'k 'm)))) (up 't 'theta 'I))]
+
+@sicm{5.2, p. 345}}
+
+@deftogether[(@defproc[((rotating [n scalar]) [state structure?]) structure?]
+              @defproc[((C-rotating [n scalar]) [state structure?]) structure?]
+              @defproc[((K-rotating [n scalar]) [state structure?]) scalar])]{
+
+Coordinates in space that turn about the z axis at the rate n, the transformation of phase space
+that goes with them, and what the new Hamiltonian gets.
+
+@examples[#:eval session
+((rotating 'n) space)
+((K-rotating 'n) space)
+((canonical-K? (C-rotating 'n) (K-rotating 'n)) space)]
+
+@sicm{5.2, p. 348}}
+
+@defproc[(H-arbitrary [state structure?]) scalar]{
+
+Any Hamiltonian of three coordinates, a literal function.
+
+@examples[#:eval session
+(H-arbitrary space)
+((canonical-H? (C-rotating 'n) H-arbitrary) space)]
+
+@sicm{5.2, p. 348}}
+
+@defproc[(a-non-canonical-transform [state structure?]) structure?]{
+
+Like polar coordinates, but not canonical.
+
+@examples[#:eval session
+((canonical-transform? a-non-canonical-transform) (up 't 'theta 'p))]
+
+@sicm{5.2.2, p. 352}}
+
+@deftogether[(@defproc[(C-general [state structure?]) structure?]
+              @defproc[(C-simple-time [state structure?]) structure?])]{
+
+Any transformation of states with two coordinates, and any one that leaves the time alone.
+
+@examples[#:eval session
+(define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
+(ref (C-general plane) 0)
+(C-simple-time plane)]
+
+@sicm{5.2.2, p. 354}}
+
+@defproc[(omega [zeta1 structure?] [zeta2 structure?]) scalar]{
+
+The symplectic form, @racket[symplectic-two-form].
+
+@examples[#:eval session (omega (up 0 'dq_1 'dp_1) (up 0 'dq_2 'dp_2))]
+
+@sicm{5.3, p. 361}}
+
+@(close-session session)

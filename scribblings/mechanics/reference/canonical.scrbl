@@ -1,0 +1,265 @@
+#lang scribble/manual
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "reference-canonical"]{Canonical transformations}
+
+@(define session
+   (make-session
+    '(define line (up 't 'theta 'I))
+    '(define polar (up 't (up 'r 'phi) (down 'p_r 'p_phi)))
+    '(define space (up 't (up 'x 'y 'z) (down 'p_x 'p_y 'p_z)))
+    '(define ((H-harmonic m k) (up t x p)) (+ (/ (square p) (* 2 m)) (* 1/2 k (square x))))
+    '(define ((turning n) (up t (up x y) p))
+       (up (- (* x (cos (* n t))) (* y (sin (* n t))))
+           (+ (* x (sin (* n t))) (* y (cos (* n t))))))))
+
+Chapters 5 to 7 of the book. A @italic{transformation} C is a function that takes a new state
+@racket[(up t q p)] to the old one. The procedures of the book whose names end in a question
+mark return residuals: structures or matrices that are zero if what is asked holds. Those that
+begin with @racketidfont{verify-} return verdicts. All of this is loaded when it is first
+called.
+
+@section{Point transformations}
+
+@deftogether[(@defproc[((F->CH [F procedure?]) [state structure?]) structure?]
+              @defproc[((F->CT [F procedure?]) [state structure?]) structure?])]{
+
+The transformation of phase space that goes with a transformation of coordinates: F gives the
+old coordinates as a function of the new state, and the momenta are p (∂@subscript{1}F)⁻¹. The
+first edition calls it @racket[F->CT]. Coordinates that do not determine each other are an
+@racket[exn:fail:mechanics:singular:matrix].
+
+@examples[#:eval session
+((F->CH p->r) polar)
+((F->CT (lambda (state) (* 2 (coordinate state)))) (up 't 'q 'p))
+(eval:error ((F->CH (lambda (s) (up 0 0))) polar))]
+
+@sicm{5.1, p. 339}}
+
+@defproc[((F->K [F procedure?]) [state structure?]) scalar]{
+
+What the new Hamiltonian gets beside H∘C if the coordinates move: −p ∂@subscript{0}F.
+
+@examples[#:eval session
+((F->K (turning 'n)) (up 't (up 'x 'y) (down 'p_x 'p_y)))]
+
+@sicm{5.1, p. 340}}
+
+@section{Residuals with Hamiltonians}
+
+@defproc[((canonical? [C procedure?] [H procedure?] [H-prime procedure?]) [state structure?])
+         structure?]{
+
+The motion of H at the old state, less the image of that of H-prime at the new one: zero if C
+takes the motions of H-prime to those of H.
+
+@examples[#:eval session
+((canonical? (polar-canonical 'alpha)
+             (H-harmonic 'm 'k)
+             (compose (H-harmonic 'm 'k) (polar-canonical 'alpha)))
+ line)]
+
+@sicm{5.2, p. 344}}
+
+@defproc[((compositional-canonical? [C procedure?] [H procedure?]) [state structure?])
+         structure?]{
+
+The residual @racket[canonical?] with H∘C for the new Hamiltonian.
+
+@examples[#:eval session
+(define (H-free state) (/ (square (momentum state)) (* 2 'm)))
+((compositional-canonical? (F->CH p->r) H-free) polar)]}
+
+@deftogether[(@defproc[((canonical-H? [C procedure?] [H procedure?]) [state structure?])
+                       structure?]
+              @defproc[((canonical-K? [C procedure?] [K procedure?]) [state structure?])
+                       structure?])]{
+
+The two parts of the residual for H∘C + K: that with the derivatives of H, which must vanish by
+itself, and that without, in which K makes up for the time in C.
+
+@examples[#:eval session
+(define C (F->CH (turning 'n)))
+(define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
+((canonical-H? C (literal-function 'H (Hamiltonian 2))) plane)
+((canonical-K? C (F->K (turning 'n))) plane)
+((canonical-K? C (lambda (state) 0)) plane)]
+
+@sicm{5.2, p. 348}}
+
+@defproc[((qp-canonical? [C procedure?] [H procedure?]) [state structure?]) structure?]{
+
+The part with the derivatives of H, written with @racket[J-func].
+
+@examples[#:eval session ((qp-canonical? (F->CH p->r) H-free) polar)]}
+
+@section{Residuals of the transformation alone}
+
+@defproc[((canonical-transform? [C procedure?]) [state structure?]) structure?]{
+
+The Poisson brackets of the components of the old state less those of the new one, as a
+structure of structures: zero if C is canonical for any Hamiltonian.
+
+@examples[#:eval session
+((canonical-transform? (polar-canonical 'alpha)) line)
+(define (not-canonical (up t theta p)) (up t (* p (sin theta)) (* p (cos theta))))
+((canonical-transform? not-canonical) (up 't 'theta 'p))]
+
+@sicm{5.2.2, p. 351}}
+
+@deftogether[(@defproc[((symplectic-transform? [C procedure?]) [state structure?]) matrix?]
+              @defproc[((symplectic? [C procedure?]) [state structure?]) matrix?])]{
+
+The residual J − M J M@superscript{T} of the derivatives M of C by coordinates and momenta; the
+second has a row and a column for the time, too.
+
+@examples[#:eval session
+((symplectic-transform? (F->CH p->r)) polar)
+((symplectic-transform? not-canonical) (up 't 'theta 'p))
+((symplectic? not-canonical) (up 't 'theta 'p))]
+
+@sicm{5.2.2, p. 355}}
+
+@defproc[((time-independent-canonical? [C procedure?]) [state structure?]) structure?]{
+
+The test of the first edition: J v less its image through the derivative of C, for a gradient
+v of unknowns.
+
+@examples[#:eval session
+((time-independent-canonical? (F->CH p->r)) polar)
+((time-independent-canonical? not-canonical) (up 't 'theta 'p))]}
+
+@section{Verdicts}
+
+@defproc*[([(verify-canonical [C procedure?] [state structure?]) verdict?]
+           [(verify-canonical [C procedure?] [H procedure?] [H-prime procedure?]
+                              [state structure?]) verdict?])]{
+
+Is a transformation canonical: does it keep all Poisson brackets, or does it take the motions of
+H-prime to those of H? The state is made of symbols. Where parameters of C have to be chosen,
+the verdict says how; if all brackets come out multiplied by one constant, it says so.
+
+@examples[#:eval session
+(verify-canonical (F->CH p->r) polar)
+(define ((stretched a b) (up t q p)) (up t (* a q) (/ p b)))
+(define verdict (verify-canonical (stretched 'a 'b) (up 't 'q 'p)))
+(verdict-conditions verdict)
+(verdict-remarks verdict)
+(verify-canonical C H-free (+ (compose H-free C) (F->K (turning 'n))) plane)]
+
+@sicm{5.2, pp. 344–357}}
+
+@defproc*[([(verify-symplectic [C procedure?] [state structure?]) verdict?]
+           [(verify-symplectic [M matrix?]) verdict?])]{
+
+Are the derivatives of a transformation, or is a matrix, symplectic?
+
+@examples[#:eval session
+(verify-symplectic (polar-canonical 'alpha) line)
+(verify-symplectic (matrix-by-rows '(a b) '(c d)))]}
+
+@section{Matrices and forms}
+
+@deftogether[(@defproc[(J-matrix [n exact-positive-integer?]) matrix?]
+              @defproc[(symplectic-unit [n exact-positive-integer?]) matrix?])]{
+
+The matrix J of 2n rows that the Poisson brackets of n coordinates and n momenta make.
+
+@examples[#:eval session (J-matrix 2) (symplectic-unit 1)]
+
+@sicm{5.2.2, p. 353}}
+
+@defproc[(symplectic-matrix? [M matrix?]) matrix?]{
+
+The residual J − M J M@superscript{T} of a matrix of an even number of rows.
+
+@examples[#:eval session
+(symplectic-matrix? (matrix-by-rows '(1 t) '(0 1)))
+(eval:error (symplectic-matrix? (identity-matrix 3)))]
+
+@sicm{5.2.2, p. 355}}
+
+@deftogether[(@defproc[((D-as-matrix [F procedure?]) [state structure?]) matrix?]
+              @defproc[(qp-submatrix [M matrix?]) matrix?])]{
+
+The derivatives of a transformation as a matrix, a row for each scalar of its value; and a
+matrix without the row and the column of the time.
+
+@examples[#:eval session
+((D-as-matrix (polar-canonical 1)) line)
+(qp-submatrix ((D-as-matrix (polar-canonical 1)) line))]
+
+@sicm{5.2.2, p. 355}}
+
+@defproc[(symplectic-two-form [zeta1 structure?] [zeta2 structure?]) scalar]{
+
+The symplectic form of two increments of a state, p@subscript{2} q@subscript{1} −
+p@subscript{1} q@subscript{2}, which canonical transformations keep. In the book it is
+@racketidfont{omega}.
+
+@examples[#:eval session
+(symplectic-two-form (up 0 'dq_1 'dp_1) (up 0 'dq_2 'dp_2))]
+
+@sicm{5.3, p. 361}}
+
+@deftogether[(@defproc[(T-func [state structure?]) structure?]
+              @defproc[(J-func [gradient structure?]) structure?])]{
+
+The rate of a state of which only the time moves; and the direction in which a Hamiltonian with
+that derivative moves the state.
+
+@examples[#:eval session
+(T-func polar)
+(J-func (down 'a (down 'b 'c) (up 'd 'e)))
+(J-func ((D (H-harmonic 'm 'k)) (up 't 'x 'p)))]
+
+@sicm{5.2, pp. 347 and 351}}
+
+@deftogether[(@defproc[((Phi [A value]) [v value]) value]
+              @defproc[((Phi* [A value]) [w value]) value]
+              @defproc[((transpose-function [A value]) [w value]) value]
+              @defproc[(linear-function->multiplier [F procedure?] [argument value]) value]
+              @defproc[((multiplicative-transpose [w value]) [A value]) value])]{
+
+Multiplication by A from the left, and from the right under two names; what a linear function
+multiplies by; and what multiplies w from the left as A does from the right.
+
+@examples[#:eval session
+(define A (down (up 'a 'c) (up 'b 'd)))
+((Phi A) (up 'x 'y))
+((Phi* A) (down 'p 'q))
+((transpose-function A) (down 'p 'q))
+(linear-function->multiplier (Phi A) (up 'x 'y))
+((multiplicative-transpose (down 'p 'q)) A)]}
+
+@section{Transformations}
+
+@deftogether[(@defproc[((polar-canonical [alpha scalar]) [state structure?]) structure?]
+              @defproc[((polar-canonical-inverse [alpha scalar]) [state structure?])
+                       structure?])]{
+
+From an angle and its momentum to x = √(2I/α) sin θ and p = √(2Iα) cos θ, and back; of several
+coordinates each with its momentum. With α = √(km) they make the energy of an oscillator
+√(k/m) I.
+
+@examples[#:eval session
+((polar-canonical 'alpha) line)
+((polar-canonical-inverse 'alpha) (up 't 'x 'p))
+((compose (H-harmonic 'm 'k) (polar-canonical (sqrt (* 'k 'm)))) line)]
+
+@sicm{5.2, p. 345}}
+
+@deftogether[(@defproc[((two-particle-center-of-mass [m1 scalar] [m2 scalar])
+                        [state structure?]) structure?]
+              @defproc[((two-particle-center-of-mass-canonical [m1 scalar] [m2 scalar])
+                        [state structure?]) structure?])]{
+
+The centre of mass of two particles and the way from the first to the second; and the
+transformation with the momenta that belong to these.
+
+@examples[#:eval session
+(define pair (up 't (up 'x_1 'x_2) (down 'p_1 'p_2)))
+((two-particle-center-of-mass 'm_1 'm_2) pair)
+(verify-canonical (two-particle-center-of-mass-canonical 'm_1 'm_2) pair)]}
+
+@(close-session session)
