@@ -7,7 +7,8 @@
          "book/section-2-8.rkt"
          "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt"
          "book/section-3-6.rkt" "book/section-3-9.rkt"
-         "book/section-5-1.rkt" "book/section-5-2.rkt" "book/section-5-3.rkt")
+         "book/section-5-1.rkt" "book/section-5-2.rkt" "book/section-5-3.rkt"
+         "book/section-6-2.rkt" "book/section-6-4.rkt")
 
 (provide
  ;; 1.4
@@ -47,4 +48,8 @@
  H-harmonic rotating C-rotating K-rotating H-arbitrary
  a-non-canonical-transform C-general C-simple-time
  ;; 5.3
- omega)
+ omega
+ ;; 6.2
+ H-driven-oscillator C*
+ ;; 6.4
+ H-central-polar)

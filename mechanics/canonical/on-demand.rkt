@@ -12,4 +12,12 @@
                    canonical-transform? qp-submatrix D-as-matrix symplectic-two-form]
  ["polar-canonical.rkt" polar-canonical polar-canonical-inverse two-particle-center-of-mass
                         two-particle-center-of-mass-canonical]
+ ["generating-function.rkt" F1->C F2->C F3->C F4->C F1->C-inv F2->C-inv F3->C-inv F4->C-inv
+                            F1->K F2->K F3->K F4->K]
+ ["generated.rkt" generating-function verify-generating-function]
+ ["time-evolution.rkt" shift-t C->Cp H->Hp]
+ ["Lie-derivative.rkt" Lie-derivative flow-derivative]
+ ["Lie-series.rkt" Lie-transform flow-transform Lie-transformation]
+ ["Baker-Campbell-Hausdorff.rkt" Baker-Campbell-Hausdorff]
+ ["Hamilton-Jacobi.rkt" Hamilton-Jacobi-residual verify-Hamilton-Jacobi]
  ["verify.rkt" verify-canonical verify-symplectic])

@@ -12,6 +12,7 @@
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../value/symbols-like.rkt"
          "../value/shape.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
@@ -125,6 +126,3 @@
                                "\n  constraint: ~a\n  its value: ~a")
                 (value->text (constraint->datum c))
                 (value->text (value-of who c 't at velocity))))))
-
-(define (symbols-like q name)
-  (scalars->structure q (lambda (k) (string->uninterned-symbol (format "~a~a" name k)))))

@@ -27,7 +27,7 @@
          "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt")
 
-(provide solve-gradient)
+(provide solve-gradient without-root)
 
 ;; gradient : a structure of expressions in vs; slopes : its derivatives by vs
 ;; -> a list of expressions in ws for vs, or #f

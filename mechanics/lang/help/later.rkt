@@ -10,11 +10,6 @@
 ;; (section subject name-or-(name page) ...) ...
 (define chapters
   '(("3.6" "surfaces of section" pointer-coordinates default-collector default-monitor)
-    ("5.4" "generating functions" F2->C-inv F1-flip F2-identity)
-    ("6.2" "time evolution is canonical" (C->Cp 429) (shift-t 429) (H->Hp 429))
-    ("6.4" "Lie series"
-     (Lie-derivative 448) (Lie-transform 448) (Lie-derivative-procedure 448)
-     (H-central-polar 449) flow-derivative flow-transform)
     ("6.7" "symplectic integration" (HH-collector 456))
     ("7.2" "the pendulum as a perturbed rotor"
      (H-pendulum-series 462) (C-inv 462) (solution0 462) Hpendulum pendulum-sysder

@@ -262,4 +262,181 @@ transformation with the momenta that belong to these.
 ((two-particle-center-of-mass 'm_1 'm_2) pair)
 (verify-canonical (two-particle-center-of-mass-canonical 'm_1 'm_2) pair)]}
 
+@section[#:tag "generating-functions"]{Generating functions}
+
+A generating function depends on the time, one old and one new variable: F(t, q, q'), F(t, q, p'),
+F(t, p, q') or F(t, p, p'), of types 1 to 4, a procedure of three arguments.
+
+@deftogether[(@defproc[((F1->C [F procedure?]) [state structure?]) structure?]
+              @defproc[((F2->C [F procedure?]) [state structure?]) structure?]
+              @defproc[((F3->C [F procedure?]) [state structure?]) structure?]
+              @defproc[((F4->C [F procedure?]) [state structure?]) structure?]
+              @defproc[((F1->C-inv [F procedure?]) [state structure?]) structure?]
+              @defproc[((F2->C-inv [F procedure?]) [state structure?]) structure?]
+              @defproc[((F3->C-inv [F procedure?]) [state structure?]) structure?]
+              @defproc[((F4->C-inv [F procedure?]) [state structure?]) structure?])]{
+
+The transformation that a function generates, from new states to old ones, and its inverse. The
+equation that holds the unknown old variable (or the new one) is solved exactly if it is linear
+in it, by formula if there is one, and else numerically, with derivatives. A function whose
+mixed second derivatives have the determinant 0 generates nothing: that is an
+@racket[exn:fail:mechanics:singular:matrix].
+
+@examples[#:eval session
+((F1->C (lambda (t x theta) (* 1/2 'alpha (square x) (cot theta)))) line)
+((F2->C (lambda (t q p) (+ (* q p) (* 'epsilon (expt q 3))))) (up 't 'q 'p))
+((F2->C-inv (lambda (t q p) (+ (* q p) (* 'epsilon (expt q 3))))) (up 't 'q 'p))
+((F3->C (lambda (t p q) (* -1 p (p->r (up t q p))))) polar)
+((F3->C-inv (lambda (t p q) (* p q))) (up 't 'q 'p))
+((F4->C (lambda (t p pp) (* p pp))) (up 't 'q 'p))
+((F1->C-inv (lambda (t q qq) (* q qq))) (up 't 'q 'p))
+((F4->C-inv (lambda (t p pp) (* p pp))) (up 't 'q 'p))
+((F2->C (lambda (t q p) (+ (* q p) (* 0.1 (sin q) (square p))))) (up 0 1.0 2.0))
+(eval:error ((F2->C (lambda (t q p) (+ q p))) (up 't 'q 'p)))]
+
+@sicm{5.6, pp. 366–378}}
+
+@deftogether[(@defproc[((F1->K [F procedure?]) [state structure?]) scalar]
+              @defproc[((F2->K [F procedure?]) [state structure?]) scalar]
+              @defproc[((F3->K [F procedure?]) [state structure?]) scalar]
+              @defproc[((F4->K [F procedure?]) [state structure?]) scalar])]{
+
+What the new Hamiltonian gets beside H∘C: ∂@subscript{0}F, at the new state.
+
+@examples[#:eval session
+(define (moving t q p) (* p (- q (* 'v t))))
+((F2->K moving) (up 't 'q 'p))
+((F1->K (lambda (t q qq) (* (sin t) q qq))) (up 't 'q 'p))
+((F3->K (lambda (t p q) (* (exp t) p q))) (up 't 'q 'p))
+((F4->K (lambda (t p pp) (+ (* p pp) (* t pp)))) (up 't 'q 'p))]}
+
+@defproc[(generating-function [C procedure?] [state structure?]
+                              [#:type type (or/c 1 2 3 4) 1])
+         procedure?]{
+
+A function that generates C, found by integrating the differential that C makes of it; the state
+is made of symbols and says of what shape states are. That C is canonical is seen from the
+differential, which is closed. With roots in C it holds where the variables are positive; where
+else, @racket[verify-generating-function] says.
+
+@examples[#:eval session
+(define F (generating-function (polar-canonical 'alpha) line))
+(F 't 'x 'theta)
+((generating-function (F->CH p->r) polar #:type 3) 't (down 'p_x 'p_y) (up 'r 'phi))
+(eval:error (generating-function not-canonical (up 't 'theta 'p)))]
+
+@sicm{5.7, pp. 378–382}}
+
+@defproc[(verify-generating-function [F procedure?] [C procedure?] [state structure?]
+                                     [#:type type (or/c 1 2 3 4) 1])
+         verdict?]{
+
+Does F generate C: do its derivatives at the old and the new state give the other variables?
+
+@examples[#:eval session
+(verify-generating-function F (polar-canonical 'alpha) line)
+(verdict-status
+ (verify-generating-function (lambda (t x theta) (* x theta)) (polar-canonical 'alpha) line))]}
+
+@section{Hamilton and Jacobi}
+
+@defproc[((Hamilton-Jacobi-residual [H procedure?] [S procedure?]) [t scalar] [q value])
+         scalar]{
+
+The residual ∂@subscript{0}S + H(t, q, ∂@subscript{1}S) of a principal function S(t, q), zero if
+S generates coordinates and momenta that rest.
+
+@examples[#:eval session
+(define H (H-harmonic 'm 'k))
+((Hamilton-Jacobi-residual H (literal-function 'S (-> (X Real Real) Real))) 't 'x)]
+
+@sicm{6.1, p. 411}}
+
+@defproc[(verify-Hamilton-Jacobi [H procedure?] [S procedure?] [t symbol?] [q value]) verdict?]{
+
+Is the residual zero at all times and coordinates?
+
+@examples[#:eval session
+(verify-Hamilton-Jacobi (lambda (state) (/ (square (momentum state)) (* 2 'm)))
+                        (lambda (t q) (/ (* 'm (square (- q 'a))) (* 2 t)))
+                        't 'q)]}
+
+@section{The evolution in time}
+
+@deftogether[(@defproc[((shift-t [delta-t scalar]) [state structure?]) structure?]
+              @defproc[(((C->Cp [C procedure?]) [delta-t scalar]) [state structure?]) structure?]
+              @defproc[(((H->Hp [delta-t scalar]) [H procedure?]) [state structure?]) scalar])]{
+
+A state with its time moved on; a motion @racket[((C delta-t) state)] as a transformation of
+states at one time; and the Hamiltonian that goes with it.
+
+@examples[#:eval session
+((shift-t 'delta) (up 't 'q 'p))
+(define ((free delta) (up t q p)) (up (+ t delta) (+ q (* (/ p 'm) delta)) p))
+(((C->Cp free) 'delta) (up 't 'q 'p))
+(verify-canonical ((C->Cp free) 'delta) (up 't 'q 'p))
+(((H->Hp 'delta) (lambda (state) (* (time state) (momentum state)))) (up 't 'q 'p))]
+
+@sicm{6.2, p. 429}}
+
+@section{Lie series}
+
+@deftogether[(@defproc[(Lie-derivative [H procedure?]) operator?]
+              @defproc[(flow-derivative [H procedure?]) operator?])]{
+
+The operator F ↦ {F, H}, and with the explicit time F ↦ ∂@subscript{0}F + {F, H}, the rate of F
+along the motion. Its powers are found from expressions, each from the one before.
+
+@examples[#:eval session
+(((Lie-derivative H) coordinate) (up 't 'x 'p))
+(((expt (Lie-derivative H) 4) coordinate) (up 't 'x 'p))
+(((flow-derivative H) (lambda (state) (* (time state) (coordinate state)))) (up 't 'x 'p))]
+
+@sicm{6.4, p. 448}}
+
+@deftogether[(@defproc[(Lie-transform [H procedure?] [epsilon scalar]) operator?]
+              @defproc[(flow-transform [H procedure?] [epsilon scalar]) operator?])]{
+
+The operator exp(ε L) with L the Lie derivative, or the one with explicit time: what it makes of
+a function is, at a state, the series of its value a time ε later.
+
+@examples[#:eval session
+(series:for-each print-expression (((Lie-transform H 'dt) coordinate) (up 0 'x 'p)) 5)
+(series:head (((Lie-transform H 'dt) H) (up 0 'x 'p)) 4)
+(series:head (((flow-transform (lambda (s) (* (time s) (momentum s))) 'dt) coordinate)
+              (up 't 'x 'p))
+             4)]
+
+@sicm{6.4, pp. 443–451}}
+
+@defproc[((Lie-transformation [W procedure?] [epsilon scalar] [order exact-nonnegative-integer?])
+          [state structure?])
+         structure?]{
+
+The state whose coordinates and momenta are the Lie series of W summed up to an order: a
+transformation that is canonical up to the next one. With −ε it is the inverse, to that order.
+
+@examples[#:eval session
+(define (W state) (* (momentum state) (square (coordinate state))))
+((Lie-transformation W 'epsilon 2) (up 't 'q 'p))
+((Lie-transformation H 0.1 20) (up 0 1.0 0.0))]}
+
+@defproc[(Baker-Campbell-Hausdorff [A (or/c operator? procedure?)]
+                                   [B (or/c operator? procedure?)])
+         series?]{
+
+The series Z@subscript{1} + Z@subscript{2} + ⋯ with exp(A) exp(B) = exp(Z), the term of order n
+made of brackets of n factors. Of two Hamiltonians it is the series of Hamiltonians whose Lie
+derivatives that is.
+
+@examples[#:eval session
+(define Z (Baker-Campbell-Hausdorff (Lie-derivative (literal-function 'f (Hamiltonian 1)))
+                                    (Lie-derivative (literal-function 'g (Hamiltonian 1)))))
+(series:ref Z 2)
+(define T (lambda (state) (/ (square (momentum state)) 2)))
+(define V (lambda (state) (/ (square (coordinate state)) 2)))
+(for/list ([k 4]) ((series:ref (Baker-Campbell-Hausdorff T V) (+ k 1)) (up 't 'q 'p)))]
+
+@sicm{6.5, p. 453}; V. S. Varadarajan 1984, 2.15.}
+
 @(close-session session)

@@ -103,6 +103,13 @@
      two-particle-center-of-mass-canonical)
     ("5.3 Invariants of canonical transformations (pp. 357-364)"
      omega symplectic-two-form)
+    ("5.4 Generating functions (pp. 364-394)"
+     F2->C-inv s:inverse)
+    ("6.2 Time evolution is canonical (pp. 426-437)"
+     C->Cp shift-t H->Hp C*)
+    ("6.4-6.5 Lie series, exponential identities (pp. 443-453)"
+     Lie-derivative Lie-transform make-operator exp series:for-each H-central-polar
+     flow-derivative flow-transform)
     ("8 Scheme, as far as the programs of chapter 1 use it"
      write-line pp 1+ -1+ iota runtime exact->inexact)))
 

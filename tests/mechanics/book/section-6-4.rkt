@@ -2,8 +2,9 @@
 ;; SICM 6.4 and 7.2: Lie series, with the Lie derivative written as in the book.
 
 (require mechanics
+         (only-in mechanics/book H-central-polar)
          rackunit
-         "../support/session.rkt")
+         "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define (bracket F G)
   (- (* ((partial 1) F) ((partial 2) G)) (* ((partial 2) F) ((partial 1) G))))
@@ -42,6 +43,90 @@
   (check-prints (series:ref s 1)
                 '(up (/ (* dt p_r_0) m) (/ (* dt p_phi_0) (* m (expt r_0 2)))))
   (check-prints (ref s 2 1) '(/ (* -1 (expt dt 2) p_phi_0 p_r_0) (* (expt m 2) (expt r_0 3)))))
+
+;; ---------------------------------------------------------------------------
+;; The library's own
+
+(define (F s) (+ (* (coordinate s) (momentum s)) (sin (coordinate s))))
+(define line (up 't 'q 'p))
+
+(test-case "p. 448: Lie derivatives are brackets, and their powers brackets of brackets"
+  (define H (literal-function 'H (Hamiltonian 1)))
+  (define G (literal-function 'G (Hamiltonian 1)))
+  (define L (Lie-derivative H))
+  (check-identity ((L G) line) ((Poisson-bracket G H) line))
+  (check-identity (((expt L 2) G) line) ((Poisson-bracket (Poisson-bracket G H) H) line))
+  (check-identity (((flow-derivative H) G) line)
+                  (+ (((partial 0) G) line) ((Poisson-bracket G H) line)))
+  (define (rate G) (+ ((partial 0) G) (Poisson-bracket G H)))
+  (check-identity (((expt (flow-derivative H) 2) G) line) ((rate (rate G)) line)))
+
+(test-case "the series are those of the operator written as in the book"
+  (for ([Q (list coordinate momentum F)])
+    (define own (((Lie-transform (H-harmonic 'm 'k) 'dt) Q) (up 0 'x0 'p0)))
+    (define written (((Lie-transform-of (H-harmonic 'm 'k) 'dt) Q) (up 0 'x0 'p0)))
+    (for ([a (series:head own 5)] [b (series:head written 5)]) (check-identity a b))))
+
+(test-case "p. 449: the central motion to the order of the book, by energy and angular momentum"
+  (define H (H-central-polar 'm (literal-function 'U)))
+  (define state (up 0 (up 'r_0 'phi_0) (down 'p_r_0 'p_phi_0)))
+  (define energy (((Lie-transform H 'dt) H) state))
+  (check-identity (series:ref energy 0) (H state))
+  (for ([k '(1 2 3 4)]) (check-identity (series:ref energy k) 0))
+  (define p_phi (((Lie-transform H 'dt) (compose (component 1) momentum)) state))
+  (check-prints (series:ref p_phi 0) 'p_phi_0)
+  (check-identity (series:ref p_phi 3) 0))
+
+(test-case "many terms are the motion, of numbers too"
+  (define (H s) (- (/ (square (momentum s)) 2) (* 9.8 (cos (coordinate s)))))
+  (define start (up 0 1.0 0.5))
+  (define end ((state-advancer Hamiltonian->state-derivative H) start 0.125 1e-15))
+  (define C (Lie-transformation H 0.125 18))
+  (check-close (C start) (list 0 (coordinate end) (momentum end)) 1e-12))
+
+(test-case "with the explicit time"
+  (define (H s) (* (time s) (momentum s)))
+  (define s (((flow-transform H 'e) coordinate) line))
+  (check-identity (series:sum s 3) (+ 'q (* 'e 't) (/ (square 'e) 2)))
+  (check-identity (series:sum (((Lie-transform H 'e) coordinate) line) 3) (+ 'q (* 'e 't))))
+
+(test-case "a transformation by a series is canonical up to the next order, and its inverse"
+  (define (W s) (* (momentum s) (square (coordinate s))))
+  (define C (Lie-transformation W 'e 3))
+  (check-identity (coordinate (C line)) (+ 'q (* 'e (expt 'q 2)) (* (expt 'e 2) (expt 'q 3))
+                                           (* (expt 'e 3) (expt 'q 4))))
+  (define excess (matrix-ref ((symplectic-transform? C) line) 0 1))
+  (for ([k 4]) (check-identity (coefficient excess 'e k) 0))
+  (define round-trip (coordinate ((compose C (Lie-transformation W (- 'e) 3)) line)))
+  (for ([k '(1 2 3)]) (check-identity (coefficient round-trip 'e k) 0)))
+
+(test-case "what makes nothing of symbols"
+  (define (H s) (if (< (coordinate s) 0) 0 (* (momentum s) (coordinate s))))
+  (define s (((Lie-transform H 0.5) coordinate) (up 0 2.0 1.0)))
+  (check-close (series:head s 4) (list 2.0 1.0 0.25 (/ 0.25 6)) 1e-12))
+
+(test-case "states that are being differentiated"
+  (define H (H-harmonic 'm 'k))
+  (define (second-term s) (series:ref (((Lie-transform H 'dt) coordinate) s) 2))
+  (check-identity (((partial 1) second-term) line) (/ (* -1/2 (square 'dt) 'k) 'm)))
+
+(test-case "operators print as what makes them"
+  (check-equal? (format "~a" (Lie-derivative F)) "(Lie-derivative F)")
+  (check-equal? (format "~a" (Lie-transform F 'dt)) "(Lie-transform F dt)")
+  (check-equal? (format "~a" ((expt (Lie-derivative F) 2) coordinate))
+                "((expt (Lie-derivative F) 2) coordinate)"))
+
+(says
+ [(Lie-derivative 3)
+  "Lie-derivative: a Hamiltonian is a function of the state (up t q p); given the number 3"]
+ [(Lie-transform F sin)
+  "Lie-transform: the parameter of a Lie series is a number or a symbol; given the procedure `sin`"]
+ [((Lie-derivative F) 3)
+  "Lie-derivative: a quantity is a function of the state (up t q p); given the number 3"]
+ [(((Lie-derivative F) coordinate) 3)
+  "Lie-derivative: expected a Hamiltonian state (up t q p); given the number 3"]
+ [(Lie-transformation F 'e 'n)
+  "Lie-transformation: contract violation\n  expected: the order of the last term\n  given: 'n"])
 
 ;; ---------------------------------------------------------------------------
 ;; 7.2: the pendulum as a perturbed rotor

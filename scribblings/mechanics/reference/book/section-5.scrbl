@@ -1,7 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book) "../../eval.rkt" "../../citation.rkt")
 
-@title[#:tag "reference-book-5"]{5.1 to 5.3 Canonical transformations}
+@title[#:tag "reference-book-5"]{5.1 to 7.2 Canonical transformations and perturbation theory}
 
 @(define session
    (make-session '(require mechanics/book)
@@ -93,5 +93,31 @@ The symplectic form, @racket[symplectic-two-form].
 @examples[#:eval session (omega (up 0 'dq_1 'dp_1) (up 0 'dq_2 'dp_2))]
 
 @sicm{5.3, p. 361}}
+
+@deftogether[(@defproc[((H-driven-oscillator [alpha scalar] [omega scalar] [omega_0 scalar])
+                        [state structure?]) scalar]
+              @defproc[((C* [alpha scalar] [omega scalar] [omega_0 scalar] [delta-t scalar])
+                        [state structure?]) structure?])]{
+
+An oscillator of mass 1 that is driven by a force α cos ωt, and its motion: the state a time
+later.
+
+@examples[#:eval session
+((H-driven-oscillator 'alpha 'omega 'omega_0) (up 't 'q 'p))
+(verify-canonical ((C->Cp (lambda (dt) (C* 'alpha 'omega 'omega_0 dt))) 'dt) (up 't 'q 'p))]
+
+@sicm{6.2, p. 430}}
+
+@defproc[((H-central-polar [m scalar] [V procedure?]) [state structure?]) scalar]{
+
+A particle in the potential energy V(r), in polar coordinates.
+
+@examples[#:eval session
+(define H (H-central-polar 'm (literal-function 'U)))
+(series:head (((Lie-transform H 'dt) coordinate)
+              (up 0 (up 'r_0 'phi_0) (down 'p_r_0 'p_phi_0)))
+             2)]
+
+@sicm{6.4, p. 449}}
 
 @(close-session session)

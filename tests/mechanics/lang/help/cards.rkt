@@ -137,10 +137,10 @@
   (check-equal? (filter (lambda (name) (memq name later-names)) (exported)) '()))
 
 (test-case "a name of a later chapter is told with its section, and its page if it has one"
-  (check-equal? (later-sentence 'Lie-transform)
-                (string-append "it belongs to section 6.4 of the book (Lie series, p. 448), "
+  (check-equal? (later-sentence 'derivative-of-sine)
+                (string-append "it belongs to section 9 of the book (our notation, p. 511), "
                                "which is not here yet"))
-  (check-equal? (later-sentence 'F->CT)
-                (string-append "it belongs to section 5.1 of the book (point transformations), "
+  (check-equal? (later-sentence 'fixed-point-eigen)
+                (string-append "it belongs to section 4.3 of the book (homoclinic tangles), "
                                "which is not here yet"))
   (check-false (later-sentence 'cube)))

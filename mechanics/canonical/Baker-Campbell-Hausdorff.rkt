@@ -1,0 +1,61 @@
+#lang racket/base
+;; The exponent of a product of exponentials, exp(A) exp(B) = exp(Z) (SICM 6.5, p. 451).
+;;
+;; Z = Z₁ + Z₂ + ⋯ with Zₙ of order n in A and B.  Differentiating exp(Z) as A and B grow in
+;; proportion gives (Varadarajan, Lie Groups, 2.15), with the Bernoulli numbers Bₙ,
+;;
+;;     Z₁ = A + B
+;;     (n + 1) Zₙ₊₁ = ½ [A − B, Zₙ] + Σₚ B₂ₚ/(2p)! Σ [Z_{k₁}, [ ⋯ [Z_{k₂ₚ}, A + B] ⋯ ]],
+;;
+;; where the k add up to n: brackets alone.  For operators these are commutators.  Hamiltonians
+;; stand for their Lie derivatives, and [L_f, L_g] = L_{g, f} by Jacobi's identity.
+
+(require (only-in math/number-theory bernoulli-number)
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../hamiltonian/Poisson-bracket.rkt"
+         "../value/operator.rkt"
+         "../value/series/coefficients.rkt" "../value/series/series.rkt")
+
+(provide Baker-Campbell-Hausdorff)
+
+;; A, B : two operators, or two functions of the state
+;; -> the series of the Zₙ, beginning with 0
+(define (Baker-Campbell-Hausdorff A B)
+  (define bracket
+    (cond [(and (operator? A) (operator? B)) commutator]
+          [(and (pointwise? A) (pointwise? B)) (lambda (f g) (Poisson-bracket g f))]
+          [else
+           (complain 'Baker-Campbell-Hausdorff
+                     "expected two operators, or two Hamiltonians; given ~a and ~a"
+                     (describe-with-value A) (describe-with-value B))]))
+  (define terms
+    (make-coefficients
+     (lambda (n)
+       (case n
+         [(0) 0]
+         [(1) (g:+ A B)]
+         [else (term bracket A B n (lambda (k) (coefficient terms k)))]))))
+  (series-of terms))
+
+;; Zₙ of those before
+(define (term bracket A B n Z)
+  (define last (sub1 n))
+  (define half (g:* 1/2 (bracket (g:- A B) (Z last))))
+  (define sum
+    (for*/fold ([sum half]) ([p (in-range 1 (add1 (quotient last 2)))]
+                             [nested (in-value (nested-sum bracket (g:+ A B) Z (* 2 p) last))]
+                             #:when nested)
+      (g:+ sum (g:* (/ (bernoulli-number (* 2 p)) (factorial (* 2 p))) nested))))
+  (g:* (/ 1 n) sum))
+
+;; Σ [Z_{k₁}, [ ⋯ [Z_{kᵣ}, X] ⋯ ]] over k₁ + ⋯ + kᵣ = n, all at least 1; #f if there is none
+(define (nested-sum bracket X Z r n)
+  (cond [(= r 0) (and (= n 0) X)]
+        [else
+         (for/fold ([sum #f]) ([k (in-range 1 (add1 n))])
+           (define inner (nested-sum bracket X Z (sub1 r) (- n k)))
+           (define part (and inner (bracket (Z k) inner)))
+           (cond [(not part) sum]
+                 [sum (g:+ sum part)]
+                 [else part]))]))

@@ -1,0 +1,53 @@
+#lang racket/base
+;; The Hamilton–Jacobi equation (SICM 6.1, pp. 411–425).
+;;
+;; A generating function F₂(t, q, p') = S makes the new Hamiltonian vanish, so that the new state
+;; rests, if
+;;
+;;     ∂₀S + H(t, q, ∂₁S) = 0.
+;;
+;; S may hold constants, as many as there are coordinates: the new momenta.  Without explicit
+;; time S = W(q) − E t.
+
+(require "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/generic-state.rkt"
+         "../value/shape.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt")
+
+(provide Hamilton-Jacobi-residual verify-Hamilton-Jacobi)
+
+;; ((Hamilton-Jacobi-residual H S) t q)
+(define (Hamilton-Jacobi-residual H S)
+  (define who 'Hamilton-Jacobi-residual)
+  (check-both who H S)
+  (make-function (residual who H S) 4 (lambda () (list who (value->datum H) (value->datum S)))))
+
+(define ((residual who H S) t q)
+  (define value (S t q))
+  (unless (scalar? value)
+    (complain who "the value of ~a is to be a number; it is ~a"
+              (value->text S) (describe-with-value value)))
+  (define state (up t q (derivative-at (lambda (q) (S t q)) q)))
+  (check-H-state who state)
+  (g:+ (derivative-at (lambda (t) (S t q)) t) (H state)))
+
+;; The verdict at a time and coordinates that are symbols.
+(define (verify-Hamilton-Jacobi H S t q)
+  (define who 'verify-Hamilton-Jacobi)
+  (check-both who H S)
+  (check-symbols who (up t q) "time and coordinates")
+  (define-values (value survey)
+    (survey-derivatives (lambda () ((residual who H S) t q)) (scalars (up t q))))
+  (prove-zero value #:variables (scalars (up t q)) #:surveys (list survey)
+              #:again (lambda (change) (verify-Hamilton-Jacobi (change H) (change S) t q))))
+
+(define (check-both who H S)
+  (check-Hamiltonian who H)
+  (unless (and (procedure? S) (accepts? S 2))
+    (complain who
+              "Hamilton's principal function takes the time and the coordinates, (S t q); given ~a"
+              (describe-function S))))

@@ -1,0 +1,124 @@
+#lang racket/base
+;; The Lie derivative with respect to H, L F = {F, H}, as an operator (SICM 6.4, p. 448); and with
+;; the explicit time, ∂₀F + {F, H}, the rate of F along the motion.
+;;
+;; Powers of it are what Lie series are made of, and brackets of brackets of functions would run
+;; H and F anew at each level, twice as often every time.  So F and the rates ∂₂H, −∂₁H are
+;; evaluated once, at a state of symbols; each power is then the derivative of one expression in
+;; that direction, simplified before the next is taken, and evaluated at the states asked about.
+;; Where functions make nothing of symbols, brackets of functions have to do.
+
+(require "../algebra/expression/expression.rkt"
+         "../calculus/derivative.rkt"
+         "../error/refusal.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/on-demand.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
+         "../hamiltonian/Hamiltonian.rkt" "../hamiltonian/Poisson-bracket.rkt"
+         "../value/assumptions.rkt" "../value/operator.rkt" "../value/shape.rkt"
+         "../value/simplify.rkt" "../value/symbols-like.rkt")
+
+(require-on-demand ["../calculus/expression-function.rkt" evaluate-generically])
+
+(provide Lie-derivative flow-derivative)
+
+;; F ↦ {F, H}
+(define (Lie-derivative H) (derivation-of 'Lie-derivative H 0))
+
+;; F ↦ ∂₀F + {F, H}
+(define (flow-derivative H) (derivation-of 'flow-derivative H 1))
+
+(define (derivation-of who H rate)
+  (check-Hamiltonian who H)
+  (define d (derivation who H rate (make-weak-hasheq)))
+  (make-primitive-operator (lambda (F) (image d F 1))
+                           (lambda () (list who (value->datum H)))
+                           #:iterate (lambda (n) (lambda (F) (image d F n)))))
+
+;; rate : of the time, 0 or 1;  chains : F ↦ its powers at symbols
+(struct derivation (who H rate chains) #:authentic)
+
+;; The function LⁿF
+(define (image d F n)
+  (check-quantity (derivation-who d) F)
+  (unary-function (lambda () (image->datum d F n)) (state)
+    (check-H-state (derivation-who d) state)
+    (define c (chain-of d F state))
+    (if c
+        (value-in c n state)
+        ((by-brackets d F n) state))))
+
+(define (image->datum d F n)
+  (define L (list (derivation-who d) (value->datum (derivation-H d))))
+  (list (if (= n 1) L (list 'expt L n)) (value->datum F)))
+
+;; ---------------------------------------------------------------------------
+;; Powers at symbols
+
+;; place : a state of symbols; direction : in which it moves, or #f where there is no formula;
+;; values : F, LF, L²F, … there, growing
+(struct chain (place direction [values #:mutable]) #:authentic)
+
+;; -> chain for states of that shape, or #f
+(define (chain-of d F state)
+  (define known (hash-ref (derivation-chains d) F #f))
+  (define c
+    (if (and known (same-shape? state (chain-place known)))
+        known
+        (let ([c (new-chain d F state)])
+          (hash-set! (derivation-chains d) F c)
+          c)))
+  (and (chain-direction c) c))
+
+(define (new-chain d F state)
+  (define place (symbols-like state "z"))
+  (define-values (direction value)
+    (with-handlers ([raised? (lambda (e) (values #f #f))])
+      (define-values (velocity force)
+        ((flow-direction (derivation-who d) (derivation-H d)) place))
+      (define value (F place))
+      (values (and (formula? value)
+                   (up (derivation-rate d) (strictly velocity) (strictly force)))
+              (strictly value))))
+  (chain place direction (vector value)))
+
+;; Is it made of numbers and expressions, so that it can be evaluated elsewhere?
+(define (formula? x)
+  (for/and ([leaf (in-list (scalars x))]) (or (number? leaf) (expression? leaf))))
+
+(define (strictly x) (parameterize ([automatic-assumptions #f]) (simplify x)))
+
+;; LⁿF at a state
+(define (value-in c n state)
+  (define formula (power-in c n))
+  (define point (map cons (scalars (chain-place c)) (scalars state)))
+  (define xs (list->vector (scalars formula)))
+  (scalars->structure formula (lambda (k) (evaluate-generically (vector-ref xs k) point))))
+
+(define (power-in c n)
+  (define known (chain-values c))
+  (define last (sub1 (vector-length known)))
+  (cond [(<= n last) (vector-ref known n)]
+        [else
+         (define next (slope c (vector-ref known last)))
+         (set-chain-values! c (list->vector (append (vector->list known) (list next))))
+         (power-in c n)]))
+
+(define (slope c value)
+  (define names (scalars (chain-place c)))
+  (define xs (list->vector (scalars value)))
+  (define (at state)
+    (define point (map cons names (scalars state)))
+    (scalars->structure value (lambda (k) (evaluate-generically (vector-ref xs k) point))))
+  (define-values (_value rate) (value-and-derivative-along at (chain-place c) (chain-direction c)))
+  (strictly rate))
+
+;; ---------------------------------------------------------------------------
+;; Powers as brackets of functions
+
+(define (by-brackets d F n)
+  (define bracketed
+    (for/fold ([F F]) ([_ (in-range n)])
+      (define slope (Poisson-bracket F (derivation-H d)))
+      (if (eqv? (derivation-rate d) 0) slope (g:+ ((partial 0) F) slope))))
+  bracketed)

@@ -1,0 +1,150 @@
+#lang racket/base
+;; Generating functions (SICM 5.4–5.6).
+;;
+;; A canonical transformation has p dq − H dt = p' dq' − H' dt + dF, so that, F being written in
+;; one old and one new variable, its derivatives give the other two:
+;;
+;;     F₁(t, q, q')     p =  ∂₁F₁      p' = −∂₂F₁
+;;     F₂(t, q, p')     p =  ∂₁F₂      q' =  ∂₂F₂
+;;     F₃(t, p, q')     q = −∂₁F₃      p' = −∂₂F₃
+;;     F₄(t, p, p')     q = −∂₁F₄      q' =  ∂₂F₄
+;;
+;; and H' = H∘C + ∂₀F in each case.  From the new state the first equation is not needed: the
+;; second is solved for the old variable, and then the first gives the other old one.  The other
+;; way round for the inverse.
+
+(require "mixed-variables.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt")
+
+(provide F1->C F2->C F3->C F4->C
+         F1->C-inv F2->C-inv F3->C-inv F4->C-inv
+         F1->K F2->K F3->K F4->K
+         ;; for the way back
+         (struct-out type) type-of check-generator old-sign new-sign signed part other state-of
+         named)
+
+;; ---------------------------------------------------------------------------
+;; The four types
+
+;; old, new : 'q or 'p, the variables that F depends on
+(struct type (number old new) #:authentic)
+
+(define types
+  (list (type 1 'q 'q) (type 2 'q 'p) (type 3 'p 'q) (type 4 'p 'p)))
+
+(define (type-of number) (list-ref types (sub1 number)))
+
+;; The sign with which the derivative by that variable gives the other one.
+(define (old-sign k) (if (eq? (type-old k) 'q) 1 -1))
+(define (new-sign k) (if (eq? (type-new k) 'q) -1 1))
+
+(define (part state which) (if (eq? which 'q) (coordinate state) (momentum state)))
+(define (other which) (if (eq? which 'q) 'p 'q))
+
+;; (t, q, p) of a variable and its conjugate
+(define (state-of t which x conjugate)
+  (if (eq? which 'q) (up t x conjugate) (up t conjugate x)))
+
+(define (signed sign x) (if (= sign 1) x (g:negate x)))
+
+;; ---------------------------------------------------------------------------
+;; Transformations
+
+(define (F1->C F) (to-old 'F1->C (type-of 1) F))
+(define (F2->C F) (to-old 'F2->C (type-of 2) F))
+(define (F3->C F) (to-old 'F3->C (type-of 3) F))
+(define (F4->C F) (to-old 'F4->C (type-of 4) F))
+
+(define (F1->C-inv F) (to-new 'F1->C-inv (type-of 1) F))
+(define (F2->C-inv F) (to-new 'F2->C-inv (type-of 2) F))
+(define (F3->C-inv F) (to-new 'F3->C-inv (type-of 3) F))
+(define (F4->C-inv F) (to-new 'F4->C-inv (type-of 4) F))
+
+;; new state ↦ old state
+(define (to-old who k F)
+  (check-generator who k F)
+  (define solve (old-variable who k F))
+  (unary-function (lambda () (list who (value->datum F))) (state)
+    (check-H-state who state)
+    (define-values (t y) (values (time state) (part state (type-new k))))
+    (define x (solve state))
+    (state-of t (type-old k) x
+              (signed (old-sign k) (derivative-at (lambda (x) (F t x y)) x)))))
+
+;; new state ↦ the old variable in F
+(define (old-variable who k F)
+  (define number (number-valued who F))
+  (define s
+    (make-solver who (format "the old ~a" (named (type-old k))) "the new state"
+                 (lambda (place x)
+                   (define-values (t y) (two place))
+                   (derivative-at (lambda (y) (number t x y)) y))))
+  (lambda (state)
+    (define y (part state (type-new k)))
+    (solution-at s (up (time state) y) (shaped (type-old k) state)
+                 (signed (new-sign k) (part state (other (type-new k)))))))
+
+;; old state ↦ new state
+(define (to-new who k F)
+  (check-generator who k F)
+  (define number (number-valued who F))
+  (define s
+    (make-solver who (format "the new ~a" (named (type-new k))) "the old state"
+                 (lambda (place y)
+                   (define-values (t x) (two place))
+                   (derivative-at (lambda (x) (number t x y)) x))))
+  (unary-function (lambda () (list who (value->datum F))) (state)
+    (check-H-state who state)
+    (define-values (t x) (values (time state) (part state (type-old k))))
+    (define y
+      (solution-at s (up t x) (shaped (type-new k) state)
+                   (signed (old-sign k) (part state (other (type-old k))))))
+    (state-of t (type-new k) y
+              (signed (new-sign k) (derivative-at (lambda (y) (F t x y)) y)))))
+
+;; Where the search for that variable begins: with coordinates and momenta near those of the
+;; state, as in a transformation near the identity.
+(define (shaped which state) (part state which))
+
+(define (two place)
+  (values (vector-ref (tuple-elements place) 0) (vector-ref (tuple-elements place) 1)))
+
+(define (named which) (if (eq? which 'q) "coordinates" "momenta"))
+
+;; ---------------------------------------------------------------------------
+;; What the new Hamiltonian gets: new state ↦ ∂₀F
+
+(define (F1->K F) (rate-of-generator 'F1->K (type-of 1) F))
+(define (F2->K F) (rate-of-generator 'F2->K (type-of 2) F))
+(define (F3->K F) (rate-of-generator 'F3->K (type-of 3) F))
+(define (F4->K F) (rate-of-generator 'F4->K (type-of 4) F))
+
+(define (rate-of-generator who k F)
+  (check-generator who k F)
+  (define solve (old-variable who k F))
+  (unary-function (lambda () (list who (value->datum F))) (state)
+    (check-H-state who state)
+    (define-values (x y) (values (solve state) (part state (type-new k))))
+    (derivative-at (lambda (t) (F t x y)) (time state))))
+
+;; ---------------------------------------------------------------------------
+;; What is no generating function
+
+(define (check-generator who k F)
+  (unless (and (procedure? F) (accepts? F 3))
+    (complain who
+              (string-append "a generating function of type ~a takes three arguments, the time, "
+                             "the old ~a and the new ~a; given ~a")
+              (type-number k) (named (type-old k)) (named (type-new k)) (describe-function F))))
+
+(define ((number-valued who F) t x y)
+  (define value (F t x y))
+  (unless (scalar? value)
+    (complain who "the value of a generating function is a number, but that of ~a is ~a"
+              (value->text F) (describe-with-value value)))
+  value)

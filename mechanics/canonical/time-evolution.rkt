@@ -1,0 +1,39 @@
+#lang racket/base
+;; The evolution in time as a canonical transformation (SICM 6.2, pp. 426–437).
+;;
+;; C(Δt) takes a state at t to where the motion is at t + Δt, and its time with it.  Seen as a
+;; transformation at one time, C'(Δt) = C(Δt) ∘ S(−Δt) with S(Δt) a shift of the time alone, it
+;; is canonical, from H'(t) = H(t − Δt) to H.
+
+(require "transformation.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/compose.rkt")
+
+(provide shift-t C->Cp H->Hp)
+
+;; ((shift-t Δt) state) : (t + Δt, q, p)
+(define (shift-t delta-t)
+  (unary-function (lambda () (list 'shift-t (value->datum delta-t))) (state)
+    (check-H-state 'shift-t state)
+    (up (g:+ (time state) delta-t) (coordinate state) (momentum state))))
+
+;; ((C->Cp C) Δt) : the transformation C(Δt) ∘ S(−Δt)
+(define (C->Cp C)
+  (unless (and (procedure? C) (accepts? C 1))
+    (complain 'C->Cp
+              "expected a function of the time step, with a transformation as value; given ~a"
+              (describe-function C)))
+  (unary-function (lambda () (list 'C->Cp (value->datum C))) (delta-t)
+    (define step (C delta-t))
+    (check-transformation 'C->Cp step)
+    (compose step (shift-t (g:negate delta-t)))))
+
+;; ((H->Hp Δt) H) : the Hamiltonian H ∘ S(−Δt)
+(define (H->Hp delta-t)
+  (unary-function (lambda () (list 'H->Hp (value->datum delta-t))) (H)
+    (check-Hamiltonian 'H->Hp H)
+    (compose H (shift-t (g:negate delta-t)))))
