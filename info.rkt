@@ -12,6 +12,7 @@
                "math-lib"
                "pict-lib"
                "plot-lib"
+               "rackunit-lib"
                "readline-lib"
                "sandbox-lib"
                "snip-lib"
@@ -21,5 +22,4 @@
                      "drracket-tool-text-lib"
                      "macro-debugger-text-lib"
                      "racket-doc"
-                     "rackunit-lib"
                      "scribble-lib"))

@@ -1,0 +1,6 @@
+#lang racket/base
+;; What a student's file of a worksheet requires: holes, and what checks the answers.
+
+(require "worksheet/answer-data.rkt" "worksheet/check-answers.rkt")
+
+(provide unanswered check-answers)

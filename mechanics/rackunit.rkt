@@ -1,0 +1,7 @@
+#lang racket/base
+;; Checks of rackunit whose failures are verdicts.
+
+(require "teach/checks.rkt")
+
+(provide check-solution check-not-solution check-residual check-equal-expression
+         check-conserved check-canonical check-proved check-refuted)

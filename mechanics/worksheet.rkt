@@ -1,0 +1,14 @@
+#lang racket/base
+;; `#lang mechanics/worksheet`: the teacher's file of a worksheet; all of mechanics, and the
+;; forms of worksheets.
+
+(require (except-in "main.rkt" #%module-begin)
+         "lang/worksheet/worksheet-forms.rkt")
+
+(provide (all-from-out "main.rkt" "lang/worksheet/worksheet-forms.rkt"))
+
+(module reader syntax/module-reader
+  mechanics/worksheet)
+
+(module configure-runtime racket/base
+  (require "lang/runtime.rkt"))

@@ -1,0 +1,140 @@
+#lang racket/base
+;; Exercises made of their clauses, as a teacher writes them.
+;;
+;; Whatever a clause computes is applied to the symbols of the exercise's kind, as an answer is,
+;; and kept as data.
+
+(require racket/list
+         "answer-data.rkt" "exercise-kind.rkt" "exercise.rkt" "prescribed-symbols.rkt"
+         "../error/complain.rkt" "../error/words.rkt"
+         "../generic/describe.rkt"
+         "../lagrangian/Lagrange-equations.rkt")
+
+(provide make-exercise)
+
+;; clauses : lists of the name of a clause and its arguments
+(define (make-exercise name kind-name question clauses)
+  (check-clauses name kind-name question clauses)
+  (define (argument clause-name [otherwise #f])
+    (define c (assq clause-name clauses))
+    (if c (cadr c) otherwise))
+  (define names (rest-of 'coordinates clauses))
+  (define draft
+    (exercise name kind-name question names
+              (settings name names clauses argument)
+              #f (argument 'points 1) '()
+              (for/list ([c (in-list clauses)] #:when (eq? (car c) 'hint)) (make-hint name (cdr c)))
+              (and (not (assq 'no-practice clauses)) (not (eq? kind-name 'expects)))))
+  (define key-value (if (assq 'key clauses) (argument 'key) (usual-key draft argument)))
+  (define rounds (rounds-of draft))
+  (struct-copy exercise draft
+               [key (and key-value (clause-datum name 'key key-value rounds))]
+               [slips (for/list ([c (in-list clauses)] #:when (eq? (car c) 'slip))
+                        (make-slip name (cdr c) rounds))]))
+
+;; The equations of motion of a Lagrangian are known.
+(define (usual-key e argument)
+  (and (eq? (exercise-kind e) 'equations) (argument 'of) (Lagrange-equations (argument 'of))))
+
+(define (rest-of name clauses)
+  (define c (assq name clauses))
+  (if c (cdr c) '()))
+
+;; ---------------------------------------------------------------------------
+;; Clauses
+
+(define (settings name names clauses argument)
+  (define system (or (argument 'of-Hamiltonian) (argument 'of)))
+  (define (at-state f)
+    (clause-datum name 'of f (list (list (if (assq 'of-Hamiltonian clauses)
+                                             (state-of names)
+                                             (local-tuple-of names))))))
+  (define entries
+    (list
+     (cons 'system (and system (at-state system)))
+     (cons 'Hamiltonian (and (assq 'of-Hamiltonian clauses) #t))
+     (cons 'force (and (argument 'force) (at-state (argument 'force))))
+     (cons 'becomes (and (argument 'becomes)
+                         (clause-datum name 'becomes (argument 'becomes)
+                                       (list (list (state-of names))))))
+     (cons 'besides (map at-state (rest-of 'besides clauses)))
+     (cons 'starts (and (argument 'starts) (clause-datum name 'starts (argument 'starts) '())))
+     (cons 'arguments (rest-of 'arguments clauses))
+     (cons 'constants (rest-of 'constants clauses))
+     (cons 'assuming (rest-of 'assuming clauses))
+     (cons 'within (argument 'within))
+     (cons 'absolute (memq '#:absolute (rest-of 'within clauses)))
+     (cons 'unit (argument 'unit))
+     (cons 'check (argument 'expects))))
+  (for/hasheq ([entry (in-list entries)] #:unless (memv (cdr entry) '(#f ())))
+    (values (car entry) (cdr entry))))
+
+(define (clause-datum name clause x rounds)
+  (define d (answer->datum x rounds))
+  (unless (eq? (car d) 'answer)
+    (complain name "the clause `~a` is of no use: ~a" clause
+              (if (pair? (cdr d)) (cadr d) "it has no value")))
+  (cadr d))
+
+(define (make-slip name parts rounds)
+  (unless (and (>= (length parts) 2) (string? (cadr parts)))
+    (complain name "a slip is a wrong answer and what to say of it, (slip answer \"...\")"))
+  (slip (clause-datum name 'slip (car parts) rounds) (cadr parts)
+        (keyword-value parts '#:credit 0)))
+
+(define (make-hint name parts)
+  (unless (and (pair? parts) (string? (car parts)))
+    (complain name "a hint is a text, (hint \"...\") or (hint \"...\" #:after 2)"))
+  (hint (car parts) (keyword-value parts '#:after 1)))
+
+(define (keyword-value parts keyword otherwise)
+  (define found (memq keyword parts))
+  (if (and found (pair? (cdr found))) (cadr found) otherwise))
+
+;; ---------------------------------------------------------------------------
+;; Complaints
+
+(define clause-names
+  '(coordinates arguments constants key of of-Hamiltonian force besides becomes starts assuming
+    within unit points hint slip expects no-practice))
+
+(define several-times '(hint slip))
+
+(define (check-clauses name kind-name question clauses)
+  (define k (for/first ([k (in-list kinds)] #:when (eq? kind-name (kind-name* k))) k))
+  (define (has? clause) (assq clause clauses))
+  (unless (string? question)
+    (complain name "the question is a text, behind the kind of the exercise\n  given: ~a"
+              (value->text question)))
+  (unless k
+    (complain name "there is no kind of exercise called ~a\n  there are: ~a" kind-name
+              (joined (map symbol->string (map kind-name* kinds)))))
+  (for ([c (in-list clauses)])
+    (unless (memq (car c) clause-names)
+      (complain name "there is no clause called ~a\n  there are: ~a" (car c)
+                (joined (map symbol->string clause-names)))))
+  (define twice (check-duplicates (remq* several-times (map car clauses))))
+  (when twice (complain name "the clause `~a` stands there twice" twice))
+  (check-needed name k has?)
+  (check-numbers name clauses))
+
+(define kind-name* kind-name)
+
+(define (check-needed name k has?)
+  (define (need clause why) (unless (has? clause) (complain name "~a" why)))
+  (when (memq (kind-arguments k) '(path local state time))
+    (need 'coordinates "it needs the names of the coordinates, as in (coordinates theta)"))
+  (when (and (memq (kind-name k) '(solution conserved)) (not (has? 'of-Hamiltonian)))
+    (need 'of "it needs the system, as in (of L) for a Lagrangian L"))
+  (when (and (has? 'becomes) (not (has? 'of-Hamiltonian)))
+    (complain name "with (becomes K) it needs the Hamiltonian, as in (of-Hamiltonian H)"))
+  (when (eq? (kind-name k) 'expects)
+    (need 'expects "it needs the procedure that judges, as in (expects (lambda (answer) ...))"))
+  (when (and (kind-key? k) (not (and (eq? (kind-name k) 'equations) (has? 'of))))
+    (need 'key "it has no key, as in (key (sqrt (/ 'g 'l)))")))
+
+(define (check-numbers name clauses)
+  (for ([c (in-list clauses)] #:when (memq (car c) '(points within)))
+    (unless (and (pair? (cdr c)) (real? (cadr c)) (>= (cadr c) 0))
+      (complain name "the clause `~a` takes a number that is not negative\n  given: ~a" (car c)
+                (value->text (cdr c))))))
