@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Printing values on demand, simplified: what the prompt does to results.
 
-(require "layout.rkt" "result.rkt" "print-shown.rkt" "display-style.rkt" "text.rkt"
+(require "display-style.rkt" "layout.rkt" "print-shown.rkt" "receiver.rkt" "result.rkt" "text.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../value/series/access.rkt"
          "../verdict/verdict.rkt")
@@ -25,7 +25,13 @@
 ;; style : one of those of display-style, or #f for the one that was chosen
 (define (print-as who x style)
   (when style (check-style who style))
-  (print-shown (simplified-result x line-width (if style (manner-here style) (manner-here)))
+  (define receiver (and (memq (or style (display-style)) '(automatic typeset)) (receiver-here)))
+  (if receiver
+      (receiver x)
+      (print-text x (if style (manner-here style) (manner-here)))))
+
+(define (print-text x manner)
+  (print-shown (simplified-result x line-width manner)
                (lambda (shown)
                  ((if (port-writes-special? (current-output-port)) write print) shown)
                  (newline))))

@@ -59,11 +59,12 @@
   (define more (dropf rest (lambda (l) (string=? l ""))))
   (cons (meant-lines first) (if (null? more) '() (paragraphs more))))
 
-;; A line that the first word of the next would have fitted on was meant to end there.
+;; A line that the first word of the next would have fitted on was meant to end there, and so
+;; was one before an item of a list or a label, as in "Units: metres".
 (define (meant-lines lines)
   (define widest (apply max (map string-length lines)))
   (define (meant? line next)
-    (or (regexp-match? #px"^(?:\\s|- |[*] )" next)
+    (or (regexp-match? #px"^(?:\\s|- |[*] |\\p{Lu}\\p{Ll}+: )" next)
         (< (+ (string-length line) (string-length (car (string-split next))) 12) widest)))
   (let loop ([lines (cdr lines)] [current (car lines)])
     (cond [(null? lines) (list (string-normalize-spaces current))]

@@ -46,10 +46,15 @@
 ;; Formulas
 
 (define (typeset? x)
-  (cond [(pair? x) (and (list? x) (ormap ours? x) (andmap typeset? x))]
+  (cond [(pair? x) (and (list? x) (ormap ours? x) (andmap typeset-element? x))]
         [(vector? x) (for/and ([e (in-vector x)]) (typeset? e))]
         [(symbol? x) (letter? x)]
         [else (or (number? x) (ours? x))]))
+
+;; Among formulas a word is one, as in (list (acos 5/8) 'stable), and so are quoted data.
+(define (typeset-element? x)
+  (or (symbol? x) (typeset? x)
+      (and (list? x) (andmap typeset-element? x))))
 
 ;; Quoted data are none of ours; they are shown as they are quoted, and pictures as pictures.
 (define (ours? x)

@@ -3,7 +3,7 @@
 
 (require "step-by-step.rkt"
          "../calculus/derivative.rkt"
-         "../display/print-expression.rkt"
+         "../display/print-expression.rkt" (only-in "../display/receiver.rkt" receiver-here)
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
@@ -31,7 +31,7 @@
         [(not q)
          (complain-of-arity 'show-derivation
                             "needs the path: (show-derivation (Lagrange-equations L) q)")]
-        [format (print-as 'show-derivation (as-derivation given q t) format)]
+        [(or format (receiver-here)) (print-as 'show-derivation (as-derivation given q t) format)]
         [else (print-steps given q t)]))
 
 ;; The steps as a value.  Each is checked: does it come to what was computed?

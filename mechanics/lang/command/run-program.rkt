@@ -71,7 +71,7 @@
                  [current-output-port printed]
                  [current-error-port printed]
                  [print-as-expression #t]
-                 [current-print (result-receiver receive)])
+                 [current-print (output-receiver receive printed)])
     (parameterize ([current-module-declare-name (make-resolved-module-path name)]
                    [current-module-declare-source file])
       (eval (with-watched-forms stx begins)))

@@ -280,7 +280,8 @@ the prompt of @exec{make repl}, @exec{,text}, @exec{,tex}, @exec{,infix} and
               @defproc[(pe [x value] [#:as style (or/c symbol? #f) #f]) void?])]{
 
 Prints the value, simplified, as the prompt does, and ends the line. With a style it is
-printed in that, and not in the one of @racket[display-style].
+printed in that, and not in the one of @racket[display-style]. On a page that
+@exec{raco mechanics show} makes of the program the value is typeset as results are.
 
 @examples[#:eval session
 (pe (* (sqrt 'x) (sqrt 'x)))

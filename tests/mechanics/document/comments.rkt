@@ -19,6 +19,9 @@
                 (list (prose '(("Checked: one"
                                 "How: by two, in a line that is longer than the one above")))))
   (check-equal? (prose-paragraphs
+                 (car (gap->pieces (text ";; A line that is full" ";; How: said in short"))))
+                '(("A line that is full" "How: said in short")))
+  (check-equal? (prose-paragraphs
                  (car (gap->pieces (text "; some words, and then" "; - an item" "; - another"))))
                 '(("some words, and then" "- an item" "- another"))))
 

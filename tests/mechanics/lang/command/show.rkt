@@ -53,6 +53,25 @@
                 '("(define (say x) (printf \"~a\" x) x)\n(begin (say 1) (say 2))"
                   (printed "1") formula (printed "2") formula)))
 
+(test-case "what print-expression and show-expression print is typeset, but in another style"
+  (check-equal?
+   (outline "#lang mechanics" "(require racket/port)"
+            "(begin (printf \"first\\n\") (print-expression (/ 'a 'b)) (se 'c))"
+            "(print-expression (/ 'a 'b) #:as 'infix)"
+            "(with-output-to-string (lambda () (print-expression (/ 'a 'b))))"
+            "(show-derivation (Lagrange-equations (lambda (s) (square (velocity s)))) cube)")
+   '("(require racket/port)\n(begin (printf \"first\\n\") (print-expression (/ 'a 'b)) (se 'c))"
+     (printed "first\n") formula formula
+     "(print-expression (/ 'a 'b) #:as 'infix)" (printed "a/b\n")
+     "(with-output-to-string (lambda () (print-expression (/ 'a 'b))))" (text "\"(/ a b)\\n\"")
+     "(show-derivation (Lagrange-equations (lambda (s) (square (velocity s)))) cube)" formula)))
+
+(test-case "words in a list of formulas are typeset with them; quoted data are not"
+  (check-equal? (outline "#lang mechanics" "(list (list (acos 'x) 'stable) '(0 unstable))"
+                         "'((0 stable))")
+                '("(list (list (acos 'x) 'stable) '(0 unstable))" formula
+                  "'((0 stable))" (text "'((0 stable))"))))
+
 (test-case "the program runs as it would by itself"
   ;; a name used before its definition, one defined twice, a macro, a file beside it, a submodule
   (write-program "beside.rkt" "#lang racket/base" "(provide six)" "(define six 6)")
