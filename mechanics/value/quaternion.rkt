@@ -43,10 +43,15 @@
 
 (define (quaternion? x) (hamilton? x))
 
-;; a + b i + c j + d k, the units upright and bold, without the parts that are 0
+;; a + b i + c j + d k, the units upright and bold, without the parts that are 0; a + 0 i of a
+;; real one, which is no number.
 (define (quaternion-notation parts see)
+  (define real? (andmap (lambda (part) (eqv? part 0)) (cdr parts)))
+  (define (shown? part unit)
+    (or (not (eqv? part 0)) (and real? (equal? unit "𝐢"))))
   (tree:sum
-   (for/list ([part (in-list parts)] [unit (in-list '(#f "𝐢" "𝐣" "𝐤"))] #:unless (eqv? part 0))
+   (for/list ([part (in-list parts)] [unit (in-list '(#f "𝐢" "𝐣" "𝐤"))]
+              #:when (shown? part unit))
      (if unit (tree:product (list (see part) (tree:word unit)) #f) (see part)))))
 
 ;; ---------------------------------------------------------------------------

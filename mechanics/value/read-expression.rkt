@@ -4,14 +4,14 @@
 ;;
 ;; What the algebra knows stands for itself: symbols, numbers, operations.  Any other name at
 ;; the head of a list is that of an unknown function, as in (x t), or of its derivative, as
-;; in (((partial 0) V) q).  Tuples, matrices and series are made by the names they print
-;; with.  Equations and inequalities, of verdicts and of assumptions, are lists with a value
+;; in (((partial 0) V) q).  Tuples, matrices, series and quaternions are made by the names
+;; they print with.  Equations and inequalities, of verdicts and of assumptions, are lists with a value
 ;; on either side.
 ;;
 ;; Parts that a datum shares are read once: the datum of an expression may be exponentially
 ;; longer, written out, than it is.
 
-(require "linear/matrix.rkt" "series/access.rkt"
+(require "linear/matrix.rkt" "quaternion.rkt" "series/access.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/read.rkt"
          "../error/complain.rkt"
@@ -91,7 +91,7 @@
 
 (define constructors
   (hasheq 'up up 'down down 'list list 'matrix-by-rows matrix-by-rows
-          'series series 'power-series power-series))
+          'series series 'power-series power-series 'quaternion quaternion))
 
 ;; Heads that make functions, or programs.
 (define no-functions

@@ -35,6 +35,7 @@
    (list 'number #px"^NaN(?!\\p{L})" (lambda (m) +nan.0))
    (list 'partial #px"^∂(?:([₀-₉]+)|_[(]([0-9,]+)[)])" (lambda (m) (path-of m)))
    (list 'plain #px"^<function>" (lambda (m) '<function>))
+   (list 'unit #px"^[𝐢𝐣𝐤](?!\\p{L}|[0-9_^₀-₉])" void)
    (list 'name #px"^D(?!_)" (lambda (m) 'D))
    (list 'name
          (pregexp (format (string-append "^~a+(?:-~a+)*[\u307\u308\u20DB]?[0-9]*"
@@ -48,7 +49,8 @@
    (list 'open #rx"^[(]" void) (list 'close #rx"^[)]" void)
    (list 'bracket #rx"^[[]" void) (list 'bracket-close #rx"^[]]" void)
    (list 'comma #rx"^," void) (list 'semicolon #rx"^;" void)
-   (list 'relation #px"^[=<>≤≥∘]" void)))
+   (list 'relation #px"^[=<>≤≥∘↦]" void)
+   (list 'dots #rx"^⋯" void)))
 
 (define small-numbers
   (hash "½" 1/2 "⅓" 1/3 "⅔" 2/3 "¼" 1/4 "¾" 3/4 "⅕" 1/5 "⅖" 2/5 "⅗" 3/5 "⅘" 4/5 "⅙" 1/6

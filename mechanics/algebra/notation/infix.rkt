@@ -11,66 +11,58 @@
 
 (provide tree->line)
 
-(define (tree->line tree)
-  (define spell (speller tree))
-  (line tree (speaker spell #f)))
+(define (tree->line tree) (line tree))
 
-;; spell : symbol -> text; beside-slash? : is it written next to the slash of a quotient, where
-;; sin x would seem to go on?
-(struct speaker (spell beside-slash?) #:authentic)
-
-(define (at-slash s) (speaker (speaker-spell s) #t))
-(define (apart s) (speaker (speaker-spell s) #f))
-
-(define (line t s)
-  (cond [(name? t) ((speaker-spell s) (name-symbol t))]
+;; slash? : is it written next to the slash of a quotient, where sin x would seem to go on?
+(define (line t [slash? #f])
+  (cond [(name? t) (line-name (name-symbol t))]
         [(word? t) (word-text t)]
         [(digits? t) (digits-text t)]
         [(plain? t) (plain-text t)]
-        [(sum? t) (sum-line t (apart s))]
-        [(product? t) (spaced (for/list ([f (in-list (product-factors t))]) (factor f s)))]
-        [(fraction? t) (or (small-fraction t) (quotient-line t (at-slash s)))]
-        [(power? t) (power-line t s)]
-        [(parenthesized? t) (within (parenthesized-body t) s)]
-        [(application? t) (application-line t s)]
-        [(derivative? t) (derivative-line t s)]
-        [else (other-line t (apart s))]))
+        [(sum? t) (sum-line t)]
+        [(product? t) (spaced (for/list ([f (in-list (product-factors t))]) (factor f slash?)))]
+        [(fraction? t) (or (small-fraction t) (quotient-line t))]
+        [(power? t) (power-line t slash?)]
+        [(parenthesized? t) (within (parenthesized-body t))]
+        [(application? t) (application-line t slash?)]
+        [(derivative? t) (derivative-line t)]
+        [else (other-line t)]))
 
-(define (other-line t s)
+(define (other-line t)
   (cond [(scientific? t) (string-append (scientific-digits t) "×10"
                                         (raised-text (number->string (scientific-exponent t))))]
-        [(imaginary? t) (string-append (atom (imaginary-coefficient t) s) "i")]
-        [(radical? t) (string-append "√" (under-roof (radical-body t) s))]
-        [(exponential? t) (call "exp" (list (exponential-exponent t)) s)]
-        [(bars? t) (call "abs" (list (bars-body t)) s)]
-        [(dotted? t) (dotted-line t s)]
-        [(column? t) (call "up" (column-items t) s)]
-        [(across? t) (call "down" (across-items t) s)]
-        [(grid? t) (grid-line t s)]
-        [(listing? t) (call "list" (listing-items t) s)]
-        [(relation? t) (relation-line t s)]
+        [(imaginary? t) (string-append (atom (imaginary-coefficient t)) "i")]
+        [(radical? t) (string-append "√" (under-roof (radical-body t)))]
+        [(exponential? t) (call "exp" (list (exponential-exponent t)))]
+        [(bars? t) (call "abs" (list (bars-body t)))]
+        [(dotted? t) (dotted-line t)]
+        [(column? t) (call "up" (column-items t))]
+        [(across? t) (call "down" (across-items t))]
+        [(grid? t) (grid-line t)]
+        [(listing? t) (call "list" (listing-items t))]
+        [(relation? t) (relation-line t)]
         [(omitted? t) (omitted-count t)]
-        [(row? t) (apply string-append (lines (row-items t) s))]
-        [(report? t) (report->line t s)]
-        [else (string-join (lines (tree-parts t) s))]))
+        [(row? t) (apply string-append (lines (row-items t)))]
+        [(report? t) (report->line t)]
+        [else (string-join (lines (tree-parts t)))]))
 
-(define (lines ts s) (for/list ([t (in-list ts)]) (line t s)))
+(define (lines ts) (for/list ([t (in-list ts)]) (line t)))
 (define (spaced texts) (string-join texts " "))
-(define (within t s) (string-append "(" (line t (apart s)) ")"))
-(define (call f ts s) (string-append f "(" (string-join (lines ts (apart s)) ", ") ")"))
+(define (within t) (string-append "(" (line t) ")"))
+(define (call f ts) (string-append f "(" (string-join (lines ts) ", ") ")"))
 
 ;; ---------------------------------------------------------------------------
 
-(define (sum-line t s)
+(define (sum-line t)
   (define terms (sum-terms t))
   (define (signed x positive negative)
-    (string-append (if (term-negative? x) negative positive) (line (term-body x) s)))
+    (string-append (if (term-negative? x) negative positive) (line (term-body x))))
   (apply string-append
          (signed (car terms) "" "−")
          (for/list ([x (in-list (cdr terms))]) (signed x " + " " − "))))
 
-(define (factor t s)
-  (if (and (fraction? t) (not (small-fraction t))) (within t s) (line t s)))
+(define (factor t slash?)
+  (if (and (fraction? t) (not (small-fraction t))) (within t) (line t slash?)))
 
 (define (small-fraction t)
   (define above (fraction-numerator t))
@@ -83,38 +75,38 @@
   (hash "1/2" "½" "1/3" "⅓" "2/3" "⅔" "1/4" "¼" "3/4" "¾" "1/5" "⅕" "2/5" "⅖" "3/5" "⅗"
         "4/5" "⅘" "1/6" "⅙" "5/6" "⅚" "1/8" "⅛" "3/8" "⅜" "5/8" "⅝" "7/8" "⅞"))
 
-(define (quotient-line t s)
+(define (quotient-line t)
   (define above (fraction-numerator t))
-  (string-append (if (product? above) (line above s) (atom above s))
+  (string-append (if (product? above) (line above #t) (atom above #t))
                  "/"
-                 (atom (fraction-denominator t) s)))
+                 (atom (fraction-denominator t) #t)))
 
 ;; What holds together beside a slash.
-(define (atom t s)
+(define (atom t [slash? #f])
   (if (or (sum? t) (product? t) (relation? t) (imaginary? t) (omitted? t)
           (and (fraction? t) (not (small-fraction t))))
-      (within t s)
-      (line t s)))
+      (within t)
+      (line t slash?)))
 
-(define (power-line t s)
+(define (power-line t slash?)
   (define exponent (power-exponent t))
-  (string-append (atom (power-base t) s)
+  (string-append (atom (power-base t) slash?)
                  (if (and (digits? exponent) (regexp-match? #rx"^[0-9]+$" (digits-text exponent)))
                      (raised-text (digits-text exponent))
-                     (string-append "^" (within exponent s)))))
+                     (string-append "^" (within exponent)))))
 
-(define (under-roof t s)
-  (if (or (name? t) (digits? t) (parenthesized? t)) (line t s) (within t s)))
+(define (under-roof t)
+  (if (or (name? t) (digits? t) (parenthesized? t)) (line t) (within t)))
 
-(define (application-line t s)
-  (define head (line (application-function t) s))
-  (if (and (application-bare? t) (not (speaker-beside-slash? s)))
-      (spaced (list head (line (car (application-arguments t)) s)))
-      (call head (application-arguments t) s)))
+(define (application-line t slash?)
+  (define head (line (application-function t) slash?))
+  (if (and (application-bare? t) (not slash?))
+      (spaced (list head (line (car (application-arguments t)) slash?)))
+      (call head (application-arguments t))))
 
-(define (derivative-line t s)
+(define (derivative-line t)
   (string-append (apply string-append (map mark-line (derivative-marks t)))
-                 (if (derivative-function t) (line (derivative-function t) (apart s)) "")))
+                 (if (derivative-function t) (line (derivative-function t)) "")))
 
 (define (mark-line m)
   (string-append (if (mark-path m) (partial-line (mark-path m)) "D")
@@ -130,28 +122,28 @@
                   (integer->char (+ 8272 (char->integer c))))))
 
 ;; A name between bars has no letter to bear the dots.
-(define (dotted-line t s)
+(define (dotted-line t)
   (define base (dotted-base t))
   (define n (dotted-dots t))
-  (if (regexp-match? #rx"^[|]" (line base s))
-      (derivative-line (derivative (list (mark #f n)) base) s)
+  (if (regexp-match? #rx"^[|]" (line base))
+      (derivative-line (derivative (list (mark #f n)) base))
       (dotted-line-name (name-symbol base) n)))
 
-(define (grid-line t s)
+(define (grid-line t)
   (string-append "["
                  (string-join (for/list ([row (in-list (grid-rows t))])
-                                (string-join (lines row s) ", "))
+                                (string-join (lines row) ", "))
                               "; ")
                  "]"))
 
-(define (relation-line t s)
+(define (relation-line t)
   (define right (relation-right t))
-  (spaced (list (line (relation-left t) s)
+  (spaced (list (line (relation-left t))
                 (relation-sign t)
-                (if (relation? right) (within right s) (line right s)))))
+                (if (relation? right) (within right) (line right)))))
 
-(define (report->line t s)
+(define (report->line t)
   (string-join (for/list ([l (in-list (report-lines t))])
-                 (define texts (lines (report-line-parts l) s))
+                 (define texts (lines (report-line-parts l)))
                  (spaced (if (unlabelled? l) texts (cons (report-line-label l) texts))))
                "; "))

@@ -2,36 +2,24 @@
 ;; Names on one line, and back: `theta_1` is θ₁, `xdotdot` is ẍ, `p_phi` is p_φ.
 ;;
 ;; What cannot be told from something else stands between bars, as a variable pi, which is not
-;; the number π.
+;; the number π.  So each text is read as the one symbol that it was written from.
 
-(require "name.rkt" "tree.rkt"
+(require "name.rkt"
          "../expression/operation.rkt")
 
-(provide line-name dotted-line-name line-name->symbol speller
+(provide line-name dotted-line-name line-name->symbol
          superscript->text raised-text)
 
 ;; ---------------------------------------------------------------------------
 ;; Writing
 
-;; A procedure that spells the names of a tree: two that look alike, such as theta and θ, are
-;; told apart.
-(define (speller tree)
-  (define names (make-hasheq))
-  (let collect ([t tree])
-    (if (name? t) (hash-set! names (name-symbol t) #t) (for-each collect (tree-parts t))))
-  (define texts (make-hash))            ; text -> the symbol that may have it
-  (for ([s (in-list (sort (hash-keys names) symbol<?))])
-    (define text (line-name s))
-    (when (or (not (hash-ref texts text #f)) (eq? s (line-name->symbol text)))
-      (hash-set! texts text s)))
-  (lambda (s)
-    (define text (line-name s))
-    (if (eq? s (hash-ref texts text s)) text (between-bars s))))
-
+;; A name that would be read as another one stands between bars: so does θ, as theta is θ.
 (define (line-name s)
   (define p (name-parts s))
   (define text (if (eq? (parts-sort p) 'odd) "" (regular-text p)))
-  (if (or (string=? text "") (reserved? text) (eq? s 'pi)) (between-bars s) text))
+  (if (or (string=? text "") (reserved? text) (not (eq? s (line-name->symbol text))))
+      (between-bars s)
+      text))
 
 (define (dotted-line-name s n) (regular-text (dotted-parts s n)))
 
@@ -54,7 +42,7 @@
 
 (define reserved
   (for/hash ([s (in-list (append (map operation-name operations)
-                                 '(up down list sec csc cot sech csch coth)))])
+                                 '(up down list sec csc cot sech csch coth 𝐢 𝐣 𝐤)))])
     (values (symbol->string s) #t)))
 
 (define (between-bars s)

@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Formulas on one line, as infix.rkt writes them, read back as S-expressions.
 ;;
-;;     relation := sum { (= < > ≤ ≥ ∘) sum }          sum     := [−] term { (+ −) term }
+;;     relation := sum { (= < > ≤ ≥ ∘ ↦) sum }        sum     := [−] term { (+ −) term }
 ;;     term     := product { / factor }               product := factor { factor }
 ;;     factor   := primary { superscript | ^( ) | ( arguments ) }, none of them after a space
 
-(require "formula-tokens.rkt"
+(require "formula-tokens.rkt" "read-terms.rkt"
          "../../error/complain.rkt")
 
 (provide infix->datum)
@@ -36,7 +36,10 @@
 (define (unexpected in)
   (define t (ahead in))
   (fail (reader-text in) (token-at t)
-        (if (eq? (token-kind t) 'end) "it ends here" (format "~a" (token-text t)))))
+        (case (token-kind t)
+          [(end) "it ends here"]
+          [(dots) "⋯, which stands for terms that are not written"]
+          [else (token-text t)])))
 
 (define (fail text at what)
   (complain 'read-infix "not a formula on one line\n  at: ~a, position ~a\n  in: ~a"
@@ -51,12 +54,18 @@
 (define (read-relation in)
   (let loop ([left (read-sum in)])
     (if (ahead? in 'relation)
-        (let ([name (hash-ref relation-names (token-text (take! in)))])
-          (define right (read-sum in))
-          (loop (if (and (pair? left) (eq? (car left) name) (> (length left) 2))
-                    (append left (list right))
-                    (list name left right))))
+        (let ([sign (take! in)])
+          (loop (related sign left (read-sum in) in)))
         left)))
+
+(define (related sign left right in)
+  (define name (hash-ref relation-names (token-text sign) #f))
+  (cond [(not name)
+         (or (series->datum left right)
+             (fail (reader-text in) (token-at sign) "no power series"))]
+        [(and (pair? left) (eq? (car left) name) (> (length left) 2))
+         (append left (list right))]
+        [else (list name left right)]))
 
 (define (read-sum in)
   (define (next-term)
@@ -66,19 +75,7 @@
   (let loop ([terms (list (next-term))])
     (cond [(ahead? in 'plus) (take! in) (loop (cons (read-term in) terms))]
           [(ahead? in 'minus) (loop (cons (next-term) terms))]
-          [(null? (cdr terms)) (car terms)]
-          [(complex-parts? terms) (apply + terms)]
-          [else (cons '+ (reverse terms))])))
-
-;; The real and the imaginary part of one number
-(define (complex-parts? terms)
-  (and (= 2 (length terms)) (andmap number? terms) (not (real? (car terms))) (real? (cadr terms))))
-
-(define (negative d)
-  (cond [(and (number? d) (not (eqv? d 0))) (- d)]
-        [(and (pair? d) (eq? (car d) '*) (real? (cadr d))) (list* '* (- (cadr d)) (cddr d))]
-        [(and (pair? d) (eq? (car d) '*)) (list* '* -1 (cdr d))]
-        [else (list '* -1 d)]))
+          [else (terms->datum (reverse terms))])))
 
 (define (read-term in)
   (let loop ([t (read-product in)])
@@ -90,7 +87,7 @@
 
 (define (read-product in)
   (let loop ([factors (list (read-factor in))])
-    (cond [(memq (kind-ahead in) '(number name quoted open root bracket partial plain))
+    (cond [(memq (kind-ahead in) '(number name unit quoted open root bracket partial plain))
            (loop (cons (read-factor in) factors))]
           [(null? (cdr factors)) (car factors)]
           [else (cons '* (reverse factors))])))
@@ -132,6 +129,7 @@
     [(open) (parenthesized in)]
     [(bracket) (read-matrix in)]
     [(quoted plain) (token-value (take! in))]
+    [(unit) (unit-datum (token-text (take! in)))]
     [(partial) (read-derivative in '())]
     [(name) (read-name in)]
     [else (unexpected in)]))

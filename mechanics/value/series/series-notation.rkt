@@ -26,4 +26,9 @@
     (let collect ([ts trees] [used (hasheq)])
       (for/fold ([used used]) ([t (in-list ts)])
         (if (name? t) (hash-set used (name-symbol t) #t) (collect (tree-parts t) used)))))
-  (name (or (for/first ([s (in-list '(x z s u w y))] #:unless (hash-ref used s #f)) s) 'ξ)))
+  (name (or (for/first ([s (in-list '(x z s u w y xi))] #:unless (hash-ref used s #f)) s)
+            (for/first ([k (in-naturals 1)]
+                        #:unless (hash-ref used (indexed-variable k) #f))
+              (indexed-variable k)))))
+
+(define (indexed-variable k) (string->symbol (format "x_~a" k)))

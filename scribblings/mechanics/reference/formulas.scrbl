@@ -22,22 +22,28 @@ notation, such as a procedure without a name, is shown as it prints.
 
 The value on one line of Unicode. Factors have spaces between them and applications none;
 what stands before a slash in its product is the numerator, and one factor behind it the
-denominator. A name that would be taken for something else stands between bars.
+denominator. A name that would be read as another one stands between bars: @racket['θ] does,
+since @racket['theta] is written as the letter.
 
 @examples[#:eval session
 (->infix (- (* 1/2 'm (square 'xdot)) (* 'm 'g 'x)))
 (->infix (((Lagrange-equations (L-harmonic 'm 'k)) (literal-function 'x)) 't))
-(->infix (up 'theta_1 (/ (+ 'a 'b) 'c) '|two words|))]}
+(->infix (up 'theta_1 (/ (+ 'a 'b) 'c) '|two words|))
+(->infix (quaternion 'a 'b 0 -1))]}
 
 @defproc[(read-infix [text string?]) value]{
 
 The value of a formula written as @racket[->infix] writes it: what it writes of an
-expression is read as an expression of the same value. Tuples, matrices and relations are
-read, too. Other text is an error that tells the position.
+expression is read as an expression of the same value, with the same names. Tuples, matrices,
+relations, quaternions and power series of finitely many terms are read, too. A series of terms
+that are no powers looks like their sum and is read as that; the terms that @litchar{⋯} stands
+for are not on the line. Such text, and other text that is no formula, is an error that tells
+the position.
 
 @examples[#:eval session
 (read-infix "½ m ẋ² − m g x")
 (read-infix "m D²x(t) + k x(t)")
+(read-infix "x ↦ 1 + x + ½ x²")
 (eval:error (read-infix "m (a + "))]}
 
 @section{Text, TeX, pages}

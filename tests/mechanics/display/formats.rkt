@@ -107,7 +107,9 @@
 
 (test-case "names that look alike are told apart on one line, and every name is read back"
   (check-equal? (->infix (+ 'theta 'θ)) "θ + |θ|")
-  (check-equal? (->infix 'θ) "θ")
+  (check-equal? (->infix 'theta) "θ")
+  (check-equal? (->infix 'θ) "|θ|")
+  (check-eq? (read-infix (->infix 'θ)) 'θ)
   (check-equal? (->infix (* ':pi 'pi)) "π |pi|")
   (for ([s (in-list attacks)])
     (check-equal? (read-infix (->infix s)) s)))
