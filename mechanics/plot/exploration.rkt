@@ -51,11 +51,11 @@
   o)
 
 ;; -> is the orbit still there?
-(define (add-points! e o xys count)
+(define (add-points! e o xs ys count)
   (define t (for/first ([t (in-list (exploration-orbits e))] #:when (eq? o (traced-orbit t))) t))
   (when t
-    (for ([k (in-range 0 count 2)])
-      (add-point! (traced-points t) (flvector-ref xys k) (flvector-ref xys (+ k 1)))))
+    (for ([x (in-flvector xs 0 count)] [y (in-flvector ys 0 count)])
+      (add-point! (traced-points t) x y)))
   (and t #t))
 
 (define (zoom! e bounds)
@@ -81,8 +81,5 @@
 (define (each-orbit-marked e p color->bytes)
   (for ([t (in-list (reverse (exploration-orbits e)))])
     (define s (take-snapshot (traced-points t)))
-    (define xys (make-flvector (* 2 (snapshot-count s))))
-    (for ([k (in-range (snapshot-count s))])
-      (flvector-set! xys (* 2 k) (flvector-ref (snapshot-xs s) k))
-      (flvector-set! xys (+ 1 (* 2 k)) (flvector-ref (snapshot-ys s) k)))
-    (mark! p xys 0 (flvector-length xys) (color->bytes (orbit-color (traced-orbit t))))))
+    (mark! p (snapshot-xs s) (snapshot-ys s) 0 (snapshot-count s)
+           (color->bytes (orbit-color (traced-orbit t))))))

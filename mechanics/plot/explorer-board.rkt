@@ -66,9 +66,9 @@
   (send bitmap get-argb-pixels 0 0 (pixels-width p) (pixels-height p) (pixels-bytes p)))
 
 ;; Points that have come.
-(define (mark-on-board! b points count color)
+(define (mark-on-board! b xs ys count color)
   (unless (board-pixels b) (redraw-board! b))
-  (mark! (board-pixels b) points 0 count (color->bytes color))
+  (mark! (board-pixels b) xs ys 0 count (color->bytes color))
   (changed! b))
 
 ;; -> a bitmap of all that is seen

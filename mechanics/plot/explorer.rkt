@@ -109,14 +109,14 @@
 ;; What the worker has
 
 ;; The worker waits until its points are drawn.
-(define ((receiver it) o points count why)
+(define ((receiver it) o xs ys count why)
   (define space (send (explorer-window it) get-eventspace))
   (define done (make-semaphore))
   (parameterize ([current-eventspace space])
     (queue-callback
      (lambda ()
-       (when (add-points! (explorer-exploration it) o points count)
-         (mark-on-board! (explorer-board it) points count (orbit-color o))
+       (when (add-points! (explorer-exploration it) o xs ys count)
+         (mark-on-board! (explorer-board it) xs ys count (orbit-color o))
          (say! it (and why (format "an orbit ends: ~a" why))))
        (semaphore-post done))
      #f))

@@ -23,8 +23,8 @@
 
 (struct worker (thread custodian))
 
-;; receive : orbit, flvector of x y x y ..., how many entries of it count, a text that says why
-;; there are no more, or #f -> any; it is called in the worker's thread
+;; receive : orbit, two flvectors, of abscissas and of ordinates, how many of them count, a text
+;; that says why there are no more, or #f -> any; it is called in the worker's thread
 (define (start-worker map receive)
   (define custodian (make-custodian))
   (worker (parameterize ([current-custodian custodian])
@@ -56,14 +56,14 @@
 ;; -> the rest of the job, or #f.  Whatever the reader's map raises ends its orbit.
 (define (take-turn map j receive)
   (define o (job-orbit j))
-  (define points (make-flvector (* 2 most)))
+  (define-values (xs ys) (values (make-flvector most) (make-flvector most)))
   (define count 0)
   (define (add! at)
-    (flvector-set! points count (flvector-ref at 0))
-    (flvector-set! points (+ count 1) (flvector-ref at 1))
-    (set! count (+ count 2)))
+    (flvector-set! xs count (flvector-ref at 0))
+    (flvector-set! ys count (flvector-ref at 1))
+    (set! count (+ count 1)))
   (define (finish why left)
-    (receive o points count why)
+    (receive o xs ys count why)
     left)
   (with-handlers ([exn:fail? (lambda (e) (finish (exn-message e) #f))])
     (define begun? (orbit-step! o))

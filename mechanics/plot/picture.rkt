@@ -6,7 +6,7 @@
          plot/no-gui
          (only-in racket/class send)
          (only-in racket/draw the-color-database)
-         "layer.rkt" "points.rkt" "view.rkt")
+         "dense-points.rkt" "layer.rkt" "points.rkt" "view.rkt")
 
 (provide loaded? color-name? make-picture picture-bytes)
 
@@ -17,14 +17,27 @@
   (and (send the-color-database find-color (if (symbol? name) (symbol->string name) name))
        #t))
 
-;; -> pict
+;; -> pict.  Very many points are one image, above the rest; the first of them is drawn below
+;; it as well, for the legend and the axes.
 (define (make-picture v layers)
   (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
-  (plot-pict (renderers v layers)
-             #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
-             #:width (view-width v) #:height (view-height v)
-             #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
-             #:aspect-ratio (view-aspect-ratio v)))
+  (define drawn
+    (plot-pict (renderers v (for/list ([l (in-list layers)]) (if (dense? l) (first-point l) l)))
+               #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
+               #:width (view-width v) #:height (view-height v)
+               #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
+               #:aspect-ratio (view-aspect-ratio v)))
+  (define dense (filter dense? layers))
+  (if (null? dense) drawn (with-dense-points drawn (view-bounds v) dense)))
+
+;; From so many in a layer on they are not drawn one by one.
+(define many-points 20000)
+
+(define (dense? l)
+  (and (eq? (layer-kind l) 'points) (> (snapshot-count (layer-data l)) many-points)))
+
+(define (first-point l)
+  (layer (layer-style l) (struct-copy snapshot (layer-data l) [count 1])))
 
 ;; format : as `convert` names it, 'png-bytes and so on
 (define (picture-bytes v layers format [default #f])

@@ -5,19 +5,16 @@
 (require racket/math
          racket/unsafe/ops)
 
-(provide make-pixels pixels-bytes mark! clear-pixels! pixels-bounds pixels-width pixels-height
+(provide make-pixels pixels-bytes mark! pixels-width pixels-height pixels-bounds
          pixel->point point->pixel)
 
 ;; bounds : (list x-min x-max y-min y-max), flonums; bytes : alpha, red, green and blue of each
 ;; pixel, row by row from above
 (struct pixels (bounds width height bytes) #:authentic)
 
+;; Nothing is marked at first: all is transparent.
 (define (make-pixels bounds width height)
-  (define p (pixels bounds width height (make-bytes (* 4 width height))))
-  (clear-pixels! p)
-  p)
-
-(define (clear-pixels! p) (bytes-fill! (pixels-bytes p) 255))
+  (pixels bounds width height (make-bytes (* 4 width height) 0)))
 
 ;; -> the point in the middle of a pixel
 (define (pixel->point p i j)
@@ -31,24 +28,17 @@
   (values (exact-floor (* (pixels-width p) (/ (- x x-min) (- x-max x-min))))
           (exact-floor (* (pixels-height p) (/ (- y-max y) (- y-max y-min))))))
 
-;; Points x y x y ... of an flvector, from entry `from` to `to`, in a colour of three bytes.
-;; A dot is two pixels wide.
-(define (mark! p points from to color)
+;; Points of two flvectors, from index `from` to `to`, in a colour of three bytes.  A dot is two
+;; pixels wide.
+(define (mark! p xs ys from to color)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
-  (define-values (red green blue) (apply values color))
-  (define-values (width height bytes) (values (pixels-width p) (pixels-height p) (pixels-bytes p)))
+  (define-values (width height) (values (pixels-width p) (pixels-height p)))
   (define-values (x-scale y-scale)
     (values (/ width (- x-max x-min)) (/ height (- y-max y-min))))
-  (define (dot! i j)
-    (when (and (unsafe-fx< i width) (unsafe-fx< j height))
-      (define k (unsafe-fx* 4 (unsafe-fx+ i (unsafe-fx* j width))))
-      (unsafe-bytes-set! bytes (unsafe-fx+ k 1) red)
-      (unsafe-bytes-set! bytes (unsafe-fx+ k 2) green)
-      (unsafe-bytes-set! bytes (unsafe-fx+ k 3) blue)))
+  (define dot! (dot-marker p color))
   (let loop ([k from])
     (when (unsafe-fx< k to)
-      (define x (unsafe-flvector-ref points k))
-      (define y (unsafe-flvector-ref points (unsafe-fx+ k 1)))
+      (define-values (x y) (values (unsafe-flvector-ref xs k) (unsafe-flvector-ref ys k)))
       (when (and (unsafe-fl<= x-min x) (unsafe-fl<= x x-max)
                  (unsafe-fl<= y-min y) (unsafe-fl<= y y-max))
         (define i (unsafe-fl->fx (unsafe-fl* x-scale (unsafe-fl- x x-min))))
@@ -57,4 +47,16 @@
         (dot! (unsafe-fx+ i 1) j)
         (dot! i (unsafe-fx+ j 1))
         (dot! (unsafe-fx+ i 1) (unsafe-fx+ j 1)))
-      (loop (unsafe-fx+ k 2)))))
+      (loop (unsafe-fx+ k 1)))))
+
+;; -> (i j -> void), for pixels that are not left of the others or above them
+(define (dot-marker p color)
+  (define-values (red green blue) (apply values color))
+  (define-values (width height bytes) (values (pixels-width p) (pixels-height p) (pixels-bytes p)))
+  (lambda (i j)
+    (when (and (unsafe-fx< i width) (unsafe-fx< j height))
+      (define k (unsafe-fx* 4 (unsafe-fx+ i (unsafe-fx* j width))))
+      (unsafe-bytes-set! bytes k 255)
+      (unsafe-bytes-set! bytes (unsafe-fx+ k 1) red)
+      (unsafe-bytes-set! bytes (unsafe-fx+ k 2) green)
+      (unsafe-bytes-set! bytes (unsafe-fx+ k 3) blue))))

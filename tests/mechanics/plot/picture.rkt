@@ -48,6 +48,20 @@
     (check-equal? (length (strokes svg '(0 255 0))) 20)
     (check-equal? (strokes svg '(255 255 0)) '()))
 
+  ;; An image holds them, of which SVG has but one.
+  (test-case "very many points are one image, with axes and a legend as for few"
+    (define (dotted n)
+      (define f (frame 0 1 0 1))
+      (for ([k (in-range n)])
+        (plot-point f 0.5 (/ k n) #:color 'red #:label "dots"))
+      (bytes->string/utf-8 (convert f 'svg-bytes)))
+    (define-values (few many) (values (dotted 100) (dotted 30000)))
+    (check-equal? (length (strokes few '(255 0 0))) 101)
+    (check-equal? (length (strokes many '(255 0 0))) 2)
+    (check-equal? (length (regexp-match* #rx"<image " few)) 0)
+    (check-true (pair? (regexp-match* #rx"<image " many)))
+    (check-equal? (length (strokes many '(0 0 0))) (length (strokes few '(0 0 0)))))
+
   (test-case "nothing is drawn outside"
     (define (count-blue f)
       (length (strokes (bytes->string/utf-8 (convert f 'svg-bytes)) '(0 0 255))))
