@@ -12,7 +12,6 @@
 
 (require racket/flonum
          "Floquet.rkt" "compiled-map.rkt" "jacobian.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
-         "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../motion/check.rkt" "../motion/evolution.rkt" "../motion/linearized-flow.rkt"
@@ -132,7 +131,7 @@
 (define (exponent-of-map who map start n)
   (unless (exact-positive-integer? n)
     (raise-argument-error who "how many steps of the map, a positive integer" n))
-  (define p (flvector (number who (abscissa start)) (number who (ordinate start))))
+  (define p (flvector (start-abscissa who start) (start-ordinate who start)))
   (define run! (tangent-stepper who map p))
   (define interval (max 1 (quotient n 1000)))
   (define v (flvector 0.6 0.8))
@@ -141,11 +140,6 @@
     (for ([_ (in-range interval)]) (run! p v))
     (values p (list (flvector-copy v))))
   (collect step p (list v) (->fl interval) (quotient n interval)))
-
-(define (number who x)
-  (define value (comparand x))
-  (unless (rational? value) (complain who "expected a point of real numbers"))
-  (real->double-flonum value))
 
 ;; -> (p v -> void), which moves a point and a displacement of it
 (define (tangent-stepper who map p)

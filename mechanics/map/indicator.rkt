@@ -13,7 +13,7 @@
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
          "../error/complain.rkt"
-         "../generic/compare.rkt" "../generic/up-down.rkt"
+         "../generic/up-down.rkt"
          (only-in "../value/structure.rkt" ref))
 
 (provide fast-Lyapunov-indicator indicator-grid)
@@ -23,18 +23,13 @@
   (define who 'fast-Lyapunov-indicator)
   (check-map who map)
   (check-steps who n)
-  (define-values (x y) (values (number who (abscissa start)) (number who (ordinate start))))
+  (define-values (x y) (values (start-abscissa who start) (start-ordinate who start)))
   (define step! (displacement-stepper who map x y))
   (indicator (step!) x y n))
 
 (define (check-steps who n)
   (unless (exact-positive-integer? n)
     (raise-argument-error who "how many steps of the map, a positive integer" n)))
-
-(define (number who x)
-  (define value (comparand x))
-  (unless (rational? value) (complain who "expected a point of real numbers"))
-  (real->double-flonum value))
 
 ;; Of a grid of starts, xs by ys, flvectors -> flvector, row by row
 (define (indicator-grid who map xs ys n)

@@ -23,4 +23,5 @@
  ["Floquet.rkt" Floquet-multipliers]
  ["Lyapunov.rkt" Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov? Lyapunov-values
                  Lyapunov-history Lyapunov-change]
+ ["indicator.rkt" fast-Lyapunov-indicator]
  ["orbit-stream.rkt" circle-map orbit-stream position-stream compare-streams])

@@ -8,12 +8,23 @@
          "../numeric/constants.rkt" "../numeric/finite.rkt"
          "../value/principal-value.rkt")
 
-(provide make-point abscissa ordinate plane-near? cylinder-near? torus-near?)
+(provide make-point abscissa ordinate plane-near? cylinder-near? torus-near?
+         ;; for what orbits are followed from
+         start-abscissa start-ordinate)
 
 (define (make-point x y) (up x y))
 
 (define (abscissa p) (component-of 'abscissa p 0 car))
 (define (ordinate p) (component-of 'ordinate p 1 cdr))
+
+;; As flonums.
+(define (start-abscissa who p) (number who (abscissa p)))
+(define (start-ordinate who p) (number who (ordinate p)))
+
+(define (number who x)
+  (define value (comparand x))
+  (unless (rational? value) (complain who "expected a point of real numbers"))
+  (real->double-flonum value))
 
 ;; Of a tuple of two, or of what cons made, as pictures take it.
 (define (component-of who p k of-pair)

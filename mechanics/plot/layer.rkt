@@ -4,22 +4,26 @@
 (require "points.rkt"
          "../error/words.rkt")
 
-(provide (struct-out style) (struct-out layer) (struct-out field)
+(provide (struct-out style) (struct-out layer) (struct-out field) (struct-out raster)
          layer-kind layers-now layers->text
          layer->datum datum->layer)
 
-;; kind : 'points, 'lines (segments apart), 'curve or 'level
+;; kind : 'points, 'lines (segments apart), 'curve, 'level or 'image
 ;; size : diameter of points or width of lines, in pixels
 ;; dash, label : of a line, as plot has them; what the legend says, or #f
 (struct style (kind color size dash label))
 
 ;; data : points; a snapshot of them where the layer may not change any more; of a
-;; 'level a field
+;; 'level a field, of an 'image a raster
 (struct layer (style data))
 
 ;; A function of the plane at the nodes of a grid from end to end of the view, as
 ;; `count` rows of y with as many values each, and the level that is drawn of it.
 (struct field (rows count level))
+
+;; Colours of equal parts of the view, `width` across and `height` down: bytes of alpha, red,
+;; green, blue.
+(struct raster (width height bytes))
 
 (define (layer-kind l) (style-kind (layer-style l)))
 
@@ -35,8 +39,9 @@
     (for/sum ([l (in-list layers)] #:when (memq (layer-kind l) kinds))
       (count (layer-data l))))
   (define parts
-    (for/list ([noun (in-list '("curve" "line" "point"))]
-               [n (in-list (list (total (lambda (data) 1) '(curve level))
+    (for/list ([noun (in-list '("image" "curve" "line" "point"))]
+               [n (in-list (list (total (lambda (data) 1) '(image))
+                                 (total (lambda (data) 1) '(curve level))
                                  (total line-count '(lines))
                                  (total snapshot-count '(points))))]
                #:unless (zero? n))
@@ -54,12 +59,14 @@
   (define s (layer-style l))
   (define data (layer-data l))
   (list (list (style-kind s) (style-color s) (style-size s) (style-dash s) (style-label s))
-        (if (field? data)
-            (list (field-rows data) (field-count data) (field-level data))
-            (snapshot->vectors data))))
+        (cond [(field? data) (list (field-rows data) (field-count data) (field-level data))]
+              [(raster? data) (list (raster-width data) (raster-height data) (raster-bytes data))]
+              [else (snapshot->vectors data)])))
 
 (define (datum->layer datum)
   (define s (apply style (car datum)))
-  (layer s (if (eq? (style-kind s) 'level)
-               (apply field (cadr datum))
-               (vectors->points (cadr datum)))))
+  (define data (cadr datum))
+  (layer s (case (style-kind s)
+             [(level) (apply field data)]
+             [(image) (apply raster data)]
+             [else (vectors->points data)])))

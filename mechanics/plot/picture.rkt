@@ -6,7 +6,7 @@
          plot/no-gui
          (only-in racket/class send)
          (only-in racket/draw the-color-database)
-         "dense-points.rkt" "layer.rkt" "points.rkt" "view.rkt")
+         "layer.rkt" "plot-images.rkt" "points.rkt" "view.rkt")
 
 (provide loaded? color-name? make-picture picture-bytes)
 
@@ -17,18 +17,26 @@
   (and (send the-color-database find-color (if (symbol? name) (symbol->string name) name))
        #t))
 
-;; -> pict.  Very many points are one image, above the rest; the first of them is drawn below
-;; it as well, for the legend and the axes.
+;; -> pict.  Very many points are one image, above the rest; images are beneath it.  The first
+;; of the points, and one of an image, are drawn none the less, for the legend and the axes.
 (define (make-picture v layers)
-  (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
+  (define bounds (view-bounds v))
+  (define-values (x-min x-max y-min y-max) (apply values bounds))
+  (define images (filter image? layers))
   (define drawn
-    (plot-pict (renderers v (for/list ([l (in-list layers)]) (if (dense? l) (first-point l) l)))
-               #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
-               #:width (view-width v) #:height (view-height v)
-               #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
-               #:aspect-ratio (view-aspect-ratio v)))
+    (parameterize ([plot-background-alpha (if (null? images) 1 0)])
+      (plot-pict (for/list ([l (in-list layers)]) (layer->renderer (alone l) bounds))
+                 #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
+                 #:width (view-width v) #:height (view-height v)
+                 #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
+                 #:aspect-ratio (view-aspect-ratio v))))
   (define dense (filter dense? layers))
-  (if (null? dense) drawn (with-dense-points drawn (view-bounds v) dense)))
+  (define with-points (if (null? dense) drawn (with-dense-points drawn bounds dense)))
+  (if (null? images) with-points (with-images-beneath with-points bounds images)))
+
+(define (image? l) (eq? (layer-kind l) 'image))
+
+(define (alone l) (if (dense? l) (first-point l) l))
 
 ;; From so many in a layer on they are not drawn one by one.
 (define many-points 20000)
@@ -43,9 +51,6 @@
 (define (picture-bytes v layers format [default #f])
   (convert (make-picture v layers) format default))
 
-(define (renderers v layers)
-  (for/list ([l (in-list layers)]) (layer->renderer l (view-bounds v))))
-
 (define (layer->renderer l bounds)
   (define s (layer-style l))
   (define data (layer-data l))
@@ -55,6 +60,9 @@
      (points (snapshot->vectors data)
              #:sym 'dot #:size (* 2 (style-size s)) #:color (style-color s)
              #:label (style-label s))]
+    [(image)
+     (define-values (x-min x-max y-min y-max) (apply values bounds))
+     (points (list (vector x-min y-min)) #:alpha 0)]
     [(level)
      (define-values (x-min x-max y-min y-max) (apply values bounds))
      (isoline (field-function data bounds) (field-level data) x-min x-max y-min y-max

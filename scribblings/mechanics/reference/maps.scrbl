@@ -343,6 +343,20 @@ size comes first.
 
 @sicm{4.2, p. 295}}
 
+@defproc[(fast-Lyapunov-indicator [map procedure?] [start value]
+                                  [n exact-positive-integer? 1000])
+         real?]{
+
+The greatest length that a small displacement of @racket[start] reaches in @racket[n] steps of a map
+of the plane, beside its length at the start, as a decimal logarithm: about the logarithm of
+@racket[n] where the orbit is regular, and proportional to @racket[n] where it is chaotic. It is
+not a number where the orbit ends. A thousand steps tell the two apart, where an exponent needs many
+more; @racket[chaos-map] draws it. (C. Froeschlé, E. Lega and R. Gonczi 1997.)
+
+@examples[#:eval session
+(fast-Lyapunov-indicator (standard-map 1.0) (up :pi 1))
+(fast-Lyapunov-indicator (standard-map 1.0) (up 0.1 0.1))]}
+
 @deftogether[(@defproc[(Lyapunov-exponents [derivative (-> value value)] [state value]
                                            [duration real?]
                                            [#:count count (or/c exact-positive-integer? #f) #f]

@@ -205,6 +205,27 @@ for linear: a curve much smaller than the grid's cells can be missed.
 (plot-contours wells double-well '(0.1 0.5 1 2))
 wells]}
 
+@defproc[(plot-phase-portrait [f frame?] [energy (-> value real?)]
+                              [#:orbits orbits exact-nonnegative-integer? 12]
+                              [#:samples samples exact-integer? 201]
+                              [#:color color any/c 'gray]
+                              [#:separatrix-color separatrix-color any/c 'red])
+         frame?]{
+
+Draws the phase portrait of a system of one degree of freedom: orbits, which are curves of constant
+energy, at energies that part the frame into equal areas; the places where the system rests; and
+through those that are saddles the separatrices. @racket[energy] is the Hamiltonian, or any
+conserved
+function of a state @racket[(up t q p)]; the frame has q across and p up. Places of rest are
+found by Newton's method, with exact derivatives, from a grid of starts. An energy that depends on
+the time is an error.
+
+@examples[#:eval session
+(define H (Lagrangian->Hamiltonian (L-pendulum 9.8 1 1)))
+(plot-phase-portrait (frame (- :2pi) :2pi -9 9 #:width 400 #:height 250) H)]
+
+@sicm{3.3, p. 223}}
+
 @defproc[(explore-map [f frame?] [map procedure?] [n exact-nonnegative-integer? 1000]
                       [#:from from (or/c (listof any/c) #f) #f]
                       [#:grid grid
@@ -256,6 +277,28 @@ Draws one orbit of a map of the plane: its start and @racket[n] images.
   (define sheared (- y (square x)))
   (return (- (* 0.25 x) (* 0.97 sheared)) (+ (* 0.97 x) (* 0.25 sheared))))
 (display-map (frame -1 1 -1 1 #:width 300 #:height 300) turned 0.3 0.2 2000)]}
+
+@defproc[(chaos-map [f frame?] [map procedure?] [n exact-positive-integer? 1000]
+                    [#:samples samples
+                               (or/c exact-positive-integer?
+                                     (list/c exact-positive-integer? exact-positive-integer?))
+                               200])
+         frame?]{
+
+Colours a frame by where orbits of a map of the plane are chaotic: @racket[samples] starts to a
+side, each followed for @racket[n] steps with a displacement of it, tell by their
+@racket[fast-Lyapunov-indicator]. Blue is regular, yellow chaotic, red between the two, and grey
+where
+an orbit ends. All cores work where the map can be compiled. What is drawn afterwards is above it.
+
+@examples[#:eval session
+(define ((kicked-rotor K) theta I return fail)
+  (define next (+ I (* K (sin theta))))
+  (return ((principal-value :2pi) (+ theta next))
+          ((principal-value :2pi) next)))
+(chaos-map (frame 0 :2pi 0 :2pi #:width 300 #:height 300) (kicked-rotor 1.0) 200 #:samples 100)]
+
+@sicm{3.9, p. 279}}
 
 @section{What was drawn}
 
