@@ -19,7 +19,8 @@
  compile-function
  compiled-function? compiled-function-reason compiled-function-operations
  ;; for the integrators
- compile-traced traced-program program->compiled-function check-function
+ compile-traced traced-gradient program->compiled-function points-about
+ check-function
  compiled-function-runner compiled-function-value-shape compiled-function-inputs
  compiled-function-outputs compiled-function-program)
 
@@ -54,18 +55,20 @@
 ;; they are taken of f itself.
 (define (compile-with-gradient who f example)
   (define point (example->flvector who example))
-  (define (both x) (up (f x) (derivatives-at f x)))
-  (define (both-at v) (both (flvector->structure example v)))
   (check-scalar-value who f (flvector->structure example point))
   (define-values (p shape) (trace who f example))
   (define q (and (program? p) (program-with-gradient p)))
-  (define n (shape-length example))
-  (define code (and q (program->compiled-function q (apply up (build-list (+ n 1) (lambda (k) 0))) f)))
-  (cond [(and code (right? code both-at point n #f)) code]
-        [(program? p) (compile-function both example #:name who)]
-        [else (evaluate-generically who both example p)]))
+  (define code (and q (gradient-code q f)))
+  (cond [(and code (right? code (both-at f example) point (shape-length example) #f)) code]
+        [(program? p) (compile-function (with-gradient f) example #:name who)]
+        [else (evaluate-generically who (with-gradient f) example p)]))
 
-(define (derivatives-at f x) ((gradient f) x))
+(define (gradient-code q f [make-runner (compiled-program q)])
+  (define outputs (vector-length (program-outputs q)))
+  (program->compiled-function q (apply up (build-list outputs (lambda (k) 0))) f make-runner))
+
+(define ((with-gradient f) x) (up (f x) ((gradient f) x)))
+(define ((both-at f example) v) ((with-gradient f) (flvector->structure example v)))
 
 (define (check-scalar-value who f x)
   (define y (f x))
@@ -94,16 +97,15 @@
         [(right? code value-at point varying value) (values code #f)]
         [else (values #f different)]))
 
-;; The program of a function that can be traced, which gives its values; or #f.  It is only
-;; run, where that is checked, and not compiled.
-(define (traced-program f example #:name who)
+;; The program of the value and the derivatives of a function that can be traced, checked by
+;; running it, and not compiled; or #f.
+(define (traced-gradient f example #:name who)
   (define-values (p shape) (trace who f example #:unknown void))
-  (define code
-    (and (program? p) (program->compiled-function p shape f (program->machine-maker p))))
-  (define (value-at v) (f (flvector->structure example v)))
-  (and code
-       (right? code value-at (example->flvector who example) (shape-length example) #f)
-       p))
+  (define q (and (program? p) (= 1 (shape-length shape)) (program-with-gradient p)))
+  (and q
+       (right? (gradient-code q f (program->machine-maker q))
+               (both-at f example) (example->flvector who example) (shape-length example) #f)
+       q))
 
 (define different "its value differs from that of its trace: it tells symbols from numbers")
 
@@ -167,8 +169,9 @@
 ;; the example, beside it, and on the other side of zero.
 (define (right? code value-at point varying value)
   (and (agree? code (if value (lambda (v) value) value-at) point)
-       (agree? code value-at (moved nearby point varying))
-       (agree? code value-at (moved opposite point varying))))
+       (for/and ([v (in-list (points-about point varying))]) (agree? code value-at v))))
+
+(define (points-about v varying) (list (moved nearby v varying) (moved opposite v varying)))
 
 ;; Each scalar goes its own way, for equal ones to become different.
 (define (moved to v varying)

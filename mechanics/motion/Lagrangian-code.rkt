@@ -41,20 +41,15 @@
 
 (define (code-of-Lagrangian who derivative state y)
   (define L (Lagrangian-derivative-Lagrangian derivative))
-  (define p (traced-program L state #:name who))
-  (define q (and p (= 1 (vector-length (program-outputs p))) (rates-program p)))
+  (define gradient (traced-gradient L state #:name who))
+  (define q (and gradient (differentiable? gradient) (motion-program gradient)))
   (define shape (up 1 (structure-ref state 2) (structure-ref state 2)))
   (define code (and q (program->compiled-function q shape derivative)))
   (and code (flvector-finite? (code y)) code))
 
 ;; ---------------------------------------------------------------------------
 
-;; p : the program of L, of (t, q, v) -> that of (1, v, a), or #f
-(define (rates-program p)
-  (define gradient (program-with-gradient p))
-  (and gradient (differentiable? gradient) (motion-program gradient)))
-
-;; Of L and its derivatives by t, q and v.
+;; gradient : the program of L and its derivatives by t, q and v -> that of (1, v, a)
 (define (motion-program gradient)
   (define inputs (program-inputs gradient))
   (define n (quotient (- inputs 1) 2))

@@ -7,11 +7,12 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "check.rkt" "Lagrangian-code.rkt" "manifold.rkt"
+         "check.rkt" "kept-systems.rkt" "Lagrangian-code.rkt" "manifold.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt" "../compile/jet-program.rkt"
          "../error/once.rkt"
          "../generic/up-down.rkt"
+         "../numeric/flvector.rkt"
          "../numeric/ode/differentiated.rkt" "../numeric/ode/expandable.rkt"
          "../numeric/ode/stepper.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
@@ -92,6 +93,19 @@
 
 ;; given : state -> state
 (define (make-system who given state)
+  (define (make) (new-system who given state))
+  (if (manifold-derivative? given)
+      (make)
+      (keeping-system given state #:make make #:keep? system-operations
+                      #:good? (lambda (s) (starts? s (state-vector who state))))))
+
+;; Are the rates numbers at y?  If not, it is to be said why.
+(define (starts? s y)
+  (define slope (make-flvector (flvector-length y)))
+  (((system-make-slope! s)) y slope)
+  (flvector-finite? slope))
+
+(define (new-system who given state)
   (define-values (derivative corrections) (prepare-motion who given state))
   (define code
     (or (Lagrangian-code who derivative state)
