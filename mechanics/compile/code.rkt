@@ -8,13 +8,15 @@
 ;;
 ;; It interprets, though, what is larger than a limit.  So the instructions are
 ;; divided into *sections*, each a closed procedure of its own; a value that a
-;; later section needs passes through a scratch vector.  Room for that, and for the
+;; later section needs passes through a scratch vector.  The matrix of a system of
+;; many unknowns, whose entries are more than a section holds, is filled by sections
+;; of its own.  Room for that, and for the
 ;; systems of equations that are solved, is made once for many runs, one after the
 ;; other; several threads may run the code at once, each with room of its own.
 
 (require racket/linklet
          racket/list
-         "flonum-functions.rkt" "program.rkt"
+         "flonum-functions.rkt" "program.rkt" "sections.rkt"
          "../numeric/linear/factored-system.rkt")
 
 (provide program->maker)
@@ -34,8 +36,6 @@
 ;; ---------------------------------------------------------------------------
 ;; The linklet
 
-(define section-length 250)
-
 (define (program->form p)
   (define sections (divide p))
   (define scratch (allocate-scratch p sections))
@@ -44,7 +44,8 @@
       (string->symbol (format "section-~a" k))))
   `(linklet (,(cons 'solve-dense! (functions-used p))) (make-run)
      ,@(for/list ([name (in-list names)] [s (in-list sections)])
-         `(define-values (,name) ,(section->procedure p s scratch)))
+         `(define-values (,name)
+            ,(if (filling? s) (filling->procedure p s scratch) (section->procedure p s scratch))))
      (define-values (make-run)
        (lambda ()
          (let-values ([(scratch) (make-flvector ,(hash-count scratch))]
@@ -72,39 +73,6 @@
 (define (systems-place p system)
   (* 3 (index-of (system-sizes p) (instruction-unknowns system))))
 
-;; Places from `start` on and before `end`.
-(struct section (start end) #:authentic)
-
-(define (divide p)
-  (define first (program-inputs p))
-  (define end (+ first (program-length p)))
-  (let loop ([start first])
-    (define next (after-components p (min end (+ start section-length)) end))
-    (cons (section start next)
-          (if (= next end) '() (loop next)))))
-
-;; The components of a solution stay with the system.
-(define (after-components p k end)
-  (if (and (< k end) (eq? (instruction-operation (instruction-at p k)) 'component))
-      (after-components p (+ k 1) end)
-      k))
-
-;; place index -> place in the scratch vector, for all values that later
-;; sections need.
-(define (allocate-scratch p sections)
-  (define slots (make-hasheqv))
-  (for* ([s (in-list sections)]
-         [k (in-range (section-start s) (section-end s))]
-         [operand (in-list (instruction-operands (instruction-at p k)))]
-         #:when (place? operand))
-    (define i (place-index operand))
-    (when (and (>= i (program-inputs p)) (< i (section-start s)))
-      (hash-ref! slots i (lambda () (hash-count slots)))))
-  slots)
-
-(define (instruction-at p k)
-  (vector-ref (program-instructions p) (- k (program-inputs p))))
-
 ;; ---------------------------------------------------------------------------
 ;; A section
 
@@ -120,7 +88,7 @@
     (if (= k (section-end s))
         `(begin ,@(stores p s scratch name reference) (void))
         (let ([instruction (instruction-at p k)])
-          (with-loads (instruction-operands instruction)
+          (with-loads (operands-read instruction)
             (lambda ()
               (define code (instruction->form p instruction reference))
               `(let-values ([(,(bind! k)) ,code]) ,(body (+ k 1))))))))
@@ -164,7 +132,7 @@
 ;; reference : operand -> form
 (define (instruction->form p instruction reference)
   (define operation (instruction-operation instruction))
-  (define operands (instruction-operands instruction))
+  (define operands (operands-read instruction))
   (define forms (map reference operands))
   (define primitive (primitive-for operation (length forms)))
   (cond [primitive `(,primitive ,@forms)]
@@ -178,18 +146,35 @@
 ;; The value of a system of n unknowns, given as rows of [A b], is the flvector of its
 ;; solution, good until the next system is solved.
 (define (solving entries n place)
-  (define width (+ n 1))
+  (in-system place
+    `(begin ,@(storing entries 0 n)
+            (solve-dense! A ,n (unsafe-vector-ref systems ,(+ place 2)) b)
+            b)))
+
+(define (in-system place body)
   `(let-values ([(A) (unsafe-vector-ref systems ,place)]
                 [(b) (unsafe-vector-ref systems ,(+ place 1))])
-     (begin
-       ,@(for/list ([x (in-list entries)] [k (in-naturals)])
-           (define i (quotient k width))
-           (define j (remainder k width))
-           (if (= j n)
-               `(unsafe-flvector-set! b ,i ,x)
-               `(unsafe-flvector-set! A ,(+ (* i n) j) ,x)))
-       (solve-dense! A ,n (unsafe-vector-ref systems ,(+ place 2)) b)
-       b)))
+     ,body))
+
+;; from : the number of the first of the entries
+(define (storing entries from n)
+  (define width (+ n 1))
+  (for/list ([x (in-list entries)] [k (in-naturals from)])
+    (define i (quotient k width))
+    (define j (remainder k width))
+    (if (= j n)
+        `(unsafe-flvector-set! b ,i ,x)
+        `(unsafe-flvector-set! A ,(+ (* i n) j) ,x))))
+
+(define (filling->procedure p f scratch)
+  (define system (instruction-at p (filling-system f)))
+  (define (form operand)
+    (if (place? operand) (load p scratch (place-index operand)) (real->double-flonum operand)))
+  `(lambda (input output scratch systems)
+     ,(in-system (systems-place p system)
+        `(begin ,@(storing (map form (entries-of p f)) (filling-from f)
+                           (instruction-unknowns system))
+                (void)))))
 
 ;; As `wrap` of algebra/expression/operation.rkt has it.  What is not a number stays so.
 (define (wrapping x low cut period)

@@ -52,6 +52,21 @@
   (check-tiers (lambda (s) (up (one s) (one (* 2 s)))) start
                (list (flvector 0.0 0.1 0.2 0.4 0.5 -0.3 0.2) (make-flvector 7 0.0))))
 
+(test-case "a system with more entries than a section has instructions"
+  (define n 16)
+  (define (tuple f) (vector->up (build-vector n f)))
+  (define start (up 0.0 (tuple (lambda (k) (* 0.1 k))) (tuple (lambda (k) (sin k)))))
+  (define (matrix s)
+    (define q (coordinate s))
+    (up (up 1 (velocity s))
+        (let ([entry (lambda (i j)
+                       (if (= i j) (+ 20 (ref q i)) (sin (- (ref q i) (* 2 (ref q j))))))])
+          (* (/ 1 (apply matrix-by-rows
+                         (for/list ([i n]) (for/list ([j n]) (entry i j)))))
+             (velocity s)))))
+  (check-tiers matrix start
+               (list (for/flvector #:length (+ 1 (* 2 n)) ([k (in-naturals)]) (cos (+ 0.5 k))))))
+
 (test-case "a runner goes over to machine code in the end, and nobody sees it"
   (define p
     (program 1
