@@ -69,10 +69,6 @@
       "–"
       (numbers-of (python/text (heyoka-program text y s events?)))))
 
-(define (numbers-of text)
-  (define found (regexp-match #px"([0-9.]+) ([0-9.]+)" text))
-  (if found (map string->number (cdr found)) text))
-
 (define (heyoka-program text y s events?)
   (format #<<PYTHON
 import time

@@ -7,7 +7,7 @@
 (require racket/cmdline
          racket/file
          racket/runtime-path
-         "derivatives.rkt" "gradients.rkt" "maps.rkt" "measure.rkt" "native.rkt" "peers.rkt"
+         "big-systems.rkt" "derivatives.rkt" "gradients.rkt" "maps.rkt" "measure.rkt" "native.rkt" "peers.rkt"
          "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt")
 
 (define-runtime-path build "../../../build")
@@ -151,13 +151,15 @@
     (table native-heading (native-rows)))
   (when (wanted? 'Taylor)
     (table Taylor-heading (Taylor-rows)))
+  (when (wanted? 'big)
+    (table big-systems-heading (big-systems-rows)))
   (when (wanted? 'maps)
     (table maps-heading (maps-rows))
     (table sections-heading (sections-rows)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
-(define further-tables '(growth orders gradients chains native Taylor maps load))
+(define further-tables '(growth orders gradients chains native Taylor big maps load))
 
 (define (check-names names)
   (for ([name (in-list names)])

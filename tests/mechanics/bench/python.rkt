@@ -5,7 +5,8 @@
 (require racket/port racket/runtime-path)
 
 (provide python          ; program -> the number it prints, or why there is none
-         python/text)    ; program -> what it prints, or why there is nothing
+         python/text     ; program -> what it prints, or why there is nothing
+         numbers-of)     ; what it prints -> its two numbers, or the text itself
 
 (define-runtime-path environment "../../../build/python/bin/python")
 
@@ -37,3 +38,7 @@
            [(regexp-match #rx"ModuleNotFoundError" complaint) "not installed"]
            [(regexp-match? #px"\\d" text) text]
            [else "failed"])]))
+
+(define (numbers-of text)
+  (define found (regexp-match #px"([0-9.]+) ([0-9.]+)" text))
+  (if found (map string->number (cdr found)) text))
