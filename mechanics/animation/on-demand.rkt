@@ -1,8 +1,8 @@
 #lang racket/base
 ;; What needs the drawing library, loaded when the first picture is made.
 
-(require "../generic/on-demand.rkt"
-         "../plot/drawing-library.rkt")
+(require "../display/drawing-library.rkt"
+         "../generic/on-demand.rkt")
 
 (require-on-demand ["paint.rkt" loaded? paint])
 

@@ -3,7 +3,7 @@
 
 (require "MathML.rkt" "TeX.rkt" "break.rkt" "drawn-text.rkt"
          "../algebra/notation/infix.rkt" "../algebra/notation/read-infix.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/note.rkt"
          "../generic/define-plain.rkt" "../generic/value-tree.rkt"
          "../value/read-expression.rkt")
 
@@ -30,7 +30,12 @@
 (define (read-infix text)
   (unless (string? text)
     (raise-argument-error 'read-infix "a string such as \"½ m ẋ²\"" text))
+  (when (regexp-match? #px"\\p{L}\\^[0-9]" text) (note-superscript))
   (read-expression (infix->datum text)))
+
+;; So is the component x^2 of a literal tuple written.
+(define (note-superscript)
+  (note-once "read-infix: x^2 is a name with a superscript; the square of x is x² or x**2"))
 
 (define (check-width who width)
   (unless (or (not width) (exact-positive-integer? width))

@@ -11,7 +11,8 @@
 ;; Racket never takes up again modules that were left half made.  So a thread of its own
 ;; loads them: a break reaches the caller, who waits, at once, and the loading goes on,
 ;; even when the caller is killed.  A file whose body fails is not tried again: what it
-;; raised is raised at every call.
+;; raised is raised at every call.  Another file that requires the one that failed finds it
+;; half made, which Racket tells as a mismatch of compiled files: what failed first is raised.
 ;;
 ;;     (require-on-demand #:in-this-thread [file name ...] ...)
 ;;
@@ -86,9 +87,22 @@
   (when (source-failure wanted) (raise (source-failure wanted)))
   (with-handlers ([(lambda (e) (not (exn:break? e)))
                    (lambda (e)
-                     (set-source-failure! wanted e)
-                     (raise e))])
+                     (define cause (first-cause e))
+                     (set-source-failure! wanted cause)
+                     (raise cause))])
     (dynamic-require (source-index wanted) name)))
+
+;; The failure that left a module half made, or #f.
+(define failed-first #f)
+
+(define (first-cause e)
+  (cond [(not (half-made? e)) (set! failed-first e) e]
+        [else (or failed-first e)]))
+
+(define (half-made? e)
+  (and (exn:fail? e)
+       (regexp-match? #rx"^instantiate-linklet: mismatch;\n reference to a variable that is unini"
+                      (exn-message e))))
 
 ;; Does a file that is being loaded ask for another?  Its thread has the lock.
 (define loading? (make-parameter #f))

@@ -39,7 +39,7 @@
            (print-screen printer (printed other shown))
            (print-advice x)]
           [else (print-shown shown other)])
-    (note-unknowns x)))
+    (note-more x)))
 
 ;; Make the current printer ours, unless it takes results as they are; again is no harm.
 (define (install-printer! [how-to-go-on "(print-expression ...) prints all of it"])
@@ -56,12 +56,15 @@
          (print-shown (simplify-or-say-why x)
                       (if (session-printer? printer) (session-printer-other printer) printer))
          (when (screen?) (print-advice x))
-         (note-unknowns x)]))
+         (note-more x)]))
 
-;; What a symbol in a result may have been meant to be, once in a session.
-(define (note-unknowns x)
-  (when (or (symbolic? x) (and (tuple? x) (not (cyclic? x))))
-    (for-each note-once (remarks-on-pi x))))
+;; What is worth a word, once in a session: what a symbol in a result may have been meant to
+;; be, and how the lines of a text are seen.
+(define (note-more x)
+  (cond [(or (symbolic? x) (and (tuple? x) (not (cyclic? x))))
+         (for-each note-once (remarks-on-pi x))]
+        [(and (string? x) (regexp-match? #rx"\n." x))
+         (note-once "a text of several lines: (display ...) shows them as lines")]))
 
 ;; ---------------------------------------------------------------------------
 ;; Screens

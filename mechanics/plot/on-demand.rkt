@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The drawing library, loaded when the first picture is made.
 
-(require "drawing-library.rkt"
+(require "../display/drawing-library.rkt"
          "../generic/on-demand.rkt")
 
 (require-on-demand ["picture.rkt" loaded? color-name? make-picture picture-bytes])

@@ -16,7 +16,9 @@
          "../algebra/expression/read.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt")
+         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/up-down.rkt")
+
+(require-on-demand ["../algebra/notation/read-infix.rkt" infix->datum])
 
 (provide read-expression)
 
@@ -38,8 +40,14 @@
     (complain 'read-expression "there is no expression in the text\n  text: ~s" text))
   (unless (eof-object? (next-datum port))
     (complain 'read-expression
-              "expected one expression; the text has several\n  text: ~s" text))
+              "expected one expression; the text has several\n  text: ~s~a" text
+              (if (on-paper? text) "\n  a formula as on paper is read by read-infix" "")))
   d)
+
+(define (on-paper? text)
+  (with-handlers ([exn:fail:contract? (lambda (e) #f)])
+    (infix->datum text)
+    #t))
 
 (define (next-datum port)
   (with-handlers ([exn:fail:read?

@@ -106,14 +106,15 @@
 (define (tell-grounds x y grounds)
   (unless (null? grounds)
     (note-once (format "= takes ~a and ~a for equal assuming ~a"
-                       (brief x) (brief y) (joined (map value->text grounds))))))
+                       (brief x) (brief y) (joined (map value->text grounds)))
+               (list x y grounds))))
 
 (define (note-undecided x y)
   (note-once (format (string-append "= answers #f for ~a and ~a, which are written differently: "
                                     "whether they are equal is not known\n"
                                     "  (verify-equal a b) says why")
                      (brief x) (brief y))
-             'undecided))
+             (list x y)))
 
 (define (note-functions)
   (note-once (string-append "= answers #f for two functions that are not one and the same: "

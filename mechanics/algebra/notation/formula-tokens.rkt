@@ -45,7 +45,7 @@
    (list 'quoted #px"^[|]((?:[^|\\\\]|\\\\.)*)[|]" (lambda (m) (quoted-symbol (cadr m))))
    (list 'raised #px"^[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+" (lambda (m) (string->number (superscript->text (car m)))))
    (list 'plus #rx"^[+]" void) (list 'minus #px"^[−-]" void) (list 'slash #rx"^/" void)
-   (list 'caret #rx"^\\^" void) (list 'root #rx"^√" void)
+   (list 'caret #px"^(?:\\^|[*][*])" void) (list 'times #px"^[*·⋅×]" void) (list 'root #rx"^√" void)
    (list 'open #rx"^[(]" void) (list 'close #rx"^[)]" void)
    (list 'bracket #rx"^[[]" void) (list 'bracket-close #rx"^[]]" void)
    (list 'comma #rx"^," void) (list 'semicolon #rx"^;" void)

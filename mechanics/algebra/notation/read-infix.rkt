@@ -2,8 +2,11 @@
 ;; Formulas on one line, as infix.rkt writes them, read back as S-expressions.
 ;;
 ;;     relation := sum { (= < > ≤ ≥ ∘ ↦) sum }        sum     := [−] term { (+ −) term }
-;;     term     := product { / factor }               product := factor { factor }
-;;     factor   := primary { superscript | ^( ) | ( arguments ) }, none of them after a space
+;;     term     := product { / factor | * product }   product := factor { [*] factor }
+;;     factor   := primary { superscript | ^ power | ( arguments ) }, none but ^ after a space
+;;     power    := [−] primary
+;;
+;; The signs * and ^ (or **) are not written by infix.rkt where it can do without, but by people.
 
 (require "formula-tokens.rkt" "read-terms.rkt"
          "../../error/complain.rkt")
@@ -80,14 +83,21 @@
 (define (read-term in)
   (let loop ([t (read-product in)])
     (cond [(ahead? in 'slash) (take! in) (loop (quotient-of t (read-factor in)))]
+          [(ahead? in 'times) (take! in) (loop (product-of t (read-product in)))]
           [else t])))
+
+(define (product-of a b)
+  (append (if (product? a) a (list '* a)) (if (product? b) (cdr b) (list b))))
+
+(define (product? d) (and (pair? d) (eq? (car d) '*)))
 
 (define (quotient-of a b)
   (if (and (exact-integer? a) (exact-integer? b) (not (eqv? b 0))) (/ a b) (list '/ a b)))
 
 (define (read-product in)
   (let loop ([factors (list (read-factor in))])
-    (cond [(memq (kind-ahead in) '(number name unit quoted open root bracket partial plain))
+    (cond [(ahead? in 'times) (take! in) (loop (cons (read-factor in) factors))]
+          [(memq (kind-ahead in) '(number name unit quoted open root bracket partial plain))
            (loop (cons (read-factor in) factors))]
           [(null? (cdr factors)) (car factors)]
           [else (cons '* (reverse factors))])))
@@ -100,14 +110,19 @@
       (begin (take! in) (list 'sqrt (read-primary in)))
       (let loop ([d (read-primary in)])
         (cond [(glued? in 'raised) (loop (list 'expt d (token-value (take! in))))]
-              [(glued? in 'caret)
+              [(ahead? in 'caret)
                (take! in)
-               (loop (list 'expt d (parenthesized in)))]
+               (loop (list 'expt d (read-power in)))]
               [(glued? in 'open) (loop (cons d (read-arguments in)))]
               [(and (glued? in 'name) (eq? 'i (token-value (ahead in))))
                (take! in)
                (loop (make-rectangular 0 d))]
               [else d]))))
+
+(define (read-power in)
+  (define negative? (and (ahead? in 'minus) (take! in)))
+  (define d (read-primary in))
+  (if negative? (negative d) d))
 
 (define (parenthesized in)
   (expect! in 'open)
@@ -142,7 +157,10 @@
 
 ;; sin x, sin² x, sin(x + y); a tuple, a list
 (define (read-known name in)
-  (define exponent (and (glued? in 'raised) (token-value (take! in))))
+  (define exponent
+    (cond [(glued? in 'raised) (token-value (take! in))]
+          [(glued? in 'caret) (take! in) (read-power in)]
+          [else #f]))
   (define d
     (cond [(glued? in 'open) (cons name (read-arguments in))]
           [(memq (kind-ahead in) '(name number quoted))

@@ -4,9 +4,11 @@
 (require racket/list
          racket/string
          "card-lines.rkt" "card.rkt" "cards.rkt" "later.rkt" "search.rkt"
+         (only-in "../mistake/own-signature.rkt" head->text)
          "../mistake/other-notation.rkt" "../mistake/spelling.rkt" "../mistake/typed-formula.rkt"
          "../mistake/typographic.rkt"
-         (only-in "../mistake/elsewhere.rkt" exports))
+         (only-in "../mistake/elsewhere.rkt" exports)
+         (only-in "../redefinition/prompt.rkt" head-at-prompt))
 
 (provide help-about help-lines)
 
@@ -37,6 +39,20 @@
 ;; A name
 
 (define (about-name name)
+  (define own (own-lines name))
+  (cond [(null? own) (about-known-name name)]
+        [(card-of name) (append own (list "" "What it hides:" "") (about-known-name name))]
+        [else own]))
+
+;; What the reader defined at the prompt.
+(define (own-lines name)
+  (define head (head-at-prompt name))
+  (cond [(not head) '()]
+        [(pair? head)
+         (list (format "~a is your own definition; it is called as ~a" name (head->text head)))]
+        [else (list (format "~a is your own definition." name))]))
+
+(define (about-known-name name)
   (cond [(card-of name) => (lambda (c) (card-lines c columns))]
         [(later-sentence name)
          => (lambda (sentence) (filled (string-split (format "~s: ~a." name sentence)) columns))]
@@ -100,7 +116,7 @@
 
 (define most-later 4)
 
-(define most-found 24)
+(define most-found 10)
 
 ;; name, then as much of the sentence as a line has room for
 (define (found-lines cards)

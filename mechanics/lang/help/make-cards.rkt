@@ -21,7 +21,7 @@
 
 (define (make-card name e p pages context)
   (define body (entry-body e))
-  (card name (page-library p) (page-title p)
+  (card name (entry-library e) (page-title p)
         (for/list ([n (in-list (entry-names e))] #:when (eq? (car n) name)) (cdr n))
         (first-sentence body)
         (choose-example name e p pages context)

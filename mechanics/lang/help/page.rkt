@@ -16,8 +16,9 @@
 ;; lines : all that is typed at the prompt of the page, in its order
 (struct page (file title library requires entries lines))
 
-;; names : ((name . signature) ...); body : parts of text; lines : its own of the page
-(struct entry (names body lines))
+;; names : ((name . signature) ...); library : that has them; body : parts of text; lines : its
+;; own of the page
+(struct entry (names library body lines))
 
 ;; text : as it is written; form, run : data, what is shown and what is evaluated
 ;; error? : is it to raise an error
@@ -28,7 +29,7 @@
   (define text (file->string file))
   (define parts (read-parts file text))
   (define here (or (library-of-page parts) library))
-  (cons (make-page file text parts here)
+  (cons (make-page file text parts here library)
         (append-map (lambda (name) (manual-pages (simplify-path (build-path (path-only file) name))
                                                  here))
                     (included parts))))
@@ -41,12 +42,13 @@
   (read-line port)
   (syntax->list (read-inside file port)))
 
-(define (make-page file text parts library)
+;; library : of the page; outside : of the page that includes it
+(define (make-page file text parts library outside)
   (define lines (map (lambda (part) (lines-in part text)) parts))
   (define entries
-    (for/list ([part (in-list parts)] [own (in-list lines)]
+    (for/list ([part (in-list parts)] [own (in-list lines)] [here (libraries-along parts outside)]
                #:when (entry-form? (syntax->datum part)))
-      (make-entry (syntax->datum part) own)))
+      (make-entry (syntax->datum part) here own)))
   (page file (title parts) library (required-at-prompt parts) entries
         (append (typed-before parts text) (append* lines))))
 
@@ -65,10 +67,21 @@
   (define found (with-head parts '(title)))
   (if (null? found) "" (last (car found))))
 
-;; As in @defmodule[mechanics/book].
-(define (library-of-page parts)
-  (define found (with-head parts '(defmodule)))
+(define (module-named part)
+  (define found (with-head (list part) '(defmodule)))
   (and (pair? found) (cadr (car found))))
+
+;; As in @defmodule[mechanics/book].
+(define (library-of-page parts) (ormap module-named parts))
+
+;; For each part the library of what it describes: a module further down begins there, and holds
+;; for the whole of a page that has no entry before it.
+(define (libraries-along parts library)
+  (define-values (libraries last-one)
+    (for/fold ([libraries '()] [here library]) ([part (in-list parts)])
+      (define next (or (module-named part) here))
+      (values (cons next libraries) next)))
+  (reverse libraries))
 
 ;; What a prompt is made of: '(require mechanics/book) and '(define plane ...) in
 ;; @(define session (make-session '(require mechanics/book) '(define plane ...))).
@@ -100,7 +113,7 @@
 
 ;; (defproc head result text ...): what follows the signature.  An at-expression puts the
 ;; text behind all that is in brackets.
-(define (make-entry d lines) (entry (entry-signatures d) (body-of d) lines))
+(define (make-entry d library lines) (entry (entry-signatures d) library (body-of d) lines))
 
 (define (body-of d)
   (define after

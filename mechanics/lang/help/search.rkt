@@ -1,6 +1,7 @@
 #lang racket/base
 ;; Cards that a text is about.  All its words must occur, each in the name, in the sentence or
-;; in the name of an argument; those with all of them in the name come first.
+;; in the name of an argument; those with all of them in the name come first, then those with
+;; all of them in the sentence.
 
 (require racket/list
          racket/string
@@ -8,13 +9,15 @@
 
 (provide found-cards)
 
-;; -> cards, the likeliest first, else in the order of the manual
+;; -> cards: those that have the words in their names, in their sentences, elsewhere; else in the
+;; order of the manual
 (define (found-cards text cards)
   (define words (map stem (string-split (string-downcase text))))
-  (define-values (in-name elsewhere)
-    (partition (lambda (c) (all-in? words (name-text c)))
-               (filter (lambda (c) (all-in? words (all-text c))) cards)))
-  (append in-name elsewhere))
+  (define (split-by text-of cards) (partition (lambda (c) (all-in? words (text-of c))) cards))
+  (define-values (in-name others)
+    (split-by name-text (filter (lambda (c) (all-in? words (all-text c))) cards)))
+  (define-values (in-sentence elsewhere) (split-by sentence-text others))
+  (append in-name in-sentence elsewhere))
 
 ;; Plurals find what is said in the singular, and sine finds sin.
 (define (stem word)
@@ -24,6 +27,9 @@
   (for/and ([w (in-list words)]) (string-contains? text w)))
 
 (define (name-text c) (string-downcase (symbol->string (card-name c))))
+
+(define (sentence-text c)
+  (string-downcase (string-append (name-text c) " " (or (card-sentence c) ""))))
 
 (define (all-text c)
   (string-downcase

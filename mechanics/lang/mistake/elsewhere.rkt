@@ -5,7 +5,7 @@
 
 (provide library-of exports)
 
-(define libraries '(mechanics/plot mechanics/animate mechanics/book))
+(define libraries '(mechanics/plot mechanics/animate mechanics/pict mechanics/book))
 
 ;; -> a library that exports the name, or #f
 (define (library-of name)

@@ -9,7 +9,7 @@
          "../as-written.rkt"
          "../redefinition/heads.rkt")
 
-(provide own-count-hint tuple-hint-of-library)
+(provide own-count-hint tuple-hint-of-library head->text)
 
 ;; message : Racket's; entry : the form typed at the prompt, a datum, or #f -> text or #f
 (define (own-count-hint message marks entry)

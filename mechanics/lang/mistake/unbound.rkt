@@ -100,7 +100,8 @@
   (when (hinting-display? display) (set-hinting-display-entry! display form)))
 
 (define (hint-for message e entry)
-  (cond [(exn:fail:contract:variable? e)
+  (cond [(regexp-match? #rx"^instantiate-linklet: mismatch" message) hint-for-half-made]
+        [(exn:fail:contract:variable? e)
          (define id (exn:fail:contract:variable-id e))
          (cond [(regexp-match? #rx"cannot reference an identifier before its definition" message)
                 (hint-for-unknown id message (advice-in (exn-continuation-marks e)) entry)]
@@ -111,6 +112,11 @@
         [(exn:fail:syntax? e) (hint-for-syntax message)]
         [(exn:fail:filesystem:missing-module? e) (hint-for-module message)]
         [else #f]))
+
+;; Of a module whose body failed, others find what it did not come to define.
+(define hint-for-half-made
+  (string-append "\n  a library that this stands on could not be loaded earlier, and said why;"
+                 "\n  when that is mended, start a new session"))
 
 ;; Names that the prompt knows nothing of, not those that a module uses too
 ;; early: they need no quote.

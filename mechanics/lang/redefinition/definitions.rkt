@@ -6,7 +6,7 @@
 (provide make-definitions
          defined? add-variable! add-macro!
          defining-occurrence definition-header-and-line used-early? mark-variable
-         line-in)
+         shows-definition? line-in)
 
 ;; shown : symbol -> names that the text of the module defines; repeated : those
 ;; it defines more than once; early : those it uses before; met : symbol ->
@@ -69,6 +69,9 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Definitions in the text
+
+;; Does the text define something of this name, a symbol?
+(define (shows-definition? ds name) (and (hash-ref (definitions-shown ds) name #f) #t))
 
 ;; Where the text of the module defines this name first, or #f.
 (define (defining-occurrence ds id)

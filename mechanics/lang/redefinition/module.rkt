@@ -72,7 +72,8 @@
             [replaced (require-without-clashes ds #'form)])
        (if replaced
            (splice (quasisyntax/loc stx (begin #,@replaced)) #'state #'later)
-           (expand-form ds #'state #'later (mark-variable ds #'form))))]))
+           (let ([form (as-pasted #'form (lambda (name) (shows-definition? ds name)))])
+             (expand-form ds #'state #'later (mark-variable ds form)))))]))
 
 (begin-for-syntax
   (define (expand-form ds state later form)

@@ -11,7 +11,9 @@
                      (only-in "../mistake/typographic.rkt" tell-curly-quotes))
          (only-in racket/list partition)
          "../imported.rkt" "clash.rkt" "heads.rkt"
-         (only-in "../../error/note.rkt" note-once))
+         (only-in "../../algebra/expression/expression.rkt" node?)
+         (only-in "../../error/note.rkt" note-once)
+         (only-in "../../generic/up-down.rkt" tuple?))
 
 (provide at-prompt head-at-prompt)
 
@@ -23,6 +25,9 @@
      #`(begin #,@(for/list ([spec (in-list (distinct-specifications
                                             (syntax->list #'(spec ...))))])
                    (required spec (cadr (syntax->list stx)))))]
+    [(_ (same a b))
+     (and (identifier? #'same) (memq (syntax-e #'same) '(equal? eqv? eq?)) (imported? #'same))
+     #'(let ([x a] [y b]) (noted-if-unequal 'same (same x y) x y))]
     [(_ form)
      (let ([id (defined-by-define #'form)])
        (if id
@@ -99,6 +104,18 @@
     (define x (variable-value name #t))
     (define value (if (known? x) x (value-of-syntax name)))
     (when (known? value) (namespace-set-variable-value! name value #f))))
+
+;; ---------------------------------------------------------------------------
+;; (equal? a b), which knows no algebra
+
+;; What Racket's `who` answers for x and y, with a word on it if it is no.
+(define (noted-if-unequal who same? x y)
+  (unless (or same? (not (or (formula? x) (formula? y) (and (number? x) (number? y)))))
+    (note-once (format "~a compares how values are made; (= a b) asks whether they are equal" who)
+               'same))
+  same?)
+
+(define (formula? x) (or (node? x) (tuple? x)))
 
 (define unknown (string->uninterned-symbol "unknown"))
 (define (known? x) (not (eq? x unknown)))

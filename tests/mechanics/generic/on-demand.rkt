@@ -37,6 +37,12 @@
        (check-equal? (message-of (get name)) "no such library here"))
      (check-equal? ((get 'events)) '(tried)))))
 
+(test-case "a file that stands on one whose body failed says what that said"
+  (call-with-fixture
+   (lambda (get space)
+     (for ([name '(one standing standing)])
+       (check-equal? (message-of (get name)) "no such library here")))))
+
 (test-case "two threads that ask at once load once"
   (call-with-fixture
    (lambda (get space)

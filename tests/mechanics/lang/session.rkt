@@ -339,6 +339,22 @@
   (define x (troublesome 'slow (lambda () (break-thread (current-thread)) (sleep 30) 'done)))
   (check-exn exn:break? (lambda () (with-output-to-string (lambda () (print-result x))))))
 
+(test-case "a text of several lines says once how they are seen"
+  (define-values (output errors)
+    (session '("-I" "mechanics") "(->text (/ 'a 'b))" "\"a\\nb\"" "\"plain\\n\""))
+  (check-equal? errors "; a text of several lines: (display ...) shows them as lines\n"))
+
+(test-case "equal? of what = could find equal says so, once, where it says no"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(equal? 'a 'b)" "(equal? (* 2 'x) (* 2 'x))"
+             "(equal? (* 2 'a 'b) (+ (* 'a 'b) (* 'a 'b)))" "(equal? (up 1 'a) (up 1 (+ 'a 1)))"
+             "(define (equal? a b) 'mine)" "(equal? (* 2 'x) 'x)"))
+  (check-equal? output '("#f" "#t" "#f" "#f" "mine"))
+  (check-equal? (car (string-split errors "\n"))
+                "; equal? compares how values are made; (= a b) asks whether they are equal")
+  (check-equal? (length (string-split errors "\n")) 2))
+
 (test-case "installing the printer again changes nothing"
   (parameterize ([current-print (current-print)])
     (install-printer!)

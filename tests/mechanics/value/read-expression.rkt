@@ -128,5 +128,7 @@
  [(read-expression "(+ a b") "read-expression: the text is no whole expression\n"
                              "  string::1: read: expected a `)` to close `(`"]
  [(read-expression "2 x") "read-expression: expected one expression; the text has several\n"
-                          "  text: \"2 x\""]
+                          "  text: \"2 x\"\n  a formula as on paper is read by read-infix"]
+ [(read-expression "x ! x") "read-expression: expected one expression; the text has several\n"
+                            "  text: \"x ! x\""]
  [(read-expression " ") "read-expression: there is no expression in the text\n  text: \" \""])

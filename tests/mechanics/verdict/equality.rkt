@@ -78,6 +78,16 @@
   (check-regexp-match #rx"^; = answers #f for two functions .*\n;   [(]verify-equal f g[)]" text)
   (check-equal? (length (string-split text "\n")) 2))
 
+(test-case "what an answer rests on is told of each question, once"
+  (define x+y (+ 'x 'y 'z 'u 'v 'w))
+  (define r (sqrt (square x+y)))
+  (define text (told (= r x+y) (= r x+y) (= (* 2 r) (* 2 x+y))
+                     (= (* 0.1 3 'x) (* 0.3 'x)) (= (* 0.1 7 'x) (* 0.7 'x))))
+  (check-equal? (map (lambda (line) (regexp-match? #rx"equal assuming" line))
+                     (filter (lambda (line) (regexp-match? #rx"^; =" line))
+                             (string-split text "\n")))
+                '(#t #t #f #f)))
+
 (test-case "where there is no session nothing is said"
   (check-equal? (with-output-to-string
                   (lambda ()

@@ -71,7 +71,19 @@
  ["a + b 𝐢 − 𝐤" (quaternion a b 0 -1)]
  ["x ↦ 1 − (a + b) x² + x³/c" (power-series 1 0 (* -1 (+ a b)) (/ 1 c))]
  ["(3/7)i" 0+3/7i]
- ["a - b" (+ a (* -1 b))])
+ ["a - b" (+ a (* -1 b))]
+ ["x^2 + v^x" (+ x^2 v^x)])
+
+;; As people type it
+(reads
+ ["1/2*m*v**2 - m*g*h" (+ (* 1/2 m (expt v 2)) (* -1 m g h))]
+ ["a/b*c" (* (/ a b) c)]
+ ["a*b/c*d" (* (/ (* a b) c) d)]
+ ["a/b*c d" (* (/ a b) c d)]
+ ["x ^ -1" (expt x -1)]
+ ["(x + y)^2" (expt (+ x y) 2)]
+ ["sin**2 (x)" (* (expt sin 2) x)]
+ ["sin**2(x) + sin(x)^2" (+ (expt (sin x) 2) (expt (sin x) 2))])
 
 (module+ main
   (require racket/cmdline)

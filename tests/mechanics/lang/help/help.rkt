@@ -61,6 +61,10 @@ end
 (test-case "the card of a name of another library says which"
   (check-true (string-contains? (text 'L-harmonic) "\n  (require mechanics/book) provides it.\n")))
 
+(test-case "a page that comes to a library further down has names of both"
+  (check-false (string-contains? (text 'read-infix) "provides it"))
+  (check-true (string-contains? (text '->pict) "\n  (require mechanics/pict) provides it.\n")))
+
 ;; They show messages, which are not broken into lines.
 (define refusals '(^ graphics-save unequal-contraction))
 
@@ -110,6 +114,7 @@ end
 
 (test-case "a text finds the names that have its words, those with all of them in the name first"
   (check-equal? (take (found "constraint") 3) '(constraint? constraint-forces constraint-integral))
+  (check-equal? (take (found "conserved") 2) '(verify-conserved conserved-momenta))
   (check-not-false (memq 'holonomic (found "constraints")))
   (check-not-false (memq 'Frobenius-test (found "Constraints velocity")))
   (check-equal? (found "spline hermite") '(Hermite-spline))
@@ -123,6 +128,7 @@ end
 
 (test-case "what is too much is counted; what is nothing is said"
   (check-regexp-match #rx"\n[.][.][.] and [0-9]+ more; another word finds fewer[.]$" (text "a"))
+  (check-equal? (length (help-lines "tuple")) 12)
   (check-equal? (text "no such thing")
                 "Nothing is found for \"no such thing\"; (help) tells what can be asked.")
   (check-equal? (text " ") (text #f)))
@@ -158,3 +164,13 @@ end
   (define-values (theirs their-errors)
     (session '("-i") "(require mechanics)" "(help iota)"))
   (check-equal? (take theirs 1) '("(iota n [start] [step])  → list")))
+
+(test-case "of the reader's own definition it tells how that is called, and what it hides"
+  (define-values (output errors)
+    (session '("-I" "mechanics") "(define ((L-z m) s) (* m s))" "(define mass 3)" "(help L-z)"
+             "(help mass)" "(define (cube x) 0)" "(help cube)"))
+  (check-equal? (take output 5)
+                '("L-z is your own definition; it is called as ((L-z m) s)"
+                  "mass is your own definition."
+                  "cube is your own definition; it is called as (cube x)"
+                  "What it hides:" "(cube x)  → value")))

@@ -45,3 +45,13 @@
           "weight: undefined;" " cannot reference an identifier before its definition"
           "  in module: top-level"
           "  as a symbol it is written 'weight")))
+
+(test-case "in a module, where the first of its names is unknown"
+  (check-equal?
+   (refusal "(define x 3)" "(+ (* m (((expt D 2) r) t)) (* k (r t)))")
+   (string-append "example:3:6: m: unbound identifier; " said
+                  "(+ (* m (((expt D 2) r) t)) (* k (r t)))); as a symbol it is written 'm\n"
+                  "  in: m"))
+  (check-equal? (prints "(define (f a) (* 2 a))" "(define m 1) (define k 2)" "(define t 3)"
+                        "(+ (* m (f t)) (* k (f t)))")
+                "18\n"))
