@@ -2,7 +2,8 @@
 ;; Definitions and procedures that lack something, or have what is no name where one belongs:
 ;; (define x), (define 3 x), (define L (m, k) 3), (lambda (* 2 t)), (define (f x, y) ...).
 
-(require "../as-written.rkt"
+(require (only-in racket/list first flatten)
+         "../as-written.rkt"
          "../redefinition/heads.rkt")
 
 (provide check-complete-definition check-complete-procedure check-names)
@@ -25,13 +26,11 @@
      (fail (if (pair? (cadr d))
                "~a is no name; a function is defined as in (define (f x) (* 2 x))"
                "~a is no name; a definition is written (define x 3)")
-           (form->text (first-in (cadr d))))]
+           (form->text (first (flatten (cadr d)))))]
     [(_ head form more . others)
      (identifier? #'head)
      (fail "~a" (several-values d))]
     [_ (void)]))
-
-(define (first-in d) (if (pair? d) (first-in (car d)) d))
 
 ;; d : (define L (m, k) 3), where (m k) may be meant for arguments, and is with a comma
 (define (several-values d)
