@@ -8,7 +8,8 @@
          "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt"
          "book/section-3-6.rkt" "book/section-3-9.rkt"
          "book/section-5-1.rkt" "book/section-5-2.rkt" "book/section-5-3.rkt"
-         "book/section-6-2.rkt" "book/section-6-4.rkt")
+         "book/section-6-2.rkt" "book/section-6-4.rkt"
+         "book/section-7-2.rkt")
 
 (provide
  ;; 1.4
@@ -52,4 +53,6 @@
  ;; 6.2
  H-driven-oscillator C*
  ;; 6.4
- H-central-polar)
+ H-central-polar
+ ;; 7.2
+ H0 H1 H-pendulum-series W C C-inv solution0 solution)

@@ -20,4 +20,12 @@
  ["Lie-series.rkt" Lie-transform flow-transform Lie-transformation]
  ["Baker-Campbell-Hausdorff.rkt" Baker-Campbell-Hausdorff]
  ["Hamilton-Jacobi.rkt" Hamilton-Jacobi-residual verify-Hamilton-Jacobi]
+ ["perturbation.rkt" perturbation-series perturbation? perturbation-Hamiltonian
+                     perturbation-generators perturbation-divisors perturbation-resonances]
+ ["perturbed-motion.rkt" perturbation-transformation perturbation-inverse perturbation-solution
+                         verify-perturbation]
+ ["Birkhoff.rkt" Birkhoff-normal-form normal-form? normal-form-Hamiltonian
+                 normal-form-generators normal-form-frequencies normal-form-resonances
+                 normal-form-divisors]
+ ["normal-coordinates.rkt" normal-form-transformation normal-form-inverse verify-normal-form]
  ["verify.rkt" verify-canonical verify-symplectic])

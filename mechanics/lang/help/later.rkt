@@ -12,7 +12,7 @@
   '(("3.6" "surfaces of section" pointer-coordinates default-collector default-monitor)
     ("6.7" "symplectic integration" (HH-collector 456))
     ("7.2" "the pendulum as a perturbed rotor"
-     (H-pendulum-series 462) (C-inv 462) (solution0 462) Hpendulum pendulum-sysder
+     Hpendulum pendulum-sysder
      pendulum-Hamiltonian pendulum-frequency pendulum-oscillating-frequency
      pendulum-circulating-frequency pendulum-oscillating-angle
      pendulum-oscillating-angular-momentum pendulum-oscillating-action

@@ -439,4 +439,138 @@ derivatives that is.
 
 @sicm{6.5, p. 453}; V. S. Varadarajan 1984, 2.15.}
 
+@section[#:tag "perturbations"]{Perturbation theory}
+
+@defproc[(perturbation-series [H0 procedure?] [H1 (or/c procedure? (listof procedure?))]
+                              [state structure?]
+                              [#:order order exact-positive-integer? 1]
+                              [#:parameter epsilon scalar 'epsilon]
+                              [#:keep resonances (listof (listof exact-integer?)) '()])
+         perturbation?]{
+
+H0 + ε H1 + ε² H2 + ⋯, with H0 a function of the momenta alone and the others sums of sines and
+cosines of integer multiples of the coordinates, which are angles, is transformed by Lie series
+so that waves disappear, order by order. It prints as the new Hamiltonian, order by order, and
+what was divided by. Waves whose frequency is 0 whatever the momenta, and those asked for, a list
+of the integers of each, stay: resonances. The state is made of symbols.
+
+@examples[#:eval session
+(define (rotor state) (/ (square (momentum state)) (* 2 'alpha)))
+(define (gravity state) (* -1 'beta (cos (coordinate state))))
+(define a-state (up 't 'theta 'p))
+(define P (perturbation-series rotor gravity a-state #:order 2))
+P
+(eval:error (perturbation-series gravity rotor a-state))]
+
+@sicm{7.1–7.2, pp. 457–478}; A. J. Dragt and J. M. Finn 1976.}
+
+@deftogether[(@defproc[(perturbation? [x any/c]) boolean?]
+              @defproc[(perturbation-Hamiltonian [P perturbation?]) series?]
+              @defproc[(perturbation-generators [P perturbation?]) (listof procedure?)])]{
+
+The new Hamiltonian as a series of functions of the state, and the W of each order.
+
+@examples[#:eval session
+(perturbation? P)
+((perturbation-Hamiltonian P) a-state)
+((car (perturbation-generators P)) a-state)]}
+
+@deftogether[(@defproc[(perturbation-divisors [P perturbation?]) list?]
+              @defproc[(perturbation-resonances [P perturbation?]) list?])]{
+
+What was divided by, as lists of the order, the integers of the wave and its frequency; and the
+waves that stayed, as lists of the order, the integers and the wave.
+
+@examples[#:eval session
+(perturbation-divisors P)
+(define (H0 (up t q (down p P))) (+ (/ (square p) 2) (* 'omega P)))
+(define (H1 (up t (up a b) p)) (* 'gamma (+ (cos (+ a b)) (cos (- a b)))))
+(define two-angles (up 't (up 'a 'b) (down 'p_a 'p_b)))
+(perturbation-resonances (perturbation-series H0 H1 two-angles #:keep '((1 -1))))]
+
+@sicm{7.4, pp. 479–490}}
+
+@deftogether[(@defproc[((perturbation-transformation [P perturbation?]) [state structure?])
+                       structure?]
+              @defproc[((perturbation-inverse [P perturbation?]) [state structure?]) structure?]
+              @defproc[(((perturbation-solution [P perturbation?]) [state structure?]) [t scalar])
+                       structure?])]{
+
+From new states to old ones, back, and the state at a time of the motion through a state: into
+the new one, on with constant frequencies, and back, all to the order of P. A state whose
+frequencies make a divisor 0 is an @racket[exn:fail:mechanics:singular] that names the resonance.
+
+@examples[#:eval session
+((perturbation-transformation (perturbation-series rotor gravity a-state)) a-state)
+(define (numbers n)
+  (perturbation-series (lambda (state) (/ (square (momentum state)) 2))
+                       (lambda (state) (* -0.1 (cos (coordinate state))))
+                       a-state #:order n #:parameter 1))
+((perturbation-inverse (numbers 1)) (up 0 0 0.7))
+(((perturbation-solution (numbers 3)) (up 0 0 0.7)) 1)
+(eval:error ((perturbation-inverse (numbers 1)) (up 0 1 0)))]
+
+@sicm{7.2, p. 464}}
+
+@defproc[(verify-perturbation [P perturbation?]) verdict?]{
+
+Is the Hamiltonian, transformed by the Lie derivatives of the generators as functions, the new
+one in each order?
+
+@examples[#:eval session (verify-perturbation P)]}
+
+@section[#:tag "normal-forms"]{Normal forms}
+
+@defproc[(Birkhoff-normal-form [H procedure?] [state structure?] [#:degree degree exact-integer? 4])
+         normal-form?]{
+
+The normal form of H near the origin, an equilibrium where the terms of degree 2 are oscillators,
+ω (q² + p²)/2 for each coordinate: what remains when all monomials up to a degree are removed but
+those that commute with the oscillators. The parameters of H are numbers; with exact ones all is
+exact. A constant term is left out.
+
+@examples[#:eval session
+(define (Henon-Heiles (up t (up x y) p))
+  (+ (* 1/2 (+ (square p) (square x) (square y))) (* (square x) y) (* -1/3 (cube y))))
+(define plane-state (up 't (up 'x 'y) (down 'p_x 'p_y)))
+(define N (Birkhoff-normal-form Henon-Heiles plane-state #:degree 4))
+(define pendulum (lambda (s) (- (/ (square (momentum s)) 2) (cos (coordinate s)))))
+(Birkhoff-normal-form pendulum (up 't 'q 'p) #:degree 6)]
+
+G. D. Birkhoff 1927; F. G. Gustavson 1966.}
+
+@deftogether[(@defproc[(normal-form? [x any/c]) boolean?]
+              @defproc[(normal-form-Hamiltonian [N normal-form?]) series?]
+              @defproc[(normal-form-generators [N normal-form?]) (listof procedure?)]
+              @defproc[(normal-form-frequencies [N normal-form?]) (listof real?)]
+              @defproc[(normal-form-resonances [N normal-form?]) (listof (listof exact-integer?))]
+              @defproc[(normal-form-divisors [N normal-form?]) list?])]{
+
+The terms of the normal form by degree, from 2 on, as functions of the state; the W of degrees
+from 3 on; the frequencies; the integers of the resonances among them that were met; and what was
+divided by, as lists of the degree and the integers with the divisor at the end.
+
+@examples[#:eval session
+(normal-form? N)
+(define I (* 1/2 (+ (square 'p_x) (square 'p_y) (square 'x) (square 'y))))
+(define L (- (* 'x 'p_y) (* 'y 'p_x)))
+(verify-equal (series:ref ((normal-form-Hamiltonian N) plane-state) 2)
+              (/ (- (* 7 (square L)) (* 5 (square I))) 12))
+((car (normal-form-generators N)) plane-state)
+(list (normal-form-frequencies N) (normal-form-resonances N))
+(normal-form-divisors N)]}
+
+@deftogether[(@defproc[((normal-form-transformation [N normal-form?]) [state structure?])
+                       structure?]
+              @defproc[((normal-form-inverse [N normal-form?]) [state structure?]) structure?]
+              @defproc[(verify-normal-form [N normal-form?]) verdict?])]{
+
+From new states to old ones and back, to the degree of N; and whether H, transformed by the Lie
+derivatives of the generators, is the normal form, and that commutes with the oscillators.
+
+@examples[#:eval session
+((normal-form-transformation (Birkhoff-normal-form pendulum (up 't 'q 'p))) (up 't 'q 'p))
+((normal-form-inverse N) ((normal-form-transformation N) (up 0 (up 0.01 0) (down 0 0.01))))
+(verify-normal-form N)]}
+
 @(close-session session)

@@ -110,6 +110,9 @@
     ("6.4-6.5 Lie series, exponential identities (pp. 443-453)"
      Lie-derivative Lie-transform make-operator exp series:for-each H-central-polar
      flow-derivative flow-transform)
+    ("7.1-7.2 Perturbation theory with Lie series (pp. 457-478)"
+     H0 H1 H-pendulum-series W C C-inv solution0 solution series series:sum series:print
+     partial-sums)
     ("8 Scheme, as far as the programs of chapter 1 use it"
      write-line pp 1+ -1+ iota runtime exact->inexact)))
 

@@ -120,4 +120,57 @@ A particle in the potential energy V(r), in polar coordinates.
 
 @sicm{6.4, p. 449}}
 
+@deftogether[(@defproc[((H0 [alpha scalar]) [state structure?]) scalar]
+              @defproc[((H1 [beta scalar]) [state structure?]) scalar]
+              @defproc[(H-pendulum-series [alpha scalar] [beta scalar] [epsilon scalar]) series?]
+              @defproc[((W [alpha scalar] [beta scalar]) [state structure?]) scalar])]{
+
+The pendulum as a perturbed rotor: the rotor, what makes it a pendulum, both as a series in ε,
+and the generator that removes the first order.
+
+@examples[#:eval session
+(define a-state (up 't 'theta 'p))
+((H0 'alpha) a-state)
+((H1 'beta) a-state)
+((H-pendulum-series 'alpha 'beta 'epsilon) a-state)
+((W 'alpha 'beta) a-state)
+((+ ((Lie-derivative (W 'alpha 'beta)) (H0 'alpha)) (H1 'beta)) a-state)
+(series:sum (((exp (* 'epsilon (Lie-derivative (W 'alpha 'beta))))
+              (H-pendulum-series 'alpha 'beta 'epsilon))
+             a-state)
+            2)]
+
+@sicm{7.2, p. 462}}
+
+@deftogether[(@defproc[((C [alpha scalar] [beta scalar] [epsilon scalar]
+                           [order exact-nonnegative-integer?])
+                        [state structure?]) structure?]
+              @defproc[((C-inv [alpha scalar] [beta scalar] [epsilon scalar]
+                               [order exact-nonnegative-integer?])
+                        [state structure?]) structure?])]{
+
+From new states to old ones by the Lie series of W summed up to an order, and back.
+
+@examples[#:eval session
+((C 'alpha 'beta 'epsilon 1) a-state)
+((C-inv 1 0.1 1 2) (up 0 0 0.7))]
+
+@sicm{7.2, p. 464}}
+
+@deftogether[(@defproc[(((solution0 [alpha scalar] [beta scalar]) [t scalar]) [state structure?])
+                       structure?]
+              @defproc[((((solution [epsilon scalar] [order exact-nonnegative-integer?])
+                          [alpha scalar] [beta scalar])
+                         [t scalar])
+                        [state structure?])
+                       structure?])]{
+
+The state of the rotor at a time, and that of the pendulum, by going over to the rotor and back.
+
+@examples[#:eval session
+(((solution0 'alpha 'beta) 't) (up 0 'theta_0 'p_0))
+((((solution 1 3) 1 0.1) 5.0) (up 0 0 0.7))]
+
+@sicm{7.2, p. 464}}
+
 @(close-session session)

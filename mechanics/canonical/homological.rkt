@@ -1,0 +1,36 @@
+#lang racket/base
+;; The homological equation of a Hamiltonian h₀(I) with the frequencies ω = ∂h₀/∂I,
+;;
+;;     {h₀, W} + h = kept,      that is      ω·∂W/∂θ = h − kept,
+;;
+;; wave by wave: c cos k·θ + s sin k·θ is the rate of (c sin k·θ − s cos k·θ)/(k·ω).  What has no
+;; angle is kept, and so are the waves of resonances: those with k·ω = 0 whatever the momenta,
+;; which cannot be removed, and those that are asked for.
+
+(require "Poisson-series.rkt"
+         "../generic/arithmetic.rkt")
+
+(provide solve-homological divisor
+         (struct-out removed))
+
+;; A wave that was removed: its integers and what was divided by
+(struct removed (numbers divisor) #:authentic)
+
+;; k·ω
+(define (divisor k frequencies)
+  (strictly (for/fold ([sum 0]) ([i (in-list k)] [omega (in-list frequencies)])
+              (g:+ sum (g:* i omega)))))
+
+;; h : a Poisson series; resonant? : k -> is it to be kept?
+;; -> W, the series kept, the list of what was removed
+(define (solve-homological h frequencies resonant?)
+  (define n (length frequencies))
+  (for/fold ([W (zero-series n)] [kept (zero-series n)] [gone '()])
+            ([k (in-list (wave-numbers h))])
+    (define w (hash-ref (series-waves h) k))
+    (define d (divisor k frequencies))
+    (cond [(or (andmap zero? k) (eqv? d 0) (resonant? k))
+           (values W (series-sum kept (one-wave n k (wave-cosine w) (wave-sine w))) gone)]
+          [else
+           (define V (one-wave n k (g:negate (g:/ (wave-sine w) d)) (g:/ (wave-cosine w) d)))
+           (values (series-sum W V) kept (cons (removed k d) gone))])))

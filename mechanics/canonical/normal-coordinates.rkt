@@ -1,0 +1,84 @@
+#lang racket/base
+;; The states of a normal form (Birkhoff.rkt), and the proof that it is one.
+;;
+;; Coordinates and momenta are polynomials of degree 1, and go through the exponentials of the
+;; generators as the Hamiltonian does; each generator raises the degree by one more.
+
+(require "Birkhoff.rkt" "Lie-derivative.rkt" "Lie-triangle.rkt" "complex-polynomial.rkt"
+         "../calculus/expression-function.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt"
+         (only-in "../value/structure.rkt" s:map/r)
+         "../verdict/prove-zero.rkt")
+
+(provide normal-form-transformation normal-form-inverse verify-normal-form)
+
+;; ---------------------------------------------------------------------------
+;; States
+
+;; new state ↦ old state, to the degree of N
+(define (normal-form-transformation N)
+  (check-normal-form 'normal-form-transformation N)
+  (carried 'normal-form-transformation N (in-order N) 1))
+
+;; old state ↦ new state
+(define (normal-form-inverse N)
+  (check-normal-form 'normal-form-inverse N)
+  (carried 'normal-form-inverse N (reverse (in-order N)) -1))
+
+;; ((n . Wₙ) …)
+(define (in-order N)
+  (for/list ([W (in-list (normal-form-Ws N))] [n (in-naturals 1)]) (cons n W)))
+
+(define (check-normal-form who N)
+  (unless (normal-form? N)
+    (complain who "expected what Birkhoff-normal-form gives; given ~a" (describe-with-value N))))
+
+(define (carried who N numbered sign)
+  (define state (normal-form-state N))
+  (define-values (qs ps) (values (scalars (coordinate state)) (scalars (momentum state))))
+  (define n (length qs))
+  (define (image x)
+    (define start
+      (cons (expression->polynomial x qs ps void) (map (lambda (W) (hash)) (normal-form-Ws N))))
+    (define terms
+      (for/fold ([terms start]) ([entry (in-list numbered)])
+        (exponentiate terms (car entry) (cdr entry) (polynomial-bracket n) polynomial-sum
+                      polynomial-scale #:sign sign)))
+    (polynomial->expression (for/fold ([sum (hash)]) ([f (in-list terms)]) (polynomial-sum sum f))
+                            qs ps))
+  (define formula
+    (up (time state)
+        (s:map/r image (coordinate state))
+        (s:map/r image (momentum state))))
+  (define names (scalars state))
+  (define entries (list->vector (scalars formula)))
+  (unary-function (lambda () (list who 'N)) (at)
+    (check-H-state who at)
+    (define point (map cons names (scalars at)))
+    (scalars->structure at (lambda (k) (evaluate-generically (vector-ref entries k) point)))))
+
+;; ---------------------------------------------------------------------------
+;; The verdict
+
+;; Degree by degree: is H, transformed by the Lie derivatives of the generators as functions, the
+;; normal form, and does that commute with the oscillators?
+(define (verify-normal-form N)
+  (check-normal-form 'verify-normal-form N)
+  (define (functions fs) (map (lambda (f) (polynomial-function N f)) fs))
+  (define end
+    (for/fold ([terms (functions (normal-form-given N))])
+              ([W (in-list (normal-form-generators N))] [n (in-naturals 1)])
+      (define L (Lie-derivative W))
+      (exponentiate terms n W (lambda (F W) (L F)) g:+ g:*)))
+  (define-values (kept state)
+    (values (functions (normal-form-terms N)) (normal-form-state N)))
+  (define with-oscillators (Lie-derivative (car kept)))
+  (prove-zero
+   (down (apply down (for/list ([F (in-list end)] [K (in-list kept)]) (g:- (F state) (K state))))
+         (apply down (for/list ([K (in-list kept)]) ((with-oscillators K) state))))
+   #:variables (scalars state)))

@@ -1,0 +1,181 @@
+#lang racket/base
+;; Perturbation theory as a procedure (SICM 7.1–7.3).
+;;
+;; H = H₀(I) + ε H₁(θ, I) + ε² H₂(θ, I) + ⋯ with waves in the angles θ is transformed, order by
+;; order, to one without angles (Lie-triangle.rkt, homological.rkt).  What can not be removed, or
+;; is not to be, stays: resonances.  All that was divided by is kept with the answer, for where
+;; it is small the answer is worth nothing.
+
+(require racket/list
+         "Lie-triangle.rkt" "Poisson-series.rkt" "homological.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt"
+         "../value/series/access.rkt")
+
+(provide perturbation-series perturbation?
+         perturbation-Hamiltonian perturbation-generators
+         perturbation-divisors perturbation-resonances
+         ;; for what is made of it
+         (struct-out perturbation) frequencies-of actions-of angles-of term-function)
+
+;; state : of symbols; given : functions H₀, H₁, …; terms, Ws : Poisson series, of H' and
+;; the Wₙ; removals : for each order the list of what was removed
+(value-struct perturbation (state given parameter terms Ws removals)
+  #:text (lambda (P) (perturbation->text P)))
+
+(define (angles-of P) (scalars (coordinate (perturbation-state P))))
+(define (actions-of P) (scalars (momentum (perturbation-state P))))
+
+;; H1 : a function of the state, or the list of H₁, H₂, …
+;; resonances : lists of integers, of the waves to be kept
+(define-plain (perturbation-series H0 H1 state #:order [order 1] #:parameter [parameter 'epsilon]
+                                   #:keep [resonances '()])
+  (define who 'perturbation-series)
+  (define given (cons H0 (if (list? H1) H1 (list H1))))
+  (check-arguments who given state order)
+  (define-values (angles actions)
+    (values (scalars (coordinate state)) (scalars (momentum state))))
+  (check-resonances who resonances (length angles))
+  (define h (in-waves who given state order))
+  (define frequencies (frequencies-of H0 state))
+  (define removals (make-vector order '()))
+  (define (solve n hn)
+    (define-values (W kept gone) (solve-homological hn frequencies (multiple-of resonances)))
+    (vector-set! removals (sub1 n) gone)
+    (values W kept))
+  (define-values (terms generators)
+    (Lie-triangle h (lambda (F W) (series-bracket F W actions)) series-sum series-scale solve))
+  (perturbation state given parameter terms generators (vector->list removals)))
+
+;; ω = ∂H₀/∂I, a list
+(define (frequencies-of H0 state)
+  (scalars (derivative-at (lambda (p) (H0 (up (time state) (coordinate state) p)))
+                          (momentum state))))
+
+;; Is k a multiple of one that is to be kept?
+(define ((multiple-of resonances) k)
+  (for/or ([r (in-list resonances)])
+    (define ratio (for/first ([x (in-list k)] [y (in-list r)] #:unless (zero? y)) (/ x y)))
+    (and ratio (equal? k (map (lambda (y) (* ratio y)) r)))))
+
+;; ---------------------------------------------------------------------------
+;; What is given
+
+(define (check-arguments who given state order)
+  (for ([H (in-list given)]) (check-Hamiltonian who H))
+  (check-H-state who state)
+  (check-symbols who state "state")
+  (unless (exact-positive-integer? order)
+    (raise-argument-error who "the order, at least 1" order))
+  (for ([H (in-list given)]) (check-parameters who H state "state"))
+  (define free ((car given) state))
+  (for ([angle (in-list (scalars (coordinate state)))]
+        #:when (and (expression? free) (occurs? angle (strictly free))))
+    (complain who
+              (string-append "the Hamiltonian without the perturbation is to depend on the momenta "
+                             "alone, but ~a depends on the angle ~a\n  its value: ~a"
+                             "\n  action and angle make it so: for an oscillator, polar-canonical")
+              (value->text (car given)) angle (value->text (strictly free)))))
+
+(define (check-resonances who resonances n)
+  (unless (and (list? resonances)
+               (for/and ([r (in-list resonances)])
+                 (and (list? r) (= (length r) n) (andmap exact-integer? r)
+                      (not (andmap zero? r)))))
+    (complain who
+              "the waves to be kept are lists of ~a, one for each angle, such as ~s; given ~s"
+              (if (= n 1) "one integer" (format "~a integers" n))
+              (list (cons 1 (for/list ([_ (in-range (sub1 n))]) -1)))
+              resonances)))
+
+;; -> the list of the Poisson series of H₀, …, H_order
+(define (in-waves who given state order)
+  (define angles (scalars (coordinate state)))
+  (for/list ([k (in-range (add1 order))])
+    (cond [(< k (length given))
+           (define H (list-ref given k))
+           (define e (H state))
+           (check-time who H e (time state))
+           (expression->Poisson-series e angles (lambda (part) (raise-no-waves who H angles part)))]
+          [else (zero-series (length angles))])))
+
+(define (check-time who H e t)
+  (when (and (expression? e) (symbol? t) (occurs? t (strictly e)))
+    (complain who
+              (string-append "~a depends on the time ~a: periodic-extension makes it an angle"
+                             "\n  its value: ~a")
+              (value->text H) t (value->text e))))
+
+(define (raise-no-waves who H angles part)
+  (complain who
+            (string-append "a perturbation is a sum of sines and cosines of integer multiples of "
+                           "the angles, with coefficients in the momenta; in ~a there is ~a")
+            (value->text H) (value->text part)))
+
+;; ---------------------------------------------------------------------------
+;; What is found
+
+;; The function of the state that a Poisson series is.
+(define (term-function P s)
+  (define state (perturbation-state P))
+  (define e (strictly (series->expression s (angles-of P))))
+  (define names (scalars state))
+  (unary-function (lambda () (value->datum e)) (at)
+    (check-H-state 'perturbation-series at)
+    (evaluate-generically e (map cons names (scalars at)))))
+
+;; The series of functions H'₀ + ε H'₁ + ⋯ of the new state
+(define (perturbation-Hamiltonian P)
+  (apply series
+         (for/list ([s (in-list (perturbation-terms P))] [n (in-naturals)])
+           (g:* (g:expt (perturbation-parameter P) n) (term-function P s)))))
+
+;; The list of W₁, W₂, …, functions of the state
+(define (perturbation-generators P)
+  (for/list ([W (in-list (perturbation-Ws P))]) (term-function P W)))
+
+;; ((order integers divisor) …) of all waves that were removed
+(define (perturbation-divisors P)
+  (for*/list ([(gone n) (in-parallel (perturbation-removals P) (in-naturals 1))]
+              [r (in-list gone)])
+    (list n (removed-numbers r) (removed-divisor r))))
+
+;; ((order integers term) …) of the waves that stayed, of which the integers are not all zero
+(define (perturbation-resonances P)
+  (for*/list ([(s n) (in-parallel (perturbation-terms P) (in-naturals))]
+              [k (in-list (wave-numbers s))]
+              #:unless (andmap zero? k))
+    (define w (hash-ref (series-waves s) k))
+    (list n k (strictly
+               (series->expression
+                (one-wave (length k) k (wave-cosine w) (wave-sine w)) (angles-of P))))))
+
+;; ---------------------------------------------------------------------------
+;; In words
+
+(define (perturbation->text P)
+  (define order (length (perturbation-Ws P)))
+  (define lines
+    (for/list ([n (in-range (add1 order))])
+      (format "  order ~a: ~a" n
+              (value->text
+               (strictly (series->expression (list-ref (perturbation-terms P) n)
+                                             (angles-of P)))))))
+  (define divided
+    (for/list ([d (in-list (remove-duplicates (map cdr (perturbation-divisors P))))])
+      (format "  divided by: ~a, of the wave ~a" (value->text (cadr d)) (car d))))
+  (define kept
+    (for/list ([r (in-list (perturbation-resonances P))])
+      (format "  resonance: ~a, kept in order ~a" (cadr r) (car r))))
+  (apply string-append
+         (format "perturbation to order ~a in ~a" order
+                 (value->text (perturbation-parameter P)))
+         (for/list ([line (in-list (append lines divided kept))])
+           (string-append "\n" line))))

@@ -1,0 +1,149 @@
+#lang racket/base
+;; Perturbation theory as a procedure: what is removed, what stays, what is divided by.
+
+(require mechanics
+         rackunit
+         "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
+
+(define line (up 't 'theta 'p))
+(define two (up 't (up 'theta 'phi) (down 'p 'P)))
+
+(define (rotor (up t theta p)) (/ (square p) (* 2 'alpha)))
+(define (gravity (up t theta p)) (* -1 'beta (cos theta)))
+
+(test-case "the pendulum to the fourth order, each order proved"
+  (define P (perturbation-series rotor gravity line #:order 4))
+  (check-pred perturbation? P)
+  (check-pred proved? (verify-perturbation P))
+  (define terms (series:head ((perturbation-Hamiltonian P) line) 5))
+  (check-identity (list-ref terms 2)
+                  (/ (* 'alpha (square 'beta) (square 'epsilon)) (* 4 (square 'p))))
+  (check-identity (list-ref terms 3) 0)
+  ;; of the energy of a fast rotor by its action: 5 α³ β⁴ / (64 p⁶) ε⁴
+  (check-identity (list-ref terms 4)
+                  (/ (* 5 (expt 'alpha 3) (expt 'beta 4) (expt 'epsilon 4)) (* 64 (expt 'p 6)))))
+
+;; Independent numbers: the circulating pendulum's action and frequency by elliptic integrals.
+(test-case "the frequency of a fast pendulum"
+  (define P (perturbation-series (lambda (s) (/ (square (momentum s)) 2))
+                                 (lambda (s) (* -1 (cos (coordinate s))))
+                                 line #:order 4 #:parameter 0.3))
+  (define (energy p) (series:sum ((perturbation-Hamiltonian P) (up 0 0 p)) 4))
+  ;; E by the action J of the circulating pendulum with β = 0.3
+  (define E 8.0)
+  (define k (sqrt (/ (* 2 0.3) (+ E 0.3))))
+  (define J (* (/ 4 pi) (sqrt 0.3) (/ (second-elliptic-integral k) k)))
+  (check-close (energy J) E 1e-7)
+  (define omega (/ (* pi (sqrt (/ (+ E 0.3) 2))) (first-elliptic-integral k)))
+  (check-close ((D energy) J) omega 1e-6))
+
+(test-case "the solution: into the new state, on, and back"
+  (define (P n)
+    (perturbation-series (lambda (s) (/ (square (momentum s)) 2))
+                         (lambda (s) (* -1 (cos (coordinate s))))
+                         line #:order n #:parameter 0.05))
+  (define (H s) (- (/ (square (momentum s)) 2) (* 0.05 (cos (coordinate s)))))
+  (define start (up 0 0.5 1.5))
+  (define end ((state-advancer Hamiltonian->state-derivative H) start 10.0 1e-13))
+  (define (miss n)
+    (define reached (((perturbation-solution (P n)) start) 10.0))
+    (abs (- (momentum reached) (momentum end))))
+  (define misses (map miss '(1 2 3)))
+  (check-true (apply > misses))
+  (check-true (< (caddr misses) 1e-4))
+  (check-close (((perturbation-solution (P 3)) start) 0) start 1e-5))
+
+(test-case "new states and old ones: inverse of each other, and canonical, up to the order"
+  (define P (perturbation-series rotor gravity line #:order 2))
+  (define old ((perturbation-transformation P) line))
+  (define excess
+    (matrix-ref ((symplectic-transform? (perturbation-transformation P)) line) 0 1))
+  (define back ((perturbation-inverse P) old))
+  (define (at e x) (substitute (simplify x) 'epsilon e))
+  (for ([e '(1/100 1/1000)])
+    (define (size x) (abs (exact->inexact (expression (simplify
+      (substitute (at e x) 'theta 1 'p 2 'alpha 1 'beta 1))))))
+    (check-true (< (size excess) (* 10 (expt e 3))))
+    (check-true (< (size (- (coordinate back) 'theta)) (* 10 (expt e 3))))
+    (check-true (< (size (- (momentum back) 'p)) (* 10 (expt e 3))))))
+
+;; ---------------------------------------------------------------------------
+;; Resonances
+
+(define (driven-rotor (up t (up theta phi) (down p P)))
+  (+ (/ (square p) (* 2 'alpha)) (* 'omega P)))
+(define (drive (up t (up theta phi) (down p P)))
+  (+ (* -1 'beta (cos theta))
+     (* 'gamma (+ (cos (+ theta phi)) (cos (- theta phi))))))
+
+(test-case "the driven pendulum (7.4): three resonances in the first order, by their integers"
+  (define P (perturbation-series driven-rotor drive two))
+  (check-equal? (sort (map cadr (perturbation-divisors P))
+                      string<? #:key (lambda (k) (format "~a" k)))
+                '((1 -1) (1 0) (1 1)))
+  (check-equal? (perturbation-resonances P) '())
+  (check-pred proved? (verify-perturbation P)))
+
+(test-case "a resonance that is kept: the others are removed to the second order"
+  (define P (perturbation-series driven-rotor drive two #:order 2 #:keep '((1 -1))))
+  (check-equal? (map cadr (perturbation-resonances P)) '((1 -1)))
+  (check-identity (caddr (car (perturbation-resonances P))) (* 'gamma (cos (- 'theta 'phi))))
+  (check-false (member '(1 -1) (map cadr (perturbation-divisors P))))
+  (check-pred proved? (verify-perturbation P)))
+
+(test-case "what no choice of momenta removes is kept, and named"
+  (define (oscillators (up t q (down I J))) (+ (* 2 I) J))
+  (define (coupling (up t (up a b) (down I J))) (* I (sqrt J) (cos (- a (* 2 b)))))
+  (define P (perturbation-series oscillators coupling two #:order 2))
+  (check-equal? (map (lambda (r) (list (car r) (cadr r))) (perturbation-resonances P))
+                '((1 (1 -2)))))
+
+(test-case "what it prints"
+  (check-equal? (format "~a" (perturbation-series driven-rotor drive two #:keep '((1 -1) (1 1))))
+                (string-append
+                 "perturbation to order 1 in epsilon\n"
+                 "  order 0: (+ (* P omega) (/ (* 1/2 (expt p 2)) alpha))\n"
+                 "  order 1: (+ (* gamma (cos (+ phi theta))) (* gamma (cos (- phi theta))))\n"
+                 "  divided by: (/ p alpha), of the wave (1 0)\n"
+                 "  resonance: (1 -1), kept in order 1\n"
+                 "  resonance: (1 1), kept in order 1")))
+
+;; ---------------------------------------------------------------------------
+;; Mistakes
+
+(define P1 (perturbation-series rotor gravity line))
+
+(test-case "a state on a resonance that was divided by"
+  (check-message
+   (string-append
+    "perturbation-transformation: the state is on the resonance (1), which was divided by in "
+    "order 1: (/ p alpha) = 0\n  #:keep '((1)) keeps its waves\n  state: (up 0 1 0)")
+   ((perturbation-transformation P1) (up 0 1 0))
+   exn:fail:mechanics:singular?))
+
+(says
+ [(perturbation-series gravity rotor line)
+  "perturbation-series: the Hamiltonian without the perturbation is to depend on the momenta "
+  "alone, but gravity depends on the angle theta\n  its value: (* -1 beta (cos theta))\n"
+  "  action and angle make it so: for an oscillator, polar-canonical"]
+ [(perturbation-series rotor (lambda (s) (square (coordinate s))) line)
+  "perturbation-series: a perturbation is a sum of sines and cosines of integer multiples of the "
+  "angles, with coefficients in the momenta; in <function> there is theta"]
+ [(perturbation-series rotor (lambda (s) (cos (* 1/2 (coordinate s)))) line)
+  "perturbation-series: a perturbation is a sum of sines and cosines of integer multiples of the "
+  "angles, with coefficients in the momenta; in <function> there is (cos (* 1/2 theta))"]
+ [(perturbation-series rotor (lambda (s) (* (time s) (cos (coordinate s)))) line)
+  "perturbation-series: <function> depends on the time t: periodic-extension makes it an angle\n"
+  "  its value: (* t (cos theta))"]
+ [(perturbation-series rotor gravity line #:keep '(1))
+  "perturbation-series: the waves to be kept are lists of one integer, one for each angle, such "
+  "as ((1)); given (1)"]
+ [(perturbation-series rotor gravity line #:order 0)
+  "perturbation-series: contract violation\n  expected: the order, at least 1\n  given: 0"]
+ [(perturbation-series 'H0 gravity line)
+  "perturbation-series: a Hamiltonian is a function of the state (up t q p); given the symbol H0"]
+ [(perturbation-inverse 3)
+  "perturbation-inverse: expected what perturbation-series gives; given the number 3"]
+ [(perturbation-solution (perturbation-series driven-rotor drive two #:keep '((1 -1))))
+  "perturbation-solution: the new Hamiltonian has the waves ((1 -1)) left, kept for resonances; "
+  "its motion is no rotation\n  integrate that of (perturbation-Hamiltonian P)"])
