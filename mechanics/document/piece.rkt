@@ -7,7 +7,7 @@
          (struct-out output) (struct-out result) (struct-out failure)
          joined-code)
 
-;; title, language : strings; pieces : list of the following
+;; title, language : strings, the latter #f of what is no program; pieces : list of the following
 (struct document (title language pieces) #:transparent)
 
 ;; What the author wrote in comments.  paragraphs : lists of lines, where a line ends only

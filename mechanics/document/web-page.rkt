@@ -14,33 +14,39 @@
          "coloring.rkt" "page-value.rkt" "piece.rkt"
          (only-in "../algebra/notation/tree.rkt" dotted name))
 
-(provide document->page)
+(provide document->page page)
 
 (define-runtime-path style-sheet "web-page.css")
 (define-runtime-path math-font "font/math.woff2")
 
 ;; -> string
 (define (document->page d)
-  (define body (pieces->body (document-pieces d)))
-  (string-append "<!DOCTYPE html>\n" (markup (page-xexpr d body)) "\n"))
+  (define language (document-language d))
+  (page (document-title d) (pieces->body (document-pieces d))
+        #:footer (and language (format "A program in ~a, and its results." language))))
+
+;; body : list of xexprs, in which text is visible (page-value.rkt); footer : text or #f;
+;; style : rules beyond those of every page
+(define (page title body #:footer [footer #f] #:style [style ""])
+  (string-append "<!DOCTYPE html>\n" (markup (page-xexpr title body footer style)) "\n"))
 
 (define (markup x)
   (define port (open-output-string))
   (parameterize ([empty-tag-shorthand html-empty-tags]) (write-xexpr x port))
   (get-output-string port))
 
-(define (page-xexpr d body)
+(define (page-xexpr title body footer style)
   `(html ([xmlns "http://www.w3.org/1999/xhtml"] [lang "en"])
     (head
      (meta ([charset "utf-8"]))
      (meta ([name "viewport"] [content "width=device-width, initial-scale=1"]))
      (meta ([name "color-scheme"] [content "light dark"]))
      (meta ([http-equiv "Content-Security-Policy"] [content ,policy]))
-     (title ,(visible (document-title d)))
-     (style ,(raw (string-append (font-rule) (file->string style-sheet)))))
+     (title ,(visible title))
+     (style ,(raw (string-append (font-rule) (file->string style-sheet) style))))
     (body
-     (main (h1 ,(visible (document-title d))) ,@body)
-     (footer ,(visible (format "A program in ~a, and its results." (document-language d)))))))
+     (main (h1 ,(visible title)) ,@body)
+     ,@(if footer `((footer ,(visible footer))) '()))))
 
 ;; Nothing is fetched and nothing is run, even if something got in.
 (define policy

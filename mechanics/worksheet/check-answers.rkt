@@ -4,7 +4,7 @@
 (require "answer-data.rkt" "exercise-kind.rkt" "exercise.rkt" "judge.rkt" "judgment-words.rkt"
          "judgment.rkt" "seal.rkt")
 
-(provide check-answers checking? judge-value-of tell-judgments)
+(provide check-answers checking? sealed-exercises tell-judgments)
 
 ;; Not while answers are collected for the teacher.
 (define checking? (make-parameter #t))
@@ -28,17 +28,15 @@
     (tell-judgments
      (for/list ([e (in-list exercises)])
        (define found (assq (exercise-name e) answers))
-       (cons e (judge-value-of e (if found (cdr found) unanswered)))))))
+       (cons e (judge e (answer-of-kind e (if found (cdr found) unanswered))))))))
 
-;; x : what the student wrote, a value
-(define (judge-value-of e x)
-  (define d
-    (if (eq? (exercise-kind e) 'reason)
-        (text-answer->datum x)
-        (answer->datum x (rounds-of e))))
-  (if (and (eq? (car d) 'answer) (not (exercise-practice? e)))
-      (judgment 'kept #f #f '())
-      (judge e d)))
+;; The exercises in the envelope of a student's file, given as text; or #f
+(define (sealed-exercises text)
+  (define m (regexp-match #rx"[(]check-answers(.*)$" text))
+  (define parts
+    (if m (regexp-match* #px"\"([A-Za-z0-9+/=]+)\"" (cadr m) #:match-select cadr) '()))
+  (and (pair? parts) (unseal (apply string-append parts))))
+
 
 ;; found : list of (exercise . judgment)
 (define (tell-judgments found)

@@ -4,9 +4,9 @@
 ;;
 ;; How each is judged stands in judge.rkt.
 
-(require "exercise.rkt" "prescribed-symbols.rkt")
+(require "answer-data.rkt" "exercise.rkt" "prescribed-symbols.rkt")
 
-(provide (struct-out kind) kinds kind-of-exercise rounds-of answer-form)
+(provide (struct-out kind) kinds kind-of-exercise rounds-of answer-form answer-of-kind)
 
 ;; arguments : what an answer is applied to, one of none, time, path, local, state, named
 ;; says      : what an answer is, in words
@@ -55,6 +55,12 @@
     [(local) (list (list (local-tuple-of names)))]
     [(state) (list (list (state-of names)))]
     [(named) (list (setting e 'arguments))]))
+
+;; x : what was answered, a value -> data
+(define (answer-of-kind e x)
+  (if (eq? 'reason (exercise-kind e))
+      (text-answer->datum x)
+      (answer->datum x (rounds-of e))))
 
 ;; How the definition of an answer begins.
 (define (answer-form e)

@@ -4,10 +4,10 @@
 
 (require racket/cmdline
          racket/path
-         "program-document.rkt"
+         "program-document.rkt" "written-files.rkt"
          (only-in "../program-file.rkt" about-language language-without-us)
          "../../document/TeX-document.rkt" "../../document/web-page.rkt"
-         "../../error/complain.rkt" "../../plot/picture-file.rkt")
+         "../../plot/picture-file.rkt")
 
 (provide show-command TeX-command)
 
@@ -38,18 +38,8 @@
   (define from (simple-form-path file))
   (define to
     (simple-form-path (or out (path-replace-extension (file-name-from-path from) extension))))
-  (when (equal? from to) (complain name "the result would replace the program\n  file: ~a" file))
-  (check-file name to)
+  (check-new-file name to from)
   (values from to))
-
-;; They may stand behind the file, too.
-(define (options-first arguments)
-  (let loop ([left arguments] [options '()] [files '()])
-    (cond [(null? left) (append options files)]
-          [(and (string=? (car left) "-o") (pair? (cdr left)))
-           (loop (cddr left) (list* "-o" (cadr left) options) files)]
-          [(regexp-match? #rx"^-" (car left)) (loop (cdr left) (cons (car left) options) files)]
-          [else (loop (cdr left) options (append files (list (car left))))])))
 
 ;; -> status
 (define (told file written error)
@@ -60,7 +50,3 @@
          (when without-us (eprintf "~a\n" (about-language (short-path file) without-us)))
          1]
         [else 0]))
-
-(define (short-path p)
-  (define relative (find-relative-path (current-directory) p))
-  (if (regexp-match? #rx"^[.][.]" (path->string relative)) p relative))

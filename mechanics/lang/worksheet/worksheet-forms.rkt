@@ -123,4 +123,4 @@
                (for/list ([f (in-list forms)]) (format "~s\n" (syntax->datum f))))))
 
   (define (without-indentation text column)
-    (regexp-replace* (regexp (format "\n {1,~a}" (max 1 column))) text "\n")))
+    (regexp-replace* (pregexp (format "\n {1,~a}" (max 1 column))) text "\n")))

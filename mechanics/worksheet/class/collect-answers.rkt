@@ -1,0 +1,82 @@
+#lang racket/base
+;; The answers of one submission, collected from a process of its own.
+;;
+;; The process is given so many seconds, and may write so much; then it is ended, with
+;; whatever it started.  Nothing that it writes is run.
+
+(require racket/port
+         "answer-lines.rkt" "evaluate.rkt" "isolation.rkt"
+         "../exercise.rkt")
+
+(provide collect-answers (struct-out collected))
+
+;; answers : hasheq of answers (answer-lines.rkt), by name
+;; problem : why there are not more, or #f
+(struct collected (answers problem) #:transparent)
+
+(define most-output 250000)
+
+;; exercises : of the worksheet; text : the program -> collected
+(define (collect-answers i exercises text)
+  (define custodian (make-custodian))
+  (define command
+    (isolated-command i '("-l" "racket/base" "-l" "mechanics/worksheet/class/evaluate-main")))
+  (dynamic-wind
+   void
+   (lambda ()
+     (parameterize ([current-custodian custodian]
+                    [current-subprocess-custodian-mode 'kill]
+                    [subprocess-group-enabled #t]
+                    [current-environment-variables (nearly-empty-environment)])
+       (run command (isolation-seconds i) (request->text i exercises text))))
+   (lambda () (custodian-shutdown-all custodian))))
+
+;; Compiled files are taken as they are; in that process none could be written.
+(define (nearly-empty-environment)
+  (define e (make-environment-variables))
+  (environment-variables-set! e #"PLT_COMPILED_FILE_CHECK" #"exists")
+  e)
+
+(define (request->text i exercises text)
+  (define bare (for/list ([e (in-list exercises)]) (without-key e)))
+  (format "~s\n" (request (isolation-seconds i) (isolation-megabytes i) bare text)))
+
+;; What tells how an answer is applied, and no more.
+(define (without-key e)
+  (exercise (exercise-name e) (exercise-kind e) "" (exercise-coordinates e)
+            (for/hasheq ([(name value) (in-hash (exercise-settings e))]
+                         #:when (memq name '(arguments Hamiltonian)))
+              (values name value))
+            #f 0 '() '() #f))
+
+(define (run command seconds request)
+  (define-values (process out in err) (apply subprocess #f #f #f command))
+  (thread (lambda ()
+            (with-handlers ([exn:fail? void]) (write-string request in) (close-output-port in))))
+  (thread (lambda () (copy-port err (open-output-nowhere))))
+  (define deadline
+    (alarm-evt (+ (current-inexact-milliseconds) (* 1000 seconds))))
+  (define-values (text end) (read-until out deadline))
+  (subprocess-kill process #t)
+  (define found (read-answer-lines text))
+  (collected (hash-remove found '*program*) (problem-of found end)))
+
+;; -> text, and how it ended: done, late or long
+(define (read-until in deadline)
+  (define buffer (make-bytes 65536))
+  (let loop ([parts '()] [size 0])
+    (define (text) (bytes->string/utf-8 (apply bytes-append (reverse parts)) #\?))
+    (define n (sync (wrap-evt deadline (lambda (_) 'late)) (read-bytes-avail!-evt buffer in)))
+    (cond [(eof-object? n) (values (text) 'done)]
+          [(eq? n 'late) (values (text) 'late)]
+          [(> (+ size n) most-output) (values (text) 'long)]
+          [else (loop (cons (subbytes buffer 0 n) parts) (+ size n))])))
+
+;; A program that was stopped, or did not run at all.
+(define (problem-of found end)
+  (define program (hash-ref found '*program* #f))
+  (cond [(eq? end 'late) "it took too long, and was stopped"]
+        [(eq? end 'long) "it wrote without end, and was stopped"]
+        [program (string-append "it does not run: " (cadr program))]
+        [(hash-empty? found) "it ended without an answer"]
+        [else #f]))
