@@ -11,6 +11,7 @@ export RACKET
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
+.PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
 .PHONY: help demo repl run show tex test attack lint elsewhere bench peers docs pictures clean \
         racket libraries editing compile begin-tests
 
@@ -20,6 +21,10 @@ help:
 	@echo 'make run     run a file            (FILE=my-system.rkt, ARGS="..." for what it is told)'
 	@echo 'make show    a file with its results as a page  (FILE=my-system.rkt, OUT=page.html)'
 	@echo 'make tex     the same for LaTeX    (FILE=my-system.rkt, OUT=file.tex)'
+	@echo 'make new     a worksheet to begin with       (FILE=my-worksheet.rkt)'
+	@echo 'make worksheet   its file for students, and the page to hand out (FILE=my-worksheet.rkt)'
+	@echo 'make handout the page alone        (FILE=my-worksheet.rkt, TO=html|tex, ANSWERS=1, OUT=...)'
+	@echo 'make check   a student, or a class (FILE=answers, WORKSHEET=..., REPORT=report.html)'
 	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    unused requires, long lines, tabs'
@@ -47,6 +52,27 @@ show tex: compile
 	fi
 	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/show-program.rkt
 	@$(RACKET) -l- $(COMMAND)/raco $@ $(if $(OUT),-o "$(OUT)") "$(FILE)"
+
+RUN_COMMAND = $(RACKET) -l- $(COMMAND)/raco
+
+new worksheet handout check: compile
+	@if [ -z "$(FILE)" ]; then echo 'make $@ FILE=... ; make help says more' >&2; exit 2; fi
+	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/worksheet-files.rkt \
+	    $(COMMAND)/check-answers-of.rkt mechanics/worksheet.rkt mechanics/answers.rkt \
+	    mechanics/worksheet/class/evaluate-main.rkt
+	@$(MAKE) --no-print-directory -s $@-file
+
+new-file:
+	@$(RUN_COMMAND) new "$(FILE)"
+worksheet-file:
+	@$(RUN_COMMAND) worksheet $(if $(OUT),-o "$(OUT)") "$(FILE)"
+handout-file:
+	@$(RUN_COMMAND) handout $(if $(TO),--to "$(TO)") $(if $(ANSWERS),--answers) \
+	    $(if $(OUT),-o "$(OUT)") "$(FILE)"
+check-file:
+	@$(RUN_COMMAND) check $(if $(WORKSHEET),--worksheet "$(WORKSHEET)") \
+	    $(foreach r,$(REPORT),--report "$(r)") $(if $(GRADESCOPE),--gradescope "$(GRADESCOPE)") \
+	    $(if $(JSON),--json) "$(FILE)"
 
 # What takes long says so at once.
 test: begin-tests compile libraries

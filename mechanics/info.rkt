@@ -2,4 +2,4 @@
 (define name "mechanics")
 (define raco-commands
   '(("mechanics" (submod mechanics/lang/command/raco main)
-     "show programs typeset, as pages or LaTeX; a prompt; help" #f)))
+     "show programs typeset; worksheets and classes; a prompt; help" #f)))

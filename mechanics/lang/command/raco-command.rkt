@@ -15,7 +15,8 @@
   (printf "raco mechanics COMMAND ...\n\n")
   (for ([c (in-list commands)]) (printf "  ~a\n      ~a\n" (usage c) (command-sentence c)))
   (printf "\nIn a checkout, where raco knows no such command: make show FILE=... [OUT=...],\n")
-  (printf "make tex FILE=... [OUT=...], make repl.\n"))
+  (printf "make tex FILE=... [OUT=...], make repl; make new, worksheet, handout FILE=...; and\n")
+  (printf "make check FILE=... [WORKSHEET=... REPORT=report.html].\n"))
 
 (define (print-command c)
   (printf "raco mechanics ~a\n    ~a\n" (usage c) (command-sentence c)))

@@ -19,23 +19,12 @@
 ;; exercises : of the worksheet; text : the program -> collected
 (define (collect-answers i exercises text)
   (define custodian (make-custodian))
-  (define command
-    (isolated-command i '("-l" "racket/base" "-l" "mechanics/worksheet/class/evaluate-main")))
   (dynamic-wind
    void
    (lambda ()
-     (parameterize ([current-custodian custodian]
-                    [current-subprocess-custodian-mode 'kill]
-                    [subprocess-group-enabled #t]
-                    [current-environment-variables (nearly-empty-environment)])
-       (run command (isolation-seconds i) (request->text i exercises text))))
+     (parameterize ([current-custodian custodian])
+       (run i (request->text i exercises text))))
    (lambda () (custodian-shutdown-all custodian))))
-
-;; Compiled files are taken as they are; in that process none could be written.
-(define (nearly-empty-environment)
-  (define e (make-environment-variables))
-  (environment-variables-set! e #"PLT_COMPILED_FILE_CHECK" #"exists")
-  e)
 
 (define (request->text i exercises text)
   (define bare (for/list ([e (in-list exercises)]) (without-key e)))
@@ -49,28 +38,33 @@
               (values name value))
             #f 0 '() '() #f))
 
-(define (run command seconds request)
-  (define-values (process out in err) (apply subprocess #f #f #f command))
+(define (run i request)
+  (define-values (process out in err)
+    (start-isolated i '("-l" "racket/base" "-l" "mechanics/worksheet/class/evaluate-main")))
   (thread (lambda ()
             (with-handlers ([exn:fail? void]) (write-string request in) (close-output-port in))))
   (thread (lambda () (copy-port err (open-output-nowhere))))
-  (define deadline
-    (alarm-evt (+ (current-inexact-milliseconds) (* 1000 seconds))))
-  (define-values (text end) (read-until out deadline))
+  (define-values (text end) (read-in-time out (isolation-seconds i)))
   (subprocess-kill process #t)
   (define found (read-answer-lines text))
-  (collected (hash-remove found '*program*) (problem-of found end)))
+  (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found end)))
 
-;; -> text, and how it ended: done, late or long
-(define (read-until in deadline)
+;; -> text, and how it ended: done, late or long.  Its time begins when it says that it is
+;; loaded, and has read what it is asked.
+(define (read-in-time in seconds)
   (define buffer (make-bytes 65536))
-  (let loop ([parts '()] [size 0])
+  (define (late-after s)
+    (wrap-evt (alarm-evt (+ (current-inexact-milliseconds) (* 1000 s))) (lambda (_) 'late)))
+  (let loop ([parts '()] [size 0] [late (late-after longest-start)])
     (define (text) (bytes->string/utf-8 (apply bytes-append (reverse parts)) #\?))
-    (define n (sync (wrap-evt deadline (lambda (_) 'late)) (read-bytes-avail!-evt buffer in)))
+    (define n (sync late (read-bytes-avail!-evt buffer in)))
     (cond [(eof-object? n) (values (text) 'done)]
           [(eq? n 'late) (values (text) 'late)]
           [(> (+ size n) most-output) (values (text) 'long)]
-          [else (loop (cons (subbytes buffer 0 n) parts) (+ size n))])))
+          [else (loop (cons (subbytes buffer 0 n) parts) (+ size n)
+                      (if (null? parts) (late-after seconds) late))])))
+
+(define longest-start 60)        ; seconds
 
 ;; A program that was stopped, or did not run at all.
 (define (problem-of found end)
@@ -78,5 +72,6 @@
   (cond [(eq? end 'late) "it took too long, and was stopped"]
         [(eq? end 'long) "it wrote without end, and was stopped"]
         [program (string-append "it does not run: " (cadr program))]
-        [(hash-empty? found) "it ended without an answer"]
+        [(not (hash-has-key? found '*ready*)) "Racket could not be started for it"]
+        [(= 1 (hash-count found)) "it ended without an answer"]
         [else #f]))

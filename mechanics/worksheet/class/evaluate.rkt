@@ -19,6 +19,8 @@
 ;; in, out : ports
 (define (evaluate-request in out)
   (define r (read in))
+  (write-line-of '*ready* '(unanswered) out)
+  (flush-output out)
   (define program (open-program r))
   (if (string? program)
       (write-line-of '*program* (list 'failed program) out)

@@ -19,7 +19,7 @@
 
 (provide find-isolation close-isolation
          isolation-seconds isolation-megabytes isolation-complete? isolation-warning
-         isolated-command)
+         start-isolated)
 
 ;; limits, person, spaces : lists of strings that stand before a command, each perhaps empty
 ;; folder  : where the root directory of the process is put together, or #f
@@ -52,7 +52,7 @@
 
 (define (root?)
   (define id (find "id"))
-  (and id (equal? "0\n" (run-for-output (list id "-u")))))
+  (and id (equal? "0\n" (output-of (lambda () (subprocess #f #f #f id "-u"))))))
 
 (define (with-namespaces i)
   (define folder (make-temporary-file "mechanics-class~a" 'directory))
@@ -69,7 +69,18 @@
 ;; ---------------------------------------------------------------------------
 ;; The command
 
-;; Runs Racket with these arguments, all that it needs being readable. -> list of strings
+;; Starts Racket with these arguments -> the process, its output, its input, its errors.
+;; Its environment is empty, but that compiled files are to be taken as they are: there none
+;; could be written.
+(define (start-isolated i arguments)
+  (define command (isolated-command i arguments))
+  (parameterize ([current-environment-variables (make-environment-variables
+                                                 #"PLT_COMPILED_FILE_CHECK" #"exists")]
+                 [current-subprocess-custodian-mode 'kill]
+                 [subprocess-group-enabled #t])
+    (apply subprocess #f #f #f command)))
+
+;; All that it needs being readable. -> list of strings
 (define (isolated-command i arguments)
   (append (if (isolation-limits? i) (limits i) '())
           (isolation-person i)
@@ -147,13 +158,13 @@ sh
 ;; Does it work?
 
 (define (works? i)
-  (define command (isolated-command i '("-l" "racket/base" "-e" "(display 'here)")))
-  (equal? "here" (run-for-output command)))
+  (define arguments '("-l" "racket/base" "-e" "(display 'here)"))
+  (equal? "here" (output-of (lambda () (start-isolated i arguments)))))
 
-;; What a command writes; "" if it cannot be run.
-(define (run-for-output command)
+;; What a process writes; "" if it cannot be started.
+(define (output-of start)
   (with-handlers ([exn:fail? (lambda (e) "")])
-    (define-values (process out in err) (apply subprocess #f #f #f command))
+    (define-values (process out in err) (start))
     (close-output-port in)
     (define text (port->string out))
     (close-input-port out)

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; What was handed in: the files of a folder, looked at before anything of them is run.
 ;;
-;; Each program of the folder, a file ending with .rkt, is a submission, and so is a folder in it that holds one
-;; such file, as learning platforms deliver them.  Links are not followed.
+;; Each program of the folder, a file ending with .rkt, is a submission, and so is a folder in it
+;; that holds one such file, as learning platforms deliver them.  Links are not followed.
 
 (require racket/path
          (only-in racket/string string-trim)

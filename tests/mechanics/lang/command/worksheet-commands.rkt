@@ -1,0 +1,184 @@
+#lang racket/base
+;; `raco mechanics new`, `worksheet`, `handout` and `check`: what they write and say, with which
+;; status, and what they say to mistakes.
+
+(require json
+         mechanics/lang/command/run-command
+         racket/file
+         racket/list
+         racket/string
+         rackunit
+         xml)
+
+(define folder (make-temporary-file "mechanics-worksheets~a" 'directory))
+
+;; -> status, and what was printed
+(define (command . arguments)
+  (define out (open-output-string))
+  (define status
+    (parameterize ([current-output-port out] [current-error-port out] [current-directory folder])
+      (run-command-line arguments)))
+  (list status (get-output-string out)))
+
+(define (in-folder name) (build-path folder name))
+(define (text name) (file->string (in-folder name)))
+(define (write-text name . lines)
+  (display-to-file #:exists 'truncate (string-join lines "\n") (in-folder name)))
+
+(define (well-formed? page)
+  (xexpr? (xml->xexpr (document-element
+                       (read-xml (open-input-string (string-replace page "<!DOCTYPE html>" "")))))))
+
+;; ---------------------------------------------------------------------------
+;; From the template to a student's file
+
+(test-case "a template is written, and none is overwritten"
+  (check-equal? (command "new" "first") '(0 "first.rkt\n"))
+  (check-regexp-match #rx"^#lang mechanics/worksheet\n" (text "first.rkt"))
+  (check-equal? (first (command "new" "first.rkt")) 2))
+
+(test-case "a worksheet becomes the student's file and a page, in HTML and TeX"
+  (check-equal? (command "worksheet" "first.rkt")
+                '(0 "first-student.rkt\nfirst-student.html\nfirst-student.tex\n"))
+  (define student (text "first-student.rkt"))
+  (check-true (string-contains? student "(define period unanswered)"))
+  (check-true (string-contains? student "\n(define ((T m l) (up t theta thetadot))\n  (* 1/2")
+              "what is given stands there as it is written")
+  (check-false (string-contains? student "(define L ") "what is the teacher's does not")
+  (check-true (well-formed? (text "first-student.html")))
+  (check-true (string-contains? (text "first-student.html") "<math"))
+  (check-false (string-contains? (text "first-student.html") "Key:"))
+  (check-true (string-contains? (text "first-student.tex") "\\section*{2. motion}")))
+
+(test-case "the teacher's page has the answers"
+  (check-equal? (command "handout" "first.rkt" "--answers") '(0 "first-answers.html\n"))
+  (check-true (string-contains? (text "first-answers.html") "Key:"))
+  (check-equal? (command "handout" "first.rkt" "--to" "tex" "-o" "x.tex") '(0 "x.tex\n")))
+
+(test-case "a program becomes the page that show makes"
+  (write-text "program.rkt" "#lang mechanics" "(* 2 'x)")
+  (check-equal? (command "handout" "program.rkt") '(0 "program.html\n")))
+
+;; ---------------------------------------------------------------------------
+;; Checking
+
+(define answers
+  '(("L-pendulum" "(lambda ((up t a b)) (+ (* 1/2 'm (square (* 'l b))) (* 'm 'g 'l (cos a))))")
+    ("motion" "(lambda (theta t) (- (* 'l (((expt D 2) theta) t)) (* 'g (sin (theta t)))))")
+    ("period" "2.0")))
+
+(define (student-with answers)
+  (for/fold ([text (text "first-student.rkt")]) ([a (in-list answers)])
+    (string-replace text (format "(define ~a unanswered)" (first a))
+                    (format "(define ~a ~a)" (first a) (second a)))))
+
+(test-case "an empty file is told to be empty"
+  (define result (command "check" "first-student.rkt"))
+  (check-equal? (first result) 1)
+  (check-regexp-match #rx"^1. L-pendulum: not answered \\(0 of 2 points\\)\n" (second result))
+  (check-regexp-match #rx"\n0 of 9 points.\n$" (second result)))
+
+(test-case "answers are judged, with the hint that belongs to a wrong one"
+  (write-text "ann.rkt" (student-with answers))
+  (define result (command "check" "ann.rkt"))
+  (check-equal? (first result) 1)
+  (check-regexp-match (string-append
+                       "^1. L-pendulum: proved \\(2 of 2 points\\)\n"
+                       "2. motion: refuted \\(0 of 3 points\\)\n"
+                       "   the sign is the opposite\n   it fails at [^\n]*\n"
+                       "   hint: Lagrange's equations")
+                      (second result)))
+
+(test-case "all that is right makes the status 0"
+  (write-text "right.rkt" (student-with '(("L-pendulum" "unanswered"))))
+  (write-text "small.rkt" "#lang mechanics/worksheet" "(title \"Small\")"
+              "(exercise two number \"What is one and one?\" (key 2))")
+  (command "worksheet" "small.rkt")
+  (write-text "done.rkt" (string-replace (text "small-student.rkt") "(define two unanswered)"
+                                         "(define two 2)"))
+  (check-equal? (command "check" "done.rkt") '(0 "1. two: right (1 of 1 point)\n1 of 1 point.\n"))
+  (define as-JSON (command "check" "done.rkt" "--json" "--worksheet" "small.rkt"))
+  (check-equal? (first as-JSON) 0)
+  (check-equal? (hash-ref (first (hash-ref (string->jsexpr (second as-JSON)) 'submissions)) 'points)
+                1.0))
+
+(test-case "a class is listed, with reports for people and for programs"
+  (make-directory (in-folder "class"))
+  (write-text "class/ann.rkt" (student-with answers))
+  (write-text "class/bob.rkt" (string-replace (text "first-student.rkt") "Name: " "Name: Bob B."))
+  (check-equal? (command "check" "class" "--worksheet" "first.rkt" "--report" "r.html"
+                         "--report" "r.csv" "--report" "r.json" "--gradescope" "results")
+                '(0 "ann  3 of 9\nBob B.  0 of 9\n"))
+  (check-true (well-formed? (text "r.html")))
+  (check-equal? (length (regexp-match* #rx"\r\n" (text "r.csv"))) 3)
+  (define result (string->jsexpr (text "results/ann/results.json")))
+  (check-equal? (hash-ref result 'score) 3.0)
+  (check-equal? (for/list ([t (hash-ref result 'tests)]) (hash-ref t 'status))
+                '("passed" "failed" "failed" "passed" "failed")))
+
+;; ---------------------------------------------------------------------------
+;; Mistakes
+
+(define (check-refused pattern . arguments)
+  (define result (apply command arguments))
+  (check-equal? (first result) 2 (format "~s" arguments))
+  (check-regexp-match pattern (second result)))
+
+(test-case "mistakes on the line are told in a line"
+  (check-refused #rx"^check: for a folder the worksheet is needed" "check" "class")
+  (check-refused #rx"^check: there is no such file" "check" "no-such.rkt")
+  (check-refused #rx"^check: the file holds no worksheet, and none is given" "check" "program.rkt")
+  (check-refused #rx"^check: there is no such file" "check" "class" "--worksheet" "no-such.rkt")
+  (check-refused #rx"^check: it is no worksheet" "check" "class" "--worksheet" "program.rkt")
+  (check-refused #rx"^check: a report is a file that ends with" "check" "class" "--worksheet"
+                 "first.rkt" "--report" "r.pdf")
+  (check-refused #rx"^check: --seconds takes" "check" "class" "--seconds" "soon")
+  (check-refused #rx"^worksheet: there is no such file" "worksheet" "no-such.rkt")
+  (check-refused #rx"^worksheet: it is no worksheet" "worksheet" "program.rkt")
+  (check-refused #rx"^handout: it can be made --to html or" "handout" "first.rkt" "--to" "pdf")
+  (make-directory (in-folder "nobody"))
+  (check-refused #rx"^check: there is no submission" "check" "nobody" "--worksheet" "first.rkt"))
+
+(test-case "an envelope that was changed is told"
+  (write-text "torn.rkt" (regexp-replace #rx"\n \"...." (text "first-student.rkt") "\n \"AAAA"))
+  (check-refused #rx"the last lines of this worksheet were changed" "check" "torn.rkt"))
+
+;; What is wrong with a worksheet is said when it is made.  Each is a module of its own.
+(define (check-worksheet pattern . lines)
+  (define name (format "~a.rkt" (gensym 'bad)))
+  (apply write-text name "#lang mechanics/worksheet" lines)
+  (check-refused pattern "worksheet" name))
+
+(define title "(title \"Bad\")")
+
+(test-case "a worksheet with a mistake is refused"
+  (check-worksheet #rx"^worksheet: it has no title" "(exercise a number \"?\" (key 1))")
+  (check-worksheet #rx"^worksheet: it has no exercise" title)
+  (check-worksheet #rx"^worksheet: two exercises are called a" title
+                   "(exercise a number \"?\" (key 1))" "(exercise a number \"?\" (key 2))")
+  (check-worksheet #rx"^a: there is no kind of exercise called numbr" title
+                   "(exercise a numbr \"?\" (key 1))")
+  (check-worksheet #rx"^a: there is no clause called keys" title
+                   "(exercise a number \"?\" (keys 1))")
+  (check-worksheet #rx"^a: it has no key" title "(exercise a number \"?\")")
+  (check-worksheet #rx"^a: the clause `key` stands there twice" title
+                   "(exercise a number \"?\" (key 1) (key 2))")
+  (check-worksheet #rx"^a: it needs the names of the coordinates" title
+                   "(exercise a Lagrangian \"?\" (key square))")
+  (check-worksheet #rx"^a: the clause `points` takes a number" title
+                   "(exercise a number \"?\" (key 1) (points 'x))")
+  (check-worksheet #rx"an exercise has a name, a kind and a question" title "(exercise a)"))
+
+(test-case "a wrong key is refused, with its verdict"
+  (check-worksheet #rx"^a: its own key is refuted\na: refuted.*zero if: " title
+                   "(define (L (up t x v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square x))))"
+                   "(exercise a conserved \"?\" (coordinates x) (of L) (key velocity))")
+  (check-worksheet #rx"^a: its own key is refuted\na: refuted" title
+                   "(define (L (up t x v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square x))))"
+                   "(exercise a equations \"?\" (coordinates x) (of L)"
+                   "  (key (lambda (x t) (- (* 'm (((expt D 2) x) t)) (* 'k (x t))))))")
+  (check-worksheet #rx"^a: what is given as a slip is a right answer" title
+                   "(exercise a expression \"?\" (key (sin (* 2 'x)))"
+                   "  (slip (* 2 (sin 'x) (cos 'x)) \"no\"))"))
+
+(delete-directory/files folder)
