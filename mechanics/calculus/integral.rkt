@@ -17,7 +17,13 @@
 ;; What one integral is asked, and what it has cost so far.
 ;; compile : f x -> f as a function from flonum to flonum, or #f; x is an example
 ;; bound   : the sum of the bounds of errors;  count : how often f was evaluated
-(struct task (who tolerance compile [bound #:mutable] [count #:mutable]) #:authentic)
+;; search? : -> whether to look for narrow peaks
+(struct task (who tolerance compile search? [bound #:mutable] [count #:mutable]) #:authentic)
+
+;; A box around an integral that is being taken, which another within its integrand sets:
+;; to look for peaks takes ten times the evaluations of a smooth integrand, which is little,
+;; but a thousand times those of a threefold integral.
+(define current-integral (make-parameter #f))
 
 ;; The integral of a function of one variable, to a tolerance relative to the
 ;; integral of its absolute value, as (report value bound count).  It is loaded on demand,
@@ -25,8 +31,12 @@
 (define (integrate who f low high tolerance
                    [compile (lambda (f x) #f)] [report (lambda (value bound count) value)])
   (check-function-of-one-variable who f)
-  (define t (task who tolerance compile 0.0 0))
-  (define value (integral t f low high))
+  (define around (current-integral))
+  (define iterated? (box (and around #t)))
+  (when around (set-box! around #t))
+  (define t (task who tolerance compile (lambda () (not (unbox iterated?))) 0.0 0))
+  (define value
+    (parameterize ([current-integral iterated?]) (integral t f low high)))
   (report value (task-bound t) (task-count t)))
 
 (define (integral t f low high)
@@ -61,6 +71,7 @@
               [else (number (task-who t) y)]))
       (define-values (value bound)
         (improper-quadrature (counted t (impatient t f sample)) low high
+                             #:search? (task-search? t)
                              #:tolerance (task-tolerance t) #:name (task-who t)))
       (set-task-bound! t (+ bound (task-bound t)))
       value))

@@ -12,7 +12,7 @@
  (struct-out exn:fail:mechanics:not-convergent:integral)
  ;; raising them
  raise-no-answer raise-singular raise-without-inverse raise-not-convergent
- raise-divergent-integral
+ raise-divergent-integral raise-unknown-integral
  ;; asking
  no-value?)
 
@@ -64,10 +64,19 @@
           value
           error-estimate)))
 
+;; The first only where the integral is seen to have no value.
 (define (raise-divergent-integral who value bound where)
+  (raise-no-integral who "the integral does not converge" value bound where))
+
+(define (raise-unknown-integral who value bound where)
+  (raise-no-integral who
+                     (string-append "the integral was not found to the tolerance asked; "
+                                    "whether it converges is not known")
+                     value bound where))
+
+(define (raise-no-integral who what value bound where)
   (raise (exn:fail:mechanics:not-convergent:integral
-          (failure-message who "the integral does not converge"
-                           (list* "trouble near" where (approximation value bound)))
+          (failure-message who what (list* "trouble near" where (approximation value bound)))
           (current-continuation-marks)
           value
           bound

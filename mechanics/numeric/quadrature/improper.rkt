@@ -1,113 +1,71 @@
 #lang racket/base
-;; Definite integrals to infinity, and of functions that are infinite at some points.
-;;
-;; An infinite range, but for a beginning of about the length of its distance from
-;; zero, becomes [0, 1] by x = b + u (1 − t)/t, dx = −u dt/t².
-;;
-;; A function that is infinite at an end is integrated towards it (singular-end.rkt).
-;; Where the function is infinite between the ends, halving finds the point to within
-;; rounding; there the interval is divided.
+;; Definite integrals of any kind, to infinity too; what cannot be done is refused, and said
+;; not to converge only where that is seen.
 
-(require "gauss-kronrod.rkt" "oscillating.rkt" "singular-end.rkt"
+(require "half-line.rkt" "interval.rkt" "tail.rkt"
          "../sample.rkt"
          "../../error/failure.rkt")
 
 (provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum, error bound
 
 ;; The tolerance is relative to ∫ |f|, over each half of an infinite range.
+;; (search?) tells whether to look for what lies between the nodes of the method.
 (define (improper-quadrature f low high
                              #:tolerance [tolerance 1e-10]
+                             #:search? [search? always]
                              #:name [who 'quadrature])
   (check-limit who low)
   (check-limit who high)
   (check-tolerance who tolerance)
   (define a (real->double-flonum low))
   (define b (real->double-flonum high))
-  (define (to-infinity from direction) (half-line f from direction tolerance who))
+  (define q (question tolerance who search?))
   (cond [(= a b) (values 0.0 0.0)]
         [(> a b)
-         (define-values (value bound)
-           (improper-quadrature f b a #:tolerance tolerance #:name who))
+         (define-values (value bound) (between q f b a))
          (values (- value) bound)]
-        [(and (= a -inf.0) (= b +inf.0))
-         (both (lambda () (to-infinity 0.0 -1.0)) (lambda () (to-infinity 0.0 1.0)))]
-        [(= b +inf.0) (to-infinity a 1.0)]
-        [(= a -inf.0) (to-infinity b -1.0)]
-        [else (over-interval f a b tolerance who values)]))
+        [else (between q f a b)]))
 
-;; direction : 1.0 or -1.0, by which the integral is not affected
-(define (half-line f from direction tolerance who)
-  (define unit (max 1.0 (abs from)))
-  (define near (+ from (* direction unit)))
-  (define (x t) (+ near (* direction unit (/ (- 1.0 t) t))))
-  (define (h t) (/ (* unit (sample who f (x t))) (* t t)))
-  (define (along s) (sample who f (+ near (* direction s))))
-  (define (beginning) (over-interval f (min from near) (max from near) tolerance who values))
-  (define (far)
-    (let/ec return
-      (call-or-fail (lambda () (over-interval h 0.0 1.0 tolerance who x 0)) return)
-      (call-or-fail (lambda () (oscillating-quadrature along unit tolerance)) return)
-      (over-interval h 0.0 1.0 tolerance who x)))
-  (both beginning far))
-
-;; Two integrals and their bounds added.
-(define (both one other)
-  (define-values (value bound) (one))
-  (define-values (value* bound*) (other))
-  (values (+ value value*) (+ bound bound*)))
+(define (always) #t)
 
 (define (check-limit who x)
   (unless (and (real? x) (= x x))
     (raise-argument-error who "a real number, perhaps infinite, as limit of integration" x)))
 
-(define most-panels-at-edge 200)
-(define most-divisions 6)          ; of an interval, of its parts, of theirs ...
+;; a < b
+(define (between q f a b)
+  (define (to-infinity from direction) (half-line q f from direction))
+  (with-handlers* ([exn:fail:mechanics:not-convergent:integral?
+                    (lambda (e) (raise-truly (question-who q) f a b e))])
+    (cond [(and (= a -inf.0) (= b +inf.0))
+           (both (lambda () (to-infinity 0.0 -1.0)) (lambda () (to-infinity 0.0 1.0)))]
+          [(= b +inf.0) (to-infinity a 1.0)]
+          [(= a -inf.0) (to-infinity b -1.0)]
+          [else (over-interval q f a b)])))
 
-;; By halving panels; where they get narrow at an end, towards both ends; and if that
-;; fails, or they get narrow inside, in two parts.  What helps nowhere fails as halving does.
-;; place : what the user knows a point as
-(define (over-interval f a b tolerance who place [divisions most-divisions])
-  (define (plain edge divide)
-    (quadrature/error f a b #:tolerance tolerance #:place place #:edge edge #:name who
-                      #:stuck (lambda (value bound x) (when x (divide x)))))
-  (define (divided-at c return)
-    (when (and (< a c b) (> divisions 0))
-      (define (part a b) (over-interval f a b tolerance who place (- divisions 1)))
-      (call-or-fail (lambda () (both (lambda () (part a c)) (lambda () (part c b)))) return)))
-  (define (from-ends return)
-    (define middle (+ a (* 0.5 (- b a))))
-    (define-values (left left-bound) (integral-towards f middle a tolerance))
-    (define-values (right right-bound)
-      (if left (integral-towards f middle b tolerance) (values #f #f)))
-    (when right (return (- right left) (+ left-bound right-bound)))
-    (divided-at middle return)
-    (quadrature/error f a b #:tolerance tolerance #:limit most-panels-at-edge
-                      #:place place #:name who))
-  (let/ec return
-    (define (divide x) (divided-at (worst-near f x) return))
-    (define (divide-at-singularity failure)
-      (define c (exn:fail:mechanics:singular-where failure))
-      (when (and (eq? place values) (real? c)) (divided-at c return))
-      (raise failure))
-    (with-handlers* ([exn:fail:mechanics:singular? divide-at-singularity])
-      (let/ec at-edge
-        (call-with-values (lambda () (plain (lambda () (at-edge)) divide)) return))
-      (from-ends return))))
+;; ---------------------------------------------------------------------------
 
-;; The values of (f), received by `return`, which may not be called.
-(define (call-or-fail f return)
-  (define-values (value bound)
-    (with-handlers ([exn:fail:mechanics? (lambda (e) (values #f #f))])
-      (f)))
-  (when value (return value bound)))
+;; A failure, said to be divergence if f is seen to have no integral near the place.
+(define (raise-truly who f a b e)
+  (define c (at-end (exn:fail:mechanics:not-convergent:integral-where e) a b))
+  (define (diverges-to? side)
+    (diverging? (in-logarithm f c side -1.0) (last-logarithm c)))
+  (when (if (far? c a b)
+            (diverging? (in-logarithm f 0.0 (if (> c 0.0) 1.0 -1.0) 1.0) (last-logarithm 0.0))
+            (or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 1.0))))
+    (raise-divergent-integral who
+                              (exn:fail:mechanics:not-convergent-value e)
+                              (exn:fail:mechanics:not-convergent-error-estimate e)
+                              (exn:fail:mechanics:not-convergent:integral-where e)))
+  (raise e))
 
-;; Of the numbers within rounding of x, the one where |f| is greatest.
-(define (worst-near f x)
-  (define unit (* 1e-16 (abs x)))
-  (define (size y)
-    (define z (abs (f y)))
-    (if (< z +inf.0) z +inf.0))
-  (for/fold ([best x] [most (size x)] #:result best) ([k (in-range -100 101)])
-    (define y (+ x (* k unit)))
-    (define here (size y))
-    (if (> here most) (values y here) (values best most))))
+;; The end that c is nearly at, or c; 0, too, is known exactly.
+(define (at-end c a b)
+  (define (near? end)
+    (and (rational? end) (<= (abs (- c end)) (* 1e-12 (if (= end 0.0) 1e-12 (abs end))))))
+  (cond [(near? a) a] [(near? b) b] [(near? 0.0) 0.0] [else c]))
+
+;; Is c so far on the way to infinity that it means infinity?
+(define (far? c a b)
+  (or (and (= b +inf.0) (> c (* 1e12 (+ 1.0 (if (> a -inf.0) (abs a) 0.0)))))
+      (and (= a -inf.0) (< c (* -1e12 (+ 1.0 (if (< b +inf.0) (abs b) 0.0)))))))

@@ -7,7 +7,8 @@
 ;; (I. M. Longman, 1956).  It finds one for sums that have none, too: that of sin x itself.
 ;; So the function must be seen to decay, here and very far away.
 
-(require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
+(require racket/list
+         "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
          "../finite.rkt"
          "../search/brent-root.rkt"
          "../../error/failure.rkt")
@@ -19,32 +20,37 @@
 (define most-panels 200)
 
 ;; The integral of f from 0 to infinity and a bound of its error, or #f twice;
-;; unit : a length over which f may begin to change
-(define (oscillating-quadrature f unit tolerance)
+;; unit : a length over which f may begin to change; (endless) is called where the parts
+;; between zeros do not fall
+(define (oscillating-quadrature f unit tolerance [endless void])
   (define z (next-zero f 0.0 (/ unit 16.0) 1000))
   (define first-part (and z (part f 0.0 z tolerance)))
   (if first-part
-      (sum-of-parts f z z first-part tolerance)
+      (sum-of-parts f z z first-part tolerance endless)
       (values #f #f)))
 
-;; gap : from the zero before to z; diagonal : of the sums; agreed : how many limits in a
-;; row have; parts : the integrals between zeros, the last first
-(define (sum-of-parts f z gap start tolerance)
-  (let loop ([z z] [gap gap] [sum start] [parts '()] [diagonal (list start)] [agreed 0])
+;; zeros, parts : the integrals between them, the last first; diagonal : of the sums; agreed :
+;; how many limits in a row have
+(define (sum-of-parts f z gap start tolerance endless)
+  (let loop ([zeros (list z)] [gap gap] [sum start] [parts '()] [diagonal (list start)]
+             [agreed 0])
     (define limit (estimated-limit diagonal))
     (define size (+ (abs limit) (apply max 0.0 (map abs parts))))
-    (define (found?) (and (>= agreed 3) (decaying? f z gap parts)))
+    (define (found?) (and (>= agreed 3) (decaying? f zeros parts)))
     (cond
       [(and (>= (length parts) least-parts) (found?)) (values limit (* tolerance size))]
-      [(= (length parts) most-parts) (values #f #f)]
+      [(= (length parts) most-parts)
+       (when (level? parts) (endless))
+       (values #f #f)]
       [else
-       (define next (next-zero f z (/ gap 8.0) 200))
-       (define p (and next (part f z next tolerance)))
+       (define next (next-zero f (car zeros) (/ gap 8.0) 200))
+       (define p (and next (part f (car zeros) next tolerance)))
        (cond
          [p
           (define longer (extend-diagonal diagonal (+ sum p)))
           (define close? (<= (abs (- (estimated-limit longer) limit)) (* 0.1 tolerance size)))
-          (loop next (- next z) (+ sum p) (cons p parts) longer (if close? (+ agreed 1) 0))]
+          (loop (cons next zeros) (- next (car zeros)) (+ sum p) (cons p parts) longer
+                (if close? (+ agreed 1) 0))]
          [else (values #f #f)])])))
 
 (define (part f from to tolerance)
@@ -68,18 +74,39 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; Do the parts alternate and fall, and the function, as a power at least, far away?
-(define (decaying? f z gap parts)
+;; Do the parts alternate and fall, and the function far away, as a power at least?  Where its
+;; waves become shorter, it is their area that must fall: sin x² does not decay.
+(define (decaying? f zeros parts)
   (define half (list-tail parts (quotient (length parts) 2)))
-  (and (for/and ([p (in-list parts)] [before (in-list (cdr parts))] [_ (in-range 6)])
-         (and (< (* p before) 0.0) (< (abs p) (abs before))))
-       (<= (abs (car parts)) (* 0.85 (abs (car half))))
+  (define-values (z gap) (values (car zeros) (- (car zeros) (cadr zeros))))
+  (define shorter (shortening zeros))
+  (and (alternating-and-falling? parts)
+       (<= (abs (car parts)) (* 0.9 (abs (car half))))
        (let ([near (amplitude f z gap)]
              [far (amplitude f (* 1e4 z) gap)]
              [farthest (amplitude f (* 1e8 z) gap)])
          (and near far farthest
-              (<= far (* 0.2 near))
-              (<= farthest (* 0.2 far))))))
+              (<= (* far shorter) (* 0.2 near))
+              (<= (* farthest shorter) (* 0.2 far))))))
+
+(define (alternating-and-falling? parts)
+  (for/and ([p (in-list parts)] [before (in-list (cdr parts))] [_ (in-range 6)])
+    (and (< (* p before) 0.0) (< (abs p) (abs before)))))
+
+;; What a wave 10⁴ times as far away is shorter by, if lengths go as a power; 1 if they do not
+;; fall.
+(define (shortening zeros)
+  (define half (list-tail zeros (quotient (length zeros) 2)))
+  (define (gap zeros) (- (car zeros) (cadr zeros)))
+  (define exponent (/ (log (/ (gap zeros) (gap half))) (log (/ (car zeros) (car half)))))
+  (if (< exponent -0.1) (expt 1e4 exponent) 1.0))
+
+;; Parts that are as large at the end as before, and alternate
+(define (level? parts)
+  (define half (list-tail parts (quotient (length parts) 2)))
+  (and (for/and ([p (in-list parts)] [before (in-list (cdr parts))]) (< (* p before) 0.0))
+       (>= (abs (car parts)) (* 0.999 (abs (car half))))
+       (>= (abs (car half)) (* 0.99 (abs (last half))))))
 
 ;; The greatest value at points that are spread over a period.
 (define (amplitude f z gap)

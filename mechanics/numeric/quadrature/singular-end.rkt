@@ -69,7 +69,16 @@
 (define (falling? parts negligible)
   (define-values (later earlier) (halves parts))
   (and (<= (first parts) (max negligible (* greatest-ratio (second parts))))
+       (or (<= (first parts) negligible) (as-power? parts))
        (<= (apply max later) (max negligible (* greatest-half (apply max earlier))))))
+
+;; Do they not fall more and more slowly, as those of 1/(x log³ x) do?  k/(k + 1) comes nearer
+;; to 1 as k grows, a power's ratio does not.
+(define (as-power? parts)
+  (define (lack parts) (- 1.0 (/ (first parts) (second parts))))
+  (define now (lack parts))
+  (or (>= now 0.15)
+      (>= now (* 0.8 (lack (list-tail parts (quotient (length parts) 2)))))))
 
 (define (halves parts) (split-at parts (quotient (length parts) 2)))
 

@@ -1,11 +1,12 @@
 #lang racket/base
-;; Integrals with known values, each to three tolerances: the error is not greater
+;; Integrals with known values, each to several tolerances: the error is not greater
 ;; than what was asked, and not greater than the bound that comes with the value.
 
 (require rackunit
          mechanics/error/failure
          mechanics/numeric/quadrature/improper
-         tests/mechanics/support/integrals)
+         tests/mechanics/support/integrals
+         tests/mechanics/support/hard-integrals)
 
 (define (integrate example [tolerance 1e-10] [low entry-low] [high entry-high])
   (improper-quadrature (entry-f example) (low example) (high example) #:tolerance tolerance))
@@ -15,18 +16,22 @@
   (define size (entry-size example))
   (with-check-info (['integral (entry-name example)])
     (define-values (found bound) (integrate example tolerance))
-    (define off (abs (- found value)))
+    (define off (abs (- (inexact->exact found) (inexact->exact value))))
     ;; the values here are themselves rounded
     (define rounding (* 4e-15 (+ size (abs value))))
     (check-true (<= off (+ (* tolerance size) rounding)) (format "off by ~a" off))
     (check-true (<= off (+ bound rounding)) (format "~a ± ~a, but off by ~a" found bound off))))
 
 (test-case "the table is long"
-  (check-true (>= (length classic-integrals) 50)))
+  (check-true (>= (length classic-integrals) 50))
+  (check-true (>= (+ (length classic-integrals) (length hard-integrals)) 150)))
 
 (for ([tolerance (in-list '(1e-4 1e-8 1e-12))])
   (for ([example (in-list classic-integrals)])
     (test-case (format "~a to ~a" (entry-name example) tolerance) (judge example tolerance))))
+
+(for* ([tolerance (in-list '(1e-6 1e-10))] [example (in-list hard-integrals)])
+  (test-case (format "~a to ~a" (entry-name example) tolerance) (judge example tolerance)))
 
 ;; π is no flonum: near it rounding hides the last digits of the distance.
 (test-case "infinite at several points inside, where these are not exactly numbers"
@@ -70,6 +75,32 @@
   (for ([f (list (lambda (x) (/ (sin (log x)) x))
                  (lambda (x) (/ (cos (/ 1 x)) x x)))])
     (check-exn exn:fail:mechanics:not-convergent? (lambda () (improper-quadrature f 0 1)))))
+
+(define (refusal f low high)
+  (with-handlers ([exn:fail:mechanics:not-convergent? exn-message])
+    (improper-quadrature f low high)))
+
+(test-case "an integral is said not to converge only where it is seen not to"
+  (for ([example
+         (list (list (lambda (x) (/ 1.0 x)) 0 1)
+               (list (lambda (x) (/ 1.0 x)) 1 +inf.0)
+               (list (lambda (x) (expt x -1.5)) 0 1)
+               (list (lambda (x) (/ 1.0 (- (* x x) 2.0))) 1 3)
+               (list (lambda (x) (/ 1.0 (* x (log x)))) 0 1/2)
+               (list (lambda (x) (/ x (+ 1.0 (* x x)))) 0 +inf.0)
+               (list (lambda (x) 1.0) -inf.0 0)
+               (list sin 0 +inf.0))])
+    (check-regexp-match #rx"^quadrature: the integral does not converge\n"
+                        (apply refusal example))))
+
+;; They converge, by a log log or beyond the range of flonums.
+(test-case "what is not found, and not seen to diverge, is said to be unknown"
+  (for ([example
+         (list (list (lambda (x) (/ 1.0 x (log x) (square (log (log x))))) 10 +inf.0)
+               (list (lambda (x) (expt x -1.00001)) 1 +inf.0)
+               (list (lambda (x) (expt x -0.99999)) 0 1))])
+    (check-regexp-match #rx"^quadrature: the integral was not found to the tolerance asked; whether"
+                        (apply refusal example))))
 
 (test-case "or the point where it is infinite is told"
   (for ([example (list (list (lambda (x) (expt (- 2.0 x) -1.5)) 0 2 2)
