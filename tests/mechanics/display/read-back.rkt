@@ -48,7 +48,7 @@
     (define text (->infix v))
     (with-check-info (['value v] ['text text] ['seed seed])
       (define w (read-infix text))
-      (check-equal? (read-infix (->infix w)) w)
+      (check-equal? (->infix (read-infix (->infix w))) (->infix w))
       (check-same-values v w k))))
 
 (test-case "random quaternions and power series are read back"
