@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Shapes as a pict.  Here their units become pixels, and y is turned upside down.
 
-(require (only-in pict dc)
+(require (only-in pict unsafe-dc)
          racket/class
          racket/draw
          racket/math
@@ -33,7 +33,7 @@
     (send canvas set-text-foreground color)
     (send canvas set-font font)
     (send canvas set-smoothing smoothing))
-  (dc draw width height))
+  (unsafe-dc draw width height))
 
 (define (paint-shape s canvas place scale)
   (cond [(stroke? s) (paint-stroke s canvas place)]

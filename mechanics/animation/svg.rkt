@@ -119,9 +119,18 @@
 
 ;; To a hundredth of a pixel, in as few letters as that takes.
 (define (number->svg x)
-  (define hundredths (if (and (real? x) (< -1e9 x 1e9)) (exact-round (* 100 x)) 0))
-  (define text (number->string (/ hundredths 100.0)))
-  (regexp-replace #rx"^(-?)0[.](?=.)" (regexp-replace #rx"[.]0$" text "") "\\1."))
+  (define n (if (and (real? x) (< -1e9 x 1e9)) (exact-round (* 100 x)) 0))
+  (define-values (whole hundredths) (quotient/remainder (abs n) 100))
+  (string-append (if (< n 0) "-" "")
+                 (if (and (= whole 0) (> hundredths 0)) "" (number->string whole))
+                 (vector-ref decimals hundredths)))
+
+;; "" ".01" ... ".1" ".11" ...
+(define decimals
+  (for*/vector ([tenths (in-range 10)] [rest (in-range 10)])
+    (cond [(= 0 tenths rest) ""]
+          [(= rest 0) (format ".~a" tenths)]
+          [else (format ".~a~a" tenths rest)])))
 
 (define (color->css c alpha)
   (define-values (r g b a)

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; What stands above, below and around picts of formulas.
 
-(require (only-in pict blank dc filled-ellipse filled-rectangle hbl-append hc-append
+(require (only-in pict blank filled-ellipse filled-rectangle hbl-append hc-append
                   pict pict-ascent pict-descent pict-height pict-width
-                  pin-over vc-append vl-append)
+                  pin-over unsafe-dc vc-append vl-append)
          "pict-glyphs.rkt"
          (only-in racket/class new send)
          (only-in racket/draw dc-path%))
@@ -138,15 +138,16 @@
 (define (stroke g w h draw-path)
   (define path (new dc-path%))
   (draw-path path)
-  (dc (lambda (dc x y)
-        (define pen (send dc get-pen))
-        (define brush (send dc get-brush))
-        (send dc set-pen (send pen get-color) (rule g) 'solid)
-        (send dc set-brush "black" 'transparent)
-        (send dc draw-path path x y)
-        (send dc set-pen pen)
-        (send dc set-brush brush))
-      w h))
+  (unsafe-dc
+   (lambda (dc x y)
+     (define pen (send dc get-pen))
+     (define brush (send dc get-brush))
+     (send dc set-pen (send pen get-color) (rule g) 'solid)
+     (send dc set-brush "black" 'transparent)
+     (send dc draw-path path x y)
+     (send dc set-pen pen)
+     (send dc set-brush brush))
+   w h))
 
 ;; ---------------------------------------------------------------------------
 ;; Rows and lines
