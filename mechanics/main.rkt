@@ -13,6 +13,7 @@
          "canonical/on-demand.rkt"
          "display/on-demand.rkt" "display/output.rkt" "display/print-expression.rkt"
          (only-in "display/display-style.rkt" display-style)
+         "ensemble/on-demand.rkt"
          "export/on-demand.rkt"
          "force/on-demand.rkt"
          (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
@@ -66,6 +67,8 @@
  elliptic-integral-F elliptic-integral-E Jacobi-elliptic-functions
  ;; compiled functions
  compile-function compiled-function? compiled-function-reason compiled-function-operations
+ ;; many motions
+ (all-from-out "ensemble/on-demand.rkt")
  ;; systems in other languages
  export-system
  ;; equations of motion

@@ -1,0 +1,246 @@
+#lang racket/base
+;; Many motions of one system, on all cores.
+;;
+;; Starts are taken in batches, in their order, as they are needed; batches are done by workers
+;; (crew.rkt), or here where there is but one job or the system has no code.  Results come out in
+;; the order of the starts whatever is finished first, so that sums do not depend on chance.
+
+(require racket/flonum
+         racket/future
+         racket/sequence
+         "batch.rkt" "checkpoint.rkt" "crew.rkt" "ordered.rkt" "prepared.rkt" "task.rkt"
+         "../error/complain.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../motion/check.rkt" "../motion/choice.rkt"
+         "../numeric/progress.rkt"
+         "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
+
+(provide evolve-ensemble
+         ensemble-failure? ensemble-failure-index ensemble-failure-message ensemble-failure-state)
+
+(define who 'evolve-ensemble)
+
+;; In place of the value of a start that could not be followed to the end.
+;; state : the last that was good, or #f
+(value-struct ensemble-failure (index message state)
+  #:datum (lambda (f) (list 'ensemble-failure (ensemble-failure-index f)
+                            (ensemble-failure-message f))))
+
+;; maker : a state derivative, or what makes one of the parameters
+;; starts : sequence of states; #:parameters : sequence of lists of them, one for each start
+;; -> list of values in the order of the starts; or what #:fold makes of them from #:from on
+(define-plain (evolve-ensemble maker starts end
+                               #:parameters [parameters #f]
+                               #:tolerance [tolerance 1e-10]
+                               #:method [method 'auto]
+                               #:collect [collect #f]
+                               #:on-each [on-each void]
+                               #:fold [fold #f] #:from [from '()]
+                               #:jobs [jobs (processor-count)]
+                               #:batch [batch-size 16]
+                               #:checkpoint [file #f]
+                               #:progress [progress? (report-progress)])
+  (check-settings end tolerance method jobs batch-size file)
+  (check-callbacks collect on-each fold)
+  (define rows (start-rows starts parameters))
+  (define-values (example example-parameters) (first-row rows))
+  (check-maker who maker example-parameters)
+  (define-values (t shape)
+    (make-task who maker example example-parameters collect (number end) (number tolerance)
+               method))
+  (define value-of (outcome->value example collect shape))
+  (define-values (add! result) (in-order (if fold fold cons) from on-each value-of))
+  (call-with-progress
+   progress?
+   (lambda (note!)
+     (define next (batches rows example example-parameters batch-size note!))
+     (define perform
+       (if t
+           (performer-here t)
+           (generic-performer maker example example-parameters end tolerance method)))
+     (if file
+         (run-kept t file next perform jobs add!)
+         (run t next perform jobs add!))))
+  (if fold (result) (reverse (result))))
+
+(define (number x) (real->double-flonum (real-number x)))
+
+;; Code is made when it is first needed: workers make their own.
+(define (performer-here t)
+  (define perform #f)
+  (lambda (y p)
+    (unless perform (set! perform (perform-here who t)))
+    (perform y p)))
+
+(define (generic-performer maker example parameters end tolerance method)
+  (generically who maker example parameters (number end) (number tolerance) method))
+
+;; ---------------------------------------------------------------------------
+;; Running
+
+;; add! : finished -> void
+(define (run t next perform jobs add!)
+  (define first (next))
+  (define second (and first (next)))
+  (define (next-of-all)
+    (cond [first (begin0 first (set! first #f))]
+          [second (begin0 second (set! second #f))]
+          [else (next)]))
+  (if (and t (> jobs 1) second)
+      (perform-by-crew t jobs next-of-all add! given-up)
+      (let loop ()
+        (define b (next-of-all))
+        (when b
+          (add! (perform-batch perform b))
+          (loop)))))
+
+(define (given-up b)
+  (finished (batch-index b)
+            (for/list ([_ (in-list (batch-starts b))])
+              (outcome #f "the processes that followed it have died, several times" #f))))
+
+;; The same with a checkpoint: what it has is not done again.
+(define (run-kept t file next perform jobs add!)
+  (unless t
+    (complain who "a checkpoint is for systems that have code; this one does not\n  file: ~a" file))
+  (define c (open-checkpoint who file t))
+  (define open (make-hasheqv))
+  (define (next-undone)
+    (define b (next))
+    (define done (and b (checkpointed c b)))
+    (cond [done (add! done) (next-undone)]
+          [else (when b (hash-set! open (batch-index b) b))
+                b]))
+  (define (add-and-keep! f)
+    (keep! c (hash-ref open (finished-index f)) f)
+    (hash-remove! open (finished-index f))
+    (add! f))
+  (dynamic-wind
+   void
+   (lambda () (run t next-undone perform jobs add-and-keep!))
+   (lambda () (close-checkpoint c))))
+
+;; ---------------------------------------------------------------------------
+;; What goes in
+
+(define (start-rows starts parameters)
+  (unless (and (sequence? starts) (not (tuple? starts)))
+    (complain who "expected the starts as a list or another sequence of states\n  given: ~a"
+              (describe-with-value starts)))
+  (unless (or (not parameters) (and (sequence? parameters) (not (tuple? parameters))))
+    (complain who
+              "expected the parameters as a sequence of lists, one for each start\n  given: ~a"
+              (describe-with-value parameters)))
+  (define-values (more-starts? next-start) (sequence-generate starts))
+  (define-values (more-parameters? next-parameters)
+    (if parameters (sequence-generate parameters) (values void (lambda () '()))))
+  (define (next k)
+    (define more? (more-starts?))
+    (when (and parameters (not (eq? more? (more-parameters?))))
+      (complain who "there are more ~a than ~a\n  from: ~a"
+                (if more? "starts" "rows of parameters") (if more? "rows of parameters" "starts")
+                k))
+    (and more? (cons (next-start) (next-parameters))))
+  (rows next #f))
+
+;; next : k -> (cons state parameters) or #f; ahead : one that was looked at, or #f
+(struct rows (next [ahead #:mutable]) #:authentic)
+
+(define (first-row r)
+  (define row ((rows-next r) 0))
+  (unless row (complain who "there are no starts"))
+  (set-rows-ahead! r row)
+  (check-parameter-list 0 (cdr row))
+  (state-vector who (car row))
+  (values (car row) (cdr row)))
+
+(define (take-row! r k)
+  (define ahead (rows-ahead r))
+  (cond [ahead (set-rows-ahead! r #f) ahead]
+        [else ((rows-next r) k)]))
+
+;; -> (-> batch or #f)
+(define (batches r example parameters size note!)
+  (define k 0)
+  (define n (shape-length example))
+  (define m (shape-length (apply up parameters)))
+  (define (next-pair)
+    (define row (take-row! r k))
+    (and row
+         (begin0 (cons (start-vector k (car row) n) (parameter-vector k (cdr row) m))
+                 (set! k (+ k 1)))))
+  (lambda ()
+    (define index k)
+    (define pairs
+      (let loop ([left size])
+        (define p (and (> left 0) (next-pair)))
+        (if p (cons p (loop (- left 1))) '())))
+    (note-progress note! (format "~a: ~a motions begun" who k))
+    (and (pair? pairs) (batch index (map car pairs) (map cdr pairs)))))
+
+(define (start-vector k state n)
+  (define (fail x) (raise-bad-start k state))
+  (define y (structure->flvector state fail))
+  (unless (= n (flvector-length y))
+    (complain who "start ~a has ~a numbers, the first one ~a\n  start: ~a"
+              k (flvector-length y) n (value->text state)))
+  (for ([x (in-flvector y)]) (unless (< -inf.0 x +inf.0) (fail x)))
+  (flvector->vector y))
+
+(define (raise-bad-start k state)
+  (complain who "start ~a is not made of finite real numbers\n  start: ~a" k (value->text state)))
+
+(define (check-parameter-list k ps)
+  (unless (and (list? ps) (for*/and ([p (in-list ps)] [x (in-list (scalars p))]) (real? x)))
+    (complain who
+              (string-append "the parameters of a start are a list of numbers and tuples of"
+                             " them\n  of start ~a: ~a")
+              k (value->text ps))))
+
+(define (parameter-vector k ps m)
+  (check-parameter-list k ps)
+  (define v (structure->flvector (apply up ps) values))
+  (unless (= m (flvector-length v))
+    (complain who "start ~a has ~a parameters, the first one ~a\n  parameters: ~a"
+              k (flvector-length v) m (value->text ps)))
+  (flvector->vector v))
+
+;; ---------------------------------------------------------------------------
+;; What comes out
+
+;; -> (index outcome -> value)
+(define ((outcome->value example collect shape) index o)
+  (define v (outcome-values o))
+  (cond [(not v)
+         (define last (outcome-state o))
+         (ensemble-failure index (outcome-message o) (and last (in-shape example last)))]
+        [shape (in-shape shape v)]
+        [else
+         (define state (in-shape example v))
+         (if collect (collect state) state)]))
+
+(define (in-shape shape v) (scalars->structure shape (lambda (k) (vector-ref v k))))
+
+;; ---------------------------------------------------------------------------
+
+(define (check-settings end tolerance method jobs batch-size file)
+  (check-real who "end" end)
+  (check-tolerance who tolerance)
+  (check-method who method)
+  (unless (symbol? method)
+    (complain who "methods are told to other processes by name\n  given: ~a" (value->text method)))
+  (for ([x (in-list (list jobs batch-size))] [what (in-list '("#:jobs" "#:batch"))])
+    (unless (exact-positive-integer? x)
+      (complain who "~a is a positive integer\n  given: ~a" what (value->text x))))
+  (unless (or (not file) (path-string? file))
+    (complain who "expected the name of a file as checkpoint\n  given: ~a" (value->text file))))
+
+(define (check-callbacks collect on-each fold)
+  (check-callback "#:collect" collect 1 "a state")
+  (check-callback "#:on-each" on-each 2 "an index and a value")
+  (check-callback "#:fold" fold 2 "a value and what was made of those before"))
+
+(define (check-callback what f arguments takes)
+  (unless (or (not f) (and (procedure? f) (accepts? f arguments)))
+    (complain who "~a is a procedure of ~a\n  given: ~a" what takes (describe-with-value f))))

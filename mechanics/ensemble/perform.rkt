@@ -1,0 +1,80 @@
+#lang racket/base
+;; A task done for one start after another, in this process.
+
+(require racket/flonum
+         "task.rkt"
+         "../compile/code.rkt" "../compile/jet-program.rkt" "../compile/program.rkt"
+         "../error/failure.rkt" "../error/once.rkt"
+         "../generic/up-down.rkt"
+         "../motion/evolution.rkt" "../motion/plan.rkt" "../motion/system.rkt"
+         "../value/shape.rkt")
+
+(provide performer)
+
+;; who : on whose behalf -> (start parameters -> outcome), flvectors both.  Code is made once.
+(define (performer who t)
+  (define n (task-size t))
+  (define shape (apply up (for/list ([_ (in-range n)]) 0)))
+  (define plan (make-plan who (task-tolerance t) (task-method t) #:progress #f))
+  (define slope-maker (program->maker (task-slope t)))
+  (define jacobian-maker
+    (once (lambda () (and (task-jacobian t) (program->maker (task-jacobian t))))))
+  (define expansions (once (lambda () (program->expansion-maker (task-slope t) n))))
+  (define collect (collector t))
+  (define (system-of parameters)
+    (define slope! (fixed (slope-maker) n parameters))
+    (define (derivative state)
+      (define rates (make-flvector n))
+      (slope! (structure->flvector state values) rates)
+      (flvector->structure shape rates))
+    (system shape (task-clock? t) derivative
+            (lambda () (fixed (slope-maker) n parameters))
+            (lambda () (and (jacobian-maker) (fixed ((jacobian-maker)) n parameters)))
+            (program-length (task-slope t))
+            (once (lambda () (expander (expansions) n parameters)))
+            #f (box '()) (box #f)))
+  (define last-system #f)
+  (define last-parameters #f)
+  (define (system-for parameters)
+    (unless (equal? parameters last-parameters)
+      (set! last-system (system-of parameters))
+      (set! last-parameters parameters))
+    last-system)
+  (lambda (start parameters)
+    (define s (system-for parameters))
+    (with-handlers ([exn:fail:mechanics? failed])
+      (define last (run-system plan s start (start-time s start) (task-end t) (lambda (a b i) #t)))
+      (outcome (flvector->vector (collect (structure->flvector last values))) #f #f))))
+
+(define (failed e)
+  (define where
+    (cond [(exn:fail:mechanics:singular? e) (exn:fail:mechanics:singular-where e)]
+          [(exn:fail:mechanics:not-convergent? e) (exn:fail:mechanics:not-convergent-value e)]
+          [else #f]))
+  (outcome #f (exn-message e)
+           (and (tuple? where) (list->vector (scalars where)))))
+
+;; run of state and parameters -> of the state alone
+(define (fixed run n parameters)
+  (define inputs (with-parameters n parameters))
+  (lambda (y out)
+    (for ([k (in-range n)]) (flvector-set! inputs k (flvector-ref y k)))
+    (run inputs out)))
+
+(define (with-parameters n parameters)
+  (define inputs (make-flvector (+ n (flvector-length parameters))))
+  (for ([p (in-flvector parameters)] [k (in-naturals n)]) (flvector-set! inputs k p))
+  inputs)
+
+(define (expander make n parameters)
+  (if (string? make) make (lambda (order) (make order (with-parameters n parameters)))))
+
+;; -> (last state -> what is wanted of it), flvectors
+(define (collector t)
+  (define p (task-collect t))
+  (cond [p (define run ((program->maker p)))
+           (lambda (y)
+             (define out (make-flvector (vector-length (program-outputs p))))
+             (run y out)
+             out)]
+        [else values]))

@@ -1,0 +1,16 @@
+#lang racket/base
+;; A worker: a process of its own, which is sent a task and then batches of starts, and sends
+;; back what came of them.  It ends when its input does.
+
+(require "batch.rkt" "perform.rkt" "task.rkt")
+
+(module+ main
+  (define-values (in out) (values (current-input-port) (current-output-port)))
+  (define perform (performer 'evolve-ensemble (datum->task (receive in))))
+  ;; What is printed by chance must not meet the messages.
+  (parameterize ([current-output-port (current-error-port)])
+    (let loop ()
+      (define b (receive in))
+      (unless (eof-object? b)
+        (send (perform-batch perform b) out)
+        (loop)))))
