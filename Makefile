@@ -12,7 +12,8 @@ export RACKET
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl run show tex test attack lint elsewhere bench peers docs pictures clean \
+.PHONY: help demo repl run show tex test test-export attack lint \
+        elsewhere bench peers docs pictures clean \
         racket libraries editing compile begin-tests
 
 help:
@@ -26,6 +27,7 @@ help:
 	@echo 'make handout the page alone        (FILE=my-worksheet.rkt, TO=html|tex, ANSWERS=1, OUT=...)'
 	@echo 'make check   a student, or a class (FILE=answers, WORKSHEET=..., REPORT=report.html)'
 	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
+	@echo 'make test-export    exported systems in Python, over Dask and with JAX (installs them in build/export)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    unused requires, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
@@ -101,6 +103,12 @@ elsewhere:
 bench: compile
 	@$(RACO) make -j $(JOBS) $(wildcard tests/mechanics/bench/*.rkt)
 	@$(RACKET) tests/mechanics/bench/main.rkt $(TASK)
+
+# What exported systems need in Python, with its versions; once there, `make test` tries it, too.
+test-export: compile
+	@python3 -m venv build/export
+	@build/export/bin/pip install --quiet -r tests/mechanics/export/requirements.txt
+	@$(RACKET) tests/mechanics/runner/main.rkt tests/mechanics/export
 
 peers:
 	@python3 -m venv build/python

@@ -39,7 +39,8 @@
 (define (read-checkpoint who file print in)
   (define found (make-hasheqv))
   (unless (equal? (read-bytes (bytes-length title) in) title)
-    (complain who "this file is no checkpoint of an ensemble; it is left as it is\n  file: ~a" file))
+    (complain who "this file is no checkpoint of an ensemble; it is left as it is\n  file: ~a"
+              file))
   (define whose (with-handlers ([exn:fail? (lambda (e) #f)]) (receive in)))
   (unless (equal? whose print)
     (complain who

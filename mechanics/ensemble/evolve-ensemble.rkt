@@ -7,14 +7,13 @@
 
 (require racket/flonum
          racket/future
-         racket/sequence
          "batch.rkt" "checkpoint.rkt" "crew.rkt" "ordered.rkt" "prepared.rkt" "task.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../motion/check.rkt" "../motion/choice.rkt"
          "../numeric/progress.rkt"
-         "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
+         "../value/shape.rkt")
 
 (provide evolve-ensemble
          ensemble-failure? ensemble-failure-index ensemble-failure-message ensemble-failure-state)

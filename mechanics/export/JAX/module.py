@@ -48,7 +48,12 @@ def evolve_steps(y, p, t, steps):
         k4 = derivative(y + h * k3, p)
         return y + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4), None
 
-    return lax.scan(step, jnp.asarray(y, jnp.float64), None, length=steps)[0]
+    return _at(t, lax.scan(step, jnp.asarray(y, jnp.float64), None, length=steps)[0])
+
+
+def _at(t, y):
+    """The time of a state is what was asked for, without rounding."""
+    return y.at[0].set(t) if first_is_time else y
 
 
 # The method of Dormand and Prince of order 5: where slopes are taken, and what the error is.
@@ -102,4 +107,4 @@ def evolve(y, p, t, tolerance=1e-10, most=1000000):
     first = jnp.minimum(1e-3, jnp.abs(t - start))
     done, _, y, _, _ = lax.while_loop(unfinished, step,
                                       (jnp.float64(0.0), first, y, k1, jnp.int64(0)))
-    return jnp.where(done < jnp.abs(t - start), NAN, y)
+    return jnp.where(done < jnp.abs(t - start), NAN, _at(t, y))

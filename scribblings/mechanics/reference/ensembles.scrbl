@@ -1,0 +1,126 @@
+#lang scribble/manual
+@(require (for-label mechanics mechanics/book)
+          "../eval.rkt" "../citation.rkt")
+
+@(define session (make-session '(require mechanics/book racket/file)))
+
+@title[#:tag "ensembles" #:style '(toc)]{Ensembles, and systems in other languages}
+
+Many motions of one system: on all cores of this machine, and, as a program in C, in Python or
+for JAX, wherever these run.
+
+@local-table-of-contents[]
+
+@section{Many motions}
+
+@defproc[(evolve-ensemble [maker procedure?] [starts sequence?] [end real?]
+                          [#:parameters parameters (or/c sequence? #f) #f]
+                          [#:tolerance tolerance real? 1e-10]
+                          [#:method method symbol? 'auto]
+                          [#:collect collect (or/c (-> value value) #f) #f]
+                          [#:on-each on-each (-> exact-nonnegative-integer? value any) void]
+                          [#:fold fold (or/c (-> value value value) #f) #f]
+                          [#:from from value '()]
+                          [#:jobs jobs exact-positive-integer? (processor-count)]
+                          [#:batch batch exact-positive-integer? 16]
+                          [#:checkpoint file (or/c path-string? #f) #f]
+                          [#:progress progress? boolean? (report-progress)])
+         value]{
+
+Follows every start, a state of any shape, to the time @racket[end], and returns the list of the
+last states in the order of the starts. @racket[maker] is a state derivative; or, with
+@racket[parameters], a list of numbers and tuples of numbers for each start, what makes a state
+derivative of them, as for @racket[evolve]. Any consistent units.
+
+@examples[#:eval session
+(define starts (for/list ([k 5]) (up 0 (* 0.3 k) 0)))
+(define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1.0 1.0)))
+(evolve-ensemble pendulum starts 2 #:jobs 1)]
+
+@racket[collect] is what is wanted of a last state; it is done by the workers where it can be
+compiled, and here where not. @racket[fold] is called with each value and what it returned for
+those before, @racket[from] at first: a thing that does not grow needs no more memory for a
+million starts, which may be any sequence. @racket[on-each] is called with each index and
+value. Values come in the order of the starts, whatever is finished first: sums are the same
+each time.
+
+@examples[#:eval session #:label #f
+(define (swing m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
+(evolve-ensemble swing starts 2 #:parameters (for/list ([k 5]) (list 1.0 (+ 1 (* 0.1 k)) 9.8))
+                 #:collect (lambda (s) (square (ref s 2))) #:fold + #:from 0 #:jobs 1)]
+
+Work is done in batches by so many @racket[jobs], processes of their own, which are sent the
+list of instructions that @racket[maker] compiles to; one that dies is replaced, and its batches
+are done again. A few starts, and systems that have no code, such as those that decide something
+by their state, are followed in this process. Methods are given by name
+(@racket[ode-integration-method]).
+
+With a @racket[file] as checkpoint what is finished is written there, batch by batch; the same
+call goes on from it. A file that is none, or one of other starts or of another system, is
+refused and left as it is.
+
+A start that cannot be followed to the end has an @racket[ensemble-failure?] as its value; the
+others go on. No starts at all, starts of different shapes, and what is no finite number are
+errors that tell the index.}
+
+@deftogether[(@defproc[(ensemble-failure? [x any/c]) boolean?]
+              @defproc[(ensemble-failure-index [failure ensemble-failure?])
+                       exact-nonnegative-integer?]
+              @defproc[(ensemble-failure-message [failure ensemble-failure?]) string?]
+              @defproc[(ensemble-failure-state [failure ensemble-failure?]) value])]{
+
+What has become of a start that could not be followed: which one it is, why, and the last state
+that was good, @racket[#f] if there is none.
+
+@examples[#:eval session
+(define falling (Hamiltonian->state-derivative
+                  (lambda (s) (- (* 1/2 (square (ref s 2))) (/ 1 (ref s 1))))))
+(define ends (evolve-ensemble falling (list (up 0 1.0 0.0) (up 0 1.0 2.0)) 3))
+(map ensemble-failure? ends)
+(ensemble-failure-index (car ends))
+(time (ensemble-failure-state (car ends)))
+(ensemble-failure-message (car ends))]}
+
+@section{Systems in other languages}
+
+@defproc[(export-system [derivative (-> value value)] [example value]
+                        [#:to target (or/c 'C 'python 'JAX) 'C]
+                        [#:name name (or/c string? symbol?) "motion"]
+                        [#:folder folder path-string? (format "~a-~a" name target)]
+                        [#:parameters parameters (or/c (listof symbol?) #f) #f]
+                        [#:derivatives? derivatives? boolean? #f]
+                        [#:replace? replace? boolean? #f])
+         string?]{
+
+Writes a folder with a program that follows the motions of a system, from the same list of
+instructions that is compiled here, and returns its name. @racket[example] is a state: symbols
+in it name the variables. Symbols in the @racket[derivative] become parameters of the program,
+in the order of @racket[parameters] or of the alphabet; numbers stay numbers.
+
+@examples[#:eval session
+(define folder (build-path (find-system-path 'temp-dir) "pendulum-example"))
+(void (export-system (Lagrangian->state-derivative (L-pendulum 'g 'm 'l))
+                     (up 't 'theta 'thetadot)
+                     #:name "pendulum" #:folder folder #:replace? #t))
+(map path->string (directory-list folder))
+(for ([line (file->lines (build-path folder "pendulum.c"))]) (displayln line))
+(delete-directory/files folder)]
+
+@itemlist[
+ @item{@racket['C]: C99 without dependencies: the rates and, with @racket[derivatives?], their
+ derivatives by variables and parameters; the method of Dormand and Prince of order 8 with
+ interpolation; ensembles under OpenMP; a program for the command line, a library and a
+ @tt{Makefile}. Rates are those of our own code to the last bit, except where a function of C's
+ library rounds differently, and motions take the steps of @racket['Dormand-Prince-853].}
+ @item{@racket['python]: a package that calls this C with arrays of NumPy, and ensembles over a
+ cluster of Dask, with batches that are done again when a worker dies and a checkpoint.}
+ @item{@racket['JAX]: one module, in 64 bits: the rates, steps of Runge and Kutta's method,
+ steps of Dormand and Prince's of order 5, which @tt{jit}, @tt{vmap} and forward derivatives
+ go through.}]
+
+A folder that is there is not written over unless @racket[replace?] says so; it is written whole
+or not at all. What has no code, a decision by the state or an unknown function, is named in an
+error.
+
+@examples[#:eval session #:label #f
+(eval:error (export-system (lambda (s) (up 1 (if (> (ref s 1) 0) 1 -1))) (up 't 'x)))]}

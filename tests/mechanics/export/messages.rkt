@@ -1,0 +1,66 @@
+#lang racket/base
+;; What export-system says of what it cannot export, and that it leaves nothing behind.
+
+(require racket/file
+         (except-in rackunit fail)
+         mechanics mechanics/book
+         tests/mechanics/support/messages)
+
+(define free (Lagrangian->state-derivative (L-pendulum 'g 'm 'l)))
+(define state (up 't 'theta 'thetadot))
+
+(says
+ [(export-system 3 state)
+  "export-system: expected a state derivative, a function of one state\n  given: the number 3"]
+ [(export-system free state #:to 'Fortran)
+  "export-system: there is no such target\n  targets: 'C, 'python, 'JAX\n  given: Fortran"]
+ [(export-system free state #:name "my pendulum")
+  "export-system: expected a name of letters, digits and _, for files and functions\n"
+  "  given: \"my pendulum\""]
+ [(export-system free (up 't 'theta 'm))
+  "export-system: the symbol m is a parameter of the state derivative, and names a variable of"
+  " the state, too\n  give one of them another name"]
+ [(export-system free (up 't 'theta 'theta))
+  "export-system: two variables of the state have one name\n  name: theta\n"
+  "  given: (up t theta theta)"]
+ [(export-system free state #:parameters '(m g))
+  "export-system: the state derivative holds a symbol that is not among the parameters\n"
+  "  symbol: l\n  parameters: (m g)"]
+ [(export-system free state #:parameters 'm)
+  "export-system: expected the parameters as a list of symbols, such as '(m l g)\n  given: m"]
+ [(export-system (lambda (s) (up 1 (if (> (ref s 1) 0) 1 -1))) (up 't 'x))
+  "export-system: this state derivative has no code in other languages\n  of: <function>\n"
+  "  reason: it takes a decision by `>`"]
+ [(export-system (lambda (s) (up 1 ((literal-function 'f) (ref s 1)))) (up 't 'x))
+  "export-system: (f x1), a number-like expression is left in the function's value, but has no numeric value\n"
+  "  a literal function stands for any function; put a definite one in its place"]
+ [(export-system (lambda (s) (up 1 2 3)) (up 't 'x))
+  "export-system: the state derivative gives 3 numbers for a state of 2\n"
+  "  derivative: (up 1 2 3)\n  state: (up t x)"])
+
+(define-syntax-rule (in-new-folder folder body ...)
+  (let ([folder (make-temporary-file "export~a" 'directory)])
+    (dynamic-wind void (lambda () body ...) (lambda () (delete-directory/files folder)))))
+
+(test-case "a folder that is there is kept unless it is to be replaced; nothing is left beside"
+  (in-new-folder folder
+    (define to (build-path folder "it"))
+    (define (export . more) (keyword-apply export-system '(#:folder) (list to) free state more))
+    (export)
+    (define before (directory-list to))
+    (check-exn #rx"the folder is there already.*#:replace[?] #t" (lambda () (export)))
+    (check-equal? (directory-list to) before)
+    (export-system free state #:folder to #:replace? #t #:to 'JAX #:name "pendulum")
+    (check-equal? (map path->string (directory-list to)) '("pendulum.py"))
+    (check-exn #rx"no such folder"
+               (lambda () (export-system free state #:folder (build-path folder "a" "b"))))
+    (check-equal? (map path->string (directory-list folder)) '("it"))))
+
+(test-case "names that other languages cannot have, or have already, are changed"
+  (in-new-folder folder
+    (define to (build-path folder "it"))
+    (define (rates s) (up 1 (* 'double (ref s 2)) (+ 'v7 (* 'λ-1 (ref s 1)) 'sin)))
+    (export-system rates (up 't 'θ 'y) #:folder to #:derivatives? #t)
+    (define text (file->string (build-path to "motion.c")))
+    (for ([name '("double_" "v7_" "lambda_1" "sin_" "theta" "y_")])
+      (check-regexp-match (string-append "const double " name " = ") text))))
