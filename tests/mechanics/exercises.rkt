@@ -3,6 +3,7 @@
 ;; prints looks.  What it should be is tested in them.
 
 (require (only-in mechanics/book)
+         (only-in mechanics/plot)
          racket/file
          racket/list
          racket/runtime-path
@@ -16,7 +17,8 @@
 (define checkable
   (list (cons 1 (append (range 3 23) (range 24 45)))
         (cons 2 '(1 2 3 4 5 6 8 9 10 11 12 14 15 16 17 18 19 20 21))
-        (cons 3 '(1 2 3 4 5 6 7 8 9))))
+        (cons 3 '(1 2 3 4 5 6 7 8 9 10 12 13 14 15 16))
+        (cons 4 '(6 9 10))))
 
 (define all (append-map exercises (map car checkable)))
 
@@ -50,7 +52,7 @@
 (define (printed e)
   (define out (open-output-string))
   (define namespace (make-base-empty-namespace))
-  (for ([library (in-list '(mechanics mechanics/book))])
+  (for ([library (in-list '(mechanics mechanics/book mechanics/plot))])
     (namespace-attach-module (namespace-anchor->empty-namespace here) library namespace))
   (parameterize ([current-namespace namespace] [current-output-port out])
     (dynamic-require (build-path folder (exercise-file e)) #f))

@@ -6,8 +6,8 @@
 
 @|the-book| has its readers derive equations, and leaves it to them to know whether they are
 right. A residual knows: subtract what you found from what the library finds, by another
-way if there is one, and have the difference judged. For each exercise of chapters 1 and 2, and
-of chapter 3 as far as section 3.5, whose answer can be judged so there is a program in
+way if there is one, and have the difference judged. For each exercise of chapters 1 to 4
+whose answer can be judged so, or by its numbers, there is a program in
 @filepath{examples/mechanics/exercises},
 @program-link["exercises/exercise-1-17.rkt" @filepath{exercise-1-17.rkt}] for exercise 1.17. It
 states the problem in its own words, takes an attempt that is right and one with a slip that
@@ -22,9 +22,13 @@ by your own before you read on.
 
 @exercise-table[2]
 
-@section{Chapter 3, to section 3.5}
+@section{Chapter 3}
 
 @exercise-table[3]
+
+@section{Chapter 4}
+
+@exercise-table[4]
 
 @section{What a condition tells: Kepler's third law}
 
