@@ -13,11 +13,12 @@
          do! write! add! subtract! multiply! divide! negate! power! pi-times!)
 
 ;; inputs : how many; as-constant : real -> what stands for it in an instruction
-;; places : instruction -> place; instructions : index -> instruction
-(struct builder (inputs as-constant places instructions) #:authentic)
+;; instructions : index -> instruction; short, long : key of an instruction -> place
+;; codes : name or number -> a small number for it
+(struct builder (inputs as-constant instructions short long codes) #:authentic)
 
 (define (make-builder inputs as-constant)
-  (builder inputs as-constant (make-hash) (make-hasheqv)))
+  (builder inputs as-constant (make-hasheqv) (make-hasheqv) (make-hash) (make-hasheqv)))
 
 ;; Numbers that meet a value are constants, so that 2 and 2.0 make one instruction.
 (define (do! b operation . operands)
@@ -26,12 +27,38 @@
                     (if (number? x) ((builder-as-constant b) x) x)))))
 
 (define (write! b instruction)
-  (define places (builder-places b))
-  (or (hash-ref places instruction #f)
-      (let ([p (place (+ (builder-inputs b) (hash-count places)))])
-        (hash-set! places instruction p)
-        (hash-set! (builder-instructions b) (place-index p) instruction)
+  (define key (short-key b instruction))
+  (define places (if key (builder-short b) (builder-long b)))
+  (or (hash-ref places (or key instruction) #f)
+      (let* ([instructions (builder-instructions b)]
+             [p (place (+ (builder-inputs b) (hash-count instructions)))])
+        (hash-set! places (or key instruction) p)
+        (hash-set! instructions (place-index p) instruction)
         p)))
+
+;; Instructions of one or two operands, most of all, are found by a fixnum.
+(define (short-key b i)
+  (define operands (cdr i))
+  (define x (and (pair? operands) (operand-code b (car operands))))
+  (define two? (and x (pair? (cdr operands))))
+  (define y (if two? (operand-code b (cadr operands)) 0))
+  (and x
+       (or (not two?) (null? (cddr operands)))
+       (< (max x y) code-limit)
+       (+ y (* code-limit (+ x (* code-limit (code-of b (car i))))))))
+
+(define code-limit (expt 2 25))
+
+;; Not 0.
+(define (operand-code b x)
+  (+ 1 (if (place? x) (* 2 (place-index x)) (+ 1 (* 2 (code-of b x))))))
+
+(define (code-of b x)
+  (define codes (builder-codes b))
+  (or (hash-ref codes x #f)
+      (let ([n (hash-count codes)])
+        (hash-set! codes x n)
+        n)))
 
 ;; What an operand is the value of; #f for a number or an input.
 (define (instruction-of b x)
@@ -39,7 +66,7 @@
 
 (define (written b)
   (define n (builder-inputs b))
-  (for/vector ([k (in-range (hash-count (builder-places b)))])
+  (for/vector ([k (in-range (hash-count (builder-instructions b)))])
     (hash-ref (builder-instructions b) (+ n k))))
 
 ;; ---------------------------------------------------------------------------

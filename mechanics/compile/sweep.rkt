@@ -16,7 +16,7 @@
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
          "../algebra/expression/operation.rkt")
 
-(provide reload sweep-back! sweep-forward! differentiable? program-with-gradient)
+(provide reload sweep-back! sweep-forward! last-dependent differentiable? program-with-gradient)
 
 ;; A builder that holds the instructions of p, in the places that they have there.
 (define (reload p)
@@ -116,8 +116,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Forwards
 
-;; tangents-of-inputs : vector of operands; -> the same of all places
-(define (sweep-forward! b p tangents-of-inputs)
+;; tangents-of-inputs : vector of operands; wanted? : index of a place -> is its tangent asked
+;; for, or that of what depends on it?  -> the same of all places
+(define (sweep-forward! b p tangents-of-inputs [wanted? (lambda (k) #t)])
   (define first (program-inputs p))
   (define tangents (make-vector (+ first (program-length p)) 0))
   (vector-copy! tangents 0 tangents-of-inputs)
@@ -125,9 +126,24 @@
   (for ([i (in-vector (program-instructions p))] [k (in-naturals first)])
     (define x (tangent (first-operand i)))
     (define y (if (null? (cddr i)) 0 (tangent (second-operand i))))
-    (unless (and (eqv? x 0) (eqv? y 0) (short? i))
+    (unless (or (and (eqv? x 0) (eqv? y 0) (short? i)) (not (wanted? k)))
       (vector-set! tangents k (next-tangent b i (place k) x y tangent))))
   tangents)
+
+;; results : vector of operands -> place index -> the last of those that depend on it, or -1
+(define (last-dependent p results)
+  (define first (program-inputs p))
+  (define last (make-vector (+ first (program-length p)) -1))
+  (define (reach! x n)
+    (when (place? x)
+      (define k (place-index x))
+      (vector-set! last k (max n (vector-ref last k)))))
+  (for ([x (in-vector results)] [n (in-naturals)]) (reach! x n))
+  (for ([k (in-range (- (vector-length last) 1) (- first 1) -1)])
+    (define n (vector-ref last k))
+    (for ([x (in-list (instruction-operands (vector-ref (program-instructions p) (- k first))))])
+      (reach! x n)))
+  last)
 
 (define (short? i) (or (null? (cddr i)) (null? (cdddr i))))
 
