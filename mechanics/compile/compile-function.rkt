@@ -7,7 +7,7 @@
 ;; slower, and the same in all else: what is complex is not a number there too.
 
 (require racket/flonum
-         "agreement.rkt" "cache.rkt" "machine.rkt" "program.rkt" "sweep.rkt" "trace.rkt"
+         "agreement.rkt" "cache.rkt" "interpreter.rkt" "program.rkt" "sweep.rkt" "trace.rkt"
          "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
@@ -103,7 +103,7 @@
   (define-values (p shape) (trace who f example #:unknown void))
   (define q (and (program? p) (= 1 (shape-length shape)) (program-with-gradient p)))
   (and q
-       (right? (gradient-code q f (program->machine-maker q))
+       (right? (gradient-code q f (program->interpreter-maker q))
                (both-at f example) (example->flvector who example) (shape-length example) #f)
        q))
 

@@ -13,8 +13,8 @@
 
 (require racket/list
          "builder.rkt" "instruction.rkt" "program.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
-         "../algebra/expression/operation.rkt")
+         "../algebra/expression/operation.rkt"
+         "../generic/elementary.rkt" "../generic/kind.rkt")
 
 (provide reload sweep-back! sweep-forward! last-dependent differentiable? program-with-gradient)
 

@@ -19,7 +19,7 @@
          "../generic/up-down.rkt"
          "../lagrangian/state-derivative.rkt"
          "../numeric/flvector.rkt"
-         "../value/shape.rkt" "../value/structure.rkt")
+         "../value/structure.rkt")
 
 (provide Lagrangian-code)
 

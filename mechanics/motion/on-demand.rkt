@@ -11,7 +11,7 @@
  ["single-step.rkt" free-run-state-advancer ode-advancer advance-beyond]
  ["trajectory.rkt" evolve-trajectory trajectory? trajectory-start trajectory-end
                    trajectory-final-state trajectory-states trajectory-events
-                   trajectory-method]
+                   trajectory-method trajectory-so-far]
  ["event.rkt" event event? occurrence? occurrence-event occurrence-time occurrence-state
               occurrence-grazing?]
  ["find-path.rkt" find-path]

@@ -2,7 +2,7 @@
 ;; Trajectories in numbers of higher precision, as trajectory.rkt makes them of flonums.
 
 (require racket/list
-         "event.rkt" "plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt"
+         "event.rkt" "plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt" "so-far.rkt"
          "../numeric/progress.rkt")
 
 (provide follow-precise-trajectory)
@@ -32,7 +32,7 @@
   (define (run note!)
     (define note (noting note! p final))
     (motion-follow m final (lambda (s) (note s) (visit s))))
-  (call-with-progress (plan-progress? p) run)
+  (keeping-so-far so-far (call-with-progress (plan-progress? p) run))
   (so-far))
 
 ;; What is within a step, with times, in the order of the motion.

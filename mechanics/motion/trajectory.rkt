@@ -8,7 +8,7 @@
 (require racket/flonum
          racket/list
          "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "recording.rkt"
-         "suited.rkt" "system.rkt"
+         "so-far.rkt" "suited.rkt" "system.rkt"
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
@@ -20,7 +20,8 @@
 
 (provide evolve-trajectory
          trajectory? trajectory-start trajectory-end trajectory-final-state
-         trajectory-states trajectory-events trajectory-method)
+         trajectory-states trajectory-events trajectory-method
+         trajectory-so-far)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
 ;; reading : what makes states of steps; method : what it was integrated by, a name or a
@@ -65,6 +66,14 @@
     (complain 'trajectory-states "expected a list of times\n  given: ~a"
               (describe-with-value times)))
   (for/list ([t (or times (step-times tr))]) (state-at tr t)))
+
+;; e : an exception that ended an integration, of whatever kind
+(define (trajectory-so-far e)
+  (unless (exn? e)
+    (complain 'trajectory-so-far
+              "expected an exception, as a handler of with-handlers gets it\n  given: ~a"
+              (describe-with-value e)))
+  (so-far e))
 
 (define (check-trajectory who tr)
   (unless (trajectory? tr) (raise-argument-error who "trajectory?" tr)))
@@ -123,7 +132,7 @@
                        #:state (lambda (t) (state-within s (step from to at to) t))
                        #:shown values
                        #:give-up (lambda (e t there) (raise-undefined e t there (so-far)))))
-  (run-system p s y start end visit (lambda (state) (so-far)))
+  (keeping-so-far so-far (run-system p s y start end visit (lambda (state) (so-far))))
   (so-far))
 
 ;; Crossings at times in place of fractions of the step.

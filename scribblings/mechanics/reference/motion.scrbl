@@ -141,7 +141,12 @@ reached or passed, in the direction of the first one.
 The motion from @racket[state] to the time @racket[end] as a function of time. A state
 without a time begins at 0. If the motion cannot be followed to the end, the
 exception @racket[exn:fail:mechanics:singular] carries the trajectory so far, and so does
-@racket[exn:fail:mechanics:not-convergent] after too many steps.
+@racket[exn:fail:mechanics:not-convergent] after too many steps; after any exception
+@racket[trajectory-so-far] gives it.
+
+What was compiled for @racket[derivative] is kept with it, as long as it is held, and used
+again for states of that shape. A change of what @racket[derivative] refers to, as a mass
+that was set anew, is noticed, and it is compiled anew.
 
 @examples[#:eval session
 (define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
@@ -170,6 +175,23 @@ it was integrated, which is never @racket['auto]; @racket['extrapolation] with a
 (trajectory-states swing '(0 1 2))
 (trajectory-method swing)
 (trajectory-method (evolve-trajectory (lambda (s) (up 1 (abs (coordinate s)))) (up 0 1) 1))]}
+
+@defproc[(trajectory-so-far [e exn?]) (or/c trajectory? #f)]{
+
+The trajectory that was computed until the exception @racket[e] ended
+@racket[evolve-trajectory], whatever it was: a failure of the motion, an error of your own
+in the state derivative or in the function of an event, which reaches you as you raised
+it, or a break, as by Ctrl-C. @racket[#f] for an exception raised elsewhere. What is
+raised and is no exception carries nothing.
+
+@examples[#:eval session
+(define (inspected s)
+  (when (> (time s) 3) (error "that is enough"))
+  (pendulum s))
+(define cut-short
+  (with-handlers ([exn:fail? trajectory-so-far])
+    (evolve-trajectory inspected (up 0 1 0) 10)))
+cut-short]}
 
 @deftogether[(@defproc[(event [f (-> value real?)]
                               [#:name name any/c _that-of-f]

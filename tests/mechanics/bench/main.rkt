@@ -7,8 +7,8 @@
 (require racket/cmdline
          racket/file
          racket/runtime-path
-         "big-systems.rkt" "derivatives.rkt" "gradients.rkt" "maps.rkt" "measure.rkt" "native.rkt" "peers.rkt"
-         "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt")
+         "big-systems.rkt" "derivatives.rkt" "gradients.rkt" "maps.rkt" "measure.rkt" "native.rkt"
+         "peers.rkt" "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt")
 
 (define-runtime-path build "../../../build")
 

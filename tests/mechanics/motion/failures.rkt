@@ -103,6 +103,72 @@
   (check-= (velocity s) (sqrt :pi) 1e-8))
 
 ;; ---------------------------------------------------------------------------
+;; What the user does
+
+(struct my-own exn:fail ())
+(define (raise-mine) (raise (my-own "enough" (current-continuation-marks))))
+
+(define methods
+  (list 'auto 'Taylor 'Dormand-Prince-853 'Dormand-Prince-54 'bulirsch-stoer 'qcrk4 'Radau-IIA-5
+        (leapfrog 0.01) (Gauss-Legendre-4 0.01)))
+
+;; The trajectory so far, as far as it goes.
+(define (check-so-far tr end)
+  (check-pred trajectory? tr)
+  (check-true (< 0 (trajectory-end tr) (+ end 1e-9)))
+  (define t (* 0.5 (trajectory-end tr)))
+  (check-true (< (abs (- (coordinate (tr t)) (cos t))) 1e-3)))
+
+(test-case "an error of the user's own in the state derivative keeps the trajectory so far"
+  ;; a test of the time is a decision, which the Taylor method does not take
+  (define (f s)
+    (when (> (time s) 3) (raise-mine))
+    (oscillator s))
+  (for ([method methods] #:unless (eq? method 'Taylor))
+    (define e
+      (with-handlers ([my-own? values]) (evolve-trajectory f start 10 #:method method)))
+    (check-equal? (exn-message e) "enough")
+    (check-so-far (trajectory-so-far e) 3)))
+
+(test-case "one in the function of an event, too, with the events until then"
+  (define zero (event coordinate))
+  (define limit (event (lambda (s) (when (> (time s) 5) (raise-mine)) 1)))
+  (for ([method methods])
+    (define e
+      (with-handlers ([my-own? values])
+        (evolve-trajectory oscillator start 10 #:method method #:events (list zero limit))))
+    (define tr (trajectory-so-far e))
+    (check-so-far tr 5)
+    (for ([o (trajectory-events tr)]) (check-true (<= (occurrence-time o) (trajectory-end tr)))))
+  (define e
+    (with-handlers ([my-own? values])
+      (evolve-trajectory oscillator start 10 #:events limit #:precision 100 #:tolerance 1e-20)))
+  (check-so-far (trajectory-so-far e) 5))
+
+(test-case "a break from the keyboard"
+  (for ([method methods])
+    (define running (make-semaphore 0))
+    (define seen 'nothing)
+    (define reached (event (lambda (s) (when (> (time s) 50) (semaphore-post running)) 1)))
+    (define motion
+      (thread
+       (lambda ()
+         (with-handlers ([exn:break? (lambda (e) (set! seen (trajectory-so-far e)))])
+           (evolve-trajectory oscillator start 1e9 #:method method #:events reached)))))
+    (semaphore-wait running)
+    (break-thread motion)
+    (thread-wait motion)
+    (check-so-far seen 1e9)))
+
+(test-case "failures of the motion itself, and exceptions from elsewhere"
+  (define e
+    (with-handlers ([exn:fail? values])
+      (evolve-trajectory (lambda (s) (up 1 (square (ref s 1)))) (up 0 1) 2)))
+  (check-= (trajectory-end (trajectory-so-far e)) 1 1e-6)
+  (check-equal? (trajectory-so-far (with-handlers ([exn:fail? values]) (car 1))) #f)
+  (check-exn #rx"^trajectory-so-far: expected an exception" (lambda () (trajectory-so-far 1))))
+
+;; ---------------------------------------------------------------------------
 ;; Events
 
 (test-case "an event that has no real value any more stops there"

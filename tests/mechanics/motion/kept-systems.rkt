@@ -9,7 +9,8 @@
 
 (define start (up 0 1 0))
 
-(define (final derivative [state start]) (trajectory-final-state (evolve-trajectory derivative state 1)))
+(define (final derivative [state start])
+  (trajectory-final-state (evolve-trajectory derivative state 1)))
 (define (position derivative) (coordinate (final derivative)))
 
 (define (check-again derivative state)

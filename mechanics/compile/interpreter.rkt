@@ -1,5 +1,5 @@
 #lang racket/base
-;; Programs run by a machine for them, at once.
+;; Programs run by an interpreter, at once.
 ;;
 ;; Machine code (code.rkt) takes as long to make as some thousand runs of it save: too long
 ;; for a motion of a hundred steps of a big system.  So the instructions become numbers in an
@@ -14,22 +14,22 @@
          "flonum-functions.rkt" "program.rkt"
          "../numeric/linear/factored-system.rkt")
 
-(provide program->machine-maker)
+(provide program->interpreter-maker)
 
 ;; code      : fxvector; outputs : fxvector of places; inputs : how many
 ;; start     : flvector of all values, with the constants in their places
 ;; functions : vector of functions of flonums, for operations without a number of their own
 ;; systems   : vector of systems
-(struct machine (code outputs inputs start functions systems) #:authentic)
+(struct bytecode (code outputs inputs start functions systems) #:authentic)
 
 ;; n unknowns; entries : fxvector of the places of the rows [A b]; first : place of the first
 ;; component, after which the others are, as many as `components`
 (struct system (n entries components) #:authentic)
 
 ;; -> (-> (input output -> void)), as program->maker has it
-(define (program->machine-maker p)
+(define (program->interpreter-maker p)
   (define m (assemble p))
-  (lambda () (machine-runner m)))
+  (lambda () (interpreter-runner m)))
 
 ;; ---------------------------------------------------------------------------
 ;; Assembling
@@ -52,7 +52,7 @@
       (place-of x)))
   (define start (make-flvector (+ first-constant (hash-count constants))))
   (for ([(x k) (in-hash constants)]) (flvector-set! start k x))
-  (machine (assembled-code parts) outputs (program-inputs p) start
+  (bytecode (assembled-code parts) outputs (program-inputs p) start
            (assembled-functions parts) (assembled-systems parts)))
 
 (struct assembled (code functions systems) #:authentic)
@@ -114,11 +114,11 @@
 (define-syntax-rule (code-at code k) (unsafe-fxvector-ref code k))
 (define-syntax-rule (value-at v k) (unsafe-flvector-ref v k))
 
-(define (machine-runner m)
-  (define values (flvector-copy (machine-start m)))
-  (define room (for/vector ([s (in-vector (machine-systems m))]) (make-room (system-n s))))
-  (define inputs (machine-inputs m))
-  (define outputs (machine-outputs m))
+(define (interpreter-runner m)
+  (define values (flvector-copy (bytecode-start m)))
+  (define room (for/vector ([s (in-vector (bytecode-systems m))]) (make-room (system-n s))))
+  (define inputs (bytecode-inputs m))
+  (define outputs (bytecode-outputs m))
   (lambda (input output)
     (let loop ([k 0])
       (when (unsafe-fx< k inputs)
@@ -131,7 +131,7 @@
         (loop (unsafe-fx+ k 1))))))
 
 (define (run-code m v room)
-  (define code (machine-code m))
+  (define code (bytecode-code m))
   (define end (fxvector-length code))
   (let loop ([k 0])
     (when (unsafe-fx< k end)
@@ -149,9 +149,9 @@
               [(is? 5) (set (unsafe-flsin (value-at v a)))]
               [(is? 6) (set (unsafe-flcos (value-at v a)))]
               [(is? 7) (set (unsafe-flsqrt (value-at v a)))]
-              [(is? 8) (run-system (unsafe-vector-ref (machine-systems m) a)
+              [(is? 8) (run-system (unsafe-vector-ref (bytecode-systems m) a)
                                    (unsafe-vector-ref room a) v to)]
-              [else (set ((unsafe-vector-ref (machine-functions m) a) v))])
+              [else (set ((unsafe-vector-ref (bytecode-functions m) a) v))])
         (loop (unsafe-fx+ k 4))))))
 
 ;; ---------------------------------------------------------------------------

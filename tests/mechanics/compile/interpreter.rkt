@@ -1,12 +1,12 @@
 #lang racket/base
-;; The machine that runs programs at once does what machine code does, bit for bit.
+;; The interpreter, which runs programs at once, does what machine code does, bit for bit.
 
 (require racket/flonum
          (except-in rackunit fail)
          mechanics
          (only-in mechanics/compile/code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program)
-         (only-in mechanics/compile/machine program->machine-maker)
+         (only-in mechanics/compile/interpreter program->interpreter-maker)
          (only-in mechanics/compile/program place program program-outputs)
          (only-in mechanics/compile/tiers program->tiered-maker))
 
@@ -18,8 +18,8 @@
 (define (check-tiers f example inputs)
   (define p (compiled-function-program (compile-function f example)))
   (define code (program->maker p))
-  (define machine (program->machine-maker p))
-  (for ([v (in-list inputs)]) (check-equal? (run machine p v) (run code p v))))
+  (define interpreter (program->interpreter-maker p))
+  (for ([v (in-list inputs)]) (check-equal? (run interpreter p v) (run code p v))))
 
 (define every-operation
   (lambda (s)
