@@ -19,7 +19,8 @@
 
 (require (only-in racket/list add-between)
          (for-syntax racket/base
-                     "imported.rkt" "mistake/misread.rkt" "mistake/sign.rkt")
+                     "imported.rkt" "mistake/keyword-value.rkt" "mistake/misread.rkt"
+                     "mistake/sign.rkt")
          (only-in "pattern/mismatch.rkt" short-text tuple-advice)
          "mistake/advised.rkt"
          "../error/complain.rkt"
@@ -69,9 +70,11 @@
 
 ;; 2 (x + 1), with nothing between.
 (define (product-hint f arguments)
-  (if (and (number? f) (pair? arguments) (null? (cdr arguments)))
-      (format "; a product is (* ~a ~a)" f (quoted (car arguments)))
-      ""))
+  (cond [(not (and (number? f) (pair? arguments))) ""]
+        [(null? (cdr arguments)) (format "; a product is (* ~a ~a)" f (quoted (car arguments)))]
+        [(andmap number? arguments)
+         (format "; a tuple is ~a" (cons 'up (cons f arguments)))]
+        [else ""]))
 
 ;; (x * 2), as formulas are written elsewhere
 
@@ -196,20 +199,6 @@
     (syntax-property stx 'inferred-name (void)))
 
   (define (keyword-argument? stx) (keyword? (syntax-e stx)))
-
-  ;; Each is followed by its value.
-  (define (check-keywords stx)
-    (define parts (syntax-case stx ()
-                    [(_ operator . arguments) (syntax->list #'arguments)]
-                    [_ '()]))
-    (let check ([parts (or parts '())])
-      (cond [(null? parts) (void)]
-            [(not (keyword-argument? (car parts))) (check (cdr parts))]
-            [(or (null? (cdr parts)) (keyword-argument? (cadr parts)))
-             (raise-syntax-error
-              #f (format "~s has no value: it stands behind the keyword" (syntax-e (car parts)))
-              (datum->syntax stx (cdr (syntax-e stx)) stx))]
-            [else (check (cddr parts))])))
 
   (define (lambda-form? stx)
     (syntax-case stx ()

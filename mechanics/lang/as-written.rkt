@@ -1,13 +1,18 @@
 #lang racket/base
 ;; What forms look like where they were written.
 
-(provide adjacent? form->text without-commas)
+(provide adjacent? prime-before? form->text without-commas)
 
 ;; Is there nothing between the two syntaxes?
 (define (adjacent? one other)
   (define-values (start span next)
     (values (syntax-position one) (syntax-span one) (syntax-position other)))
   (and start span next (= (+ start span) next)))
+
+;; Does the second begin with a quote that touches the first, as in x't?
+(define (prime-before? one other)
+  (define d (syntax-e other))
+  (and (pair? d) (eq? (syntax-e (car d)) 'quote) (adjacent? one other)))
 
 ;; A datum as it is typed, quotes as quotes.
 (define (form->text d)

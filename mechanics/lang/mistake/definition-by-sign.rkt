@@ -3,13 +3,14 @@
 ;;
 ;; What is written behind the sign may have letters that nothing is known of.  Beside the
 ;; arguments they are parameters, as the book writes them: ((x A omega) t).  Where there are no
-;; arguments they are symbols; but a Lagrangian, called L and with a v, wants its local tuple.
+;; arguments they are symbols; but what has a t is a path, and a Lagrangian, called L and with a
+;; v, wants its local tuple.
 
 (require racket/list
-         "prefix-form.rkt" "sign.rkt"
+         "prefix-form.rkt"
          "../as-written.rkt")
 
-(provide definition-by-sign plain-definition Lagrangian-by-sign?)
+(provide definition-by-sign definition-by-word plain-definition Lagrangian-by-sign?)
 
 ;; data : of a line; known? : symbol -> boolean -> the definition, a datum, or #f
 (define (definition-by-sign data known?)
@@ -18,10 +19,47 @@
 
 ;; The same without regard to letters.
 (define (plain-definition data)
-  (define i (index-where data (lambda (d) (memq d '(= :=)))))
-  (define head (and i (head-before (take data i))))
-  (define value (and head (pair? (drop data (add1 i))) (prefix-form (drop data (add1 i)))))
-  (and value (list 'define head value)))
+  (define spread (append-map signs-apart data))
+  (define i (index-where spread (lambda (d) (memq d '(= :=)))))
+  (define head (and i (head-before (take spread i))))
+  (define behind (if head (drop spread (add1 i)) '()))
+  (and (pair? behind)
+       (let ([procedure (procedure-elsewhere behind)])
+         (define value (if procedure (cdr procedure) (prefix-form behind)))
+         (and value
+              (list 'define (if procedure (cons head (car procedure)) head) value)))))
+
+;; x=3 as x = 3
+(define (signs-apart d)
+  (define found
+    (and (symbol? d) (regexp-match #px"^([^=<>!:]*)(:?=)([^=?]*)$" (symbol->string d))))
+  (if found
+      (filter values
+              (list (part (cadr found)) (string->symbol (caddr found)) (part (cadddr found))))
+      (list d)))
+
+(define (part text)
+  (and (not (string=? text "")) (or (string->number text) (string->symbol text))))
+
+;; lambda x, y: x**2 -> ((x y) . (expt x 2)), or #f
+(define (procedure-elsewhere data)
+  (define plain (without-commas data))
+  (define i (index-where plain (lambda (d) (and (symbol? d) (ends-with-colon? d)))))
+  (define body (if i (drop plain (add1 i)) '()))
+  (and (memq (car plain) '(lambda λ))
+       (pair? body)
+       (let ([names (map without-colon (cdr (take plain (add1 i))))] [value (prefix-form body)])
+         (and value (cons names value)))))
+
+(define (ends-with-colon? s) (regexp-match? #rx".:$" (symbol->string s)))
+(define (without-colon s) (string->symbol (regexp-replace #rx":$" (symbol->string s) "")))
+
+;; def f(x): return x**2, and define f(x) x**2
+(define (definition-by-word data)
+  (define named? (and (> (length data) 3) (symbol? (cadr data)) (list? (caddr data))))
+  (define body (if named? (remq* '(: = return) (cdddr data)) '()))
+  (define value (and (pair? body) (memq (car data) '(def define)) (prefix-form body)))
+  (and value (list 'define (cons (cadr data) (without-commas (caddr data))) value)))
 
 (define (head-before data)
   (cond [(and (= (length data) 1) (symbol? (car data))) (car data)]
@@ -39,6 +77,7 @@
   (cond [(null? letters) (list 'define head value)]
         [(pair? head) (list 'define (cons (cons (car head) letters) (cdr head)) value)]
         [(Lagrangian? head letters) (Lagrangian head letters value)]
+        [(memq 't letters) (with-letters (list head 't) value known?)]
         [else (list 'define head (quoted value letters))]))
 
 ;; The symbols of a formula, but for what is called.

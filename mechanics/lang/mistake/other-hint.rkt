@@ -17,6 +17,8 @@
 (define for-values
   '((#rx"\n  (expected: (list|pair)[?][^\n]*\n  given|in): [(](up|down) "
      "a tuple is no list: (ref s 0) is a component, (structure->list s) a list of them")
+    (#rx"^Gtk initialization failed"
+     "curves are drawn without a window by (require mechanics/plot)")
     (#rx"^set!: assignment disallowed" "a definition is (define x 3)")))
 
 (define for-modules

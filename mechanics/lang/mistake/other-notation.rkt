@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Names that other programs, and books, have for what is called otherwise here.  Letters of
-;; physics (e, i, N) are left out: who writes one means a symbol, mostly.  Of some there are too many
-;; to list: they are known by their pattern, as dx/dt is.
+;; physics (e, i, N) are left out: who writes one means a symbol, mostly.  Of some there are too
+;; many to list: they are known by their pattern, as dx/dt is.
 
 (provide notation-names notation-sentence)
 
@@ -55,7 +55,8 @@
     ("a definition is (define (f x) ...)" def defun function)
     ("a function without a name is (lambda (x) ...)" fn fun)
     (,about-degrees deg degree degrees :degree °)
-    (,about-units kg meter meters metre metres newton newtons joule joules m/s m/s^2 m/s² m/s/s rad/s)
+    (,about-units
+     kg meter meters metre metres newton newtons joule joules m/s m/s^2 m/s² m/s/s rad/s)
     ("a library is loaded by (require mechanics/plot)" import from using)
     ("numbers in a row are (in-range 10), or as a list (iota 10)" range linspace arange)
     ("a component is (ref x 0), one of a list (list-ref x 0)" first second third nth getitem)
@@ -124,8 +125,8 @@
          => (lambda (found) (format "a keyword is written #:~a" (or (cadr found) (caddr found))))]
         [(regexp-match #px"^(\\p{L}(?:\\p{L}|[0-9_-])*)=(.+)$" text)
          => (lambda (found)
-              (format "an argument is given by its place, as ~a, or by a keyword, as #:~a ~a"
-                      (caddr found) (cadr found) (caddr found)))]
+              (format "a definition is (define ~a ~a); an argument is given by its place, as ~a"
+                      (cadr found) (caddr found) (caddr found)))]
         [else #f]))
 
 (define patterns

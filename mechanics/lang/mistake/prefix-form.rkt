@@ -22,7 +22,7 @@
     ((^ . expt) (** . expt))))
 
 ;; -> the form to write instead, a datum, or #f
-(define (prefix-form forms) (at-level (with-calls forms) levels))
+(define (prefix-form forms) (at-level (with-calls (apart forms)) levels))
 
 ;; ---------------------------------------------------------------------------
 
@@ -93,6 +93,21 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Calls
+
+;; A*cos (omega t) is A * cos (omega t).
+(define (apart forms)
+  (cond [(or (null? forms) (null? (cdr forms))) forms]
+        [else (append (if (list? (cadr forms)) (function-apart (car forms)) (list (car forms)))
+                      (apart (cdr forms)))]))
+
+(define (function-apart d)
+  (define found (and (symbol? d) (regexp-match #px"^(.+)([-+*/])(\\p{L}+)$" (symbol->string d))))
+  (define name (and found (string->symbol (cadddr found))))
+  (if (and name (one-argument-function? name))
+      (list (operand-in (cadr found)) (string->symbol (caddr found)) name)
+      (list d)))
+
+(define (operand-in text) (or (string->number text) (string->symbol text)))
 
 ;; sin (x) is a call, and so is f (x) as long as (x) is no formula.
 (define (with-calls forms)

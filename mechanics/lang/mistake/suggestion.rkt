@@ -18,7 +18,7 @@
   (define formula (typed-formula name))
   (define meant (or advice (suggestion name known)))
   (append (if meant (list meant) '())
-          (if (and formula (notation-sentence name))
+          (if (and formula (or (notation-sentence name) (not (letter-in formula))))
               '()
               (list (symbol-sentence name formula)))))
 
@@ -37,7 +37,7 @@
 
 ;; How a symbol of that name is written; in what looks like a formula, the letters are symbols.
 (define (symbol-sentence name formula)
-  (define letter (and formula (first-letter (read (open-input-string formula)))))
+  (define letter (and formula (letter-in formula)))
   (if letter
       (format "a symbol in it is quoted, as '~s" letter)
       (format "as a symbol it is written '~s~a" name (or-number name))))
@@ -48,6 +48,8 @@
     [(e) "; the number e is (exp 1)"]
     [(i) "; the imaginary unit is +i"]
     [else ""]))
+
+(define (letter-in formula) (first-letter (read (open-input-string formula))))
 
 ;; In a formula, a datum: the first symbol that is no operation; or #f.
 (define (first-letter formula)

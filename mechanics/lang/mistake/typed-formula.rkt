@@ -12,9 +12,10 @@
   (define text (with-powers (symbol->string name)))
   (and (not (number-or-name? text)) (formula text)))
 
-;; x² as x^2
+;; x² and x**2 as x^2
 (define (with-powers text)
-  (regexp-replace* #rx"²" (regexp-replace* #rx"³" text "^3") "^2"))
+  (for/fold ([text text]) ([sign '(#rx"³" #rx"²" #rx"[*][*]")] [power '("^3" "^2" "^")])
+    (regexp-replace* sign text power)))
 
 (define (formula text)
   (or (and (degrees? text) "(/ pi 180)")

@@ -111,7 +111,7 @@
         [(exn:fail:syntax:missing-module? e) (hint-for-module message)]
         [(exn:fail:syntax? e) (hint-for-syntax message)]
         [(exn:fail:filesystem:missing-module? e) (hint-for-module message)]
-        [else #f]))
+        [else (hint-for-value message)]))
 
 ;; Of a module whose body failed, others find what it did not come to define.
 (define hint-for-half-made

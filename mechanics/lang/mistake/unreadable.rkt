@@ -27,7 +27,11 @@
         [(regexp-match closed-otherwise text)
          => (lambda (found)
               (format "the ~a there is closed by a ~a" (caddr found) (cadddr found)))]
-        [(regexp-match? #px"^expected a closing `\"`" text) "the \" there has no other to close it"]
+        [(regexp-match #px"^bad syntax `(#.)" text)
+         => (lambda (found)
+              (format "~a is not read; a comment begins with a semicolon" (cadr found)))]
+        [(regexp-match? #px"^expected a closing `\"`" text)
+         "the \" there has no other to close it"]
         [else text]))
 
 ;; Of an exn:fail:read:eof: the sign that is missing, ) or \" mostly

@@ -4,11 +4,10 @@
 ;; A name is quoted where it is used as a symbol, never where it is defined.  Racket would
 ;; take (define 'm 5), which is (define (quote m) 5), for a definition of `quote`, and ('t)
 ;; among arguments for an optional argument of that name; and nothing quoted would be what
-;; it was.  Others bring the sign = along, and the name before its arguments, f(t).  And a
-;; pattern that lost its parentheses, (lambda (up t q v) ...), makes a function of four
-;; arguments, the first of them called `up`.
+;; it was.  And a pattern that lost its parentheses, (lambda (up t q v) ...), makes a function
+;; of four arguments, the first of them called `up`.
 
-(require "incomplete.rkt"
+(require "incomplete.rkt" "on-paper.rkt"
          "../as-written.rkt")
 
 (provide check-definition check-argument-list)
@@ -20,7 +19,7 @@
      (let ([found (quoted-in-head #'head)])
        (when found
          (raise-quoted stx found (list 'define (unquoted-head (datum #'head)) (shown #'body))))
-       (check-equals stx)
+       (check-on-paper stx)
        (check-complete-definition stx)
        (check-names-in-head #'head stx)
        (check-bare-in-head #'head #'body stx))]
@@ -103,33 +102,6 @@
         [(and (pair? d) (pattern-head? (car d))) (cons (car d) (unquoted-arguments (cdr d)))]
         [(pair? d) (cons (unquoted-argument (car d)) (cdr d))]
         [else d]))
-
-;; A body in a message: itself if it is short.
-(define (shown body)
-  (define forms (datum body))
-  (if (and (list? forms) (= (length forms) 1) (<= (string-length (form->text (car forms))) 30))
-      (car forms)
-      '...))
-
-;; ---------------------------------------------------------------------------
-;; The sign =, and f(t)
-
-(define (check-equals stx)
-  (define (fail written)
-    (raise-syntax-error #f (format "a definition is written ~a" (form->text written)) stx))
-  (syntax-case stx ()
-    [(_ head sign . body)
-     (and (equals? #'sign) (pair? (syntax-e #'body)))
-     (fail (list 'define (datum #'head) (shown #'body)))]
-    [(_ name (argument ...) sign . body)
-     (and (identifier? #'name) (equals? #'sign))
-     (fail (list 'define (datum #'(name argument ...)) (shown #'body)))]
-    [(_ name arguments form . body)
-     (and (identifier? #'name) (pair? (syntax-e #'arguments)) (adjacent? #'name #'arguments))
-     (fail (list 'define (datum #'(name . arguments)) (shown #'(form . body))))]
-    [_ (void)]))
-
-(define (equals? stx) (eq? (syntax-e stx) '=))
 
 ;; ---------------------------------------------------------------------------
 ;; (lambda (up t q v) ...)

@@ -123,8 +123,14 @@
 ;; forms : a list, or why the text cannot be read -> text or #f
 (define (other-meaning forms text)
   (cond [(exn:fail:read:eof? forms) (and (regexp-match? #rx"'[ \t]*$" text) (prime-alone text))]
-        [(and (pair? forms) (pair? (cdr forms))) (meant-as-one forms known-name? function-name?)]
+        [(one-of-several? forms) (meant-as-one forms known-name? function-name?)]
         [else #f]))
+
+;; More than one form, or a name that may hold several, as x=3
+(define (one-of-several? forms)
+  (and (pair? forms)
+       (or (pair? (cdr forms))
+           (and (identifier? (car forms)) (not (known-name? (syntax-e (car forms))))))))
 
 (define (raise-unfinished text)
   (complain 'prompt "the input ends inside a form, which is left out; it begins with  ~a"

@@ -20,6 +20,8 @@
            "(cos(angle))"
            "(pi / 2)"
            "((1/2 mass (square speed)) - potential)"
+           "(speed = 3)"
+           "(speed' angle)"
            "(2 angle)"
            "(2 breadth height)"
            "(cos(angle/2))"
@@ -39,6 +41,11 @@
   (string-append name ": undefined;\n cannot reference an identifier before its definition\n"
                  "  in module: top-level\n  " (string-join hints "\n  ") "\n"))
 
+(define (hidden name)
+  (format (string-append "; ~a: your definition hides the one of mechanics; "
+                         "(require (only-in mechanics ~a)) brings that back\n")
+          name name))
+
 (test-case "at the prompt, word for word"
   (check-equal? output '("-2.185039863261519" "3" "'(2 7)"))
   (check-equal?
@@ -47,6 +54,7 @@
     (undefined "m" "operations come first: (* m v)" "as a symbol it is written 'm")
     (undefined "mass" "operations come first: (* 1/2 mass (expt speed 2))"
                "as a symbol it is written 'mass")
+    (hidden "momentum")
     (undefined "weight" "operations come first: (* weight rate)"
                "as a symbol it is written 'weight")
     "three: operations come first: (+ (* three 2) 1)\n"
@@ -54,10 +62,15 @@
     (undefined "unknown" "unknown(5) is written (unknown 5)"
                "as a symbol it is written 'unknown")
     (undefined "phi" "sin(phi) is written (sin phi)" "as a symbol it is written 'phi")
+    (hidden "angle")
     "angle: cos(angle) is written (cos angle)\n"
     "pi: operations come first: (/ pi 2)\n"
     (undefined "mass" "operations come first: (- (* 1/2 mass (square speed)) potential)"
                "as a symbol it is written 'mass")
+    (undefined "speed" "operations come first: (= speed 3); a definition is (define speed 3)"
+               "as a symbol it is written 'speed")
+    (undefined "speed" "a prime is read as a quote; the derivative of speed is (D speed)"
+               "as a symbol it is written 'speed")
     (string-append "application: the value 2 is a number; it cannot be applied to the argument 2; "
                    "a product is (* 2 2)\n")
     (undefined "breadth" "a product is (* 2 breadth height)" "as a symbol it is written 'breadth")

@@ -68,7 +68,7 @@
   (check-suggestion ':tolerance "a keyword is written #:tolerance")
   (check-suggestion '--tolerance "a keyword is written #:tolerance")
   (check-suggestion
-   'm=2 "an argument is given by its place, as 2, or by a keyword, as #:m 2"))
+   'm=2 "a definition is (define m 2); an argument is given by its place, as 2"))
 
 (test-case "rates as they are printed"
   (for ([name '(dx/dt x_dot x-dot ẋ)])
@@ -167,7 +167,8 @@
 (test-case "a quoted symbol with a curly quote in its name is one, which is told"
   (define-values (output errors) (session '("-I" "mechanics") "(list 'x’ 'y)" "'z′"))
   (check-equal? output '("'(x’ y)" "z′"))
-  (check-equal? errors "; 'x’ is a symbol with a curly quote in its name; the symbol x is written 'x\n")
+  (check-equal? errors
+                "; 'x’ is a symbol with a curly quote in its name; the symbol x is written 'x\n")
   (define port (open-output-string))
   (parameterize ([current-error-port port]) (declare "#lang mechanics\n(define a 'x’)\n"))
   (check-equal? (get-output-string port) errors))

@@ -39,6 +39,19 @@
                "(lambda (\"x\") 4)" "lambda: an argument is a name, which \"x\" is not")])
     (check-equal? (said form) message)))
 
+(test-case "formulas as on paper, and primes"
+  (for ([(form message)
+         (hash "(define T 1/2 m v^2)"
+               "define: operations come first: (define T (* 1/2 m (expt v 2)))"
+               "(define (T m v) 1/2 * m * (square v))"
+               "define: operations come first: (define (T m v) (* 1/2 m (square v)))"
+               "(define (x t) = A*cos(omega*t))"
+               "define: a definition is written (define (x t) (* A (cos (* omega t))))"
+               "(define x' 3)"
+               (string-append "define: a prime is read as a quote; a name is written without, "
+                              "as in (define xprime 3)"))])
+    (check-equal? (said form) message)))
+
 (test-case "procedures"
   (for ([(form message)
          (hash "(lambda (* 2 t))" "lambda: the arguments come first: (lambda (t) (* 2 t))"

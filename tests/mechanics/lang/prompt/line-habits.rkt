@@ -15,7 +15,8 @@
   (eval '(define three 3)))
 
 (define-check (check-line text said)
-  (define found (parameterize ([current-namespace space]) (meant-as-one (forms-in text) known-name? function-name?)))
+  (define found (parameterize ([current-namespace space])
+                  (meant-as-one (forms-in text) known-name? function-name?)))
   (unless (equal? found said)
     (with-check-info (['text text] ['expected said] ['found found]) (fail-check))))
 
@@ -41,7 +42,17 @@
                "a Lagrangian is a function of (up t q v): (define ((L m k) (up t x v)) "
                "(- (* 1/2 m (expt v 2)) (* 1/2 k (expt x 2))))"))
   (check-line "f(x, y) = x*y" "a definition is written (define (f x y) (* x y))")
-  (check-line "define m = 3" "it stands in parentheses: (define m 3)")
+  (check-line "x=A*cos(w*t)"
+              "a definition is written (define ((x A w) t) (* A (cos (* w t))))")
+  (check-line "x=3" "a definition is written (define x 3)")
+  (check-line "f(x)=x^2" "a definition is written (define (f x) (expt x 2))")
+  (check-line "def f(x): return x**2" "a definition is written (define (f x) (expt x 2))")
+  (check-line "f = lambda x, y: x*y" "a definition is written (define (f x y) (* x y))")
+  (check-line "define proposed(t) A*cos(omega*t)"
+              "a definition is written (define (proposed t) (* A (cos (* omega t))))")
+  (check-line "let x = 3" "a definition is written (define x 3)")
+  (check-line "define m = 3" "a definition is written (define m 3)")
+  (check-line "string=?" #f)
   (check-line "define (g x) (* x x)" "it stands in parentheses: (define (g x) (* x x))")
   (check-line "require mechanics/plot" "it stands in parentheses: (require mechanics/plot)"))
 
@@ -52,13 +63,25 @@
   (check-line "x'(t)" said)
   (check-equal? (prime-alone "x'") said)
   (check-equal? (prime-alone "  x'' ") said)
+  (check-equal? (prime-alone "'x'") "a quote stands before a name, and none behind it: 'x")
   (check-false (prime-alone "(list '"))
   (check-false (prime-alone "'")))
 
 (test-case "lines that were printed"
   (check-line "> (+ 1 2)" "> is the prompt's, not part of what is typed: (+ 1 2)")
+  (check-line "zero if: k = 3" "zero ... is a line that was printed, nothing to type")
   (check-line "proved: the residual is zero"
               "proved: ... is a line that was printed, nothing to type"))
+
+(test-case "names and signs of other programs"
+  (check-line "import math" "import: a library is loaded by (require mechanics/plot)")
+  (check-line "d/dx(x^2)" (string-append "d/dx: the derivative of a function f is (D f), "
+                                         "a partial one ((partial 0) f)"))
+  (check-line "sin^2(x)" "sin^2: powers come outside: (square (sin x))")
+  (check-line "x[0]" "a component is (ref x 0)")
+  (check-line "(up 1 2)[0]" "a component is (ref (up 1 2) 0)")
+  (for ([line '("// a comment" "-- so" "/* so */" "% so")])
+    (check-line line "a comment begins with a semicolon")))
 
 (test-case "several forms in a line may be meant"
   (check-line "1 (+ 'a 'a)" #f)
@@ -66,7 +89,6 @@
   (check-line "'a 'b" #f)
   (check-line "three three" #f)
   (check-line "f\n(f 3)" #f)
-  (check-line "sin^2(x)" #f)
   (check-line "f" #f)
   (check-line "" #f))
 

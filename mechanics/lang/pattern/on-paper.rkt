@@ -1,0 +1,75 @@
+#lang racket/base
+;; Definitions as on paper, refused with how they are written: (define m = 3),
+;; (define f(t) (* 2 t)), (define (T m v) 1/2 m v^2), (define x' 3).
+
+(require "../as-written.rkt"
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["../mistake/prefix-form.rkt" prefix-form])
+
+(provide check-on-paper shown)
+
+(define datum syntax->datum)
+
+;; stx : a form that begins with `define`
+(define (check-on-paper stx)
+  (syntax-case stx ()
+    [(_ head . body)
+     (begin
+       (check-prime #'head #'body stx)
+       (check-equals stx)
+       (check-formula #'head #'body stx))]
+    [_ (void)]))
+
+;; A body in a message: itself if it is short; a formula as it is written here.
+(define (shown body)
+  (define forms (datum body))
+  (define form
+    (cond [(not (and (list? forms) (pair? forms))) #f]
+          [(null? (cdr forms)) (car forms)]
+          [(andmap number? forms) #f]
+          [else (prefix-form forms)]))
+  (if (and form (<= (string-length (form->text form)) 50)) form '...))
+
+(define (check-equals stx)
+  (define (fail written)
+    (raise-syntax-error #f (format "a definition is written ~a" (form->text written)) stx))
+  (syntax-case stx ()
+    [(_ head sign . body)
+     (and (equals? #'sign) (pair? (syntax-e #'body)))
+     (fail (list 'define (datum #'head) (shown #'body)))]
+    [(_ name (argument ...) sign . body)
+     (and (identifier? #'name) (equals? #'sign))
+     (fail (list 'define (datum #'(name argument ...)) (shown #'body)))]
+    [(_ name arguments form . body)
+     (and (identifier? #'name) (pair? (syntax-e #'arguments)) (adjacent? #'name #'arguments))
+     (fail (list 'define (datum #'(name . arguments)) (shown #'(form . body))))]
+    [_ (void)]))
+
+(define (equals? stx) (eq? (syntax-e stx) '=))
+
+;; x' is read as x and a quote: (define x' 3) would define x.
+(define (check-prime head body stx)
+  (syntax-case body ()
+    [(form . _)
+     (and (identifier? head) (prime-before? head #'form))
+     (raise-syntax-error
+      #f (format "a prime is read as a quote; a name is written without, as in (define ~aprime 3)"
+                 (datum head))
+      stx)]
+    [_ (void)]))
+
+;; (define (T m v) 1/2 m v^2), and (define T 1/2 * m * (square v)): a product of forms that are no
+;; calls
+(define (check-formula head body stx)
+  (define forms (datum body))
+  (when (and (list? forms) (pair? forms) (pair? (cdr forms))
+             (or (number? (car forms)) (symbol? (car forms)))
+             (ormap symbol? forms)
+             (or (memq (cadr forms) '(+ - * / ^ **))
+                 (andmap (lambda (d) (or (number? d) (symbol? d))) forms)))
+    (define form (prefix-form forms))
+    (when form
+      (raise-syntax-error #f (format "operations come first: ~a"
+                                     (form->text (list 'define (datum head) form)))
+                          stx))))
