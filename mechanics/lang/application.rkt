@@ -128,6 +128,7 @@
   ;; (pi / 2): what may be a number is not trusted to be a procedure.
   (define (number-before-sign? row)
     (and (infix? (map syntax-e row))
+         (not (unary? (car row)))
          (not (memq (syntax-e (car row)) '(apply map for-each foldl foldr sort andmap ormap)))))
 
   (define (application-of-import stx row)

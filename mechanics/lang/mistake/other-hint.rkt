@@ -12,18 +12,26 @@
     (#rx"(^|: )let[*]: bad syntax" "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))")
     (#rx"(^|: )if: " "it is written (if (> x 0) x (- x)), with a value for either case")
     (#rx"(^|: )for[/a-z*]*: bad " "it is written (for/list ([i 10]) (* i i))")
+    (#rx"identifier already defined"
+     "a module of Racket defines a name once; in #lang mechanics it may be defined again")
+    (#rx"identifier already required"
+     "two libraries have the name; one is left out by (require (except-in library name))")
     (#rx"bad require spec" "as in (require mechanics/plot)")))
 
 (define for-values
   '((#rx"\n  (expected: (list|pair)[?][^\n]*\n  given|in): [(](up|down) "
      "a tuple is no list: (ref s 0) is a component, (structure->list s) a list of them")
+    (#px"^(?:sinh|cosh|tanh|sgn|conjugate): contract violation\n  expected: number[?]"
+     "this one is Racket's, of numbers alone; (require (except-in racket/math ...)) leaves it out")
     (#rx"^Gtk initialization failed"
      "curves are drawn without a window by (require mechanics/plot)")
     (#rx"^set!: assignment disallowed" "a definition is (define x 3)")))
 
 (define for-modules
-  '((#rx"cannot open module file\n  module path: [^\n]*mechanics"
-     "the libraries are mechanics, mechanics/plot and mechanics/book")))
+  '((#rx"cannot open module file\n  module path: ([^\n]*/)?mechanics(/[a-z]*)?\n"
+     "the libraries are mechanics, mechanics/plot and mechanics/book")
+    (#rx"cannot open module file\n.*system error: no such file"
+     "there is no such file; its place is told from that of the file that requires it")))
 
 (define ((hint-from table) message)
   (for/or ([entry (in-list table)])

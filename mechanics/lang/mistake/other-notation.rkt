@@ -67,6 +67,8 @@
     ("what is not equal is (not (= a b))" != ≠ /= <>)
     ("what is repeated is (for ([i 10]) ...), or a function that calls itself" while loop repeat)
     ("the value of a function is that of its last expression" return)
+    ("after (require rackunit) there are checks: (check-true (= a b))"
+     check-equal? check-true check-false check-= check-within test-case assert)
     ("the empty list is '()" nil None)
     ("curves are drawn by plot-function, after (require mechanics/plot)" plot Plot draw)))
 

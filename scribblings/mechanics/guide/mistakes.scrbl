@@ -130,11 +130,13 @@ m: undefined;
 
 The prompt of @exec{make repl} reads a line at a time, and so knows more: there a line such as
 @litchar{f(3)}, @litchar{sin x}, @litchar{x = 3} or @litchar{f(x) = x^2} is told how it is
-written, and nothing of it is evaluated.
+written, and nothing of it is evaluated. In a file such a line is refused in the same words.
 
 @verbatim[#:indent 2]{
+> x(t) = A cos(omega t)
+prompt: a definition is written (define ((x A omega) t) (* A (cos (* omega t))))
 > L = 1/2 m v^2
-prompt: a definition is written (define L (* 1/2 m (expt v 2)))
+prompt: a Lagrangian is a function of (up t q v): (define ((L m) (up t q v)) (* 1/2 m (expt v 2)))
 }
 
 What is quoted as a whole is a list of symbols, which only looks like an expression:
@@ -143,8 +145,9 @@ What is quoted as a whole is a list of symbols, which only looks like an express
 (eval:error (simplify '(+ a a)))
 (read-expression '(+ a a))]
 
-A result that was printed, and is typed or pasted again, holds names that are not defined. At the
-prompt you are told so; @racket[read-expression] makes the value of it.
+A result that was printed, and is typed or pasted again, holds names that are not defined. You
+are told so; @racket[read-expression] makes the value of it, and @racket[read-infix] that of a
+formula on one line.
 
 @examples[#:eval session #:label #f
 (read-expression '(+ (* m (((expt D 2) x) t)) (* k (x t))))]
@@ -232,7 +235,13 @@ first is without effect.}
 @item{@racket[(up theta thetadot t)]: a local tuple begins with the time, and has the
 coordinates before the velocities.}
 @item{@racket[(define (L m) (up t q v) ...)] is refused: the pattern stands among the arguments,
-@racket[(define ((L m) (up t q v)) ...)].}]
+@racket[(define ((L m) (up t q v)) ...)].}
+@item{@racket[(lambda t (* 2 t))]: without parentheses @racketidfont{t} is the list of all
+arguments.}]
+
+A definition at the prompt that hides a name of the library, as @racket[(define D 3)], is told
+with what brings that back, @racket[(require (only-in mechanics D))]; a program tells which names
+it defines again, and on which lines.
 
 In a question:
 
@@ -260,8 +269,8 @@ In numbers and symbols:
 
 @racket[pi] is a decimal, whose sine is not quite 0; π itself is @racket[':pi], and
 @racket['pi] an unknown like others, which is told where it occurs in a result. @racket[=]
-proves, and says so once where it cannot; @racket[equal?] is Racket's, and compares how
-expressions are written.
+proves, and says so where it cannot; @racket[equal?] is Racket's, and compares how
+expressions are written, which a prompt says beside its first @racket[#f].
 
 A frequency that is not real, in @racket[normal-modes], is told to belong to a motion that
 grows. @racket[displayln] and @racket[printf] show results as the prompt does, and

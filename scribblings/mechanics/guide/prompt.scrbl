@@ -6,7 +6,9 @@
 @exec{make repl} in a checkout, or @exec{raco mechanics repl} where the package is installed,
 opens a prompt of its own. Results are simplified and printed
 in the book's notation. A form may go over several lines: as long as it is not complete, the
-prompt asks for more.
+prompt asks for more. After an empty line it tells which form that is, and what is missing; so it
+does before a definition at the beginning of a line, for a parenthesis may have been forgotten
+above it. Lines may be pasted with the @litchar{> } of a session before them.
 
 @section{Keys and commands}
 
@@ -63,6 +65,6 @@ car: contract violation
 
 What went on in libraries is left out. @exec{make run FILE=swing.rkt} tells the same, and says in a
 sentence if there is no such file, if its first line names no language, or where a parenthesis is
-missing. A
+missing; @exec{make show} and @exec{make tex} say the same. A
 function whose call was the last thing to do, or which the compiler has built into another,
 leaves no trace.

@@ -98,7 +98,9 @@ definition if it is further up. The new definition may use the old meaning, as i
 @item{A name of a library that was required is treated likewise; Racket's own
 languages refuse to define it.}
 @item{Any other name has no value before its definition. The error says on which line
-that is.}]
+that is.}
+@item{Where such a program is run, a line that begins with a semicolon tells which names it
+defines more than once, and where.}]
 
 What is defined once, and not used before as something else, is defined as in any
 module of Racket, and is as fast. A name that is defined several times is a variable

@@ -19,20 +19,30 @@
 
 (test-case "forms"
   (check-equal? (last-lines "(up 1,2)" "(let (x 3) (* x 2))" "(let* (x 3) x)"
-                            "(for/list i 10 i)" "(require mechanics.plot)" "(f ())")
+                            "(for/list i 10 i)" "(require mechanics.plot)" "(f ())" "(if #t)")
                 '("no comma separates arguments, and a decimal has a point: (up 1 2.5)"
                   "it is written (let ([m 3]) (* 2 m))"
                   "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))"
                   "it is written (for/list ([i 10]) (* i i))"
                   "as in (require mechanics/plot)"
-                  "f() is written (f); the empty list is '()")))
+                  "f() is written (f); the empty list is '()"
+                  "it is written (if (> x 0) x (- x)), with a value for either case"))
+  (check-equal?
+   (last-lines (string-append "(module m racket/base (define x 1) (define x 2)) "))
+   '("a module of Racket defines a name once; in #lang mechanics it may be defined again")))
 
 (test-case "values"
   (check-equal? (last-lines "(car (up 1 2))" "(length (down 1 2))" "(list-ref (up 1 2) 0)"
                             "(map sin (up 1 2))" "(set! never-defined 3)")
                 (list no-list no-list no-list no-list "a definition is (define x 3)"))
+  (check-equal?
+   (last-lines "(begin (require racket/math) (sinh 'x))")
+   '("this one is Racket's, of numbers alone; (require (except-in racket/math ...)) leaves it out"))
   (check-equal? (last-lines "(car 3)") '("given: 3")))
 
 (test-case "libraries"
   (check-equal? (last-lines "(require mechanics/books)" "(require \"mechanics\")")
-                (list libraries libraries)))
+                (list libraries libraries))
+  (check-equal?
+   (last-lines "(require \"no-such-file.rkt\")")
+   '("there is no such file; its place is told from that of the file that requires it")))
