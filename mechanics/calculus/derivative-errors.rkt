@@ -5,7 +5,8 @@
          "../algebra/expression/write.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/elementary.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt")
+         "../generic/kind.rkt" "../generic/multiplied-function.rkt" "../generic/up-down.rkt"
+         "../generic/value-struct.rkt")
 
 (provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated
          raise-no-such-component raise-not-differentiable-at check-path)
@@ -86,8 +87,8 @@
   (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n))))
 
 (define (raise-not-differentiable-at x who)
-  (complain who "cannot differentiate by ~a; expected a number or a tuple~a"
-            (describe-with-value x) (list-hint x)))
+  (complain who "cannot differentiate by ~a; expected a number or a tuple~a~a"
+            (describe-with-value x) (list-hint x) (multiplied-hint x)))
 
 ;; partial takes indices only: ((partial 0 F) x) is the slip to explain.
 (define (check-path path)

@@ -14,7 +14,7 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/notation.rkt" "../generic/recurrence.rkt"
          "../generic/up-down.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/signature.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")
 
@@ -69,7 +69,7 @@
 ;; (literal-function 'f), or with a signature such as (-> (UP Real Real) Real).
 (define (literal-function name [signature-datum #f])
   (unless (symbol? name)
-    (raise-argument-error 'literal-function "a quoted name, such as 'f" name))
+    (complain-of-argument 'literal-function "a quoted name, such as 'f" name))
   (if signature-datum
       (let ([s (parse-signature signature-datum)])
         (literal-of-range name s (signature-range s)))
@@ -114,14 +114,14 @@
 (define (literal-down name n) (literal-tuple 'literal-down down name n))
 
 (define (literal-tuple who make name n)
-  (unless (symbol? name) (raise-argument-error who "a quoted name, such as 'x" name))
+  (unless (symbol? name) (complain-of-argument who "a quoted name, such as 'x" name))
   (unless (exact-nonnegative-integer? n)
-    (raise-argument-error who "a number of components" n))
+    (complain-of-argument who "a number of components" n))
   (name-components name (apply make (for/list ([_ (in-range n)]) 'Real))
                    (lambda (component shape) component)))
 
 (define (literal-number name)
-  (unless (symbol? name) (raise-argument-error 'literal-number "a quoted name, such as 'm" name))
+  (unless (symbol? name) (complain-of-argument 'literal-number "a quoted name, such as 'm" name))
   name)
 
 ;; ---------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt")
+         "../generic/kind.rkt" "../generic/multiplied-function.rkt")
 
 (provide number check-function-of-one-variable)
 
@@ -18,7 +18,7 @@
          (complain who "expected a real number; given ~a~a" (describe-with-value x)
                    (if (symbolic? x)
                        (string-append symbols-hint ": (substitute expression 'm 3 ...)")
-                       ""))]))
+                       (multiplied-hint x)))]))
 
 (define (check-function-of-one-variable who f)
   (unless (and (procedure? f) (accepts? f 1))

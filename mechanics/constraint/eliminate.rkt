@@ -9,7 +9,7 @@
 
 (require "constraint.rkt" "linearized.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt" "../value/shape.rkt"
@@ -24,7 +24,7 @@
   (define cs (gather who constraints))
   (define free (Lagrange-equations L #:force Q))
   (unless (or (not F) (and (procedure? F) (accepts? F 1)))
-    (raise-argument-error who "a coordinate transformation: a function of the local tuple" F))
+    (complain-of-argument who "a coordinate transformation: a function of the local tuple" F))
   (define (name)
     `(,who ,(value->datum L) ,(constraints->datum cs) ,@(if F (list (value->datum F)) '())
            ,@(force->datum Q)))

@@ -9,20 +9,25 @@
 (require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt"
          "../value/linear/row-systems.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
-(provide reduce-by-substitution reduction? reduction-integrability reduction-agreement)
+(provide reduce-by-substitution reduction?
+         (rename-out [verdict-on-integrability reduction-integrability]
+                     [verdict-on-agreement reduction-agreement]))
 
 ;; A Lagrangian, and two verdicts: are the constraints integrable, and is the true motion one
 ;; of this Lagrangian?
 (value-struct reduction (Lagrangian integrability agreement)
   #:text report
   #:property prop:procedure 0)
+
+(define-parts reduction? "what reduce-by-substitution gives"
+  [verdict-on-integrability reduction-integrability] [verdict-on-agreement reduction-agreement])
 
 (define (report r)
   (define agreement (reduction-agreement r))
@@ -49,7 +54,7 @@
   (check-Lagrangian who L)
   (define cs (gather who constraints))
   (unless (and (procedure? substitute) (accepts? substitute 3))
-    (raise-argument-error who "a function (t q v) of velocities that keep the constraints"
+    (complain-of-argument who "a function (t q v) of velocities that keep the constraints"
                           substitute))
   (check-generic who cs state)
   (check-parameters who L state)

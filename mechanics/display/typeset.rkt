@@ -3,8 +3,8 @@
 
 (require "MathML.rkt" "TeX.rkt" "break.rkt" "drawn-text.rkt"
          "../algebra/notation/infix.rkt" "../algebra/notation/read-infix.rkt"
-         "../error/complain.rkt" "../error/note.rkt"
-         "../generic/define-plain.rkt" "../generic/value-tree.rkt"
+         "../error/note.rkt"
+         "../generic/define-plain.rkt" "../generic/value-tree.rkt" "../generic/wrong-argument.rkt"
          "../value/read-expression.rkt")
 
 (provide ->infix ->text ->TeX ->MathML read-infix check-width)
@@ -29,7 +29,7 @@
 ;; The value of a formula that is written as ->infix writes it.
 (define (read-infix text)
   (unless (string? text)
-    (raise-argument-error 'read-infix "a string such as \"½ m ẋ²\"" text))
+    (complain-of-argument 'read-infix "a string such as \"½ m ẋ²\"" text))
   (when (regexp-match? #px"\\p{L}\\^[0-9]" text) (note-superscript))
   (read-expression (infix->datum text)))
 
@@ -39,4 +39,4 @@
 
 (define (check-width who width)
   (unless (or (not width) (exact-positive-integer? width))
-    (complain who "expected a width in columns, or #f for lines of any length\n  given: ~e" width)))
+    (complain-of-argument who "a width in columns, or #f for lines of any length" width)))

@@ -2,16 +2,21 @@
 ;; The user's mistakes: errors in words made as `format` makes them, after the name of
 ;; the procedure that complains.
 ;;
-;; Where no more is to be said than what was expected and what was given, Racket's own
-;; `raise-argument-error` and `raise-arguments-error` do as well.
+;; Where no more is to be said than what was expected and what was given, `complain-of-datum`
+;; says it of numbers and symbols, and from the floor of generic arithmetic on
+;; `complain-of-argument` (generic/wrong-argument.rkt) of any value.
 
 (require "words.rkt")
 
-(provide complain complain-of-arity raise-division-by-zero)
+(provide complain complain-of-datum complain-of-arity raise-division-by-zero)
 
 ;; who : what the reader called, a symbol or a text
 (define (complain who text . parts)
   (raise (exn:fail:contract (message who text parts) (current-continuation-marks))))
+
+;; expected : what is wanted, such as "a positive tolerance"; x : as Racket prints it
+(define (complain-of-datum who expected x)
+  (complain who "expected ~a\n  given: ~e" expected x))
 
 ;; The number of arguments is wrong.
 (define (complain-of-arity who text . parts)

@@ -1,5 +1,6 @@
 #lang racket/base
-;; Functions with keywords, to be loaded on demand.
+;; Functions that say themselves what they take: those with keywords that are loaded on demand,
+;; and those that are drawn with.
 ;;
 ;; `define` makes a macro of such a function, so that a call of it costs nothing more than
 ;; one without.  A module that loads it on demand gains nothing by that; and to find out
@@ -18,7 +19,7 @@
 (define-syntax-rule (define-plain (name . arguments) body ...)
   (define-values (name) (telling-what-it-takes 'name (lambda arguments body ...))))
 
-;; f, a procedure with keywords, by that name and with messages of its own
+;; f by that name and with messages of its own
 (define (telling-what-it-takes who f)
   (define-values (required known) (procedure-keywords f))
   (define (check-count arguments)
@@ -31,13 +32,14 @@
   (define (apply-without . arguments)
     (check-count arguments)
     (apply f arguments))
-  (if (null? known)
-      (procedure-rename f who)
-      (procedure-rename (make-keyword-procedure apply-with apply-without) who)))
+  (procedure-rename (make-keyword-procedure apply-with apply-without) who))
 
 (define (raise-unknown-keyword who name known)
-  (complain who "there is no keyword ~s here\n  its keywords: ~s" name known))
+  (complain who "there is no keyword ~s here~a" name (keywords->text known)))
 
 (define (raise-other-count who f known n)
-  (complain-of-arity who "takes ~a; it was given ~a\n  its keywords: ~s" (arity->text f)
-                     (if (= n 0) "none" n) known))
+  (complain-of-arity who "takes ~a; it was given ~a~a" (arity->text f)
+                     (if (= n 0) "none" n) (keywords->text known)))
+
+(define (keywords->text known)
+  (if (null? known) "" (format "\n  its keywords: ~s" known)))

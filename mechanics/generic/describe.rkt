@@ -6,13 +6,18 @@
          "../algebra/expression/write.rkt")
 
 (provide value->datum value->text write-value describe describe-with-value
-         map-leaves procedure-datum)
+         map-leaves procedure-datum prop:printed-datum)
+
+;; Of structs that are no kind of value: value -> the S-expression it prints as.
+(define-values (prop:printed-datum prints-as-datum? printed-datum-of)
+  (make-struct-type-property 'printed-datum))
 
 ;; The S-expression a value prints as: never a tag, an address or a struct.
 (define (value->datum x)
   (cond [(number? x) x]
         [(has-kind? x) ((kind-datum (kind-of x)) x)]
         [(symbolic? x) (expression->datum x)]
+        [(prints-as-datum? x) (value->datum ((printed-datum-of x) x))]
         [(vector? x) (cons 'up (for/list ([e (in-vector x)]) (value->datum e)))]
         [(procedure? x) (procedure-datum x)]
         [(pair? x) (cons (value->datum (car x)) (value->datum (cdr x)))]
@@ -30,7 +35,9 @@
 (define (write-value x port) (write-datum (value->datum x) port))
 
 ;; The kind of a value, as a message says it.
-(define (describe x)
+(define (describe x) (or (word-for x) "a value that is no part of the arithmetic"))
+
+(define (word-for x)
   (cond [(number? x) "a number"]
         [(symbolic? x) "a number-like expression"]
         [(vector? x) (format "an up tuple of ~a" (vector-length x))]
@@ -40,17 +47,19 @@
         [(string? x) "a string"]
         [(boolean? x) "a boolean"]
         [(void? x) "no value (void)"]
-        [else "a value that is no part of the arithmetic"]))
+        [else #f]))
 
-;; "the number 3", "the procedure `-`", "(up x y), an up tuple of 2".
+;; "the number 3", "the procedure `-`", "(up x y), an up tuple of 2"; what is no part of the
+;; arithmetic says itself what it is: "(holonomic G)".
 (define (describe-with-value x)
   (cond [(number? x) (format "the number ~a" x)]
         [(symbol? x) (format (if (pi-symbol? x) "the number ~a" "the symbol ~a") x)]
-        [(and (procedure? x) (not (has-kind? x)))
+        [(and (procedure? x) (not (has-kind? x)) (not (prints-as-datum? x)))
          (if (eq? (procedure-datum x) '<function>)
              "a function without a name"
              (format "the procedure `~a`" (procedure-datum x)))]
-        [else (format "~a, ~a" (value->text x) (describe x))]))
+        [(word-for x) => (lambda (word) (format "~a, ~a" (value->text x) word))]
+        [else (value->text x)]))
 
 ;; f applied to each leaf of x: containers (structures, matrices) keep their
 ;; shape, everything else is a leaf.

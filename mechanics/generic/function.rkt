@@ -86,7 +86,7 @@
 
 ;; f is no function, or one of another number of arguments than is expected.
 (define (raise-other-function who expected f)
-  (complain who "contract violation\n  expected: ~a\n  given: ~a" expected (describe-function f)))
+  (complain who "expected ~a\n  given: ~a" expected (describe-function f)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic of functions: numbers stand for constant functions, and a tuple or

@@ -9,6 +9,7 @@
 (require racket/flonum
          (submod racket/performance-hint begin-encourage-inline)
          "describe.rkt" "kind.rkt" "notation.rkt" "scalar.rkt" "value-struct.rkt"
+         "wrong-argument.rkt"
          "../error/complain.rkt"
          "../numeric/vector-map.rkt")
 
@@ -212,7 +213,7 @@
   (make-parameter 'outer-product
                   (lambda (choice)
                     (unless (memq choice '(outer-product error))
-                      (raise-argument-error 'unequal-contraction
+                      (complain-of-argument 'unequal-contraction
                                             "'outer-product or 'error" choice))
                     choice)))
 

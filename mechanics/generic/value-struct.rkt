@@ -38,6 +38,7 @@
         #,@(options #'more))]
     [(#:datum f . more)
      #`(#,@(printing #'write-value #'f) #,@(typesetting #'datum-notation #'f #'more)
+        #:property prop:printed-datum (lambda (v) (f v))
         #,@(options #'more))]
     [(#:text f . more)
      #`(#,@(printing #'write-string #'f) #,@(typesetting #'text-notation #'f #'more)

@@ -6,7 +6,8 @@
 ;; local tuple (t, q, v).
 
 (require "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/structure.rkt" flip s:dimension))
 
@@ -40,7 +41,11 @@
   (note-asked! state)
   (unless (and (up? state) (> (structure-length (adopt state)) 2))
     (complain 'momentum "expected a Hamiltonian state (up t q p); given ~a~a"
-              (describe-with-value state) (list-hint state "(up t q p)")))
+              (describe-with-value state)
+              (if (pointwise? state)
+                  (string-append (value-first-hint 'momentum)
+                                 "\n  the momenta of a Lagrangian L are ((partial 2) L)")
+                  (list-hint state "(up t q p)"))))
   (define-values (q p) (values (part state 1) (part state 2)))
   (when (and (tuple? q) (tuple? p) (same-shape? q p)) (raise-not-dual 'momentum q p))
   p)
@@ -74,7 +79,7 @@
 ;; A state of n coordinates with components q^i and p_i; of one, q and p.
 (define (literal-Hamiltonian-state n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error 'literal-Hamiltonian-state "a number of coordinates, at least 1" n))
+    (complain-of-argument 'literal-Hamiltonian-state "a number of coordinates, at least 1" n))
   (define (names mark)
     (for/list ([i (in-range n)]) (string->symbol (format mark i))))
   (if (= n 1)

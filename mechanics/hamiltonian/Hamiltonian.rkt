@@ -4,7 +4,7 @@
 (require "declared.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt")
+         "../generic/scalar.rkt" "../generic/wrong-argument.rkt")
 
 (provide make-Hamiltonian check-Hamiltonian number-valued check-quantity)
 
@@ -18,7 +18,7 @@
     [(kinetic-energy potential-energy)
      (for ([f (in-list (list kinetic-energy potential-energy))])
        (unless (procedure? f)
-         (raise-argument-error 'make-Hamiltonian "an energy: a function of the state" f)))
+         (complain-of-argument 'make-Hamiltonian "an energy: a function of the state" f)))
      (define sum (g:+ kinetic-energy potential-energy))
      (if (accepts? sum 1) (make-Hamiltonian sum) sum)]))
 

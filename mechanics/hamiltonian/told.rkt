@@ -48,16 +48,14 @@
 
 ;; What f makes of symbols may be beyond it; what it asked for before that tells nevertheless.
 (define (takes-momenta? f q)
-  (define state (up (fresh 't) (fresh q) (fresh (if (tuple? q) (flip (adopt q)) q))))
+  (define state (unknowns-like (up 't q (if (tuple? q) (flip (adopt q)) q))))
   (define value #f)
   (define asked?
     (asked-for-momentum? state (lambda () (set! value (value-or-none f state)))))
   (or asked?
-      (and (tuple? q) value (not (value-or-none f (up (fresh 't) (fresh q) (fresh q)))))))
+      (and (tuple? q) value (not (value-or-none f (unknowns-like (up 't q q)))))))
 
 (define (value-or-none f state) (with-handlers ([raised? (lambda (e) #f)]) (f state)))
-
-(define (fresh x) (scalars->structure x (lambda (k) (string->uninterned-symbol "x"))))
 
 ;; ---------------------------------------------------------------------------
 ;; States that leave it open

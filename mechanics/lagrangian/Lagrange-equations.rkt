@@ -11,12 +11,13 @@
 ;; (exercises 1.10 and 1.13).  Q is the force outside L; a dissipation function F
 ;; adds −∂₂F to it.
 
-(require "external-force.rkt" "local-tuple.rkt" "of-momenta.rkt"
+(require "external-force.rkt" "local-tuple.rkt" "of-momenta.rkt" "several-paths.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/scalar.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/multiplied-function.rkt"
+         "../generic/scalar.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          (only-in "../value/compose.rkt" compose))
 
 (provide Lagrange-equations equations-of-either
@@ -65,7 +66,7 @@
 
 (define (check-order who n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error who "an order, a positive integer" n)))
+    (complain-of-argument who "an order, a positive integer" n)))
 
 (define (residual-along e q)
   (define L (scalar-valued 'Lagrange-equations (equations-Lagrangian e)))
@@ -73,6 +74,7 @@
   (define local (Gamma (path 'Lagrange-equations q) (+ n 2)))
   (define force (equations-force e))
   (unary-function (lambda () (list (value->datum e) (value->datum q))) (t)
+    (check-time-of-path 'Lagrange-equations q t (along e))
     (define momenta (momentum-terms L local n t))
     (define residual (g:- momenta (((partial 1) L) (local t))))
     (if force
@@ -90,13 +92,18 @@
 ;; Bad paths
 
 (define (raise-one-path e arguments)
+  (define given (length arguments))
   (complain-of-arity 'Lagrange-equations "the equations take one argument, a path, but got ~a~a"
-                     (length arguments)
-                     (if (= (length arguments) 2)
-                         (format "; the time comes next: (((Lagrange-equations ~a) ~a) ~a)"
-                                 (value->text (equations-Lagrangian e))
-                                 (argument->text (car arguments)) (argument->text (cadr arguments)))
-                         "")))
+                     given
+                     (cond [(< given 2) ""]
+                           [(andmap pointwise? arguments) (one-path-hint arguments (along e))]
+                           [(> given 2) ""]
+                           [else (format "; the time comes next: (~a ~a)"
+                                         ((along e) (argument->text (car arguments)))
+                                         (argument->text (cadr arguments)))])))
+
+;; text of a path -> that of the residual along it
+(define ((along e) path) (format "(~a ~a)" (value->text e) path))
 
 (define (argument->text x)
   (string-append (if (symbol? x) "'" "") (value->text x)))
@@ -130,6 +137,7 @@
 (define (raise-not-scalar who L value)
   (complain who "the value of a Lagrangian is a number, but that of ~a is ~a~a"
             (value->text L) (describe-with-value value)
-            (if (pointwise? value)
-                "\n  was a parameter left out, as the mass in (L-free-particle 'm)?"
-                "")))
+            (cond [(not (pointwise? value)) ""]
+                  [(equal? (multiplied-hint value) "")
+                   "\n  was a parameter left out, as the mass in (L-free-particle 'm)?"]
+                  [else (multiplied-hint value)])))

@@ -13,7 +13,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/structure.rkt")
 
 (provide Noether-integral)
@@ -53,7 +53,7 @@
     (and (procedure? F-tilde)
          (for/first ([n (in-range 1 100)] #:when (accepts? F-tilde n)) n)))
   (unless least
-    (raise-argument-error
+    (complain-of-argument
      'Noether-integral
      "a family of coordinate transformations: a function of its parameters" F-tilde))
   least)

@@ -2,7 +2,7 @@
 ;; The action of a path: ∫ L ∘ Γ[q] from t₁ to t₂ (SICM 1.4, p. 17).
 ;; Of a Lagrangian that depends on derivatives up to order n, ∫ L ∘ Γ[q; n + 2].
 
-(require "Lagrange-equations.rkt" "local-tuple.rkt" "swapped.rkt"
+(require "Lagrange-equations.rkt" "local-tuple.rkt" "several-paths.rkt" "swapped.rkt"
          "../compile/definite-integral.rkt")
 
 (provide Lagrangian-action)
@@ -12,6 +12,8 @@
                            #:report [report (lambda (value bound count) value)])
   (check-Lagrangian 'Lagrangian-action L)
   (check-order 'Lagrangian-action n)
+  (check-time-of-path 'Lagrangian-action q t1
+                      (lambda (q) (format "(Lagrangian-action L ~a t1 t2)" q)))
   (define along (Gamma (path 'Lagrangian-action q) (+ n 2)))
   (define value (scalar-valued 'Lagrangian-action L))
   (with-handlers ([exn:fail:contract?

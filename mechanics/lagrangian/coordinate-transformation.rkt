@@ -12,6 +12,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/compose.rkt" "../value/structure.rkt")
 
 (provide F->C Gamma-bar osculating-path
@@ -20,7 +21,7 @@
 
 (define (F->C F)
   (unless (procedure? F)
-    (raise-argument-error 'F->C "a coordinate transformation: a function of the local tuple" F))
+    (complain-of-argument 'F->C "a coordinate transformation: a function of the local tuple" F))
   (unless (of-functions? F)
     (complain 'F->C "a coordinate transformation is a function of the local tuple; given ~a~a"
               (describe-with-value F)

@@ -11,6 +11,7 @@
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/compose.rkt")
 
 (provide make-Lagrangian Lagrangian->energy Lagrangian->power-loss)
@@ -19,7 +20,7 @@
 (define (make-Lagrangian kinetic-energy potential-energy)
   (for ([f (in-list (list kinetic-energy potential-energy))])
     (unless (procedure? f)
-      (raise-argument-error 'make-Lagrangian "an energy: a function of the local tuple" f)))
+      (complain-of-argument 'make-Lagrangian "an energy: a function of the local tuple" f)))
   (g:- kinetic-energy potential-energy))
 
 ;; (Lagrangian->energy L) : (t, q, v) ↦ P v − L

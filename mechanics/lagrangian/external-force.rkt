@@ -10,7 +10,7 @@
          (only-in "../calculus/literal-function.rkt" literal-function? literal-function-takes?)
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt")
+         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt")
 
 (provide Rayleigh-dissipation external-force force-like force->datum)
 
@@ -21,10 +21,10 @@
 ;; Q − ∂₂F, of which either may be #f; #f if both are.
 (define (external-force who Q F)
   (unless (or (not Q) (procedure? Q))
-    (raise-argument-error who "a force: a function of the local tuple" Q))
+    (complain-of-argument who "a force: a function of the local tuple" Q))
   (when (and Q (not (accepts? Q 1))) (raise-arity-of-force who Q))
   (unless (or (not F) (and (procedure? F) (accepts? F 1)))
-    (raise-argument-error who "a dissipation function: a function of the local tuple" F))
+    (complain-of-argument who "a dissipation function: a function of the local tuple" F))
   (when (and (literal-function? F) (not (literal-function-takes? F (list (up 't 'q 'v)))))
     (raise-path-as-dissipation who F))
   (define slope (and F ((partial 2) (scalar-dissipation who F))))
@@ -39,7 +39,7 @@
             (if (eq? who 'Lagrange-equations)
                 (format "\n  a path comes in parentheses of its own: ((Lagrange-equations L) ~a)"
                         (value->text F))
-                "")))
+                "\n  one path of several coordinates is a tuple of paths: (up x y)")))
 
 ;; Newton's forces are functions of time, positions and velocities; these are not.
 (define (raise-arity-of-force who Q)

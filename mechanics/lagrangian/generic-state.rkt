@@ -34,14 +34,20 @@
 (define (check-generic-states who local . fs)
   (check-generic-state who local)
   (define state ((clip-state 3) local))
-  (for ([f (in-list fs)] #:when f) (check-parameters who f state)))
+  (for ([f (in-list fs)] #:when f)
+    (with-handlers ([exn:fail:contract? (lambda (e) (check-grouped f local) (raise e))])
+      (check-parameters who f state))))
+
+;; Coordinates and velocities all in a row, (up t x y vx vy), look like (up t q v ...): what f
+;; says of the whole shows how they are grouped.
+(define (check-grouped f local)
+  (when (> (s:length local) 3) (f (unknowns-like local))))
 
 ;; A symbol that is a parameter of f could not stand for any state as well: f is asked
 ;; for its value at other symbols, where those of the local tuple must not occur.
 (define (check-parameters who f local [what "local tuple"])
   (define names (scalars local))
-  (define elsewhere
-    (scalars->structure local (lambda (k) (string->uninterned-symbol "x"))))
+  (define elsewhere (unknowns-like local))
   (for* ([e (in-list (scalars (f elsewhere)))]
          #:when (expression? e)
          [name (in-list names)]

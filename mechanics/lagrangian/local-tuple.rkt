@@ -5,10 +5,11 @@
 ;; section 1.4.  Paths and selectors are functions of the arithmetic, so they
 ;; compose with D and with each other.
 
-(require "../calculus/derivative.rkt"
+(require "several-paths.rkt"
+         "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/structure.rkt")
 
 (provide
@@ -20,7 +21,9 @@
  state->t state->q state->qdot state->qddot state->n-dof
  Q Qdot Qdotdot
  literal-Lagrangian-state
- check-local-length)
+ check-local-length
+ ;; for the parts of other states
+ value-first-hint)
 
 ;; ---------------------------------------------------------------------------
 ;; Paths to local tuples
@@ -29,10 +32,14 @@
 (define (Gamma given-q [n 3])
   (define q (path 'Gamma given-q))
   (unless (and (exact-integer? n) (>= n 2))
-    (raise-argument-error 'Gamma "the length of the local tuples, an integer of at least 2" n))
+    (complain-of-argument 'Gamma "the length of the local tuples, an integer of at least 2" n
+                          (if (pointwise? n) (one-path-hint (list q n) along) "")))
   (define (name) (list* 'Gamma (value->datum q) (if (= n 3) '() (list n))))
   (unary-function name (t)
+    (check-time-of-path 'Gamma q t along)
     (structure 'up (list->vector (cons t (derivatives-at q t (- n 2)))))))
+
+(define (along path) (format "(Gamma ~a)" path))
 
 (define (path->state-path q [n 3]) (Gamma q n))
 
@@ -99,8 +106,14 @@
   (unless (and (up? local) (< i (s:length local)))
     (complain who "expected a local tuple (up t q v ...) with ~a; given ~a~a"
               what (describe-with-value local)
-              (if (eq? who 'time) timing-hint (list-hint local "(up t q v ...)"))))
+              (cond [(pointwise? local) (value-first-hint who)]
+                    [(eq? who 'time) timing-hint]
+                    [else (list-hint local "(up t q v ...)")])))
   (vector-ref (structure-elements (adopt local)) i))
+
+;; For a path of local tuples, or a trajectory.
+(define (value-first-hint who)
+  (format "\n  of a function f of the time it is asked at a time: (~a (f t))" who))
 
 (define timing-hint
   (string-append
@@ -128,7 +141,7 @@
 ;; A local tuple of n coordinates with components named after `name`.
 (define (literal-Lagrangian-state n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error 'literal-Lagrangian-state "a number of coordinates, at least 1" n))
+    (complain-of-argument 'literal-Lagrangian-state "a number of coordinates, at least 1" n))
   (define (tuple name)
     (if (= n 1)
         name

@@ -4,7 +4,8 @@
 
 (require racket/list
          "action.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide make-path make-eta parametric-path-action
          linear-interpolants Lagrange-interpolation-function)
@@ -13,7 +14,7 @@
 ;; evenly spaced, and q1 at t1.
 (define (make-path t0 q0 t1 q1 qs)
   (unless (list? qs)
-    (raise-argument-error 'make-path "a list of intermediate coordinates" qs))
+    (complain-of-argument 'make-path "a list of intermediate coordinates" qs))
   (interpolation 'make-path 'path
                  (append (list q0) qs (list q1))
                  (append (list t0) (linear-interpolants t0 t1 (length qs)) (list t1))))
@@ -21,7 +22,7 @@
 ;; t ↦ ν(t) (t - t1) (t - t2), a variation that leaves the ends where they are.
 (define (make-eta nu t1 t2)
   (unless (procedure? nu)
-    (raise-argument-error 'make-eta "a function of time, or a tuple of them" nu))
+    (complain-of-argument 'make-eta "a function of time, or a tuple of them" nu))
   (unary-function
    (lambda () (cons 'make-eta (map value->datum (list nu t1 t2))))
    (t)
@@ -40,7 +41,7 @@
 ;; n values evenly spaced between x0 and x1, ends excluded, as a list.
 (define (linear-interpolants x0 x1 n)
   (unless (exact-nonnegative-integer? n)
-    (raise-argument-error 'linear-interpolants "a number of points" n))
+    (complain-of-argument 'linear-interpolants "a number of points" n))
   (define step (g:/ (g:- x1 x0) (add1 n)))
   (for/list ([i (in-range 1 (add1 n))])
     (g:+ x0 (g:* i step))))

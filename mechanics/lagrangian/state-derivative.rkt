@@ -11,10 +11,10 @@
 
 (require "external-force.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../value/compose.rkt" "../value/simplify.rkt"
+         "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt"
          "../value/linear/linear-algebra.rkt")
 
 (provide Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
@@ -37,7 +37,9 @@
   (define f
     (function-of-state
      'Lagrangian->state-derivative L dissipation Q
-     (lambda (state) (up 1 (velocity state) (acceleration-at state)))))
+     (lambda (state)
+       (define acceleration (acceleration-at state))
+       (up 1 (velocity state) acceleration))))
   (if (or dissipation Q)
       f
       (Lagrangian-derivative (function-procedure f) (function-mask f) (function-make-datum f) L)))
@@ -68,6 +70,11 @@
 
 ;; Differences show late otherwise, as parts of equations that cannot be added.
 (define (check-velocity who state)
+  (unless (and (local-tuple? state) (>= (s:length state) 3))
+    (complain who "expected a state (up t q v); given ~a~a" (describe-with-value state)
+              (cond [(and (local-tuple? state) (= (s:length state) 2))
+                     "\n  the velocities are missing"]
+                    [else (list-hint state "(up t q v)")])))
   (define-values (q v) (values (coordinate state) (velocity state)))
   (unless (same-shape? q v)
     (complain who "the velocities are of another shape than the coordinates~a~a"

@@ -17,7 +17,7 @@
          "../calculus/derivative-errors.rkt" "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/operator.rkt" "../value/structure.rkt")
 
 (provide Dt Euler-Lagrange-operator LE Lagrange-equations-operator
@@ -29,7 +29,7 @@
    (case-lambda
      [(F)
       (unless (procedure? F)
-        (raise-argument-error 'Dt "a function of the local tuple" F))
+        (complain-of-argument 'Dt "a function of the local tuple" F))
       (unary-function (lambda () (list 'Dt (value->datum F))) (local)
         (total-derivative F local))]
      [Fs (raise-takes-only-function 'Dt Fs)])
@@ -73,7 +73,7 @@
 ;; ((clip-state n) local): the first n components.
 (define (clip-state n)
   (unless (and (exact-integer? n) (>= n 2))
-    (raise-argument-error 'clip-state "a length of local tuples, an integer of at least 2" n))
+    (complain-of-argument 'clip-state "a length of local tuples, an integer of at least 2" n))
   (lambda (local)
     (unless (and (up? local) (<= n (s:length local)))
       (complain 'clip-state "expected a local tuple of at least ~a components; given ~a"

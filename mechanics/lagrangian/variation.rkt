@@ -8,6 +8,7 @@
 ;; again a function of paths; eta is a path of the shape of q.
 
 (require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/wrong-argument.rkt"
          "../calculus/derivative.rkt" "../value/operator.rkt")
 
 (provide delta)
@@ -15,13 +16,13 @@
 ;; ((((delta eta) f) q) t)
 (define (delta eta)
   (unless (procedure? eta)
-    (raise-argument-error 'delta "a variation: a function of time, or a tuple of them" eta))
+    (complain-of-argument 'delta "a variation: a function of time, or a tuple of them" eta))
   (define (name) (list 'delta (value->datum eta)))
   (make-primitive-operator (lambda (f) (variation-of f eta name)) name))
 
 (define (variation-of f eta operator-name)
   (unless (procedure? f)
-    (raise-argument-error 'delta "a function of paths" f))
+    (complain-of-argument 'delta "a function of paths" f))
   (define (name) (list (operator-name) (value->datum f)))
   (define (at q)
     (derivative-at (lambda (epsilon) (f (g:+ q (g:* epsilon eta)))) 0))

@@ -8,7 +8,7 @@
 (require racket/flonum
          "compiled-map.rkt" "map-of-the-plane.rkt"
          "../compile/compile-function.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../numeric/flvector.rkt")
 
 (provide iterated-map)
@@ -19,7 +19,7 @@
 (define (iterated-map map n)
   (check-map 'iterated-map map)
   (unless (exact-nonnegative-integer? n)
-    (raise-argument-error 'iterated-map "how many times, a natural number" n))
+    (complain-of-argument 'iterated-map "how many times, a natural number" n))
   (define step #f)                      ; compiled, or 'none if it cannot be
   (define (compiled-step x y)
     (unless step (set! step (or (compile-map map x y) 'none)))

@@ -5,7 +5,7 @@
 ;; The names are here, the methods are loaded when one is used.
 
 (require "../error/complain.rkt"
-         "../generic/describe.rkt"
+         "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../numeric/ode/stepper.rkt")
 
 (provide ode-integration-method set-ode-integration-method! integration-method?
@@ -42,7 +42,7 @@
 ;; A number of bits, more than those of flonums, or #f for flonums.
 (define (check-precision who bits)
   (unless (or (not bits) (and (exact-integer? bits) (< 53 bits most-bits)))
-    (raise-argument-error who "a number of bits from 54 on, or #f for flonums" bits))
+    (complain-of-argument who "a number of bits from 54 on, or #f for flonums" bits))
   bits)
 
 (define ode-precision

@@ -23,11 +23,14 @@
          "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/notation.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/shape.rkt")
 
 (provide event event? event-f event-name event-direction event-terminal?
          event-value raise-undefined
-         (struct-out occurrence)
+         occurrence occurrence?
+         (rename-out [event-of-it occurrence-event] [time-of-it occurrence-time]
+                     [state-of-it occurrence-state] [grazing-at-it? occurrence-grazing?])
          watch-for watches-for (struct-out crossing) (struct-out undefined)
          crosses?)
 
@@ -43,7 +46,7 @@
   (unless (and (procedure? f) (accepts? f 1))
     (complain 'event "expected a function of one state\n  given: ~a" (describe-function f)))
   (unless (memq direction '(rising falling both))
-    (raise-argument-error 'event "'rising, 'falling or 'both" direction))
+    (complain-of-argument 'event "'rising, 'falling or 'both" direction))
   (make-event f name direction terminal?))
 
 ;; An event, when it happened and the state then; grazing? : did its function only touch zero?
@@ -53,6 +56,10 @@
   #:notation (lambda (o see)
                (statement (list 0 "event" (see (event-name (occurrence-event o))) "at"
                                 (see (occurrence-state o))))))
+
+(define-parts occurrence? "an occurrence, one of those that (trajectory-events tr) gives"
+  [event-of-it occurrence-event] [time-of-it occurrence-time]
+  [state-of-it occurrence-state] [grazing-at-it? occurrence-grazing?])
 
 ;; so-far : the trajectory up to there
 (define (raise-undefined e t state so-far)

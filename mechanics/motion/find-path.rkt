@@ -14,6 +14,7 @@
          "check.rkt" "path-action.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
          (only-in "../numeric/flvector.rkt" flvector->list) "../numeric/progress.rkt"
          "../numeric/linear/definite.rkt"
@@ -45,7 +46,7 @@
   (when (= t0 t1)
     (raise-arguments-error who "the initial and the final time are the same" "time" t0))
   (unless (exact-nonnegative-integer? n)
-    (raise-argument-error who "a number of intermediate points" n))
+    (complain-of-argument who "a number of intermediate points" n))
   (for ([q (list q0 q1)]
         [name '("coordinate at the initial time" "coordinate at the final time")])
     (for ([x (in-list (scalars q))]) (check-real who name x)))

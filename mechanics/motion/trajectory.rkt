@@ -12,7 +12,7 @@
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
-         "../generic/on-demand.rkt" "../generic/value-struct.rkt"
+         "../generic/on-demand.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/flvector.rkt" "../numeric/progress.rkt"
          "../numeric/ode/stepper.rkt")
 
@@ -76,7 +76,8 @@
   (so-far e))
 
 (define (check-trajectory who tr)
-  (unless (trajectory? tr) (raise-argument-error who "trajectory?" tr)))
+  (unless (trajectory? tr)
+    (complain-of-argument who "a trajectory, such as evolve-trajectory gives" tr)))
 
 (define (step-times tr)
   (cons (first-time tr)

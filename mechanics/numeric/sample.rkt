@@ -4,7 +4,7 @@
 ;; wrong with it.
 
 (require "finite.rkt"
-         "../error/failure.rkt")
+         "../error/complain.rkt" "../error/failure.rkt")
 
 (provide sample check-finite check-interval check-tolerance)
 
@@ -26,7 +26,7 @@
 ;; role : what x is, as in "limit of integration".
 (define (check-finite who x role)
   (unless (finite? x)
-    (raise-argument-error who (string-append "a finite real number as " role) x)))
+    (complain-of-datum who (string-append "a finite real number as " role) x)))
 
 (define (check-interval who low high)
   (check-finite who low "end of the interval")
@@ -34,4 +34,4 @@
 
 (define (check-tolerance who tolerance)
   (unless (and (real? tolerance) (> tolerance 0))
-    (raise-argument-error who "a positive tolerance" tolerance)))
+    (complain-of-datum who "a positive tolerance" tolerance)))

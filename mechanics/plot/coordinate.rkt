@@ -8,7 +8,8 @@
          "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt"
+         "../generic/kind.rkt" "../generic/multiplied-function.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/finite.rkt")
 
 (provide coordinate-of plane-point check-number check-function parameters)
@@ -31,7 +32,7 @@
              ""
              (format "\n  without a number: ~a~a" (joined symbols) symbols-hint))]
         [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
-        [else ""]))
+        [else (multiplied-hint x)]))
 
 ;; Of a tuple of two, or as the book makes it by cons.
 (define (plane-point who what p)
@@ -50,7 +51,7 @@
 (define (check-number who what x)
   (define number (coordinate-of who (lambda () what) x))
   (unless (finite? number)
-    (raise-argument-error who (format "a finite number as ~a" what) x))
+    (complain-of-argument who (format "a finite number as ~a" what) x))
   number)
 
 (define (check-function who f count)
@@ -64,7 +65,7 @@
 ;; From one number to another in steps; the last may be shorter.
 (define (parameters who from to step)
   (unless (> step 0.0)
-    (raise-argument-error who "a positive step" step))
+    (complain-of-argument who "a positive step" step))
   (define span (- to from))
   (define steps (ceiling (- (/ (abs span) step) 1e-6)))
   (unless (<= steps most-parameters)

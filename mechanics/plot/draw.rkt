@@ -2,38 +2,40 @@
 ;; Drawing in frames (SICM 1.4, p. 23; 1.7, p. 76; 4.3, p. 308).
 
 (require racket/flonum
-         "coordinate.rkt" "frame.rkt" "points.rkt" "style.rkt")
+         "coordinate.rkt" "frame.rkt" "points.rkt" "style.rkt"
+         "../generic/define-plain.rkt")
 
 (provide plot-point plot-line plot-function plot-parametric plot-parametric-fill
          ;; for the curves of motions
          draw-curve)
 
-(define (plot-point f x y #:color [color 0] #:size [size 1.5] #:label [label #f])
+(define-plain (plot-point f x y #:color [color 0] #:size [size 1.5] #:label [label #f])
   (check-frame 'plot-point f)
   (add-dot! 'plot-point f color size label
             (coordinate-of 'plot-point (lambda () "x") x)
             (coordinate-of 'plot-point (lambda () "y") y)))
 
-(define (plot-line f x1 y1 x2 y2
-                   #:color [color 0] #:width [width 1] #:style [dash 'solid] #:label [label #f])
+(define-plain (plot-line f x1 y1 x2 y2
+                         #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                         #:label [label #f])
   (check-frame 'plot-line f)
   (define ends
     (for/list ([x (in-list (list x1 y1 x2 y2))] [what (in-list '("x1" "y1" "x2" "y2"))])
       (coordinate-of 'plot-line (lambda () what) x)))
   (apply add-line! 'plot-line f color width dash label ends))
 
-(define (plot-function f function from to [step #f]
-                       #:color [color 0] #:width [width 1] #:style [dash 'solid]
-                       #:label [label #f])
+(define-plain (plot-function f function from to [step #f]
+                             #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                             #:label [label #f])
   (check-frame 'plot-function f)
   (check-function 'plot-function function 1)
   (draw-curve 'plot-function f (make-style 'plot-function 'curve color width dash label)
               (range 'plot-function from to step)
               (lambda (x what) (values x (coordinate-of 'plot-function what (function x))))))
 
-(define (plot-parametric f curve from to [step #f]
-                         #:color [color 0] #:width [width 1] #:style [dash 'solid]
-                         #:label [label #f])
+(define-plain (plot-parametric f curve from to [step #f]
+                               #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                               #:label [label #f])
   (check-frame 'plot-parametric f)
   (check-function 'plot-parametric curve 1)
   (draw-curve 'plot-parametric f (make-style 'plot-parametric 'curve color width dash label)
@@ -62,8 +64,8 @@
 
 ;; Points of a curve, as close as `near?` demands: what lies between two that are not
 ;; near is filled in by halving, until there is no number between.
-(define (plot-parametric-fill f curve from to [near? (near-in f)]
-                              #:color [color 0] #:size [size 1.5] #:label [label #f])
+(define-plain (plot-parametric-fill f curve from to [near? (near-in f)]
+                                    #:color [color 0] #:size [size 1.5] #:label [label #f])
   (define who 'plot-parametric-fill)
   (check-open who f)
   (check-function who curve 1)

@@ -2,11 +2,12 @@
 ;; Frames as picts: their picture now, which later drawing does not change.
 
 (require "frame.rkt" "on-demand.rkt" "view.rkt"
-         "../error/machine.rkt")
+         "../error/machine.rkt"
+         "../generic/define-plain.rkt")
 
 (provide frame->pict frame->pict/size)
 
-(define (frame->pict f)
+(define-plain (frame->pict f)
   (check-frame 'frame->pict f)
   (define reason (why-not))
   (when reason

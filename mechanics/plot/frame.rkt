@@ -13,7 +13,8 @@
          racket/serialize
          "layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt"
          "../display/advice.rkt"
-         "../generic/value-struct.rkt")
+         "../generic/define-plain.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide
  frame frame?
@@ -42,16 +43,17 @@
   (make-serialize-info (lambda (f) (vector (frame->datum f))) #'frame-deserialize-info #f
                        (or (current-load-relative-directory) (current-directory))))
 
-(define (frame x-min x-max y-min y-max
-               #:title [title #f] #:x-label [x-label #f] #:y-label [y-label #f]
-               #:width [width 400] #:height [height 400] #:aspect-ratio [aspect-ratio #f])
+(define-plain (frame x-min x-max y-min y-max
+                     #:title [title #f] #:x-label [x-label #f] #:y-label [y-label #f]
+                     #:width [width 400] #:height [height 400]
+                     #:aspect-ratio [aspect-ratio #f])
   (new-frame (make-view (list x-min x-max y-min y-max) title x-label y-label
                         width height aspect-ratio)
              (make-semaphore 1) '() #f 0 #f))
 
 (define (check-frame who f)
   (unless (frame? f)
-    (raise-argument-error who "a frame, such as (frame 0 1 -1 1)" f)))
+    (complain-of-argument who "a frame, such as (frame 0 1 -1 1)" f)))
 
 ;; Complains before anything is computed for a frame that is closed.
 (define (check-open who f)
@@ -80,11 +82,11 @@
                         #t]))))
       (raise-closed who f))))
 
-(define (graphics-clear f)
+(define-plain (graphics-clear f)
   (change! 'graphics-clear f (set-frame-layers! f '())))
 
 ;; What was drawn stays; nothing more can be.
-(define (graphics-close f)
+(define-plain (graphics-close f)
   (check-frame 'graphics-close f)
   (set-frame-closed?! f #t)
   (define on-close (frame-on-close f))
@@ -126,13 +128,13 @@
 ;; Layers from below to above, which later drawing does not change.  No lock is needed.
 (define (frame-now f) (layers-now (reverse (frame-layers f))))
 
-(define (frame-points f)
+(define-plain (frame-points f)
   (check-frame 'frame-points f)
   (for*/list ([l (in-list (frame-now f))] #:when (eq? (layer-kind l) 'points)
               [v (in-list (snapshot->vectors (layer-data l)))])
     v))
 
-(define (frame-curves f)
+(define-plain (frame-curves f)
   (check-frame 'frame-curves f)
   (for*/list ([l (in-list (frame-now f))] #:when (memq (layer-kind l) '(curve lines))
               [c (in-list (snapshot->curves (layer-data l)))])

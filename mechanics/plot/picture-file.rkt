@@ -4,13 +4,14 @@
 
 (require racket/file
          racket/path
-         "../error/machine.rkt")
+         "../error/machine.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide format-of-file check-file write-file)
 
 ;; formats : ((extension . format) ...), such as #".png"; listed : as a message lists them
 (define (format-of-file who file formats listed)
-  (unless (path-string? file) (raise-argument-error who "the name of a file" file))
+  (unless (path-string? file) (complain-of-argument who "the name of a file" file))
   (define extension (path-get-extension file))
   (cond [(and extension (assoc (string->bytes/utf-8
                                 (string-downcase (bytes->string/utf-8 extension #\?)))

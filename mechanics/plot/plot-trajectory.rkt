@@ -2,7 +2,7 @@
 ;; Motions drawn: one function of the state against another, or against the time.
 
 (require "coordinate.rkt" "draw.rkt" "frame.rkt" "style.rkt"
-         "../generic/compare.rkt"
+         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/wrong-argument.rkt"
          "../motion/on-demand.rkt")
 
 (provide plot-trajectory)
@@ -14,12 +14,13 @@
 (define most-points 50000)
 
 ;; (plot-trajectory f tr y) or (plot-trajectory f tr x y), x and y functions of the state
-(define (plot-trajectory f tr a [b #f]
-                         #:color [color 0] #:width [width 1] #:style [dash 'solid]
-                         #:label [label #f])
+(define-plain (plot-trajectory f tr a [b #f]
+                               #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                               #:label [label #f])
   (define who 'plot-trajectory)
   (check-frame who f)
-  (unless (trajectory? tr) (raise-argument-error who "a trajectory" tr))
+  (unless (trajectory? tr)
+    (complain-of-argument who "a trajectory, such as evolve-trajectory gives" tr))
   (check-function who a 1)
   (when b (check-function who b 1))
   (define x (if b (lambda (t state) (a state)) (lambda (t state) t)))

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; The picture of a frame as a file.
 
-(require "frame.rkt" "on-demand.rkt" "picture-file.rkt")
+(require "frame.rkt" "on-demand.rkt" "picture-file.rkt"
+         "../generic/define-plain.rkt")
 
 (provide graphics-save)
 
@@ -9,7 +10,7 @@
 (define formats
   '((#".png" . png-bytes) (#".svg" . svg-bytes) (#".pdf" . pdf-bytes)))
 
-(define (graphics-save f file)
+(define-plain (graphics-save f file)
   (check-frame 'graphics-save f)
   (define format (format-of-file 'graphics-save file formats ".png, .svg or .pdf"))
   (check-file 'graphics-save file why-not)

@@ -3,14 +3,14 @@
 ;; loaded when the first is opened.
 
 (require "frame.rkt" "frame-pict.rkt" "window-screen.rkt" "view.rkt"
-         "../generic/on-demand.rkt")
+         "../generic/define-plain.rkt" "../generic/on-demand.rkt")
 
 (require-on-demand #:in-this-thread ["window.rkt" loaded? open-window])
 
 (provide graphics-show)
 
 ;; At once; the window follows what is drawn from then on.
-(define (graphics-show f)
+(define-plain (graphics-show f)
   (check-open 'graphics-show f)
   (unless (frame-on-close f)
     (check-screen 'graphics-show loaded? "(graphics-save frame \"picture.png\")")

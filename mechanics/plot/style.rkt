@@ -1,7 +1,8 @@
 #lang racket/base
 ;; How something is drawn, checked once, when it is.
 
-(require "layer.rkt" "on-demand.rkt")
+(require "layer.rkt" "on-demand.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide make-style style-is?)
 
@@ -9,14 +10,14 @@
 
 (define (make-style who kind color size dash label)
   (unless (color? color)
-    (raise-argument-error
+    (complain-of-argument
      who "a color: a name such as 'red, a small integer, or a list of three bytes" color))
   (unless (and (real? size) (<= 0 size 1000))
-    (raise-argument-error who "a size in pixels, from 0 to 1000" size))
+    (complain-of-argument who "a size in pixels, from 0 to 1000" size))
   (unless (memq dash dashes)
-    (raise-argument-error who (format "a line style, one of ~a" dashes) dash))
+    (complain-of-argument who (format "a line style, one of ~a" dashes) dash))
   (unless (or (not label) (string? label))
-    (raise-argument-error who "a string as label, or #f" label))
+    (complain-of-argument who "a string as label, or #f" label))
   (style kind color size dash label))
 
 (define (style-is? s kind color size dash label)

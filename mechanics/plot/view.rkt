@@ -2,6 +2,8 @@
 ;; The window of the plane that a picture shows, its size on paper and what is written
 ;; beside it.
 
+(require "../generic/wrong-argument.rkt")
+
 (provide (struct-out view) make-view check-bounds view->datum datum->view)
 
 ;; bounds : (list x-min x-max y-min y-max), flonums; width, height : pixels
@@ -12,10 +14,10 @@
   (check-bounds 'frame bounds)
   (for ([text (in-list (list title x-label y-label))])
     (unless (or (not text) (string? text))
-      (raise-argument-error 'frame "a string as title or label, or #f" text)))
+      (complain-of-argument 'frame "a string as title or label, or #f" text)))
   (for ([size (in-list (list width height))])
     (unless (and (exact-positive-integer? size) (<= 50 size 10000))
-      (raise-argument-error 'frame "a size of 50 to 10000 pixels" size)))
+      (complain-of-argument 'frame "a size of 50 to 10000 pixels" size)))
   (view (map real->double-flonum bounds) title x-label y-label width height
         (ratio aspect-ratio bounds)))
 
@@ -24,7 +26,7 @@
   (for ([x (in-list bounds)]
         [what (in-list '("least x" "greatest x" "least y" "greatest y"))])
     (unless (and (real? x) (< (abs (real->double-flonum x)) +inf.0))
-      (raise-argument-error who (format "a real number as ~a" what) x)))
+      (complain-of-argument who (format "a real number as ~a" what) x)))
   (define-values (x-min x-max y-min y-max) (apply values bounds))
   (check-ascending who "x" x-min x-max)
   (check-ascending who "y" y-min y-max))
@@ -41,7 +43,7 @@
   (cond [(eq? aspect-ratio 'equal) (/ (- x-max x-min) (- y-max y-min))]
         [(or (not aspect-ratio) (and (real? aspect-ratio) (< 0 aspect-ratio +inf.0)))
          aspect-ratio]
-        [else (raise-argument-error 'frame "'equal, a positive ratio of width to height, or #f"
+        [else (complain-of-argument 'frame "'equal, a positive ratio of width to height, or #f"
                                     aspect-ratio)]))
 
 (define (view->datum v)

@@ -4,14 +4,21 @@
 (require "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/notation.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt"
-         "../generic/value-struct.rkt")
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt")
 
-(provide (struct-out equilibrium) check-coordinates)
+(provide equilibrium equilibrium?
+         (rename-out [coordinates-at-rest equilibrium-coordinates]
+                     [conditions-of-rest equilibrium-conditions])
+         check-coordinates)
 
 ;; conditions : for the coordinates to be real, such as (<= e 1)
 (value-struct equilibrium (coordinates conditions)
   #:datum (lambda (e) `(equilibrium ,(equilibrium-coordinates e) ,@(equilibrium-conditions e)))
   #:notation (lambda (e see) (equilibrium-notation e see)))
+
+(define-parts equilibrium? "an equilibrium, one of those that (equilibria L local) gives"
+  [coordinates-at-rest equilibrium-coordinates]
+  [conditions-of-rest equilibrium-conditions])
 
 (define (equilibrium-notation e see)
   (apply statement

@@ -21,7 +21,7 @@
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
          "../generic/truth.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
@@ -31,8 +31,11 @@
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians
-         equivalence? equivalence-kind equivalence-factor equivalence-gauge
-         equivalence-verdict)
+         equivalence?
+         (rename-out [kind-of-equivalence equivalence-kind]
+                     [factor-between equivalence-factor]
+                     [gauge-between equivalence-gauge]
+                     [verdict-on-equivalence equivalence-verdict]))
 
 ;; kind : 'total-derivative, 'proportional, 'combination, or #f if not equivalent
 ;; factor : C with E₂ = C E₁, a scalar or a matrix; #f if not known
@@ -42,6 +45,10 @@
   #:notation (lambda (e see) (equivalence-notation e see))
   #:property prop:no-truth-value
   "what two Lagrangians share is neither true nor false; ask (proved? (equivalence-verdict e))")
+
+(define-parts equivalence? "what (compare-Lagrangians L1 L2 local) gives"
+  [kind-of-equivalence equivalence-kind] [factor-between equivalence-factor]
+  [gauge-between equivalence-gauge] [verdict-on-equivalence equivalence-verdict])
 
 ;; local : a local tuple of symbols (up t q v), or of Hamiltonians a state (up t q p)
 (define (verify-equivalent-Lagrangians L1 L2 local)

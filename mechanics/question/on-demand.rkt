@@ -12,7 +12,8 @@
  ["gauge.rkt" verify-total-time-derivative gauge-function]
  ["phase-space.rkt" verify-Hamiltonian-solution]
  ["stability.rkt" equilibrium-stability stability? stability-kind stability-conditions]
- ["impose.rkt" impose verify-again]
+ ["impose.rkt" impose]
  ["ignorable.rkt" verify-ignorable ignorable-coordinates conserved-momenta]
  ["small-oscillations.rkt" mass-matrix stiffness-matrix gyroscopic-matrix normal-modes
-                           small-oscillation-frequencies])
+                           small-oscillation-frequencies]
+ ["verify-again.rkt" verify-again])

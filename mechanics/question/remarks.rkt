@@ -21,7 +21,7 @@
 (define (remarks-on-states H states)
   (define t (string->uninterned-symbol "t"))
   (define state (states t))
-  (define anything (scalars->structure state (lambda (k) (string->uninterned-symbol "x"))))
+  (define anything (unknowns-like state))
   (append (remarks-on-path t (state->qp state))
           (if (depends? H anything)
               '()
@@ -38,7 +38,7 @@
         [else (list "the path does not depend on the time")]))
 
 (define (remarks-on-Lagrangian L local)
-  (define state (scalars->structure local (lambda (k) (string->uninterned-symbol "x"))))
+  (define state (unknowns-like local))
   (if (depends? L state)
       '()
       (list (string-append "the Lagrangian depends neither on time nor on coordinates nor on "

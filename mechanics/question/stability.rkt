@@ -23,13 +23,16 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/notation.rkt" "../generic/truth.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
          "../verdict/verdict.rkt")
 
-(provide equilibrium-stability stability? stability-kind stability-conditions)
+(provide equilibrium-stability stability?
+         (rename-out [kind-of-stability stability-kind]
+                     [conditions-of-stability stability-conditions]))
 
 ;; kind : 'stable 'linearly-stable 'unstable 'undecided
 ;; conditions : inequalities (> e 0) for it to be stable, unstable if e < 0 in one
@@ -38,6 +41,9 @@
   #:notation (lambda (s see) (stability-notation s see))
   #:property prop:no-truth-value
   "how stable it is, is neither true nor false; ask (eq? (stability-kind s) 'stable)")
+
+(define-parts stability? "what (equilibrium-stability L q) gives"
+  [kind-of-stability stability-kind] [conditions-of-stability stability-conditions])
 
 ;; q : coordinates of an equilibrium of an L that does not change in time
 (define (equilibrium-stability given q)

@@ -51,7 +51,7 @@
 ;; With symbols in place of all numbers of the state, which has this shape and which (local)
 ;; gives; #f if that is too much for f.
 (define (survey-anywhere t shape local f)
-  (define state (scalars->structure shape (lambda (k) (string->uninterned-symbol "x"))))
+  (define state (unknowns-like shape))
   (define-values (_ survey)
     (with-handlers ([raised? (lambda (e) (values #f #f))])
       (survey-derivatives (lambda () (f state)) (scalars state)

@@ -17,7 +17,7 @@
 (define (meaning-of-solution L q n force)
   (define t (string->uninterned-symbol "t"))
   (define local ((Gamma q (+ n 2)) t))
-  (define state (scalars->structure local (lambda (k) (string->uninterned-symbol "x"))))
+  (define state (unknowns-like local))
   (about L state n force (expressions-in (lambda () (coordinate local))) (list t)))
 
 ;; state : of symbols; Q : a function of it, which shall not become a constant

@@ -5,7 +5,7 @@
          "../calculus/gradient.rkt" "../calculus/number.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../numeric/flvector.rkt" "../numeric/progress.rkt" "../numeric/sample.rkt"
          (prefix-in numeric: "../numeric/search/brent-minimum.rkt")
          "../numeric/search/golden-section.rkt"
@@ -115,7 +115,7 @@
   (when step (check-step who step))
   (check-tolerance who tolerance)
   (unless (exact-positive-integer? limit)
-    (raise-argument-error who "a number of evaluations, a positive integer" limit))
+    (complain-of-argument who "a number of evaluations, a positive integer" limit))
   (define-values (x argument) (point-and-argument who start))
   (define (search note!)
     (define watch (counting-search note! who (lambda (x y) (observe (argument x) y))))
@@ -128,11 +128,11 @@
 
 (define (check-method who m)
   (unless (memq m '(quasi-newton nelder-mead #f))
-    (raise-argument-error who "'quasi-newton or 'nelder-mead" m)))
+    (complain-of-argument who "'quasi-newton or 'nelder-mead" m)))
 
 (define (check-step who step)
   (unless (and (real? step) (< 0 step +inf.0))
-    (raise-argument-error who "a positive step" step)))
+    (complain-of-argument who "a positive step" step)))
 
 ;; Can the function be differentiated at x, and does it fall from there?  Where the
 ;; gradient vanishes may be a maximum.

@@ -3,7 +3,7 @@
 ;; a motion.  For all others there is D, which is exact.
 
 (require "../calculus/number.rkt"
-         "../generic/define-plain.rkt"
+         "../generic/define-plain.rkt" "../generic/wrong-argument.rkt"
          "../numeric/search/differences.rkt"
          "../value/shape.rkt")
 
@@ -17,7 +17,7 @@
 ;; step : a distance from x over which f changes noticeably and is defined
 (define-plain (richardson-derivative f tolerance [step #f] #:report [report the-derivative])
   (unless (or (not step) (and (real? step) (< 0 step +inf.0)))
-    (raise-argument-error 'richardson-derivative "a positive step" step))
+    (complain-of-argument 'richardson-derivative "a positive step" step))
   (derivative-from-values 'richardson-derivative f tolerance step report))
 
 (define (the-derivative value error count) value)

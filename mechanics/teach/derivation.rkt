@@ -6,6 +6,7 @@
          "../display/print-expression.rkt" (only-in "../display/receiver.rkt" receiver-here)
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/elementary.rkt" "../generic/on-demand.rkt"
+         "../generic/wrong-argument.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt")
 
@@ -60,7 +61,7 @@
   (cond [(equations? equations) (Lagrange-steps who equations q t)]
         [(newtonian? equations) (Newton-steps who equations q t)]
         [else
-         (raise-argument-error
+         (complain-of-argument
           who "(Lagrange-equations L) or (d-Alembert-equations masses r F)" equations)]))
 
 (define (Lagrange-steps who equations q t)

@@ -12,7 +12,7 @@
          "../algebra/assumption/relation.rkt"
          "../algebra/expression/expression.rkt"
          "../error/once.rkt"
-         "../generic/describe.rkt")
+         "../generic/describe.rkt" "../generic/wrong-argument.rkt")
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions
          ;; for those who call the algebra
@@ -108,7 +108,7 @@
     [(#f) (append declared used)]
     [(declared) declared]
     [(used) used]
-    [else (raise-argument-error 'assumptions "'declared or 'used, or no argument" which)]))
+    [else (complain-of-argument 'assumptions "'declared or 'used, or no argument" which)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Scopes

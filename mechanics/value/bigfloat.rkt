@@ -12,7 +12,7 @@
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
          "../numeric/linear/rows.rkt")
 
@@ -55,7 +55,7 @@
 ;; x : a real number, a numeral or a bigfloat
 (define (bigfloat x [bits default-bits])
   (unless (and (exact-integer? bits) (<= 2 bits 1000000))
-    (raise-argument-error 'bigfloat "a number of bits from 2 to 1000000" bits))
+    (complain-of-argument 'bigfloat "a number of bits from 2 to 1000000" bits))
   (check-bigfloats 'bigfloat)
   (define value
     (call-with-bits bits
@@ -66,7 +66,7 @@
               [(string? x) (m:string->bigfloat x)]
               [else #f]))))
   (unless (m:bigfloat? value)
-    (raise-argument-error 'bigfloat "a real number or the numeral of one, such as \"0.1\"" x))
+    (complain-of-argument 'bigfloat "a real number or the numeral of one, such as \"0.1\"" x))
   (wrap value))
 
 (define (bigfloat? x) (big? x))
@@ -83,7 +83,8 @@
   (exact-value (unwrap x)))
 
 (define (check who x)
-  (unless (big? x) (raise-argument-error who "bigfloat?" x)))
+  (unless (big? x)
+    (complain-of-argument who "a number of higher precision, such as (bigfloat 2 100)" x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic

@@ -13,7 +13,7 @@
 (require "series/coefficients.rkt" "series/series.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/scalar.rkt" "../generic/value-struct.rkt")
+         "../generic/scalar.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt")
 
 (provide make-operator make-primitive-operator operator?
          I-operator commutator anticommutator)
@@ -40,7 +40,7 @@
 ;; and not needed.
 (define (make-operator procedure [name (procedure-datum procedure)] [subtype #f] [arity #f])
   (unless (procedure? procedure)
-    (raise-argument-error 'make-operator "a function of functions" procedure))
+    (complain-of-argument 'make-operator "a function of functions" procedure))
   (naming-images procedure (lambda () (value->datum name))))
 
 ;; One whose procedure gives its images their names itself.

@@ -8,7 +8,7 @@
 (require "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt")
+         "../generic/describe.rkt" "../generic/wrong-argument.rkt")
 
 (provide expand factor collect coefficient together apart
          (rename-out [numerator-of numerator] [denominator-of denominator]))
@@ -47,7 +47,7 @@
 (define (coefficient x in n)
   (check-unknown 'coefficient in)
   (unless (exact-integer? n)
-    (raise-argument-error 'coefficient "an integer, the power whose coefficient is wanted" n))
+    (complain-of-argument 'coefficient "an integer, the power whose coefficient is wanted" n))
   (map-scalars 'coefficient
                (lambda (e A)
                  (define-values (c assumptions) (expression-coefficient e in n A))

@@ -1,11 +1,12 @@
 #lang racket/base
-;; Structures as flvectors: their scalars in a row, and back.
+;; Structures as their scalars in a row, of numbers as flvectors; and back.
 
 (require racket/flonum
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt")
 
-(provide scalars shape-length scalars->structure structure->flvector flvector->structure)
+(provide scalars shape-length scalars->structure unknowns-like
+         structure->flvector flvector->structure)
 
 ;; The scalars of x, a scalar or a structure of them, from the first to the last.
 (define (scalars x)
@@ -27,6 +28,16 @@
 
 (define (flvector->structure shape v)
   (scalars->structure shape (lambda (k) (flvector-ref v k))))
+
+;; A structure of that shape, of symbols that stand in no expression; those in place of symbols
+;; are spelt like them, for they may be shown in a message.
+(define (unknowns-like x)
+  (define names (list->vector (scalars x)))
+  (scalars->structure x
+                      (lambda (k)
+                        (define name (vector-ref names k))
+                        (string->uninterned-symbol
+                         (if (symbol? name) (symbol->string name) "x")))))
 
 ;; (complain scalar) where one is not a real number; multiples of π are.
 (define (structure->flvector x complain)

@@ -12,7 +12,8 @@
 ;; (Lagrangian) takes as many velocities as coordinates.
 
 (require "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt")
+         "../generic/describe.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide
  ;; vocabulary
@@ -59,7 +60,7 @@
 
 (define (tuple-shape who make n)
   (unless (or (not n) (exact-positive-integer? n))
-    (raise-argument-error who "a number of coordinates, a positive integer" n))
+    (complain-of-argument who "a number of coordinates, a positive integer" n))
   (cond [(not n) (make Real)]
         [(= n 1) Real]
         [else (make Real n)]))

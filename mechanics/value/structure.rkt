@@ -4,7 +4,8 @@
 (require "complex.rkt" "series/access.rkt" "series/series.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt")
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide
  ;; data, from the floor below
@@ -101,9 +102,9 @@
 ;; (s:generate n 'up f): the tuple of f(0) ... f(n - 1).
 (define (s:generate n orientation f)
   (unless (memq orientation '(up down))
-    (raise-argument-error 's:generate "'up or 'down" orientation))
+    (complain-of-argument 's:generate "'up or 'down" orientation))
   (unless (exact-nonnegative-integer? n)
-    (raise-argument-error 's:generate "a number of components, at least 0" n))
+    (complain-of-argument 's:generate "a number of components, at least 0" n))
   (structure orientation (build-vector n f)))
 
 ;; f applied to each component; with several structures, to corresponding ones.

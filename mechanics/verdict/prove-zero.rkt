@@ -11,7 +11,7 @@
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/once.rkt" "../error/words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/operator.rkt"
          "../value/series/access.rkt" "../value/series/series.rkt")
 
@@ -85,7 +85,7 @@
 
 (define (check-variables names)
   (unless (and (list? names) (andmap symbol? names))
-    (raise-argument-error 'prove-zero "the variables, a list of symbols" names)))
+    (complain-of-argument 'prove-zero "the variables, a list of symbols" names)))
 
 ;; kinks-found : -> kinks and grounds
 (define (judge leaf A variables kinks-found)

@@ -5,16 +5,19 @@
          "report.rkt" "report-notation.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/truth.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/algebra.rkt"
          "../value/linear/matrix.rkt"
          "../value/series/series.rkt")
 
 (provide make-verdict verdict?
-         verdict-status proved? refuted? undecided?
-         verdict-residual verdict-witness verdict-value
+         (rename-out [status-of verdict-status] [residual-of verdict-residual]
+                     [remarks-of verdict-remarks])
+         proved? refuted? undecided?
+         verdict-witness verdict-value
          verdict-assumptions verdict-conditions verdict-alternatives verdict-factored
          verdict-kinks
-         verdict-readings verdict-reason verdict-remarks
+         verdict-readings verdict-reason
          verdict-lines kinks->text
          ;; for those who ask again
          verdict-question verdict-given with-remark)
@@ -54,10 +57,18 @@
 (define (with-remark v text)
   (struct-copy verdict v [remarks (cons text (verdict-remarks v))]))
 
+;; ---------------------------------------------------------------------------
+;; Asking
+
+(define a-verdict "a verdict, such as verify-solution or prove-zero gives")
+
+(define-parts verdict? a-verdict
+  [status-of verdict-status] [residual-of verdict-residual] [remarks-of verdict-remarks])
+
 ;; A procedure of a verdict: what else it is given is complained of in its own name.
 (define-syntax-rule (define-of-verdict (name v) body ...)
   (define (name v)
-    (unless (verdict? v) (raise-argument-error 'name "verdict?" v))
+    (unless (verdict? v) (complain-of-argument 'name a-verdict v))
     body ...))
 
 (define-of-verdict (proved? v) (eq? (verdict-status v) 'proved))

@@ -6,6 +6,8 @@
 ;; `print-limit` atoms and says how many it left out, counting them on the
 ;; shared pairs.  Symbols are written without quotes or bars they do not need.
 
+(require "../../error/complain.rkt")
+
 (provide print-limit write-datum datum->text datum->brief-text make-sizer omission)
 
 ;; The greatest number of atoms written for one value; #f for no bound.
@@ -13,8 +15,7 @@
   (make-parameter 2000
                   (lambda (n)
                     (unless (or (not n) (exact-positive-integer? n))
-                      (raise-argument-error 'print-limit
-                                            "(or/c exact-positive-integer? #f)" n))
+                      (complain-of-datum 'print-limit "a number of terms, 1, 2, 3 ..., or #f" n))
                     n)))
 
 (define (datum->text d)

@@ -1,6 +1,8 @@
 #lang racket/base
 ;; What a reader may choose about the look of formulas.
 
+(require "../../error/complain.rkt")
+
 (provide derivative-style suppress-arguments)
 
 ;; How derivatives of functions of one variable are marked: by dots or by D.  'automatic:
@@ -9,7 +11,7 @@
   (make-parameter 'automatic
                   (lambda (style)
                     (unless (memq style '(automatic dots D))
-                      (raise-argument-error 'derivative-style "'automatic, 'dots or 'D" style))
+                      (complain-of-datum 'derivative-style "'automatic, 'dots or 'D" style))
                     style)))
 
 ;; Symbols: a literal function applied to these alone is shown without its arguments.
@@ -17,6 +19,6 @@
   (make-parameter '()
                   (lambda (names)
                     (unless (and (list? names) (andmap symbol? names))
-                      (raise-argument-error 'suppress-arguments
-                                            "a list of symbols, such as '(t)" names))
+                      (complain-of-datum 'suppress-arguments
+                                         "a list of symbols, such as '(t)" names))
                     names)))

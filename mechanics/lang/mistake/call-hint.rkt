@@ -47,7 +47,7 @@
       (regexp-match? #rx"^application: no case matching [0-9]+ non-keyword argument" message)))
 
 (define (about-constraint? message)
-  (regexp-match? #rx"^[^ \n]+: contract violation\n.*\n  given: [(](non)?holonomic " message))
+  (regexp-match? #rx"^[^ \n]+: expected [^\n]*\n  given: [(](non)?holonomic " message))
 
 ;; ---------------------------------------------------------------------------
 ;; Keywords

@@ -19,7 +19,7 @@
     (#rx"bad require spec" "as in (require mechanics/plot)")))
 
 (define for-values
-  '((#rx"\n  (expected: (list|pair)[?][^\n]*\n  given|in): [(](up|down) "
+  '((#rx"\n  (expected: (list|pair)[?][^\n]*\n  given|index: [^\n]*\n  in): [(](up|down) "
      "a tuple is no list: (ref s 0) is a component, (structure->list s) a list of them")
     (#px"^(?:sinh|cosh|tanh|sgn|conjugate): contract violation\n  expected: number[?]"
      "this one is Racket's, of numbers alone; (require (except-in racket/math ...)) leaves it out")

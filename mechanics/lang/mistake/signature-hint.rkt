@@ -149,7 +149,7 @@
 ;; A constraint where none is expected: the keyword that takes it.
 (define (constraint-hint message)
   (define found
-    (regexp-match #rx"^([^ \n]+): contract violation\n.*\n  given: ([(](non)?holonomic .*)$"
+    (regexp-match #rx"^([^ \n]+): expected [^\n]*\n  given: ([(](non)?holonomic .*)$"
                   message))
   (define wanted
     (if found

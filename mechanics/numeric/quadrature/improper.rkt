@@ -4,7 +4,7 @@
 
 (require "half-line.rkt" "interval.rkt" "tail.rkt"
          "../sample.rkt"
-         "../../error/failure.rkt")
+         "../../error/complain.rkt" "../../error/failure.rkt")
 
 (provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum, error bound
 
@@ -30,7 +30,7 @@
 
 (define (check-limit who x)
   (unless (and (real? x) (= x x))
-    (raise-argument-error who "a real number, perhaps infinite, as limit of integration" x)))
+    (complain-of-datum who "a real number, perhaps infinite, as limit of integration" x)))
 
 ;; a < b
 (define (between q f a b)

@@ -20,7 +20,8 @@
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
-         "../../generic/elementary.rkt" "../../generic/function.rkt")
+         "../../generic/elementary.rkt" "../../generic/function.rkt"
+         "../../generic/wrong-argument.rkt")
 
 (provide cubic-spline Hermite-spline monotone-spline linear-interpolation)
 
@@ -65,7 +66,7 @@
 
 (define (check-ends ends ys)
   (unless (or (memq ends '(not-a-knot natural periodic)) (and (list? ends) (= (length ends) 2)))
-    (raise-argument-error
+    (complain-of-argument
      'cubic-spline "'not-a-knot, 'natural, 'periodic or a list of the slopes at the two ends" ends))
   (when (eq? ends 'periodic)
     (define first (vector-ref ys 0))

@@ -11,7 +11,7 @@
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/dispatch.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
          "../../generic/notation.rkt" "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
-         "../../generic/value-struct.rkt")
+         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt")
 
 (provide
  ;; construction
@@ -98,7 +98,7 @@
           who (format "each list is an argument of its own: (~a '(1 2) '(3 4))" who) "given" r)]
         [(list? r) (list->vector r)]
         [(tuple? r) (structure-elements (adopt r))]
-        [else (raise-argument-error who "a row: a list or a tuple" r)]))
+        [else (complain-of-argument who "a row: a list or a tuple" r)]))
 
 (define (check-equal-lengths who vectors)
   (when (null? vectors)
@@ -115,7 +115,7 @@
 
 (define (identity-matrix n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error 'identity-matrix "a number of rows, at least 1" n))
+    (complain-of-argument 'identity-matrix "a number of rows, at least 1" n))
   (m:generate n n (lambda (i j) (if (= i j) 1 0))))
 
 (define (up->column-matrix s)

@@ -3,7 +3,8 @@
 
 (require "coefficients.rkt" "series.rkt"
          "../../error/complain.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/describe.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
+         "../../generic/wrong-argument.rkt")
 
 (provide
  series power-series series:generate series:->function
@@ -21,7 +22,7 @@
 ;; tells; scmutils is told here.
 (define (series:generate f [arity #f])
   (unless (and (procedure? f) (procedure-arity-includes? f 1))
-    (raise-argument-error 'series:generate "a function of the order of a term" f))
+    (complain-of-argument 'series:generate "a function of the order of a term" f))
   (series-of (make-coefficients f)))
 
 ;; The power series with these terms as coefficients.
@@ -57,7 +58,7 @@
 
 ;; (f term) for the first n terms; for all of them, where they end.
 (define (series:for-each f s [n #f])
-  (unless (procedure? f) (raise-argument-error 'series:for-each "a function of a term" f))
+  (unless (procedure? f) (complain-of-argument 'series:for-each "a function of a term" f))
   (for-each-term 'series:for-each "(series:for-each f s n)" f s n))
 
 ;; usage : how to say of how many terms
@@ -91,4 +92,4 @@
                   ""))))
 
 (define (check-count who what n)
-  (unless (exact-nonnegative-integer? n) (raise-argument-error who what n)))
+  (unless (exact-nonnegative-integer? n) (complain-of-argument who what n)))

@@ -126,8 +126,7 @@
  [(animate (lambda (t) (up t t 1)) (draw-pendulum))
   "animate: a function of the time has no beginning and no end; say #:from and #:to"]
  [(animate swing 3)
-  "animate: contract violation\n"
-  "  expected: a drawing, a function from states to picts, such as (draw-pendulum)\n"
+  "animate: expected a drawing, a function from states to picts, such as (draw-pendulum)\n"
   "  given: the number 3"]
  [(animate swing (draw-pendulum-chain))
   "draw-pendulum-chain: draws a system of 2 coordinates; this state has 1\n"
@@ -164,7 +163,7 @@
  [(animate swing (draw-pendulum) #:title 3)
   "animate: contract violation\n  expected: a string as title\n  given: 3"]
  [(phase-plane 1 2)
-  "phase-plane: contract violation\n  expected: a function of the state\n  given: the number 1"]
+  "phase-plane: expected a function of the state\n  given: the number 1"]
  [(animation-frame swing 1)
   "animation-frame: contract violation\n"
   "  expected: an animation, such as (animate trajectory (draw-pendulum))\n"

@@ -187,9 +187,10 @@
 
 (test-case "a literal needs a name"
   (check-exn
-   #rx"^literal-function: contract violation\n  expected: a quoted name, such as 'f\n  given: 3"
+   #rx"^literal-function: expected a quoted name, such as 'f\n  given: the number 3"
    (lambda () (literal-function 3)))
-  (check-exn #rx"^literal-function: .*given: #<procedure:sin>" (lambda () (literal-function sin)))
+  (check-exn #rx"^literal-function: .*given: the procedure `sin`"
+             (lambda () (literal-function sin)))
   (check-exn #rx"^literal-up: .*a quoted name" (lambda () (literal-up "x" 2)))
   (check-exn #rx"^literal-down: .*a number of components" (lambda () (literal-down 'x -1)))
   (check-exn #rx"^literal-number: .*a quoted name" (lambda () (literal-number 3))))

@@ -167,17 +167,15 @@
 
 (says
  [(->TeX 'x #:width 0)
-  "->TeX: expected a width in columns, or #f for lines of any length\n  given: 0"]
+  "->TeX: expected a width in columns, or #f for lines of any length\n  given: the number 0"]
  [(->text 'x #:width 'wide)
-  "->text: expected a width in columns, or #f for lines of any length\n  given: 'wide"]
+  "->text: expected a width in columns, or #f for lines of any length\n  given: the symbol wide"]
  [(->MathML 'x #:size 3)
   "->MathML: there is no keyword #:size here\n  its keywords: (#:inline? #:width)"]
  [(derivative-style 'primes)
-  "derivative-style: contract violation\n"
-  "  expected: 'automatic, 'dots or 'D\n  given: 'primes"]
+  "derivative-style: expected 'automatic, 'dots or 'D\n  given: 'primes"]
  [(suppress-arguments 't)
-  "suppress-arguments: contract violation\n"
-  "  expected: a list of symbols, such as '(t)\n  given: 't"]
+  "suppress-arguments: expected a list of symbols, such as '(t)\n  given: 't"]
  [(read-infix "a + ")
   "read-infix: not a formula on one line\n  at: it ends here, position 4\n  in: a + "]
  [(read-infix "a ! b")
@@ -185,4 +183,4 @@
  [(read-infix "(a")
   "read-infix: not a formula on one line\n  at: it ends here, position 2\n  in: (a"]
  [(read-infix 'a)
-  "read-infix: contract violation\n  expected: a string such as \"½ m ẋ²\"\n  given: 'a"])
+  "read-infix: expected a string such as \"½ m ẋ²\"\n  given: the symbol a"])

@@ -107,8 +107,7 @@
   "Hamilton-equations: a path is a function of time, or a tuple of such functions; "
   "given the symbol q\n  (literal-function 'q) makes a path of that name"]
  [(literal-Hamiltonian-state 0)
-  "literal-Hamiltonian-state: contract violation\n"
-  "  expected: a number of coordinates, at least 1\n  given: 0"])
+  "literal-Hamiltonian-state: expected a number of coordinates, at least 1\n  given: the number 0"])
 
 (test-case "energies make Hamiltonians"
   (define E (make-Hamiltonian (lambda (s) (* 1/2 (square (momentum s))))

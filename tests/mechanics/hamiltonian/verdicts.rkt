@@ -142,7 +142,7 @@
  [(make-Hamiltonian 3)
   "make-Hamiltonian: a Hamiltonian is a function of the state (up t q p); given the number 3"]
  [(make-Hamiltonian square 3)
-  "make-Hamiltonian: contract violation\n  expected: an energy: a function of the state\n  given: 3"])
+  "make-Hamiltonian: expected an energy: a function of the state\n  given: the number 3"])
 
 ;; ---------------------------------------------------------------------------
 ;; What is asked of a Lagrangian

@@ -157,7 +157,7 @@
    #rx"^F->C: a coordinate transformation takes one argument, the local tuple, but pendulum takes 2 arguments.\n  If it takes parameters first, supply them: [(]F->C [(]pendulum [.][.][.][)][)]$"
    (lambda () (F->C pendulum)))
   (check-exn
-   #rx"^F->C: contract violation\n  expected: a coordinate transformation: a function of the local tuple\n  given: 3"
+   #rx"^F->C: expected a coordinate transformation: a function of the local tuple\n  given: the number 3"
    (lambda () (F->C 3)))
   (check-exn
    #rx"^F->C: expected a local tuple [(]up t q v [.][.][.][)]; given [(]up t q[)], an up tuple of 2$"

@@ -55,7 +55,7 @@
   (check-message
    "Gamma: a path is a function of time, or a tuple of such functions; given (q q), a list\n  a list is not a tuple; use (up x y ...)"
    (Gamma (list q q)))
-  (check-exn #rx"the length of the local tuples, an integer of at least 2\n  given: 1"
+  (check-exn #rx"the length of the local tuples, an integer of at least 2\n  given: the number 1"
              (lambda () (Gamma q 1)))
   (check-exn #rx"the length of the local tuples" (lambda () (Gamma q 2.5))))
 

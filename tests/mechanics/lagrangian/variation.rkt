@@ -102,7 +102,7 @@
 
 (test-case "what is no variation, or no function of paths, is refused"
   (check-exn
-   #rx"^delta: contract violation\n  expected: a variation: a function of time, or a tuple of them\n  given: 'eta"
+   #rx"^delta: expected a variation: a function of time, or a tuple of them\n  given: the symbol eta"
    (lambda () (delta 'eta)))
-  (check-exn #rx"^delta: contract violation\n  expected: a function of paths\n  given: 3"
+  (check-exn #rx"^delta: expected a function of paths\n  given: the number 3"
              (lambda () (delta-eta 3))))

@@ -98,8 +98,9 @@
   (check-exn #rx"the value of an event's function is a real number"
              (lambda ()
                (evolve-trajectory oscillator (up 0 1 0) 1 #:events (event (lambda (s) s)))))
-  (check-exn #rx"trajectory-end: .*expected: trajectory.*given: 5" (lambda () (trajectory-end 5)))
-  (check-exn #rx"trajectory-states: .*given: 5" (lambda () (trajectory-states 5 '(1))))
+  (check-exn #rx"trajectory-end: .*expected a trajectory, .*given: the number 5"
+             (lambda () (trajectory-end 5)))
+  (check-exn #rx"trajectory-states: .*given: the number 5" (lambda () (trajectory-states 5 '(1))))
   (check-exn #rx"'rising, 'falling or 'both" (lambda () (event coordinate #:direction 'up)))
   (check-exn #rx"outside the trajectory.*time: 11.*from: 0.0.*to: 10.0"
              (lambda () ((evolve-trajectory oscillator (up 0 1 0) 10) 11))))

@@ -202,26 +202,28 @@
 
 ;; Arguments of another kind.
 (define-syntax-rule (expects [expression who expected given] ...)
-  (says [expression who ": contract violation\n  expected: " expected "\n  given: " given] ...))
+  (says [expression who ": expected " expected "\n  given: " given] ...))
 
 (expects
- [(plot-point 0 1 2) "plot-point" "a frame, such as (frame 0 1 -1 1)" "0"]
+ [(plot-point 0 1 2) "plot-point" "a frame, such as (frame 0 1 -1 1)" "the number 0"]
  [(plot-function f 3 0 1) "plot-function" "a function of one number" "the number 3"]
  [(plot-function f cons 0 1) "plot-function" "a function of one number"
   "the procedure `cons`, which takes 2 arguments"]
  [(plot-contours f sin 0) "plot-contours" "a function of two numbers"
   "the procedure `sin`, which takes 1 argument"]
- [(plot-function f sin 0 1 0) "plot-function" "a positive step" "0.0"]
- [(plot-function f sin 0 +inf.0) "plot-function" "a finite number as the end" "+inf.0"]
- [(plot-contours f * +nan.0) "plot-contours" "a finite number as a level" "+nan.0"]
- [(plot-contours f * 0 #:samples 1) "plot-contours" "a number of samples from 2 to 2000" "1"]
- [(plot-trajectory f sin cos) "plot-trajectory" "a trajectory" "#<procedure:sin>"]
- [(plot-point f 0 0 #:size -1) "plot-point" "a size in pixels, from 0 to 1000" "-1"]
+ [(plot-function f sin 0 1 0) "plot-function" "a positive step" "the number 0.0"]
+ [(plot-function f sin 0 +inf.0) "plot-function" "a finite number as the end" "the number +inf.0"]
+ [(plot-contours f * +nan.0) "plot-contours" "a finite number as a level" "the number +nan.0"]
+ [(plot-contours f * 0 #:samples 1) "plot-contours" "a number of samples from 2 to 2000"
+  "the number 1"]
+ [(plot-trajectory f sin cos) "plot-trajectory" "a trajectory, such as evolve-trajectory gives"
+  "the procedure `sin`"]
+ [(plot-point f 0 0 #:size -1) "plot-point" "a size in pixels, from 0 to 1000" "the number -1"]
  [(plot-line f 0 0 1 1 #:style 'wavy) "plot-line"
-  "a line style, one of (solid dot long-dash short-dash dot-dash)" "'wavy"]
- [(plot-point f 0 0 #:label 'x) "plot-point" "a string as label, or #f" "'x"]
+  "a line style, one of (solid dot long-dash short-dash dot-dash)" "the symbol wavy"]
+ [(plot-point f 0 0 #:label 'x) "plot-point" "a string as label, or #f" "the symbol x"]
  [(plot-point f 0 0 #:color '(1 2)) "plot-point"
-  "a color: a name such as 'red, a small integer, or a list of three bytes" "'(1 2)"])
+  "a color: a name such as 'red, a small integer, or a list of three bytes" "(1 2), a list"])
 
 (test-case "what failed has drawn nothing"
   (check-equal? (append (frame-points f) (frame-curves f)) '()))

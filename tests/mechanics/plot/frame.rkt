@@ -132,16 +132,15 @@
  [(frame 1 1 0 1) "frame: the least x is not below the greatest\n  least: 1\n  greatest: 1"]
  [(frame 0 1 2 1) "frame: the least y is not below the greatest\n  least: 2\n  greatest: 1"]
  [(frame 0 'a 0 1)
-  "frame: contract violation\n  expected: a real number as greatest x\n  given: 'a"]
+  "frame: expected a real number as greatest x\n  given: the symbol a"]
  [(frame 0 1 -inf.0 1)
-  "frame: contract violation\n  expected: a real number as least y\n  given: -inf.0"]
+  "frame: expected a real number as least y\n  given: the number -inf.0"]
  [(frame 0 1 0 1 #:x-label 'x)
-  "frame: contract violation\n  expected: a string as title or label, or #f\n  given: 'x"]
+  "frame: expected a string as title or label, or #f\n  given: the symbol x"]
  [(frame 0 1 0 1 #:width 1)
-  "frame: contract violation\n  expected: a size of 50 to 10000 pixels\n  given: 1"]
+  "frame: expected a size of 50 to 10000 pixels\n  given: the number 1"]
  [(frame 0 1 0 1 #:aspect-ratio -1)
-  "frame: contract violation\n"
-  "  expected: 'equal, a positive ratio of width to height, or #f\n"
-  "  given: -1"]
+  "frame: expected 'equal, a positive ratio of width to height, or #f\n"
+  "  given: the number -1"]
  [(graphics-clear 3)
-  "graphics-clear: contract violation\n  expected: a frame, such as (frame 0 1 -1 1)\n  given: 3"])
+  "graphics-clear: expected a frame, such as (frame 0 1 -1 1)\n  given: the number 3"])

@@ -164,4 +164,4 @@
   "verify-conserved: the symbol k is a parameter of L-harmonic, and stands in the local tuple, too\n"
   "  local tuple: (up t k v)\n  give one of them another name"]
  [(prove-zero 'x #:variables 'x)
-  "prove-zero: contract violation\n  expected: the variables, a list of symbols\n  given: 'x"])
+  "prove-zero: expected the variables, a list of symbols\n  given: the symbol x"])

@@ -175,7 +175,8 @@
   "impose: the verdict names no condition: what was asked is proved\n  verdict: proved"]
  [(verify-again (prove-zero (+ 1 (square 'x))))
   "verify-again: the verdict names no condition\n  verdict: refuted"]
- [(verify-again 3) "verify-again: contract violation\n  expected: verdict?\n  given: 3"]
+ [(verify-again 3) "verify-again: expected a verdict, then perhaps a condition\n"
+  "  given: the number 3"]
  [(impose '(> k 0) 'k)
   "impose: expected a verdict, an equation '(= k 1) or a list of them; given (> k 0), a list\n"
   "  an inequality is declared by assume"]

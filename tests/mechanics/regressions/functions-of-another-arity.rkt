@@ -10,8 +10,8 @@
   (check-exn (lambda (e)
                (and (exn:fail:contract? e)
                     (equal? (exn-message e)
-                            (string-append who ": contract violation\n"
-                                           "  expected: a function of one variable\n"
+                            (string-append who ": "
+                                           "expected a function of one variable\n"
                                            "  given: " given))))
              (lambda () expression)))
 

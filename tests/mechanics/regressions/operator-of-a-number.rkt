@@ -5,5 +5,5 @@
 
 (test-case "an operator is made of a function of functions"
   (check-exn
-   #rx"^make-operator: contract violation\n  expected: a function of functions\n  given: 3"
+   #rx"^make-operator: expected a function of functions\n  given: the number 3"
    (lambda () (make-operator 3 'three))))

@@ -65,13 +65,13 @@
              (lambda () ((richardson-derivative g:sqrt 1e-8) -1))))
 
 (test-case "mistakes"
-  (check-exn #rx"^D-numeric: contract violation\n  expected: a function of one variable"
+  (check-exn #rx"^D-numeric: expected a function of one variable"
              (lambda () (D-numeric 3)))
   (check-exn #rx"^D-numeric: expected a real number; given the symbol x"
              (lambda () ((D-numeric g:sin) 'x)))
   (check-exn #rx"^D-numeric: expected a real number; given .*a"
              (lambda () ((D-numeric (lambda (x) (g:* 'a x))) 1)))
-  (check-exn #rx"^richardson-derivative: contract violation\n  expected: a positive tolerance"
+  (check-exn #rx"^richardson-derivative: expected a positive tolerance"
              (lambda () ((richardson-derivative g:sin 0) 1)))
-  (check-exn #rx"^richardson-derivative: contract violation\n  expected: a positive step"
+  (check-exn #rx"^richardson-derivative: expected a positive step"
              (lambda () (richardson-derivative g:sin 1e-8 -1))))

@@ -59,7 +59,7 @@
   (for ([derive (in-list (list derivation-steps show-derivation))]
         [name (in-list '("derivation-steps" "show-derivation"))])
     (check-exn
-     (pregexp (string-append "^" name ": contract violation\n  expected: .Lagrange-equations L."))
+     (pregexp (string-append "^" name ": expected .Lagrange-equations L."))
      (lambda () (derive L x)))
     (check-exn (pregexp (string-append "^" name ": a path is a function of time"))
                (lambda () (derive (Lagrange-equations L) 'x)))))

@@ -52,8 +52,8 @@
   (check-equal? (assumptions) '((> m 0) (> k 0) (> l 0) (> a b) (> b c) (>= r 0)))
   (assume '(>= r 0))
   (check-equal? (assumptions 'used) '())
-  (check-message (string-append "assumptions: contract violation\n"
-                                "  expected: 'declared or 'used, or no argument\n  given: 'all")
+  (check-message (string-append "assumptions: expected 'declared or 'used, or no argument\n"
+                                "  given: the symbol all")
                  (assumptions 'all)))
 
 (session "assumptions are withdrawn, all or some"

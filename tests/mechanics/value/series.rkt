@@ -328,7 +328,7 @@
  [(series:derivative (series 1 2))
   "series:derivative: expected a power series; given (series 1 2), a series\n  a series of terms has no variable; (series:->function s) takes its terms as coefficients"]
  [(series:head exp-series -1)
-  "series:head: contract violation\n  expected: a number of terms\n  given: -1"]
+  "series:head: expected a number of terms\n  given: the number -1"]
  [(series:reversion exp-series)
   "series:reversion: the series must begin with 0\n  series: (power-series 1 1 1/2 1/6 ...)"]
  [(series:reversion (g:square x))

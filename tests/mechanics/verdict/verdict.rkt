@@ -101,6 +101,7 @@
                           verdict-witness verdict-value verdict-assumptions verdict-conditions
                           verdict-factored verdict-kinks verdict-readings verdict-reason
                           verdict-remarks))])
-    (check-message (format "~a: contract violation\n  expected: verdict?\n  given: 5"
+    (check-message (format (string-append "~a: expected a verdict, such as verify-solution or "
+                                          "prove-zero gives\n  given: the number 5")
                            (object-name f))
                    (f 5))))

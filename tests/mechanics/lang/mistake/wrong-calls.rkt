@@ -101,8 +101,7 @@
 
 (test-case "a constraint where none is expected"
   (define (given who value)
-    (text (format "~a: contract violation" who)
-          "  expected: a dissipation function: a function of the local tuple"
+    (text (format "~a: expected a dissipation function: a function of the local tuple" who)
           (format "  given: ~a" value)))
   (define (hint who value) (constraint-hint (given who value)))
   (check-equal? (hint 'verify-solution "(nonholonomic blade)") "\n  did you mean #:constraints?")

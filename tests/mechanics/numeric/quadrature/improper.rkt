@@ -88,9 +88,9 @@
    failure))
 
 (test-case "wrong arguments are refused by name"
-  (check-exn #rx"quadrature: contract violation\n  expected: a real number, perhaps infinite"
+  (check-exn #rx"quadrature: expected a real number, perhaps infinite"
              (lambda () (integral exp +nan.0 1)))
-  (check-exn #rx"quadrature: contract violation\n  expected: a real number, perhaps infinite"
+  (check-exn #rx"quadrature: expected a real number, perhaps infinite"
              (lambda () (integral exp 0 'a)))
   (check-exn #rx"positive tolerance"
              (lambda () (improper-quadrature exp 0 1 #:tolerance 0))))

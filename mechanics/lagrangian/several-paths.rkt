@@ -1,0 +1,30 @@
+#lang racket/base
+;; Paths given one by one, x and y, where one path of all coordinates is wanted: (up x y).
+
+(require "../error/complain.rkt" "../error/words.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt")
+
+(provide one-path-hint check-time-of-path)
+
+;; paths : functions of the time; (call path) : how one is used, by the text of it
+(define (one-path-hint paths [call values])
+  (format "\n  one path of ~a: ~a" (if (= (length paths) 2) "both" "all")
+          (call (format "(up ~a)" (joined (names-of paths) " ")))))
+
+;; Letters, where one has no name.
+(define (names-of paths)
+  (define names (map value->datum paths))
+  (for/list ([name (in-list names)] [k (in-naturals)])
+    (cond [(andmap nameable? names) (symbol->string name)]
+          [(< k (length letters)) (list-ref letters k)]
+          [else (format "q~a" k)])))
+
+(define letters '("x" "y" "z"))
+
+(define (nameable? d) (and (symbol? d) (not (eq? d '<function>))))
+
+;; Along the path q a time is wanted, and t is given: a second path?
+(define (check-time-of-path who q t [call values])
+  (when (pointwise? t)
+    (complain who "expected a time; given ~a~a" (describe-with-value t)
+              (if (pointwise? q) (one-path-hint (list q t) call) ""))))

@@ -1,0 +1,139 @@
+#lang racket/base
+;; Conditions that are imposed: equations that hold together, each solved for one of its symbols.
+;;
+;; If a symbol may be either root of a square it is the one that is not negative, and if both
+;; sides of an equation have a factor in common it is divided by that, as if it were not 0: both
+;; are choices, which are told.
+
+(require (only-in racket/list append-map count remove-duplicates)
+         (only-in racket/string string-join)
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt"
+         "../error/complain.rkt"
+         "../generic/describe.rkt"
+         "../value/algebra.rkt" "../value/read-expression.rkt"
+         "../verdict/verdict.rkt")
+
+(provide equations-of solved equations->text choices->text)
+
+;; ---------------------------------------------------------------------------
+;; Equations
+
+;; other : what came with the condition
+;; -> ((= value value) ...)
+(define (equations-of who condition [other #f])
+  (cond [(verdict? condition) (equations-of who (first-alternative who condition))]
+        [(equation? condition) (list (read-equation who condition))]
+        [(list-of-equations? condition)
+         (for/list ([q (in-list condition)]) (read-equation who q))]
+        [else
+         (complain who "expected a verdict, an equation '(= k 1) or a list of them; given ~a~a"
+                   (describe-with-value condition)
+                   (condition-hint condition other))]))
+
+(define (condition-hint x other)
+  (define (list-of? what?) (and (pair? x) (list? x) (andmap what? x)))
+  (cond [(list-of? (lambda (c) (and (list? c) (andmap equation? c))))
+         "\n  these are alternatives: choose one, as (car (verdict-alternatives v))"]
+        [(and (pair? x) (memq (car x) '(< > <= >=))) "\n  an inequality is declared by assume"]
+        [(or (procedure? x) (verdict? other) (equation? other) (list-of-equations? other))
+         "\n  the condition comes first"]
+        [else ""]))
+
+(define (list-of-equations? x) (and (pair? x) (list? x) (andmap equation? x)))
+
+(define (equation? x)
+  (and (list? x) (= (length x) 3) (eq? (car x) '=)))
+
+(define (read-equation who x)
+  (define q (read-expression x))
+  (unless (and (expression? (cadr q)) (expression? (caddr q)))
+    (complain who "an equation is between numbers or expressions\n  given: ~a" (value->text q)))
+  q)
+
+(define (first-alternative who v)
+  (define all (verdict-alternatives v))
+  (when (null? all)
+    (complain who "the verdict names no condition~a\n  verdict: ~a"
+              (if (proved? v) ": what was asked is proved" "") (verdict-status v)))
+  (car all))
+
+(define (equations->text equations)
+  (string-join (for/list ([q (in-list equations)])
+                 (format "~a = ~a" (value->text (cadr q)) (value->text (caddr q))))
+               ", "))
+
+;; ---------------------------------------------------------------------------
+;; Solving them
+
+;; -> ((expression . replacement) ...), to be made one after the other
+(define (solved who equations)
+  (define replacements (solutions equations))
+  (unless replacements
+    (complain who "the equations cannot hold together\n  equations: ~a" (value->text equations)))
+  (for ([q (in-list equations)] #:unless (kept? q replacements))
+    (complain who (string-append "the equation cannot be solved for one of its symbols\n"
+                                 "  equation: ~a\n  write it as (= symbol expression)")
+              (value->text q)))
+  (for ([q (in-list equations)] #:when (product-alone? q))
+    (complain who (string-append "a product is zero with any of its factors\n  equation: ~a\n"
+                                 "  write the factor that is meant, as (= ~a 0)")
+              (value->text q) (value->text (car (car replacements)))))
+  replacements)
+
+;; Does the equation say that a product of several unknowns is zero, or a quotient or root of
+;; one?
+(define (product-alone? q)
+  (define (several? e)
+    (cond [(or (headed? e op:/) (headed? e op:sqrt)) (several? (car (node-args e)))]
+          [else
+           (and (headed? e op:*)
+                (> (count (lambda (f) (not (constant-value f))) (node-args e)) 1))]))
+  (or (and (eqv? (caddr q) 0) (several? (cadr q)))
+      (and (eqv? (cadr q) 0) (several? (caddr q)))))
+
+;; Does the equation hold after the replacements?
+(define (kept? q replacements)
+  (define-values (left right) (values (cadr q) (caddr q)))
+  (eqv? 0 (simplify-expression (e:- (replaced left replacements) (replaced right replacements)))))
+
+;; ---------------------------------------------------------------------------
+;; Choices
+
+;; ", with x = 2, y not 0": what was chosen when the equations were solved so, or ""
+(define (choices->text equations replacements)
+  (define roots (roots-taken equations replacements))
+  (define texts
+    (append (if (null? roots) '() (list (equations->text roots)))
+            (for/list ([f (in-list (factors-in-common equations))])
+              (format "~a not 0" (value->text f)))))
+  (if (null? texts) "" (string-append ", with " (string-join texts ", "))))
+
+;; Equations x = 2 for what is replaced by one root of two, as where x² = 4.
+(define (roots-taken equations replacements)
+  (for/list ([r (in-list replacements)]
+             #:unless (eqv? (cdr r) 0)
+             #:when (let ([others (map (lambda (s) (if (eq? s r) (negated s) s)) replacements)])
+                      (andmap (lambda (q) (kept? q others)) equations)))
+    (list '= (car r) (simplify-expression (cdr r)))))
+
+;; What both sides of an equation are divided by when it is solved: x, where x y = x z.  Where
+;; that is 0 the equation says nothing of the rest.
+(define (factors-in-common equations)
+  (remove-duplicates
+   (append-map (lambda (q)
+                 (define right (factors-above (caddr q)))
+                 (filter (lambda (f) (member f right)) (factors-above (cadr q))))
+               equations)))
+
+;; Those of a numerator that are not constant, each once.
+(define (factors-above e)
+  (define-values (factored grounds) (factored-expression e))
+  (let factors ([e factored])
+    (cond [(headed? e op:*) (append-map factors (node-args e))]
+          [(ormap (lambda (op) (headed? e op)) (list op:/ op:sqrt op:expt))
+           (factors (car (node-args e)))]
+          [(constant-value e) '()]
+          [else (list e)])))
+
+(define (negated r) (cons (car r) (e:negate (cdr r))))

@@ -1,0 +1,18 @@
+#lang racket/base
+;; impose divided by a factor of both sides, or took one of two roots, without a word; only
+;; verify-again told.
+
+(require rackunit
+         "../support/run-text.rkt")
+
+(test-case "a choice is told once in a session, beside the result"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(impose '(= (* x y) (* x z)) 'y)"
+             "(impose '(= (* x y) (* x z)) (* 2 'y))"
+             "((impose '(= (expt a 2) 4) (lambda (t) (* 'a t))) 3)"
+             "(impose '(= k 3) 'k)"))
+  (check-equal? output '("z" "(* 2 z)" "6" "3"))
+  (check-equal? errors
+                (lines "; impose: (* x y) = (* x z), with x not 0"
+                       "; impose: (expt a 2) = 4, with a = 2")))
