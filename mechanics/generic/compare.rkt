@@ -3,11 +3,11 @@
 ;;
 ;; Numbers compare as numbers.  Equality of expressions is structural, which is
 ;; equality at a generic point; an order between values that are not constant
-;; does not exist, and asking for it is an error that names the value.  Multiples of π are
-;; ordered by their values.
+;; does not exist, and asking for it is an error that names the value.  Constants that π is in
+;; are ordered by their values, exactly.
 
-(require "arithmetic.rkt" "describe.rkt" "kind.rkt" "kinks-met.rkt" "naming.rkt"
-         "scalar.rkt"
+(require "arithmetic.rkt" "constant-order.rkt" "describe.rkt" "kind.rkt" "kinks-met.rkt"
+         "naming.rkt" "scalar.rkt"
          "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt")
@@ -77,7 +77,7 @@
     (define (two a b)
       (if (and (real? a) (real? b))
           (compare a b)
-          (compare (ordered 'name a b a) (ordered 'name a b b))))
+          (compared 'name compare (ordered 'name a b a) (ordered 'name a b b))))
     (define-named id name
       (case-lambda
         [(a b) (two a b)]
@@ -89,7 +89,13 @@
 (define-order g:<= <= <=)
 (define-order g:>= >= >=)
 
-;; x, one of a and b, as a number; what is none may be meant as an assumption.
+;; x, y : real numbers or constants
+(define (compared who compare x y)
+  (if (and (real? x) (real? y))
+      (compare x y)
+      (let ([sign (constant-order who x y)]) (and sign (compare sign 0)))))
+
+;; x, one of a and b, as a number or a constant; what is none may be meant as an assumption.
 (define (ordered who a b x)
   (define u (comparand a))
   (define v (comparand b))
@@ -106,10 +112,11 @@
 (define no-order
   (string-append "an expression that is not a number has no order; " values-first))
 
+;; A real number, or a constant.
 (define (real-comparand who x)
   (define c (comparand x))
   (cond [(real? c) c]
-        [(and (symbolic? c) (constant-value c))]
+        [(and (symbolic? c) (constant-value c)) c]
         [else (raise-no-order who c)]))
 
 (define (raise-no-order who x)
@@ -123,9 +130,9 @@
   (complain who "~a\n  value: ~a" what (describe-with-value x)))
 
 (define-named g:positive? positive?
-  (lambda (x) (positive? (real-comparand 'positive? x))))
+  (lambda (x) (compared 'positive? > (real-comparand 'positive? x) 0)))
 (define-named g:negative? negative?
-  (lambda (x) (negative? (real-comparand 'negative? x))))
+  (lambda (x) (compared 'negative? < (real-comparand 'negative? x) 0)))
 
 ;; The argument itself is the value, so that its derivative comes along.  Where
 ;; two are equal there is a kink, unless they are the same with their derivatives.
@@ -136,8 +143,8 @@
             [else
              (define x (real-comparand 'name a))
              (define y (real-comparand 'name b))
-             (cond [(beyond? y x) b]
-                   [(and (= x y) (not (identical? a b)))
+             (cond [(compared 'name beyond? y x) b]
+                   [(and (compared 'name = x y) (not (identical? a b)))
                     (raise-no-derivative-at 'name (list a b) "where two arguments are equal")]
                    [else a])]))
     (define-named id name
