@@ -169,13 +169,23 @@
   (when (perturbed? t) (raise-differentiated tr))
   (check-real 'trajectory "time" t)
   (define r (trajectory-reading tr))
-  (define x ((reading-exactly r) (real-number t)))
-  (unless (between? (first-time tr) x (last-time tr))
+  (define x (time-within-it tr ((reading-exactly r) (real-number t))))
+  (unless x
     (raise-arguments-error 'trajectory "the time is outside the trajectory"
                            "time" t
                            "from" (trajectory-start tr)
                            "to" (trajectory-end tr)))
   ((reading-state r) (find-step (trajectory-steps tr) x) x))
+
+;; x as a time of the trajectory, or #f.  An end is rounded, to what the integration computes with
+;; and again where it is shown: what is rounded to the same is the end.
+(define (time-within-it tr x)
+  (define shown (reading-shown (trajectory-reading tr)))
+  (define-values (first last) (values (first-time tr) (last-time tr)))
+  (cond [(between? first x last) x]
+        [(equal? (shown x) (shown last)) last]
+        [(equal? (shown x) (shown first)) first]
+        [else #f]))
 
 ;; A derivative by interpolation would be worse than the one that was integrated; and that
 ;; one would tell nothing of how good the trajectory is.
