@@ -345,11 +345,12 @@ in a session. Racket's @racket[equal?] compares forms only.
               @defproc[(<= [x scalar] [y scalar] ...) boolean?]
               @defproc[(>= [x scalar] [y scalar] ...) boolean?])]{
 
-The order of real numbers. An expression that is not a number raises an error that
-shows it.
+The order of real numbers. Constants that π is in are ordered exactly, by bounds of their values.
+An expression that is not a number raises an error that shows it.
 
 @examples[#:eval session
 (< 1 2 3)
+(< 333/106 ':pi 355/113)
 (list (> 1 2) (<= 1 1) (>= 2 1))
 (eval:error (>= 'r 0))]}
 

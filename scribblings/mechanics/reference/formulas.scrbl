@@ -20,7 +20,8 @@ notation, such as a procedure without a name, is shown as it prints.
 
 @defproc[(->infix [x value]) string?]{
 
-The value on one line of Unicode. Factors have spaces between them and applications none;
+The value, as it stands, on one line of Unicode; @racket[(->infix (simplify x))] shows what the
+prompt would. Factors have spaces between them and applications none;
 what stands before a slash in its product is the numerator, and one factor behind it the
 denominator. A name that would be read as another one stands between bars: @racket['θ] does,
 since @racket['theta] is written as the letter.
@@ -29,7 +30,9 @@ since @racket['theta] is written as the letter.
 (->infix (- (* 1/2 'm (square 'xdot)) (* 'm 'g 'x)))
 (->infix (((Lagrange-equations (L-harmonic 'm 'k)) (literal-function 'x)) 't))
 (->infix (up 'theta_1 (/ (+ 'a 'b) 'c) '|two words|))
-(->infix (quaternion 'a 'b 0 -1))]}
+(->infix (quaternion 'a 'b 0 -1))
+(define p (/ (+ 'a 'a) (* 'm 'r 'r)))
+(list (->infix p) (->infix (simplify p)))]}
 
 @defproc[(read-infix [text string?]) value]{
 
@@ -56,7 +59,8 @@ number is an error.
 
 @defproc[(->text [x value] [#:width width (or/c exact-positive-integer? #f) 80]) string?]{
 
-The value in lines of text, with fractions, roots and brackets drawn.
+The value, as it stands, in lines of text, with fractions, roots and brackets drawn;
+@racket[simplify] it first to see what the prompt shows.
 
 @examples[#:eval session
 (display (->text (/ (+ 'a (/ 'b 'c)) (sqrt (+ 1 (square 'x))))))
@@ -65,10 +69,12 @@ The value in lines of text, with fractions, roots and brackets drawn.
 
 @defproc[(->TeX [x value] [#:width width (or/c exact-positive-integer? #f) 80]) string?]{
 
-The value for LaTeX's mathematics mode, between @tt{\[} and @tt{\]} for instance, with the
-package @tt{amsmath}. It uses nothing that pdfLaTeX lacks.
+The value, as it stands, for LaTeX's mathematics mode, between @tt{\[} and @tt{\]} for
+instance, with the package @tt{amsmath}; @racket[simplify] it first to write what the prompt
+shows. It uses nothing that pdfLaTeX lacks.
 
 @examples[#:eval session
+(->TeX (simplify (/ 'p_phi (* 'm (square 'r)))))
 (->TeX (/ 'p_phi (* 'm (square 'r))))
 (->TeX (((expt D 2) (literal-function 'theta)) 't))
 (->TeX '|\input{file}|)]}
@@ -77,8 +83,9 @@ package @tt{amsmath}. It uses nothing that pdfLaTeX lacks.
                    [#:inline? inline? any/c #f])
          string?]{
 
-The value as presentation MathML, which browsers show without any script; on a line of its
-own, or within a text if @racket[inline?].
+The value, as it stands, as presentation MathML, which browsers show without any script; on a
+line of its own, or within a text if @racket[inline?]. @racket[simplify] it first to show what
+the prompt does.
 
 @examples[#:eval session
 (->MathML (sqrt 'x))

@@ -105,7 +105,8 @@ asked
 
 The value under the condition: an equation @racket['(= k 1)], a list of equations that hold
 together, or a verdict, whose first choice it is. Each equation is solved for a symbol, which is
-replaced by what it equals, a square's by the root that is not negative. Of a function, such
+replaced by what it equals, a square's by the root that is not negative; a factor of both sides
+is taken not to be 0. Either choice is told, once in a session. Of a function, such
 as a Lagrangian or a path, the result is the
 function whose values have it replaced; of a constraint it is a constraint, of a list a list.
 

@@ -6,7 +6,7 @@
          (only-in mechanics/display/text-box columns-wide)
          "../support/golden/values.rkt" "../support/messages.rkt" "../support/skip.rkt"
          racket/file
-
+         racket/port
          racket/string
          racket/system
          rackunit
@@ -164,6 +164,16 @@
     (check-equal? (->infix a) "D²x")
     (check-equal? (->infix (x 's)) "x(s)")
     (check-equal? (->infix (sin 't)) "sin t")))
+
+(test-case "a value is drawn as it stands; simplified it is what the prompt shows"
+  (define twice (+ 'a 'a))
+  (define two (simplify twice))
+  (check-equal? (map ->infix (list twice two)) '("a + a" "2 a"))
+  (check-equal? (map ->text (list twice two)) '("a + a" "2 a"))
+  (check-equal? (map ->TeX (list twice two)) '("a + a" "2\\,a"))
+  (define-syntax-rule (card name) (with-output-to-string (lambda () (help name))))
+  (for ([c (list (card ->infix) (card ->text) (card ->TeX) (card ->MathML))])
+    (check-regexp-match #rx"as it stands" c)))
 
 (says
  [(->TeX 'x #:width 0)
