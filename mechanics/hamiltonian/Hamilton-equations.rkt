@@ -16,7 +16,7 @@
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          (only-in "../lagrangian/external-force.rkt" force-like force->datum)
-         "../lagrangian/local-tuple.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/several-paths.rkt"
          "../value/compose.rkt")
 
 (provide Hamilton-equations qp->H-state-path
@@ -90,6 +90,7 @@
 (define (states-along who given-q given-p)
   (define-values (q p) (values (path who given-q) (path who given-p)))
   (unary-function (lambda () (list 'qp->H-state-path (value->datum q) (value->datum p))) (t)
+    (check-time-of-path who (up q p) t)
     (define state (up t (q t) (p t)))
     (check-H-state who state)
     state))

@@ -9,7 +9,7 @@
 
 (require "local-tuple.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
@@ -81,10 +81,13 @@
 ;; in its second component, and is never one of n scalars for n > 1.
 
 (define (tuple-coordinates who n given)
-  (define q (if (coordinates-alone? n given) given (coordinate given)))
-  (unless (and (tuple? q) (= (s:length q) n))
-    (complain who "expected a local tuple with ~a coordinates; given ~a"
-              n (describe-with-value given)))
+  (define q
+    (cond [(coordinates-alone? n given) given]
+          [(local-tuple? given) (coordinate given)]
+          [else #f]))
+  (unless (and q (tuple? q) (= (s:length q) n))
+    (complain who "expected a local tuple with ~a coordinates; given ~a~a"
+              n (describe-with-value given) (list-hint given "(up t q v ...)")))
   (structure->list q))
 
 (define (coordinates-alone? n x)

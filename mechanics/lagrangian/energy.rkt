@@ -29,6 +29,7 @@
   (define L-scalar (scalar-valued 'Lagrangian->energy L))
   (define P ((partial 2) L-scalar))
   (unary-function (lambda () (list 'Lagrangian->energy (value->datum L))) (state)
+    (check-local-length 'Lagrangian->energy state 3)
     (g:- (g:* (P state) (velocity state)) (L-scalar state))))
 
 ;; ((Lagrangian->power-loss L) q) : t ↦ the rate of change of the energy along q

@@ -2,7 +2,7 @@
 ;; Paths given one by one, x and y, where one path of all coordinates is wanted: (up x y).
 
 (require "../error/complain.rkt" "../error/words.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt")
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt")
 
 (provide one-path-hint check-time-of-path)
 
@@ -23,8 +23,8 @@
 
 (define (nameable? d) (and (symbol? d) (not (eq? d '<function>))))
 
-;; Along the path q a time is wanted, and t is given: a second path?
+;; Along the path q a time is wanted, and t is given: a second path, or a state?
 (define (check-time-of-path who q t [call values])
-  (when (pointwise? t)
+  (when (or (pointwise? t) (tuple? t) (pair? t))
     (complain who "expected a time; given ~a~a" (describe-with-value t)
-              (if (pointwise? q) (one-path-hint (list q t) call) ""))))
+              (if (and (pointwise? q) (pointwise? t)) (one-path-hint (list q t) call) ""))))

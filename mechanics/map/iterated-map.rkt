@@ -8,6 +8,7 @@
 (require racket/flonum
          "compiled-map.rkt" "map-of-the-plane.rkt"
          "../compile/compile-function.rkt"
+         "../error/complain.rkt" "../error/words.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../numeric/flvector.rkt")
 
@@ -35,7 +36,17 @@
     (if (< n worthwhile)
         (image-by-calls map n x y return fail)
         (map x y (lambda (x y) (further (- n 1) x y return fail)) fail)))
-  (make-function iterated 16 (lambda () (list 'iterated-map (value->datum map) n))))
+  (define (datum) (list 'iterated-map (value->datum map) n))
+  (define call
+    (case-lambda [(x y return fail) (iterated x y return fail)]
+                 [arguments (raise-other-call (datum) (length arguments))]))
+  (make-function call 16 datum))
+
+(define (raise-other-call datum n)
+  (complain-of-arity (value->text datum)
+                     (string-append "takes two coordinates, what to do with their images, and what "
+                                    "to do where there are none; it was given ~a")
+                     (counted n "argument")))
 
 (define (image-by-calls map n x y return fail)
   (let loop ([n n] [x x] [y y])

@@ -6,7 +6,7 @@
          "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt"
+         "../generic/kind.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../numeric/finite.rkt"
          "../value/shape.rkt")
 
@@ -140,6 +140,12 @@
   y)
 
 (define (raise-no-state who state x)
+  (when (eq? state x)
+    (complain who "expected a state, a tuple of real numbers such as (up t q v)\n  given: ~a~a"
+              (describe-with-value x)
+              (cond [(symbolic? x) symbols-hint]
+                    [(procedure? x) "\n  the state derivative comes first, then the state"]
+                    [else (list-hint x "(up t q v)")])))
   (complain who "expected a state of real numbers; ~a is none\n  state: ~a~a"
             (describe-with-value x) (value->text state)
             (if (symbolic? x) symbols-hint (list-hint x))))
@@ -156,7 +162,7 @@
   (unless (same-shape? slope state)
     (complain who "the state derivative is of another shape than the state~a~a~a"
               (field "state" state) (field "derivative" slope)
-              (cond [(and (tuple? state) (real? slope))
+              (cond [(and (tuple? state) (scalar? slope))
                      (string-append "\n  " state-derivative-hint)]
                     [(list? slope) (list-hint slope)]
                     [(pointwise? slope) (parameters-hint derivative)]

@@ -5,7 +5,7 @@
          "../generic/on-demand.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
-         "../lagrangian/swapped.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/swapped.rkt"
          "../verdict/prove-zero.rkt")
 
 (require-on-demand
@@ -23,6 +23,8 @@
   (define-values (L force) (as-Lagrangian-along given q Q))
   (with-handlers ([exn:fail:contract?
                    (lambda (e) (check-not-swapped 'verify-solution L q) (raise e))])
+    (check-Lagrangian 'verify-solution L)
+    (void (path 'verify-solution q))
     (define outside (external-force 'verify-solution force dissipation))
     (define residual
       (cond [multipliers

@@ -109,6 +109,7 @@
 
 ;; f applied to each component; with several structures, to corresponding ones.
 (define (s:map f s . more)
+  (unless (procedure? f) (raise-other-function 's:map "a function of the components" f))
   (define first (structure-of 's:map s))
   (define others (for/list ([t (in-list more)]) (structure-of 's:map t)))
   (for ([t (in-list others)])

@@ -40,7 +40,7 @@
   (check-message
    "evolve-trajectory: expected a state derivative, a function of the state\n  given: the number 3"
    (evolve-trajectory 3 start 1.0))
-  (check-exn #rx"state of real numbers.*a list is not a tuple; use [(]up x y [.][.][.][)]$"
+  (check-exn #rx"expected a state, .*a list is not a tuple; use [(]up t q v[)]$"
              (lambda () (evolve-trajectory unit '(0.0 1.0 0.0) 1.0)))
   (check-exn #rx"[(]event f[)] makes one.*\n  given: the procedure `coordinate`$"
              (lambda () (evolve-trajectory unit start 1.0 #:events coordinate))))

@@ -36,7 +36,7 @@
 (test-case "an expression or a number for a path"
   (define hint "a path is written (lambda (t) ...), with t where the time stands")
   (define who
-    "Lagrange-equations: a path is a function of time, or a tuple of such functions; given ")
+    "verify-solution: a path is a function of time, or a tuple of such functions; given ")
   (check-message (string-append who "(sin t), a number-like expression\n  " hint)
                  (verify-solution L (sin 't)))
   (check-message (string-append who "the number 0\n  " hint) (verify-solution L 0)))

@@ -44,7 +44,7 @@
   (for ([path (list x sin (lambda (t) (up t t)))])
     (check-message "verify-solution: the Lagrangian comes first, then the path; these look swapped"
                    (verify-solution path (L-free-particle 'm))))
-  (check-exn #rx"^Lagrange-equations: a path is"
+  (check-exn #rx"^verify-solution: a path is"
              (lambda () (verify-solution (L-free-particle 'm) 'x))))
 
 (test-case "a force is of the shape of the momenta, or 0"
