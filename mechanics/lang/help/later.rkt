@@ -11,14 +11,6 @@
 (define chapters
   '(("3.6" "surfaces of section" pointer-coordinates default-collector default-monitor)
     ("6.7" "symplectic integration" (HH-collector 456))
-    ("7.2" "the pendulum as a perturbed rotor"
-     Hpendulum pendulum-sysder
-     pendulum-Hamiltonian pendulum-frequency pendulum-oscillating-frequency
-     pendulum-circulating-frequency pendulum-oscillating-angle
-     pendulum-oscillating-angular-momentum pendulum-oscillating-action
-     pendulum-circulating-angle pendulum-circulating-action pendulum-separatrix-angle
-     pendulum-separatrix-action pendulum-advance pendulum-integration pendulum-solution-series
-     gudermannian inverse-gudermannian)
     ("9" "our notation" (helix 521) (derivative-of-sine 511))))
 
 ;; section, subject : texts; page : number or #f

@@ -112,7 +112,19 @@
      flow-derivative flow-transform)
     ("7.1-7.2 Perturbation theory with Lie series (pp. 457-478)"
      H0 H1 H-pendulum-series W C C-inv solution0 solution series series:sum series:print
-     partial-sums)
+     partial-sums Hpendulum pendulum-sysder pendulum-Hamiltonian pendulum-frequency
+     pendulum-oscillating-frequency pendulum-circulating-frequency pendulum-oscillating-angle
+     pendulum-oscillating-angular-momentum pendulum-oscillating-action
+     pendulum-oscillating-action-to-E pendulum-oscillating-phase pendulum-oscillating-dt
+     pendulum-oscillating-aa-state-to-state pendulum-oscillating-state-to-aa-state
+     pendulum-circulating-angle pendulum-circulating-action pendulum-circulating-action-to-E
+     pendulum-circulating-phase pendulum-circulating-aa-state-to-state
+     pendulum-circulating-state-to-aa-state pendulum-separatrix-angle
+     pendulum-separatrix-angular-momentum pendulum-separatrix-action gudermannian
+     inverse-gudermannian pendulum-advance pendulum-integration pendulum-solution-series
+     pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state
+     first-elliptic-integral second-elliptic-integral elliptic-integrals elliptic-integral-F
+     Jacobi-elliptic-functions)
     ("8 Scheme, as far as the programs of chapter 1 use it"
      write-line pp 1+ -1+ iota runtime exact->inexact)))
 
@@ -135,7 +147,8 @@
     (L-space-Euler Euler-state->L-space)
     (compatible-zero dual-zero)
     (golden-ratio :phi)
-    (F->CH F->CT) (J-matrix symplectic-unit) (Phi* transpose-function)))
+    (F->CH F->CT) (J-matrix symplectic-unit) (Phi* transpose-function)
+    (Hpendulum pendulum-Hamiltonian)))
 
 ;; ---------------------------------------------------------------------------
 

@@ -1,0 +1,228 @@
+#lang racket/base
+;; Action and angle of the pendulum, and its motion through any state (scmutils' names).
+;;
+;; The angle is 0 where θ = 0 and p > 0, and grows at the frequency.  In the *global* variables
+;; turns have half their angle and twice their action, those downwards are seen from the other
+;; side, and the separatrix is the same curve from within and from without.
+
+(require "pendulum.rkt"
+         "../calculus/elliptic.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
+         "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../numeric/constants.rkt"
+         "../value/principal-value.rkt"
+         "../value/series/access.rkt")
+
+(require-on-demand ["../search/find-root.rkt" find-root]
+                   ["../motion/evolution.rkt" state-advancer])
+
+(provide pendulum-oscillating-phase pendulum-circulating-phase
+         pendulum-oscillating-dt pendulum-circulating-dt
+         pendulum-oscillating-action-to-E pendulum-circulating-action-to-E
+         pendulum-oscillating-state-to-aa-state pendulum-oscillating-aa-state-to-state
+         pendulum-circulating-state-to-aa-state pendulum-circulating-aa-state-to-state
+         pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state
+         pendulum-advance pendulum-integration pendulum-solution-series)
+
+(define-syntax-rule (of-state (state) (name argument ...) body ...)
+  (unary-function (lambda () (list 'name (value->datum argument) ...)) (state)
+    (check-H-state 'name state)
+    body ...))
+
+(define (energy alpha beta state) ((Hpendulum alpha beta) state))
+(define in-turn (principal-value :pi))
+
+;; ---------------------------------------------------------------------------
+;; Phases
+
+;; The time since θ = 0 with p > 0
+(define (pendulum-oscillating-dt alpha beta)
+  (of-state (state) (pendulum-oscillating-dt alpha beta)
+    (define E (energy alpha beta state))
+    (check-not-at-rest 'pendulum-oscillating-dt beta E)
+    (define omega (pendulum-oscillating-frequency alpha beta E))
+    (define k (modulus beta E))
+    (define s (g:/ (g:sin (g:* 1/2 (coordinate state))) k))
+    (define u (elliptic-integral-F (asin-within s) k))
+    (define dt (g:/ u (g:sqrt (g:/ beta alpha))))
+    (if (negative? (number-of 'pendulum-oscillating-dt "the momentum" (momentum state)))
+        (g:- (g:/ pi omega) dt)
+        dt)))
+
+;; Rounding may take the sine of the greatest angle beyond 1.
+(define (asin-within s)
+  (define r (comparand s))
+  (if (and (real? r) (>= (abs r) 1)) (if (> r 0) :pi/2 (- :pi/2)) (g:asin s)))
+
+(define (check-not-at-rest who beta E)
+  (when (= (number-of who "the energy" E) (- (number-of who "beta" beta)))
+    (complain who "a pendulum at rest has no phase")))
+
+(define (pendulum-circulating-dt alpha beta)
+  (of-state (state) (pendulum-circulating-dt alpha beta)
+    (define E (energy alpha beta state))
+    (define omega (pendulum-circulating-frequency alpha beta E)) ; checks E
+    (define k (g:/ 1 (modulus beta E)))
+    (define u (elliptic-integral-F (g:* 1/2 (in-turn (coordinate state))) k))
+    (g:/ u (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha))))))
+
+;; The angle, between −π and π
+(define (pendulum-oscillating-phase alpha beta)
+  (of-state (state) (pendulum-oscillating-phase alpha beta)
+    (in-turn (g:* (pendulum-oscillating-frequency alpha beta (energy alpha beta state))
+                  ((pendulum-oscillating-dt alpha beta) state)))))
+
+(define (pendulum-circulating-phase alpha beta)
+  (of-state (state) (pendulum-circulating-phase alpha beta)
+    (in-turn (g:* (pendulum-circulating-frequency alpha beta (energy alpha beta state))
+                  ((pendulum-circulating-dt alpha beta) state)))))
+
+;; ---------------------------------------------------------------------------
+;; Energies of actions
+
+(define (pendulum-oscillating-action-to-E alpha beta)
+  (unary-function (name-of 'pendulum-oscillating-action-to-E alpha beta) (action)
+    (check-action 'pendulum-oscillating-action-to-E action 0
+                  (pendulum-separatrix-action alpha beta))
+    ;; E = β (2 k² − 1), and the action grows with k
+    (define (E k) (g:* beta (g:- (g:* 2 (g:square k)) 1)))
+    (E (find-root (lambda (k) (g:- (pendulum-oscillating-action alpha beta (E k)) action))
+                  1e-9 (- 1 1e-12)))))
+
+(define (pendulum-circulating-action-to-E alpha beta)
+  (unary-function (name-of 'pendulum-circulating-action-to-E alpha beta) (action)
+    (check-action 'pendulum-circulating-action-to-E action
+                  (g:* 1/2 (pendulum-separatrix-action alpha beta)) +inf.0)
+    (define (E k) (g:* beta (g:- (g:/ 2 (g:square k)) 1)))
+    (E (find-root (lambda (k) (g:- (pendulum-circulating-action alpha beta (E k)) action))
+                  1e-6 (- 1 1e-12)))))
+
+(define ((name-of who . arguments)) (cons who (map value->datum arguments)))
+
+(define (check-action who action low high)
+  (define J (number-of who "the action" action))
+  (unless (< (number-of who "alpha" low) J (number-of who "alpha" high))
+    (complain who "the action is to be between ~a and ~a; given ~a" low high action)))
+
+;; ---------------------------------------------------------------------------
+;; Action-angle states
+
+(define (pendulum-oscillating-state-to-aa-state alpha beta)
+  (of-state (state) (pendulum-oscillating-state-to-aa-state alpha beta)
+    (up (time state)
+        ((pendulum-oscillating-phase alpha beta) state)
+        (pendulum-oscillating-action alpha beta (energy alpha beta state)))))
+
+(define (pendulum-circulating-state-to-aa-state alpha beta)
+  (of-state (state) (pendulum-circulating-state-to-aa-state alpha beta)
+    (up (time state)
+        ((pendulum-circulating-phase alpha beta) state)
+        (pendulum-circulating-action alpha beta (energy alpha beta state)))))
+
+(define (pendulum-oscillating-aa-state-to-state alpha beta)
+  (of-state (state) (pendulum-oscillating-aa-state-to-state alpha beta)
+    (define E ((pendulum-oscillating-action-to-E alpha beta) (momentum state)))
+    (define t (g:/ (coordinate state) (pendulum-oscillating-frequency alpha beta E)))
+    (up (time state)
+        ((pendulum-oscillating-angle alpha beta E) t)
+        ((pendulum-oscillating-angular-momentum alpha beta E) t))))
+
+(define (pendulum-circulating-aa-state-to-state alpha beta)
+  (of-state (state) (pendulum-circulating-aa-state-to-state alpha beta)
+    (define E ((pendulum-circulating-action-to-E alpha beta) (momentum state)))
+    (define t (g:/ (coordinate state) (pendulum-circulating-frequency alpha beta E)))
+    (up (time state)
+        ((pendulum-circulating-angle alpha beta E) t)
+        ((pendulum-circulating-angular-momentum alpha beta E) t))))
+
+;; ---------------------------------------------------------------------------
+;; For all energies
+
+(define (mirrored state)
+  (up (time state) (g:negate (coordinate state)) (g:negate (momentum state))))
+
+(define (downwards? who state) (negative? (number-of who "the momentum" (momentum state))))
+
+(define (pendulum-state-to-global-aa-state alpha beta)
+  (define who 'pendulum-state-to-global-aa-state)
+  (of-state (state) (pendulum-state-to-global-aa-state alpha beta)
+    (cond
+      [(swinging? who beta (energy alpha beta state))
+       ((pendulum-oscillating-state-to-aa-state alpha beta) state)]
+      [else
+       (define down? (downwards? who state))
+       (define aa ((pendulum-circulating-state-to-aa-state alpha beta)
+                   (if down? (mirrored state) state)))
+       (define half (g:* 1/2 (coordinate aa)))
+       (up (time aa)
+           (if down? (in-turn (g:+ pi half)) half)
+           (g:* 2 (momentum aa)))])))
+
+(define (pendulum-global-aa-state-to-state alpha beta)
+  (define who 'pendulum-global-aa-state-to-state)
+  (of-state (state) (pendulum-global-aa-state-to-state alpha beta)
+    (define-values (angle J) (values (in-turn (coordinate state)) (momentum state)))
+    (define separatrix (pendulum-separatrix-action alpha beta))
+    (cond
+      [(< (number-of who "the action" J) (number-of who "alpha" separatrix))
+       ((pendulum-oscillating-aa-state-to-state alpha beta) state)]
+      [else
+       (define down? (> (abs (number-of who "the angle" angle)) :pi/2))
+       (define turned ((pendulum-circulating-aa-state-to-state alpha beta)
+                       (up (time state)
+                           (g:* 2 (if down? (g:- angle pi) angle))
+                           (g:* 1/2 J))))
+       (if down? (mirrored turned) turned)])))
+
+;; (((pendulum-advance α β) state) t) : the state at the time t
+(define (pendulum-advance alpha beta)
+  (of-state (state) (pendulum-advance alpha beta)
+    (define E (energy alpha beta state))
+    (define-values (angle momentum-of dt)
+      (if (swinging? 'pendulum-advance beta E)
+          (values pendulum-oscillating-angle pendulum-oscillating-angular-momentum
+                  pendulum-oscillating-dt)
+          (values pendulum-circulating-angle pendulum-circulating-angular-momentum
+                  pendulum-circulating-dt)))
+    (define down? (and (not (swinging? 'pendulum-advance beta E))
+                       (downwards? 'pendulum-advance state)))
+    (define start ((dt alpha beta) (if down? (mirrored state) state)))
+    (unary-function (lambda () (list 'pendulum-advance (value->datum state))) (t)
+      (define since (g:+ start (g:- t (time state))))
+      (define there
+        (up t ((angle alpha beta E) since) ((momentum-of alpha beta E) since)))
+      (if down? (mirrored there) there))))
+
+;; The same by integration
+(define (pendulum-integration alpha beta tolerance)
+  (of-state (state) (pendulum-integration alpha beta tolerance)
+    (unary-function (lambda () (list 'pendulum-integration (value->datum state))) (t)
+      (define there
+        ((state-advancer pendulum-sysder alpha beta) state (g:- t (time state)) tolerance))
+      (up (time there) (in-turn (coordinate there)) (momentum there)))))
+
+;; (((pendulum-solution-series α β) state) t) : the Fourier series of θ, t from θ = 0 on
+(define (pendulum-solution-series alpha beta)
+  (of-state (state) (pendulum-solution-series alpha beta)
+    (define E (energy alpha beta state))
+    (define omega (pendulum-frequency alpha beta E))
+    (define swings? (swinging? 'pendulum-solution-series beta E))
+    (define-values (k rate)
+      (if swings?
+          (values (modulus beta E) (g:sqrt (g:/ beta alpha)))
+          (values (g:/ 1 (modulus beta E)) (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha))))))
+    (define K* (first-elliptic-integral (g:sqrt (g:- 1 (g:square k)))))
+    (define (wave n t)
+      (define omega-n (g:* n omega))
+      (g:/ (g:* omega (g:sin (g:* omega-n t)))
+           (g:* omega-n (g:cosh (g:/ (g:* omega-n K*) rate)))))
+    (unary-function (lambda () (list 'pendulum-solution-series (value->datum state))) (t)
+      (series:generate
+       (lambda (i)
+         (cond [swings? (g:* 4 (wave (+ (* 2 i) 1) t))]
+               [(= i 0) (g:+ (g:* omega t) (g:* 2 (wave 1 t)))]
+               [else (g:* 2 (wave (+ i 1) t))]))))))
