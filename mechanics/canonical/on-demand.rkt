@@ -44,4 +44,10 @@
                        pendulum-circulating-aa-state-to-state
                        pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state
                        pendulum-advance pendulum-integration pendulum-solution-series]
+ ["extended-phase-space.rkt" extended-Hamiltonian extended-state reduced-state
+                             periodic-extension]
+ ["integral-invariants.rkt" loop-integral loop-integrand]
+ ["resonance-width.rkt" resonance-width resonance-center]
+ ["action-angle.rkt" action-of-orbit frequency-of-orbit state->action-angle
+                     action-angle->state]
  ["verify.rkt" verify-canonical verify-symplectic])

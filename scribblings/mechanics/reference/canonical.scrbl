@@ -361,6 +361,106 @@ Is the residual zero at all times and coordinates?
                         (lambda (t q) (/ (* 'm (square (- q 'a))) (* 2 t)))
                         't 'q)]}
 
+@section{Action and angle}
+
+Systems with one coordinate, in numbers, whose motion closes: after one swing, or, where the
+coordinate is an angle that comes again after @racket[turn], after one turn. The motion is
+integrated to a tolerance; one that has not closed by the time @racket[longest] is an
+@racket[exn:fail:mechanics:not-convergent]. The pendulum is there in closed form, too:
+@secref["reference-pendulum"].
+
+@deftogether[(@defproc[(action-of-orbit [H procedure?] [state structure?]
+                                        [#:turn turn (or/c real? #f) #f]
+                                        [#:tolerance tolerance real? 1e-11]
+                                        [#:longest longest real? 1e4])
+                       real?]
+              @defproc[(frequency-of-orbit [H procedure?] [state structure?]
+                                           [#:turn turn (or/c real? #f) #f]
+                                           [#:tolerance tolerance real? 1e-11]
+                                           [#:longest longest real? 1e4])
+                       real?])]{
+
+The action ∮ p dq/2π of the motion through a state, and its angular frequency.
+
+@examples[#:eval session
+(define (quartic state)
+  (+ (/ (square (momentum state)) 2) (/ (expt (coordinate state) 4) 4)))
+(action-of-orbit quartic (up 0 1 0))
+(frequency-of-orbit quartic (up 0 1 0))
+(frequency-of-orbit (Hpendulum 1 9.8) (up 0 0 9) #:turn (* 2 pi))]
+
+@sicm{5.8; 6.1}}
+
+@deftogether[(@defproc[((state->action-angle [H procedure?] [#:center center real? 0]
+                                             [#:turn turn (or/c real? #f) #f]
+                                             [#:tolerance tolerance real? 1e-11]
+                                             [#:longest longest real? 1e4])
+                        [state structure?]) structure?]
+              @defproc[((action-angle->state [H procedure?] [#:center center real? 0]
+                                             [#:turn turn (or/c real? #f) #f]
+                                             [#:tolerance tolerance real? 1e-11]
+                                             [#:longest longest real? 1e4])
+                        [state structure?]) structure?])]{
+
+From a state to (up t angle action), with the angle counted from where the coordinate passes
+@racket[center] forwards, and back.
+
+@examples[#:eval session
+((state->action-angle quartic) (up 0 0.5 -0.25))
+((action-angle->state quartic) ((state->action-angle quartic) (up 0 0.5 -0.25)))]}
+
+@section{Extended phase space and integral invariants}
+
+@deftogether[(@defproc[((extended-Hamiltonian [H procedure?]) [state structure?]) scalar]
+              @defproc[((periodic-extension [H procedure?] [omega scalar]) [state structure?])
+                       scalar])]{
+
+The Hamiltonian p@subscript{t} + H(t, q, p) of states @racket[(up s (up t q) (down p_t p))], in
+which the time is a coordinate; and, of one that is periodic in the time, ω P + H(φ/ω, q, p), in
+which it is an angle, as @racket[perturbation-series] wants it.
+
+@examples[#:eval session
+(define (driven (up t q p)) (- (/ (square p) 2) (* 'A q (cos (* 'omega t)))))
+((extended-Hamiltonian driven) (up 's (up 't 'q) (down 'p_t 'p)))
+((periodic-extension driven 'omega) (up 's (up 'phi 'q) (down 'P 'p)))]
+
+@sicm{5.5}}
+
+@deftogether[(@defproc[(extended-state [state structure?] [p_t (or/c scalar? procedure?)])
+                       structure?]
+              @defproc[(reduced-state [state structure?]) structure?])]{
+
+A state with its time as a coordinate, and without. In place of the momentum a Hamiltonian may be
+given, of which the extended one is then 0.
+
+@examples[#:eval session
+(extended-state (up 't 'q 'p) 'p_t)
+((extended-Hamiltonian driven) (extended-state (up 't 'q 'p) driven))
+(reduced-state (up 's (up 't 'q) (down 'p_t 'p)))]}
+
+@defproc[(loop-integral [loop procedure?] [low real?] [high real?]
+                        [#:Hamiltonian H (or/c procedure? #f) #f]
+                        [#:tolerance tolerance real? 1e-10])
+         real?]{
+
+The integral ∮ p dq of a closed curve of states, a function of one parameter, which canonical
+transformations keep; with a Hamiltonian ∮ p dq − H dt, which the motion keeps, whatever the
+times of the states.
+
+@examples[#:eval session
+(define (loop x) (up 0 (+ 1 (* 0.2 (cos x))) (+ 2 (* 0.3 (sin x)))))
+(loop-integral loop 0 (* 2 pi))
+(loop-integral (compose (polar-canonical 2.0) loop) 0 (* 2 pi))]
+
+@sicm{5.3, pp. 360–364}}
+
+@defproc[((loop-integrand [loop procedure?]) [x scalar]) scalar]{
+
+What is integrated, p Dq.
+
+@examples[#:eval session
+((loop-integrand (lambda (x) (up 0 (cos x) (sin x)))) 'x)]}
+
 @section{The evolution in time}
 
 @deftogether[(@defproc[((shift-t [delta-t scalar]) [state structure?]) structure?]
@@ -518,6 +618,27 @@ Is the Hamiltonian, transformed by the Lie derivatives of the generators as func
 one in each order?
 
 @examples[#:eval session (verify-perturbation P)]}
+
+@deftogether[(@defproc[(resonance-width [H0 procedure?] [H1 procedure?]
+                                        [k (listof exact-integer?)] [state structure?])
+                       value]
+              @defproc[(resonance-center [H0 procedure?] [k (listof exact-integer?)]
+                                         [state structure?] [j exact-nonnegative-integer?])
+                       scalar])]{
+
+How far a resonance moves the momenta from its middle at most: half the height of the separatrix
+of the pendulum that the wave k of H1 makes of H0 there, for each momentum. And the value of the
+momentum of index j that puts a state on the resonance.
+
+@examples[#:eval session
+(define (driven-H0 (up t q (down P p))) (+ (/ (square p) 2) (* 5 P)))
+(define (driven-H1 (up t (up phi theta) p))
+  (+ (* -0.05 (cos theta)) (* 0.05 (+ (cos (+ theta phi)) (cos (- theta phi))))))
+(define rest-state (up 0 (up 0 0) (down 0 0)))
+(resonance-center driven-H0 '(1 -1) rest-state 1)
+(resonance-width driven-H0 driven-H1 '(1 -1) rest-state)]
+
+@sicm{7.4, pp. 479–490}; B. V. Chirikov 1979.}
 
 @section[#:tag "normal-forms"]{Normal forms}
 

@@ -1,0 +1,163 @@
+#lang racket/base
+;; Action and angle of systems with one coordinate, by integration (SICM 5.8 and 6.1).
+;;
+;; The motion through a state is followed until it closes: it encloses 2π I = ∮ p dq, takes the
+;; period T, and turns at ω = 2π/T = dE/dI.  The angle is ω times the time since the motion passed
+;; a given coordinate, forwards.  A coordinate that is an angle may close by a turn.
+
+(require "../error/complain.rkt" "../error/failure.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
+         "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
+         "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../numeric/constants.rkt")
+
+(require-on-demand
+ ["../motion/trajectory.rkt" evolve-trajectory trajectory-events trajectory-final-state]
+ ["../motion/event.rkt" event occurrence-time]
+ ["../search/find-root.rkt" find-root])
+
+(provide action-of-orbit frequency-of-orbit state->action-angle action-angle->state)
+
+;; ---------------------------------------------------------------------------
+;; Orbits
+
+(struct orbit (period action) #:authentic)
+
+;; turn : of a coordinate that is an angle, or #f; longest : the time after which to give up
+(define-plain (action-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
+                               #:longest [longest 1e4])
+  (orbit-action (closed-orbit 'action-of-orbit H state turn tolerance longest)))
+
+(define-plain (frequency-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
+                                  #:longest [longest 1e4])
+  (/ (* 2 pi) (orbit-period (closed-orbit 'frequency-of-orbit H state turn tolerance longest))))
+
+;; The motion goes away, and comes back where it began going the same way: the distance along the
+;; first velocity passes 0, falling and then rising; where it does so elsewhere, it goes on.
+(define (closed-orbit who H state turn tolerance longest)
+  (define start (checked-start who H state))
+  (define flow (Hamiltonian->state-derivative H))
+  (define first-rate (flow start))
+  (define (away s)
+    (define inner (inner-state s))
+    (g:+ (g:* (coordinate first-rate) (apart (coordinate inner) (coordinate start) turn))
+         (g:* (momentum first-rate) (g:- (momentum inner) (momentum start)))))
+  (define (until direction s)
+    (define passing (event away #:direction direction #:terminal? #t))
+    (define motion
+      (evolve-trajectory (with-area flow) s longest #:events passing #:tolerance tolerance))
+    (when (null? (trajectory-events motion))
+      (raise-not-closed who state longest (trajectory-final-state motion)))
+    (trajectory-final-state motion))
+  (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
+    (define end (until 'rising (until 'falling s)))
+    (if (near? (inner-state end) start turn)
+        (orbit (time end) (/ (abs (part end 2)) (* 2 pi)))
+        (follow end))))
+
+(define (raise-not-closed who state longest end)
+  (raise-not-convergent who (format "the motion through ~a did not close by the time ~a"
+                                    (value->text state) longest)
+                        end +inf.0 #:show? #f))
+
+;; (t, (q, p), area), of which the area grows as p dq
+(define ((with-area flow) s)
+  (define inner (inner-state s))
+  (define rate (flow inner))
+  (up 1
+      (up (coordinate rate) (momentum rate))
+      (g:* (momentum inner) (coordinate rate))))
+
+(define (inner-state s) (up (time s) (part (part s 1) 0) (part (part s 1) 1)))
+(define (part s i) (vector-ref (tuple-elements s) i))
+
+;; q − q₀, and what is like it nearby and comes again at each turn
+(define (apart q q0 turn)
+  (if turn
+      (g:* (/ turn (* 2 pi)) (g:sin (g:* (/ (* 2 pi) turn) (g:- q q0))))
+      (g:- q q0)))
+
+(define closeness 1e-5)
+
+(define (near? s start turn)
+  (define dq (- (coordinate s) (coordinate start)))
+  (define folded (if turn (- dq (* turn (round (/ dq turn)))) dq))
+  (define size (+ 1 (abs (coordinate start)) (abs (momentum start))))
+  (< (+ (abs folded) (abs (- (momentum s) (momentum start)))) (* closeness size)))
+
+;; -> the state in flonums, with the time 0
+(define (checked-start who H state)
+  (check-Hamiltonian who H)
+  (check-H-state who state)
+  (define-values (q p) (values (coordinate state) (momentum state)))
+  (unless (and (real? q) (real? p))
+    (complain who "expected a state of one coordinate, in numbers; given ~a" (value->text state)))
+  (define rate ((Hamiltonian->state-derivative H) state))
+  (when (and (zero? (coordinate rate)) (zero? (momentum rate)))
+    (complain who "a state at rest has no period; given ~a" (value->text state)))
+  (up 0 (exact->inexact q) (exact->inexact p)))
+
+;; ---------------------------------------------------------------------------
+;; Action and angle
+
+;; ((state->action-angle H) state) : (t, θ, I), with θ between 0 and 2π since the coordinate was
+;; `center`, rising
+(define-plain (state->action-angle H #:center [center 0] #:turn [turn #f]
+                                   #:tolerance [tolerance 1e-11] #:longest [longest 1e4])
+  (define who 'state->action-angle)
+  (check-Hamiltonian who H)
+  (unary-function (lambda () (list who (value->datum H))) (state)
+    (define o (closed-orbit who H state turn tolerance longest))
+    (define wait (time-to-center who H state center turn tolerance (orbit-period o)))
+    (define angle (* 2 pi (- 1 (/ wait (orbit-period o)))))
+    (up (time state) (if (>= angle (* 2 pi)) (- angle (* 2 pi)) angle) (orbit-action o))))
+
+;; The time until the coordinate is the center, rising
+(define (time-to-center who H state center turn tolerance period)
+  (define start (up 0 (exact->inexact (coordinate state)) (exact->inexact (momentum state))))
+  (define flow (Hamiltonian->state-derivative H))
+  (define (away s) (apart (coordinate s) center turn))
+  (cond
+    [(and (= (away start) 0) (> (coordinate (flow start)) 0)) 0]
+    [else
+     (define passing (event away #:name 'passing #:direction 'rising #:terminal? #t))
+     (define motion
+       (evolve-trajectory flow start (* 1.01 period) #:events passing #:tolerance tolerance))
+     (when (null? (trajectory-events motion))
+       (complain who
+                 "the motion through ~a does not pass the coordinate ~a forwards; #:center names one"
+                 (value->text state) center))
+     (occurrence-time (car (trajectory-events motion)))]))
+
+;; ((action-angle->state H) state) : the state with that angle and action
+(define-plain (action-angle->state H #:center [center 0] #:turn [turn #f]
+                                   #:tolerance [tolerance 1e-11] #:longest [longest 1e4])
+  (define who 'action-angle->state)
+  (check-Hamiltonian who H)
+  (unary-function (lambda () (list who (value->datum H))) (state)
+    (define-values (angle J) (values (coordinate state) (momentum state)))
+    (unless (and (real? angle) (real? J) (> J 0))
+      (complain who "expected an angle and a positive action, in numbers; given ~a"
+                (value->text state)))
+    (define (orbit-at p) (closed-orbit who H (up 0 center p) turn tolerance longest))
+    (define p (momentum-with-action who orbit-at J))
+    (define wait (* (orbit-period (orbit-at p)) (/ (- angle (* 2 pi (floor (/ angle (* 2 pi)))))
+                                                   (* 2 pi))))
+    (define start (up 0 (exact->inexact center) p))
+    (define there
+      (if (= wait 0)
+          start
+          (trajectory-final-state
+           (evolve-trajectory (Hamiltonian->state-derivative H) start wait
+                              #:tolerance tolerance))))
+    (up (time state) (coordinate there) (momentum there))))
+
+;; The action grows with the momentum at the center.
+(define (momentum-with-action who orbit-at J)
+  (define (excess p) (- (orbit-action (orbit-at p)) J))
+  (define high (let double ([p (sqrt (* 2 J))]) (if (> (excess p) 0) p (double (* 2 p)))))
+  (define low (let halve ([p (/ high 2)]) (if (< (excess p) 0) p (halve (/ p 2)))))
+  (find-root excess low high #:tolerance 1e-13))

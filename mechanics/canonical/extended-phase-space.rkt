@@ -1,0 +1,54 @@
+#lang racket/base
+;; The time as a coordinate (SICM 5.5, pp. 382–394).
+;;
+;; With the time q⁰ = t as a coordinate and a momentum p₀ for it, H' = p₀ + H(t, q, p) moves q and
+;; p as H does, ∂H'/∂p₀ = 1, and does not depend on the new time: what H depends on explicitly is
+;; one coordinate more.  Along a motion p₀ + H is conserved.
+;;
+;; A Hamiltonian that is periodic with the frequency ω has an angle φ = ω t instead, with the
+;; momentum P: H' = ω P + H(φ/ω, q, p).
+
+(require "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/structure.rkt")
+
+(provide extended-Hamiltonian extended-state reduced-state periodic-extension)
+
+;; ((extended-Hamiltonian H) (up s (up t q) (down p_t p))) = p_t + H(t, q, p)
+(define (extended-Hamiltonian H)
+  (check-Hamiltonian 'extended-Hamiltonian H)
+  (unary-function (lambda () (list 'extended-Hamiltonian (value->datum H))) (state)
+    (define inner (reduced 'extended-Hamiltonian state))
+    (g:+ (s:ref (momentum state) 0) (H inner))))
+
+;; ((periodic-extension H ω) (up s (up φ q) (down P p))) = ω P + H(φ/ω, q, p)
+(define (periodic-extension H omega)
+  (check-Hamiltonian 'periodic-extension H)
+  (unary-function (lambda () (list 'periodic-extension (value->datum H) (value->datum omega)))
+      (state)
+    (define inner (reduced 'periodic-extension state))
+    (g:+ (g:* omega (s:ref (momentum state) 0))
+         (H (up (g:/ (time inner) omega) (coordinate inner) (momentum inner))))))
+
+;; (t, q, p) with a momentum p_t ↦ (t, (t, q), (p_t, p)); without one −H(t, q, p), so that the
+;; extended Hamiltonian is 0
+(define (extended-state state p_t)
+  (check-H-state 'extended-state state)
+  (define t (time state))
+  (define extra (if (procedure? p_t) (g:negate (p_t state)) p_t))
+  (up t (up t (coordinate state)) (down extra (momentum state))))
+
+(define (reduced-state state) (reduced 'reduced-state state))
+
+(define (reduced who state)
+  (check-H-state who state)
+  (define q (coordinate state))
+  (unless (and (tuple? q) (= (structure-length (adopt q)) 2))
+    (complain who
+              (string-append "expected a state of the extended phase space, "
+                             "(up s (up t q) (down p_t p)); given ~a")
+              (describe-with-value state)))
+  (up (s:ref q 0) (s:ref q 1) (s:ref (momentum state) 1)))

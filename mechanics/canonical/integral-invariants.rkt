@@ -1,0 +1,37 @@
+#lang racket/base
+;; Integral invariants (SICM 5.3, pp. 360–364).
+;;
+;; A curve of states s(λ), closed, has the integral ∮ p dq, which canonical transformations keep:
+;; Poincaré's invariant.  With the time it is Poincaré and Cartan's, ∮ p dq − H dt.  A patch of
+;; states has Σ ∬ dqⁱ dpᵢ, the areas of its projections with their signs.
+
+(require "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/define-plain.rkt" "../generic/on-demand.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/local-tuple.rkt")
+
+(require-on-demand ["../compile/definite-integral.rkt" definite-integral])
+
+(provide loop-integral loop-integrand)
+
+;; loop : λ ↦ state;  the integral of p dq, or of p dq − H dt, from low to high
+(define-plain (loop-integral loop low high #:Hamiltonian [H #f] #:tolerance [tolerance 1e-10])
+  (check-loop 'loop-integral loop)
+  (when H (check-Hamiltonian 'loop-integral H))
+  (definite-integral (loop-integrand loop H) low high tolerance))
+
+;; λ ↦ p Dq − H Dt
+(define (loop-integrand loop [H #f])
+  (check-loop 'loop-integrand loop)
+  (unary-function (lambda () (list 'loop-integrand (value->datum loop))) (x)
+    (define-values (state rate) (value-and-derivative-along loop x 1))
+    (check-H-state 'loop-integral state)
+    (define action (g:* (momentum state) (coordinate rate)))
+    (if H (g:- action (g:* (H state) (time rate))) action)))
+
+(define (check-loop who loop)
+  (unless (and (procedure? loop) (accepts? loop 1))
+    (complain who "expected a loop, a function of one parameter with states as values; given ~a"
+              (describe-function loop))))

@@ -1,0 +1,75 @@
+#lang racket/base
+;; How far a resonance reaches (SICM 7.4, pp. 479–490).
+;;
+;; Near k·ω(I) = 0 the wave k of the perturbation, V cos(k·θ − δ), turns slowly.  Moved along k,
+;; I = I* + J k, the rest of H₀ + V cos is a pendulum, A J²/2 + V cos ψ with A = k·∂²H₀·k, whose
+;; separatrix is 2 √(V/A) high on either side: momenta are moved by up to that times k.
+;; Resonances of which the widths overlap make the motion chaotic (Chirikov 1979).
+
+(require "Poisson-series.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt")
+
+(provide resonance-width resonance-center)
+
+;; The greatest shift of the momenta from the middle of the resonance, a tuple like these.
+;; H0, H1 : functions of the state; k : integers; state : on the resonance
+(define (resonance-width H0 H1 k state)
+  (define-values (names wave) (wave-of 'resonance-width H1 k state))
+  (define A (curvature H0 k state))
+  (when (g:zero? A)
+    (complain 'resonance-width
+              "the frequency of the wave ~a does not change along it: no pendulum bounds it" k))
+  (define (at e) (apply substitute e (interleave names (scalars state))))
+  (define V (g:sqrt (g:+ (g:square (at (wave-cosine wave))) (g:square (at (wave-sine wave))))))
+  (define half (g:* 2 (g:sqrt (g:abs (g:/ V A)))))
+  (scalars->structure (momentum state) (lambda (j) (g:* half (abs (list-ref k j))))))
+
+(define (interleave names values)
+  (apply append (for/list ([n (in-list names)] [v (in-list values)]) (list n v))))
+
+;; k·∂²H₀/∂I²·k
+(define (curvature H0 k state)
+  (define direction (scalars->structure (momentum state) (lambda (j) (list-ref k j))))
+  (((lambda (f) (lambda (x) (derivative-at (lambda (x) (derivative-at f x)) x)))
+    (lambda (x) (H0 (up (time state) (coordinate state)
+                        (g:+ (momentum state) (g:* x direction))))))
+   0))
+
+;; The value of the momentum of index j that puts a state on the resonance k, the others being
+;; as they are: where k·ω is of degree 1 in it.
+(define (resonance-center H0 k state j)
+  (check-H-state 'resonance-center state)
+  (define I (scalars (momentum state)))
+  (define (slope x)
+    (define p (scalars->structure (momentum state) (lambda (i) (if (= i j) x (list-ref I i)))))
+    (define omegas
+      (scalars (derivative-at (lambda (p) (H0 (up (time state) (coordinate state) p))) p)))
+    (for/fold ([sum 0]) ([n (in-list k)] [omega (in-list omegas)]) (g:+ sum (g:* n omega))))
+  (define rate (simplify (derivative-at slope 0)))
+  (when (g:zero? rate)
+    (complain 'resonance-center "the frequency of the wave ~a does not depend on the momentum ~a"
+              k j))
+  (simplify (g:negate (g:/ (slope 0) rate))))
+
+;; -> symbols, and the wave of H1 at these
+(define (wave-of who H1 k state)
+  (check-H-state who state)
+  (define place (scalars->structure state (lambda (i) (string->uninterned-symbol "x"))))
+  (define angles (scalars (coordinate place)))
+  (unless (and (list? k) (= (length k) (length angles)) (andmap exact-integer? k))
+    (complain who "expected the integers of a wave, a list of ~a; given ~a" (length angles)
+              (describe-with-value k)))
+  (define (fail part)
+    (complain who "~a is no sum of sines and cosines of the angles: there is ~a"
+              (value->text H1) (value->text part)))
+  (define waves (series-waves (expression->Poisson-series (H1 place) angles fail)))
+  (values (scalars place)
+          (or (hash-ref waves k #f) (hash-ref waves (map - k) #f)
+              (complain who "the perturbation has no wave ~a; it has ~a" k
+                        (sort (hash-keys waves) string<? #:key value->text)))))

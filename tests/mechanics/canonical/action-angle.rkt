@@ -1,0 +1,66 @@
+#lang racket/base
+;; Actions and angles by integration, against closed forms.
+
+(require mechanics
+         rackunit
+         "../support/close.rkt" "../support/messages.rkt")
+
+(define ((oscillator m k) (up t q p)) (+ (/ (square p) (* 2 m)) (* 1/2 k (square q))))
+
+(test-case "the oscillator: I = E/ω"
+  (define H (oscillator 2.0 8.0))
+  (define state (up 0 1.0 3.0))
+  (check-close (action-of-orbit H state) (/ (H state) 2.0) 1e-9)
+  (check-close (frequency-of-orbit H state) 2.0 1e-9)
+  ;; its angle is that of polar-canonical
+  (check-close ((state->action-angle H) state) ((polar-canonical-inverse 4.0) state) 1e-8)
+  (check-close ((action-angle->state H) (up 0 0.4 3.0))
+               ((polar-canonical 4.0) (up 0 0.4 3.0))
+               1e-8))
+
+(test-case "the pendulum, swinging and turning"
+  (define H (Hpendulum 1 9.8))
+  (define swing (up 0 0.7 1.5))
+  (check-close (action-of-orbit H swing) (pendulum-oscillating-action 1 9.8 (H swing)) 1e-9)
+  (check-close (frequency-of-orbit H swing) (pendulum-frequency 1 9.8 (H swing)) 1e-9)
+  (check-close (coordinate ((state->action-angle H) swing))
+               ((pendulum-oscillating-phase 1 9.8) swing) 1e-8)
+  (define turn (up 0 0.7 9.0))
+  (check-close (action-of-orbit H turn #:turn (* 2 pi))
+               (pendulum-circulating-action 1 9.8 (H turn)) 1e-8)
+  (check-close (frequency-of-orbit H turn #:turn (* 2 pi))
+               (pendulum-frequency 1 9.8 (H turn))
+               1e-9))
+
+;; Kepler's radial motion: I_r = −L + m μ/√(−2 m E)
+(test-case "the radial action of Kepler's problem"
+  (define ((radial m mu L) (up t r p))
+    (+ (/ (square p) (* 2 m)) (/ (square L) (* 2 m (square r))) (/ (* -1 mu) r)))
+  (define H (radial 1.0 1.0 0.8))
+  (define state (up 0 1.0 0.1))
+  (define E (H state))
+  (check-close (action-of-orbit H state) (- (/ 1 (sqrt (* -2 E))) 0.8) 1e-8)
+  ;; the period of the orbit, by the third law
+  (check-close (frequency-of-orbit H state) (expt (* -2 E) 3/2) 1e-8))
+
+(test-case "there and back"
+  (define (H s) (+ (/ (square (momentum s)) 2) (/ (expt (coordinate s) 4) 4)))
+  (define state (up 0 0.5 -0.3))
+  (check-close ((action-angle->state H) ((state->action-angle H) state)) state 1e-7))
+
+(says
+ [(action-of-orbit (oscillator 1 1) (up 0 0 0))
+  "action-of-orbit: a state at rest has no period; given (up 0 0 0)"]
+ [(action-of-orbit (oscillator 1 1) (up 0 'q 0))
+  "action-of-orbit: expected a state of one coordinate, in numbers; given (up 0 q 0)"]
+ [((state->action-angle (oscillator 1 1) #:center 9) (up 0 1 0))
+  "state->action-angle: the motion through (up 0 1 0) does not pass the coordinate 9 forwards; "
+  "#:center names one"]
+ [((action-angle->state (oscillator 1 1)) (up 0 1 -1))
+  "action-angle->state: expected an angle and a positive action, in numbers; given (up 0 1 -1)"])
+
+(test-case "a motion that does not close"
+  (check-message
+   "action-of-orbit: the motion through (up 0 0 1) did not close by the time 10"
+   (action-of-orbit (lambda (s) (square (momentum s))) (up 0 0 1) #:longest 10)
+   exn:fail:mechanics:not-convergent?))
