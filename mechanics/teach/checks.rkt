@@ -16,19 +16,23 @@
 (provide check-solution check-not-solution check-residual check-equal-expression
          check-conserved check-canonical check-proved check-refuted)
 
-;; name : symbol of the check; wanted : 'proved or 'refuted; find : -> verdict
-(define-check (check-verdict name wanted find message)
-  (define v (find))
-  (unless (verdict? v)
-    (with-check-info (['name name] ['given (string-info (describe-with-value v))])
-      (fail-check "it is no verdict, as verify-solution or prove-zero gives one")))
-  (define infos
-    (append (list (make-check-name name)
-                  (make-check-info 'expected wanted)
-                  (make-check-info 'verdict (string-info (verdict->text v))))
-            (if message (list (make-check-message message)) '())))
-  (unless (eq? (verdict-status v) wanted)
-    (with-check-info* infos (lambda () (fail-check)))))
+;; name : symbol of the check; place : of it; wanted : 'proved or 'refuted; find : -> verdict
+(define (check-verdict name place wanted find message)
+  (with-check-info*
+   (append (list (make-check-name name)
+                 (make-check-location place)
+                 (make-check-info 'expected wanted))
+           (if message (list (make-check-message message)) '()))
+   (lambda ()
+     ((current-check-around) (lambda () (check-found (find) wanted))))))
+
+(define (check-found v wanted)
+  (cond [(not (verdict? v))
+         (fail-check (format "it is no verdict, as verify-solution or prove-zero gives one: ~a"
+                             (describe-with-value v)))]
+        [(not (eq? (verdict-status v) wanted))
+         (with-check-info (['verdict (string-info (verdict->text v))]) (fail-check))]
+        [else (void)]))
 
 ;; The verdict, its lines one below the other, set off from the word before it.
 (define (verdict->text v)
@@ -45,9 +49,10 @@
               [end (and (pair? given) (car (reverse given)))]
               [message (and end (string? (syntax-e end)) end)])
          (with-syntax ([(it (... ...)) (if message (reverse (cdr (reverse given))) given)]
-                       [told message])
-           (syntax/loc stx
-             (check-verdict 'name 'wanted (lambda () (question it (... ...))) told))))])))
+                       [told message]
+                       [place (list (syntax-source stx) (syntax-line stx) (syntax-column stx)
+                                    (syntax-position stx) (syntax-span stx))])
+           #'(check-verdict 'name 'place 'wanted (lambda () (question it (... ...))) told)))])))
 
 (define-verdict-check check-solution proved verify-solution)
 (define-verdict-check check-not-solution refuted verify-solution)

@@ -34,6 +34,8 @@ order.
 @include-section["guide/pictures.scrbl"]
 @include-section["guide/animations.scrbl"]
 @include-section["guide/showing.scrbl"]
+@include-section["guide/teachers.scrbl"]
+@include-section["guide/students.scrbl"]
 @include-section["guide/systems.scrbl"]
 @include-section["guide/constrained-systems.scrbl"]
 @include-section["guide/programs.scrbl"]

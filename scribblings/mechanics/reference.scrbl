@@ -72,4 +72,6 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/formulas.scrbl"]
 @include-section["reference/pictures.scrbl"]
 @include-section["reference/animations.scrbl"]
+@include-section["reference/checks.scrbl"]
+@include-section["reference/worksheets.scrbl"]
 @include-section["reference/base.scrbl"]

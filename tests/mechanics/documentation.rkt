@@ -1,10 +1,11 @@
 #lang racket/base
-;; Every name that mechanics or mechanics/book exports has an entry in the manual,
+;; Every name that mechanics or another of our libraries exports has an entry in the manual,
 ;; and every entry is of a name that one of the modules the manual describes exports.
 ;;
 ;; Entries are found by reading the manual's source, without running it.
 
-(require (for-label mechanics mechanics/animate mechanics/book mechanics/plot)
+(require (for-label mechanics mechanics/animate mechanics/answers mechanics/book mechanics/plot
+                    mechanics/rackunit (except-in mechanics/worksheet #%module-begin))
          racket/file
          racket/list
          racket/path
@@ -128,7 +129,8 @@ end
 (define forms (manual-forms))
 (define documented (remove-duplicates (append-map documented-names forms)))
 
-(for ([module-path '(mechanics mechanics/animate mechanics/book mechanics/plot)])
+(for ([module-path '(mechanics mechanics/animate mechanics/answers mechanics/book mechanics/plot
+                     mechanics/rackunit mechanics/worksheet)])
   (test-case (format "every name that ~a exports is documented" module-path)
     (check-equal? (in-order (remove* documented (own-names module-path))) '())))
 

@@ -1,0 +1,64 @@
+#lang scribble/manual
+@(require (for-label mechanics mechanics/answers))
+
+@title[#:tag "students"]{For students: answering a worksheet}
+
+Your teacher gave you a file, such as @filepath{pendulum-student.rkt}. Open it in DrRacket
+(@secref["installation"]), put your name into the line @tt{;; Name:}, and press Run: nothing is
+answered yet, and it says so.
+
+@section{An answer}
+
+Each question is followed by a hole,
+
+@codeblock|{
+;; 2. (3 points) The equation of motion.
+;; What is zero along a motion, as
+;;    (define ((motion theta) t) ...)
+(define motion unanswered)
+}|
+
+and the comment shows how the definition of an answer may begin. Replace the hole:
+
+@codeblock|{
+(define ((motion theta) t)
+  (+ (* 'l (((expt D 2) theta) t)) (* 'g (sin (theta t)))))
+}|
+
+Symbols such as @racket['l] stand for any number. Call them as the question does; how you call
+the arguments is up to you. How you write your answer does not matter, as long as it is equal:
+a common factor, other forms of a sine, and terms in another order make no difference. A
+Lagrangian may even differ by a total time derivative. You may define what helps you, and compute
+an answer: @racket[(define motion (Lagrange-equations L))] is one, with your @racket[L].
+
+An answer in words is a text in quotation marks: @racket[(define why "Because ...")].
+
+@section{What Run says}
+
+@itemlist[
+@item{@bold{proved}, or @bold{right}: it is.}
+@item{@bold{partly right}: some components are, or it is a special case.}
+@item{@bold{refuted}: it is not; at the numbers that are shown it fails. Put them in, and see why.
+Often it is said what is wrong, as a sign or a missing term, and under which condition it would be
+right.}
+@item{@bold{true, but trivial}: it holds, but says nothing: that a body at rest stays at rest,
+or that 3 is conserved.}
+@item{@bold{undecided}: it could not be found out. That is no mistake of yours; your teacher will
+look at it. It helps to write exact numbers, @racket[1/3] and not @racket[0.333].}
+@item{@bold{no answer could be had}: your function made an error, which is shown.}
+@item{@bold{not answered}, or @bold{kept for the teacher}.}]
+
+The same is said by @exec{raco mechanics check pendulum-student.rkt} in a terminal; in a checkout of
+the library, by @exec{make check FILE=pendulum-student.rkt}.
+
+@section{When it does not work}
+
+@itemlist[
+@item{@tt{unbound identifier}: a name was not defined; a symbol needs its quote, @racket['m].}
+@item{@tt{it has L in it, of which the question does not speak}: look how the question spells it.}
+@item{@tt{the function takes 3 arguments; here it is applied to theta}: begin the definition as the
+comment says.}
+@item{Leave the last lines of the file, @racket[(check-answers ...)], as they are; if they were
+changed, take a new copy and put your answers into it.}]
+
+More about errors is in @secref["mistakes"].

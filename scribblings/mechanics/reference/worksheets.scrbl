@@ -1,0 +1,217 @@
+#lang scribble/manual
+@(require (for-label mechanics (except-in mechanics/worksheet #%module-begin)
+                     mechanics/answers) "../eval.rkt")
+
+@title[#:tag "reference-worksheets" #:style '(toc)]{Worksheets}
+
+@secref["teachers"] tells how a worksheet is written and a class is judged, @secref["students"]
+how one is answered.
+
+@local-table-of-contents[]
+
+@section[#:tag "teachers-file"]{The teacher's file}
+
+@(define session (make-session))
+
+@defmodule[mechanics/worksheet #:lang #:packages ("mechanics")]
+
+A module in this language is a worksheet. The language is that of @racketmodname[mechanics] with
+the forms below, in any order; it exports the @racketidfont{worksheet}. When it is run each key is
+judged as an answer: a worksheet whose key is refuted, or cannot be proved, is refused with the
+verdict, and so is one where a slip is a right answer. What is defined between the forms stays
+with the teacher.
+
+@defform[(title text maybe-due) #:grammar ([maybe-due (code:line) (code:line #:due text)])]{
+
+Gives the worksheet its title, and says when it is due.
+
+@examples[#:eval session
+(module numbers mechanics/worksheet
+  (title "Numbers" #:due "week 4")
+  (exercise sum number "What is one and one?" (key 2)))
+(require (submod 'numbers main))]}
+
+@defform[(text part ...)]{
+
+Adds a passage of text, made of the strings @racket[part]. What stands in it between backquotes
+is a formula, typeset on the page.
+
+@examples[#:eval session
+(module area mechanics/worksheet
+  (title "Numbers")
+  (text "With `(square x)` as area:")
+  (exercise side expression "How long is the side?" (key 'x)))]}
+
+@defform[(given definition ...)]{
+
+Adds definitions that the students' file holds as well, as they are written.
+
+@examples[#:eval session
+(module speed mechanics/worksheet
+  (title "Energies")
+  (given (define (T v) (* 1/2 'm (square v))))
+  (exercise twice expression "`(T v)` at twice the speed." (key (T (* 2 'v)))))]}
+
+@defform*[((formula value) (formula text value))]{
+
+Adds a value, typeset on the page, with a text before it: a Lagrangian at a local tuple, say, or
+what @racket[derive-Noether-integral] gives.
+
+@examples[#:eval session
+(module energies mechanics/worksheet
+  (title "Energies")
+  (formula "The energy is" (* 1/2 'm (square 'v)))
+  (exercise twice expression "What is it at twice the speed?" (key (* 2 'm (square 'v)))))]}
+
+@defform[(exercise name kind question clause ...)
+         #:grammar
+         ([clause (coordinates id ...)
+                  (arguments id ...)
+                  (constants id ...)
+                  (key value)
+                  (of L)
+                  (of-Hamiltonian H)
+                  (force F)
+                  (besides Q ...)
+                  (becomes K)
+                  (starts tuple)
+                  (assuming relation ...)
+                  (within tolerance)
+                  (code:line (within tolerance #:absolute))
+                  (unit text)
+                  (points number)
+                  (code:line (hint text) (code:comment "any number of these"))
+                  (hint text #:after number)
+                  (code:line (slip value text) (code:comment "and of these"))
+                  (slip value text #:credit share)
+                  (expects procedure)
+                  (no-practice)])]{
+
+Adds an exercise, whose answer students define as @racket[name]. The kinds are those of
+@secref["kinds-of-exercise"].
+
+@racket[coordinates] names the coordinates of a system. A local tuple, a state and a path that
+an answer is applied to are made of these: of @racket[r] and @racket[phi] the tuple
+@racket[(up 't (up 'r 'phi) (up 'rdot 'phidot))], the state
+@racket[(up 't (up 'r 'phi) (down 'p_r 'p_phi))] and a path of literal functions. An expression
+in these symbols is as good an answer as a function.
+
+@racket[arguments] names what an @racketidfont{expression} is a function of. @racket[constants]
+names the constants of a general solution.
+
+@racket[of] gives the Lagrangian and @racket[of-Hamiltonian] the Hamiltonian of the system;
+@racket[force] a force outside it, @racket[besides] quantities known to be conserved,
+@racket[becomes] the Hamiltonian after a map, @racket[starts] the local tuple at which a motion
+begins. @racket[assuming] holds while the exercise is judged, as with @racket[assuming].
+
+@racket[within] is how far a number may be off, as a share of the key, a hundredth if nothing is
+said; with @racket[#:absolute], or if the key is 0, in the unit itself.
+
+A @racket[hint] is told with a wrong answer. A @racket[slip] is a wrong answer that you expect,
+and what to say to it; whatever is equal to it, in the sense of the kind, is told the same, and
+gets that share of the points. With @racket[(no-practice)] students cannot check the answer
+themselves, for their file has no key to it.
+
+@examples[#:eval session
+(module pendulum mechanics/worksheet
+  (title "The pendulum")
+  (define (L (up t theta thetadot))
+    (+ (* 1/2 'm (square (* 'l thetadot))) (* 'm 'g 'l (cos theta))))
+  (exercise motion equations "The equation of motion." (coordinates theta) (of L) (points 2))
+  (exercise energy conserved "A conserved quantity." (coordinates theta) (of L)
+    (key (Lagrangian->energy L)) (points 2)))
+(require (submod 'pendulum main))
+(module wrong-key mechanics/worksheet
+  (title "A wrong key")
+  (define (L (up t x v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square x))))
+  (exercise energy conserved "?" (coordinates x) (of L) (key velocity)))
+(eval:error (require 'wrong-key))]}
+
+@section[#:tag "kinds-of-exercise"]{Kinds of exercise}
+
+@tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
+(list
+ (list @bold{kind} @bold{an answer is} @bold{right, if})
+ (list @racketidfont{expression} "a value, or a function of named arguments"
+       "it is equal to the key; the components of a tuple count one by one")
+ (list @racketidfont{number} "a number" "it is within the tolerance")
+ (list @racketidfont{Lagrangian} "a function of the local tuple"
+       "its equations of motion are equivalent to the key's: a factor, a total time derivative")
+ (list @racketidfont{equations} "a function of a path, whose value is a function of time"
+       "it is zero along the motions of the key and along no others: factors and combinations do
+       not matter; equations count one by one")
+ (list @racketidfont{solution} "a path" "it is a motion of the system, begins as it should, and has all
+       constants")
+ (list @racketidfont{conserved} "a function of the local tuple, or of the state of a Hamiltonian"
+       "it is conserved, no constant, and independent of those known")
+ (list @racketidfont{function} "a function of the local tuple" "it is equal to the key")
+ (list @racketidfont{constraint-force} "a function of the local tuple" "it is equal to the key")
+ (list @racketidfont{Hamiltonian} "a function of the state"
+       "it is the key but for a function of the time")
+ (list @racketidfont{canonical} "a map of states" "it is canonical, and makes of the Hamiltonian what it
+       should")
+ (list @racketidfont{reason} "a text" "it is kept for the teacher")
+ (list @racketidfont{expects} "a value, or a function of named arguments"
+       "the procedure of the clause gives a proof, or a true value"))]
+
+An answer is found right, partly right, refuted, true but trivial, undecided, not answered, or none
+that can be judged. Undecided never means wrong: such an answer is left to the teacher.
+Trivial is what holds without saying anything: an equation 0 = 0, a body at rest as a
+solution, a constant as a conserved quantity, the identity as a canonical map.
+
+To a wrong answer is said, where it can be proved, in what way it differs from the key: the other
+sign; one term with the other sign, missing, or with another factor; a factor throughout; up and
+down, components or coordinates exchanged; a derivative forgotten; a name that the question does
+not have; of numbers powers of ten, 2, 2π, degrees, the reciprocal, squares, and near misses.
+
+@section[#:tag "students-file"]{The student's file}
+
+@(define answers (make-session '(require mechanics/answers)))
+
+@defmodule[mechanics/answers #:packages ("mechanics")]
+
+What the file needs that @exec{raco mechanics worksheet} writes for students.
+
+@defthing[unanswered any/c]{
+
+Stands where an answer is to be.
+
+@examples[#:eval answers unanswered]}
+
+@defform[(check-answers [name answer] ... sealed ...)]{
+
+Judges the answers and prints what is found; the strings hold the exercises, in an envelope
+that is no lock. It stands at the end of a student's file and is not written by hand.
+
+@examples[#:eval answers
+(check-answers
+ [two 2]
+ "01Au1kitSC1KzixOVSgpz1fIK81NSi1SULJXUtDQVFDOSCzOSC0EsowUDEECILESTU0A")]}
+
+@section[#:tag "commands-for-teaching"]{Commands}
+
+@tabular[#:sep @hspace[2] #:row-properties '(top)
+(list
+ (list @exec{raco mechanics new FILE} "writes a worksheet to begin with")
+ (list @exec{raco mechanics worksheet FILE} "writes the students' file, and the page to hand out in HTML
+       and in TeX")
+ (list @exec{raco mechanics handout FILE} @elem{writes the page alone: @exec{--to html} or
+       @exec{tex}, with @exec{--answers} for yourself; of another program the page that
+       @exec{show} makes})
+ (list @exec{raco mechanics check FILE} "judges one student's answers")
+ (list @exec{raco mechanics check FOLDER} "judges a class"))]
+
+@exec{check} takes @exec{--worksheet FILE}, the teacher's file, which a class needs and a student
+does not; @exec{--report FILE}, as often as you like, for a report in a file that ends with
+@exec{.html}, @exec{.csv} or @exec{.json}; @exec{--gradescope FOLDER} for a
+@filepath{results.json} of each submission; @exec{--seconds N}, how long one may run, 10 if
+nothing is said; and @exec{--json}, which prints what else is text as JSON. The status is 0 if all
+answers of a file are right, or a class was judged; 1 if one is not; 2 if what was typed makes no
+sense.
+
+In a checkout these are @exec{make new FILE=...}, @exec{make worksheet FILE=...},
+@exec{make handout FILE=... TO=tex ANSWERS=1} and
+@exec{make check FILE=... WORKSHEET=... REPORT=report.html}.
+
+@(close-session session)
+@(close-session answers)
