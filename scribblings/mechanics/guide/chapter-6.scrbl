@@ -1,0 +1,89 @@
+#lang scribble/manual
+@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt")
+
+@title[#:tag "chapter-6"]{Along with chapter 6 of the book}
+
+@(define session (make-session '(require mechanics/book) '(define line (up 't 'q 'p))))
+
+What to type while reading chapter 6 of @|the-book|, on canonical evolution, and what comes back.
+
+@racketblock[(require mechanics/book)]
+
+@section{6.1 Hamilton and Jacobi}
+
+Does a principal function solve the equation? The action of a free particle between two places
+does:
+
+@examples[#:eval session #:label #f
+(define (S t q) (/ (* 'm (square (- q 'a))) (* 2 t)))
+(verify-Hamilton-Jacobi (H-free 'm) S 't 'q)
+((Hamilton-Jacobi-residual (H-harmonic 'm 'k) S) 't 'q)]
+
+Action and angle of any motion of one coordinate that closes, in numbers:
+
+@examples[#:eval session #:label #f
+(define (quartic s) (+ (/ (square (momentum s)) 2) (/ (expt (coordinate s) 4) 4)))
+(action-of-orbit quartic (up 0 1 0))
+(frequency-of-orbit quartic (up 0 1 0))
+((state->action-angle quartic) (up 0 0.5 -0.25))]
+
+@section{6.2 Time evolution is canonical}
+
+The motion of the driven oscillator, a time Δt on, is a canonical transformation of states at one
+time, with the Hamiltonian of that time ago:
+
+@examples[#:eval session #:label #f
+(define (C dt) (C* 'alpha 'omega 'omega_0 dt))
+(define Cp ((C->Cp C) 'dt))
+(verify-canonical Cp line)
+(define H (H-driven-oscillator 'alpha 'omega 'omega_0))
+(verify-canonical Cp H ((H->Hp 'dt) H) line)]
+
+@section{6.4 Lie series}
+
+The exponential of the operator that takes F to {F, H} moves F along the motion:
+
+@examples[#:eval session #:label #f
+(define oscillator (H-harmonic 'm 'k))
+(series:for-each print-expression
+                 (((Lie-transform oscillator 'dt) coordinate) (up 0 'x_0 'p_0))
+                 6)
+(series:for-each print-expression
+                 (((Lie-transform (H-central-polar 'm (literal-function 'U)) 'dt) coordinate)
+                  (up 0 (up 'r_0 'phi_0) (down 'p_r_0 'p_phi_0)))
+                 4)]
+
+Each term is found from the one before as an expression, so that it costs no more than it holds.
+Summed up to an order the series are a transformation, canonical up to the next one; with numbers,
+a step of integration:
+
+@examples[#:eval session #:label #f
+(define (pendulum s) (- (/ (square (momentum s)) 2) (* 9.8 (cos (coordinate s)))))
+((Lie-transformation pendulum 0.1 16) (up 0 1.0 0.0))
+((state-advancer Hamiltonian->state-derivative pendulum) (up 0 1.0 0.0) 0.1 1e-14)]
+
+@section{6.5 Exponential identities}
+
+Derivatives of Lie commute as brackets do, and the product of two exponentials is one, of the
+series of Baker, Campbell and Hausdorff:
+
+@examples[#:eval session #:label #f
+(define f (literal-function 'f (Hamiltonian 1)))
+(define g (literal-function 'g (Hamiltonian 1)))
+(define F (literal-function 'F (Hamiltonian 1)))
+(verify-equal (((commutator (Lie-derivative f) (Lie-derivative g)) F) line)
+              (- (((Lie-derivative (Poisson-bracket f g)) F) line)))
+(define Z (Baker-Campbell-Hausdorff (Lie-derivative f) (Lie-derivative g)))
+(verify-equal (((series:ref Z 2) F) line)
+              (* 1/2 (((commutator (Lie-derivative f) (Lie-derivative g)) F) line)))]
+
+What a leapfrog step of length ε really conserves: the product of the exponentials of T and V is
+that of another Hamiltonian, near their sum.
+
+@examples[#:eval session #:label #f
+(define (T s) (* 'epsilon 1/2 (square (momentum s))))
+(define (V s) (* 'epsilon 1/2 (square (coordinate s))))
+(define near (Baker-Campbell-Hausdorff T V))
+(for/list ([n '(1 2 3)]) (simplify ((series:ref near n) line)))]
+
+@(close-session session)
