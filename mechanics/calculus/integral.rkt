@@ -6,10 +6,13 @@
 ;; that of f', and so on; and at a limit b + b' ε it is the integral up to b plus
 ;; f(b) b' ε, to higher order the Taylor series that this begins.  Where a gradient
 ;; is taken, the derivative by each variable is the integral of that of f.
+;;
+;; An integrand that jumps or bends at a place that moves with ε is integrated in pieces,
+;; whose ends move (moving-places.rkt).
 
 (require "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "jet.rkt" "number.rkt" "perturbed.rkt"
-         "recorded.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
+         "moving-places.rkt" "recorded.rkt"
+         "../generic/arithmetic.rkt" "../generic/branches.rkt" "../generic/elementary.rkt"
          "../numeric/quadrature/improper.rkt")
 
 (provide integrate)
@@ -42,26 +45,57 @@
 (define (integral t f low high)
   (define (end x) (number (task-who t) x))
   (cond
-    [(perturbed? low) (g:- (integral t f (base low) high) (edge f low))]
-    [(perturbed? high) (g:+ (integral t f low (base high)) (edge f high))]
+    [(perturbed? low) (g:- (integral t f (base low) high) (edge f low 0.0))]
+    [(perturbed? high) (g:+ (integral t f low (base high)) (edge f high 0.0))]
     [else (integral-between t f (end low) (end high))]))
 
 (define (base limit) ((parts-value (parts-of limit)) limit))
 
 ;; What the ε of a limit b + δ adds: Σ f⁽ᵐ⁾(b) δᵐ⁺¹/(m+1)!, where δ to the power of
 ;; the order is the last that does not vanish.
-(define (edge f limit)
+;; aside : what is added to b for f to take the branch of the piece that ends there
+(define (edge f limit aside)
   (define b (base limit))
   (define δ (g:- limit b))
-  (define slopes (derivatives-at f b (if (jet? limit) (sub1 (jet-order limit)) 0)))
+  (define slopes
+    (derivatives-at f (g:+ b aside) (if (jet? limit) (sub1 (jet-order limit)) 0)))
   (for/fold ([sum 0] [term 1] #:result sum) ([slope (in-list slopes)] [m (in-naturals 1)])
     (define next (g:/ (g:* term δ) m))
     (values (g:+ sum (g:* slope next)) next)))
 
-;; Between numbers.  Where f turns out to be perturbed, its parts are integrated
-;; one after the other.
+;; Between numbers.  Where f turns out to be perturbed, or to choose a branch by what is,
+;; its parts are integrated one after the other, in pieces.
 (define (integral-between t f low high)
-  (define (integral-of g) (integral-between t g low high))
+  (define (whole-piece note) (piece-between t f low high note))
+  (define result
+    (let/ec branching
+      (whole-piece (lambda (value made between) (branching #f)))))
+  (or result
+      (let ([places (moving-places (task-who t) f low high)])
+        (if (null? places)
+            (whole-piece void)
+            (sum-of-pieces t f (append (list low) places (list high)))))))
+
+(define (sum-of-pieces t f ends)
+  (for/fold ([sum 0]) ([from (in-list ends)] [to (in-list (cdr ends))])
+    (define-values (a b) (values (innermost from) (innermost to)))
+    (define aside (* 1e-13 (+ 1.0 (min (size a) (size b)))))
+    (define inside (if (< a b) aside (- aside)))
+    (g:+ sum (moving-piece t f from to inside))))
+
+(define (size x) (if (rational? x) (abs x) +inf.0))
+
+(define (moving-piece t f low high inside)
+  (cond
+    [(perturbed? low)
+     (g:- (moving-piece t f (base low) high inside) (edge f low inside))]
+    [(perturbed? high)
+     (g:+ (moving-piece t f low (base high) inside) (edge f high (- inside)))]
+    [else (piece-between t f low high void)]))
+
+;; note : called with the branches that f takes by perturbed values
+(define (piece-between t f low high note)
+  (define (integral-of g) (piece-between t g low high note))
   (define result
     (let/ec stop
       (define (sample x)
@@ -70,9 +104,10 @@
               [(perturbed? y) (stop y)]
               [else (number (task-who t) y)]))
       (define-values (value bound)
-        (improper-quadrature (counted t (impatient t f sample)) low high
-                             #:search? (task-search? t)
-                             #:tolerance (task-tolerance t) #:name (task-who t)))
+        (parameterize ([current-branches note])
+          (improper-quadrature (counted t (impatient t f sample)) low high
+                               #:search? (task-search? t)
+                               #:tolerance (task-tolerance t) #:name (task-who t))))
       (set-task-bound! t (+ bound (task-bound t)))
       value))
   (cond [(recorded? result) (integral-recorded integral-of f (recorded-tape result))]

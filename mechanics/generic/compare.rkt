@@ -6,8 +6,8 @@
 ;; does not exist, and asking for it is an error that names the value.  Constants that π is in
 ;; are ordered by their values, exactly.
 
-(require "arithmetic.rkt" "constant-order.rkt" "describe.rkt" "kind.rkt" "kinks-met.rkt"
-         "naming.rkt" "scalar.rkt"
+(require "arithmetic.rkt" "branches.rkt" "constant-order.rkt" "describe.rkt" "kind.rkt"
+         "kinks-met.rkt" "naming.rkt" "scalar.rkt"
          "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt")
@@ -77,12 +77,18 @@
     (define (two a b)
       (if (and (real? a) (real? b))
           (compare a b)
-          (compared 'name compare (ordered 'name a b a) (ordered 'name a b b))))
+          (begin
+            (note-difference! a b)
+            (compared 'name compare (ordered 'name a b a) (ordered 'name a b b)))))
     (define-named id name
       (case-lambda
         [(a b) (two a b)]
         [(a) (and (real-comparand 'name a) #t)]
         [(a b . more) (and (two a b) (apply id b more))]))))
+
+;; Of values that are being differentiated.
+(define (note-difference! a b)
+  (when (or (carrier? a) (carrier? b)) (note-sign! (lambda () (g:- a b)))))
 
 (define-order g:< < <)
 (define-order g:> > >)
@@ -130,9 +136,13 @@
   (complain who "~a\n  value: ~a" what (describe-with-value x)))
 
 (define-named g:positive? positive?
-  (lambda (x) (compared 'positive? > (real-comparand 'positive? x) 0)))
+  (lambda (x)
+    (note-difference! x 0)
+    (compared 'positive? > (real-comparand 'positive? x) 0)))
 (define-named g:negative? negative?
-  (lambda (x) (compared 'negative? < (real-comparand 'negative? x) 0)))
+  (lambda (x)
+    (note-difference! x 0)
+    (compared 'negative? < (real-comparand 'negative? x) 0)))
 
 ;; The argument itself is the value, so that its derivative comes along.  Where
 ;; two are equal there is a kink, unless they are the same with their derivatives.
@@ -143,6 +153,7 @@
             [else
              (define x (real-comparand 'name a))
              (define y (real-comparand 'name b))
+             (note-difference! a b)
              (cond [(compared 'name beyond? y x) b]
                    [(and (compared 'name = x y) (not (identical? a b)))
                     (raise-no-derivative-at 'name (list a b) "where two arguments are equal")]

@@ -7,7 +7,8 @@
 
 (require (for-syntax racket/base)
          racket/flonum
-         "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt" "record.rkt"
+         "arithmetic.rkt" "branches.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt"
+         "record.rkt"
          "kinks-met.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../error/complain.rkt")
@@ -44,7 +45,7 @@
            ...))]))
 
 (define-elementary
-  sqrt exp sin cos tan asin acos sinh cosh tanh asinh acosh atanh sgn)
+  sqrt exp sin cos tan asin acos sinh cosh tanh asinh acosh atanh)
 
 ;; Of a tuple, its length: the root of the sum of squares.
 (define-named g:abs abs
@@ -52,9 +53,20 @@
     (lambda (a)
       (cond [(number? a) (numeric a)]
             [(tuple? a) (g:sqrt (sum-of-squares a))]
-            [else (dispatch-unary generic:abs a)]))))
+            [else (note-sign-of! a) (dispatch-unary generic:abs a)]))))
 
 (define-record generic:abs abs 1 g:abs)
+
+(define-named g:sgn sgn
+  (let ([numeric (operation-numeric op:sgn)])
+    (lambda (a)
+      (cond [(number? a) (numeric a)]
+            [else (note-sign-of! a) (dispatch-unary generic:sgn a)]))))
+
+(define-record generic:sgn sgn 1 g:sgn)
+
+(define (note-sign-of! a)
+  (when (carrier? a) (note-sign! (lambda () a))))
 
 (define (sum-of-squares a)
   (for/fold ([sum 0]) ([x (in-vector (tuple-elements a))])

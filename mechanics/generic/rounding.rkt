@@ -7,7 +7,8 @@
 ;; plain numbers, which may count and index.  Exact constants have exact ones: π is rounded
 ;; down to 3.
 
-(require "arithmetic.rkt" "compare.rkt" "describe.rkt" "dispatch.rkt" "elementary.rkt" "kind.rkt"
+(require "arithmetic.rkt" "branches.rkt" "compare.rkt" "describe.rkt" "dispatch.rkt"
+         "elementary.rkt" "kind.rkt"
          "naming.rkt" "on-demand.rkt" "record.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          (only-in "../algebra/expression/substitute.rkt" rebuild)
@@ -69,6 +70,7 @@
                    (raise-at-jump 'name x))]
               [(real? c)                        ; x, of value c, is being differentiated
                (define value (numeric c))
+               (note-rounding! x value (lambda (one other) (boundary numeric one other)))
                (if (g:zero? (jump c value)) (raise-at-jump 'name x) value)]
               [(expression? x) (raise-inapplicable generic x)]
               [else (dispatch-unary generic x)])))
@@ -85,6 +87,13 @@
   (lambda (x value) (if (g:zero? value) 1 (g:- x value))))
 (define-rounding g:round generic:round round round
   (lambda (x value) (g:- (g:abs (g:- x value)) 1/2)))
+
+;; Where a rounding goes from one whole number to the next
+(define (boundary numeric one other)
+  (define-values (low high) (values (min one other) (max one other)))
+  (cond [(= (numeric (+ low 1/4)) high) low]
+        [(= (numeric (+ low 3/4)) low) high]
+        [else (* 1/2 (+ low high))]))
 
 ;; What is made of numbers and π alone is simplified first, as 2 sin(π/6) is 1.  Else bounds of
 ;; its value tell, unless it is nearer to a jump than they come.

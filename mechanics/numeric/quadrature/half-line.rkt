@@ -6,7 +6,7 @@
 ;; for a wave (oscillating.rkt), for one that keeps its sign (periods.rkt), or for a power or
 ;; a logarithm that is barely integrable (tail.rkt).
 
-(require "interval.rkt" "oscillating.rkt" "periods.rkt" "tail.rkt"
+(require "finite-range.rkt" "oscillating.rkt" "periods.rkt" "tail.rkt"
          "../sample.rkt"
          "../../error/failure.rkt")
 

@@ -2,7 +2,7 @@
 ;; Definite integrals of any kind, to infinity too; what cannot be done is refused, and said
 ;; not to converge only where that is seen.
 
-(require "half-line.rkt" "interval.rkt" "tail.rkt"
+(require "half-line.rkt" "finite-range.rkt" "tail.rkt"
          "../sample.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt")
 

@@ -191,6 +191,15 @@ possible.
 ((D J0) 2)
 ((D (lambda (b) (definite-integral exp 0 b))) 1)]
 
+Where the integrand jumps or bends at a place that depends on what is differentiated by, as
+@racket[(abs (- x a))] does, or what has a test @racket[(< x a)], that place is found, and what
+its motion contributes (Leibniz' rule) is not forgotten.
+
+@examples[#:eval session
+(define (distance a) (definite-integral (lambda (x) (abs (- x a))) 0 1))
+(list ((D distance) 0.3) (((square D) distance) 0.3))
+((D (lambda (a) (definite-integral (lambda (x) (if (< (square x) a) 1 0)) 0 1))) 0.25)]
+
 A pendulum's period from its law of energy, infinitely slow at the ends of the swing:
 
 @examples[#:eval session
