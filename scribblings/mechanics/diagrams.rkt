@@ -5,11 +5,10 @@
 (require file/convertible
          mechanics/animate
          scribble/base
+         "sketch-parts.rkt" "sketches.rkt"
          (only-in "../../mechanics/animation/on-demand.rkt" why-no-pictures))
 
 (provide system-diagram)
-
-(define pi 3.141592653589793)
 
 ;; The diagram of that name, where pictures can be drawn.
 (define (system-diagram name)
@@ -23,23 +22,6 @@
     (if (eq? request 'text)
         (format "(a diagram: ~a)" (illustration-name i))
         (convert (illustration-pict i) request default))))
-
-;; A point of the plane
-(define (at x y) (cons x y))
-
-(define blue '(38 110 190))
-(define orange '(205 85 35))
-(define gray '(140 140 140))
-
-(define (axes x-end y-end x-name y-name)
-  (for/list ([end (list (at x-end 0) (at 0 y-end))] [name (list x-name y-name)]
-             [anchor '(below left)])
-    (list (polyline (list (at 0 0) end) #:width 1 #:color gray #:arrows 'end)
-          (label end name #:anchor anchor #:color gray))))
-
-(define (curve f from to #:color [color blue] #:style [style 'solid])
-  (polyline (for/list ([k 61]) (let ([x (+ from (* (- to from) (/ k 60)))]) (at x (f x))))
-            #:color color #:style style))
 
 ;; ---------------------------------------------------------------------------
 ;; Paths
@@ -138,8 +120,7 @@
 
 (define (turntable)
   (sketch -2.2 2.4 -1.1 1.4 #:width 340
-          (polyline (for/list ([k 49]) (at (* 2 (cos (* k pi 1/24))) (* 0.7 (sin (* k pi 1/24)))))
-                    #:closed? #t #:fill '(225 230 238) #:width 1.5)
+          (ellipse (at 0 0) 2 0.7 #:fill '(225 230 238))
           (polyline (list (at 0 0) (at 0 1.2)) #:width 1 #:color gray #:arrows 'end)
           (label (at 0 1.2) "Ω" #:anchor 'right #:color orange)
           (disc (at 1 0.12) 0.28 #:fill blue #:width 1) (label (at 1 0.4) "m, R" #:anchor 'above)
@@ -168,6 +149,10 @@
           'double-Atwood (lambda () (diagram (draw-Atwood-machine #:masses '(4 1 3)) #:size 300))
           'ladder (lambda () (diagram (draw-ladder)))
           'loop loop
+          'supports supports
+          'slack-string slack-string
+          'knife-edge knife-edge
+          'moon moon
           'spherical-pendulum (lambda () (diagram (draw-spherical-pendulum)))
           'sleigh (lambda () (diagram (draw-sleigh)))
           'coin (lambda () (diagram (draw-coin)))

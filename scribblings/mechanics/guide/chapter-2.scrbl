@@ -196,6 +196,8 @@ These programs are in the source, with tests of what they claim.
 
 @subsection{Moons}
 
+@(system-diagram 'moon)
+
 @program["rigid/moons.rkt" #'here]
 
 @section{Figures}

@@ -47,6 +47,15 @@ zero before, the car leaves the track, and comes back to it elsewhere.
 
 @(program "constraints/roller-coaster.rkt" #'here)
 
+@section{A ball, a string, a wire}
+
+The same equations hold for a mass on each of these, as long as it keeps to them. The sign of
+the force tells the three apart: a ball only pushes and a string only pulls.
+
+@(system-diagram 'supports)
+
+@(program "constraints/supports.rkt" #'here)
+
 @section{A pendulum in space}
 
 In rectangular coordinates there is nothing special about the lowest point. The bob goes
@@ -71,6 +80,16 @@ conserved in the directions in which the blade pulls.
 
 It glides backwards, centre of mass behind; that is unstable, and it turns round in the
 cusp, where the speed along the blade is zero.
+
+@section{A knife edge on an incline}
+
+Seen from above: a blade moves along itself only, and turns steadily. It goes to and fro along
+a cycloid, across the incline, and on average not down at all. To substitute the constraint in
+the Lagrangian gives other equations, which are wrong.
+
+@(system-diagram 'knife-edge)
+
+@(program "constraints/knife-edge.rkt" #'here)
 
 @section{A rolling coin}
 

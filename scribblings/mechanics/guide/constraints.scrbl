@@ -104,7 +104,9 @@ top:
 
 Two thirds, as it should be. After that the mass flies: another state derivative, from the
 state that the event left. The program @program-link["constraints/slack-string.rkt"] among the
-examples goes to and fro between a string and free flight.
+examples goes to and fro between a string and free flight:
+
+@(system-diagram 'slack-string)
 
 @section{More than one}
 
