@@ -50,6 +50,8 @@
            (E4 . (25 44800 4730 #f #f #f))
            (E20 . (2000 #f #f #f #f #f))
            (M1 . (1000 #f #f #f #f #f))
+           (G6 . (1000 #f #f #f #f #f))
+           (G7 . (400 #f #f #f #f #f))
            (V1 . (200 #f #f #f #f 440))     ; mpmath 1.3, with SymPy: Taylor series
            (V2 . (200 #f #f #f #f 2930))))
 
