@@ -25,6 +25,7 @@
                  (escaped (string c)))]
         [(hash-ref signs c #f) => (lambda (formula) (format "\\ensuremath{~a}" formula))]
         [(hash-ref words c #f) => values]
+        [(hash-ref pieces-of-text c #f) => values]
         [else (escaped (string c))]))
 
 (define dots '((#\u307 . "dot") (#\u308 . "ddot") (#\u20DB . "dddot")))
@@ -33,6 +34,14 @@
   (hasheqv #\– "--" #\— "---" #\‘ "`" #\’ "'" #\“ "\\textquotedblleft{}" #\” "\\textquotedblright{}"
            #\° "\\textdegree{}" #\§ "\\S{}" #\u00A0 "~" #\u202F "\\," #\u2009 "\\,"
            #\′ "\\ensuremath{'}"))
+
+;; What formulas in text are drawn with: lines, and pieces of brackets.
+(define pieces-of-text
+  (for*/hasheqv ([entry (in-list '(("─" . "\\rule[0.55ex]{0.525em}{0.4pt}")
+                                   ("│⎜⎟" . "\\textbar{}") ("⎛⎠╱" . "/")
+                                   ("⎝⎞╲" . "\\textbackslash{}") ("⎡⎢⎣" . "[") ("⎤⎥⎦" . "]")))]
+                 [c (in-string (car entry))])
+    (values c (cdr entry))))
 
 (define (numbered characters form)
   (for/list ([c (in-string characters)] [i (in-naturals)]) (list c (form i))))

@@ -5,8 +5,8 @@
 ;; What the algebra knows stands for itself: symbols, numbers, operations.  Any other name at
 ;; the head of a list is that of an unknown function, as in (x t), or of its derivative, as
 ;; in (((partial 0) V) q).  Tuples, matrices, series and quaternions are made by the names
-;; they print with.  Equations and inequalities, of verdicts and of assumptions, are lists with a value
-;; on either side.
+;; they print with.  Equations and inequalities, of verdicts and of assumptions, are lists with
+;; a value on either side.
 ;;
 ;; Parts that a datum shares are read once: the datum of an expression may be exponentially
 ;; longer, written out, than it is.

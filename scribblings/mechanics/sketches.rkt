@@ -58,7 +58,8 @@
 
 (define (moon)
   (define place (at (* 2 (cos 0.7)) (* 1.5 (sin 0.7))))
-  (define (from-it angle r) (at (+ (car place) (* r (cos angle))) (+ (cdr place) (* r (sin angle)))))
+  (define (from-it angle r)
+    (at (+ (car place) (* r (cos angle))) (+ (cdr place) (* r (sin angle)))))
   (sketch -2.4 3.1 -1.7 2.1 #:width 360
           (ellipse (at 0 0) 2 1.5 #:style 'long-dash #:color gray #:width 1)
           (disc (at 0.5 0) 0.2 #:fill '(240 180 40))

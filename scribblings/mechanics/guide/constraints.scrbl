@@ -1,6 +1,6 @@
 #lang scribble/manual
 @(require (for-label mechanics)
-          "../eval.rkt"
+          "../diagrams.rkt" "../eval.rkt"
           (only-in "../look/look.rkt" formula)
           (only-in "../program.rkt" program-link))
 

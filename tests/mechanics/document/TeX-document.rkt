@@ -30,7 +30,7 @@
 (define all-kinds
   (list (heading evil) (prose (list (list evil "½ m (l θ\u307)², x → ∞, “quoted” – 10⁻⁸ ⟨x⟩ Ж")))
         (code "(define (f x)\n\n  (* 1/2 x)) ; \\alpha_1 θ" 0) (folded "Tests" evil)
-        (output evil) (failure evil)
+        (output evil) (output (->text (up (/ 'a 'b) (sqrt (/ 'c 'd))))) (failure evil)
         (shown (* 1/2 'm (square 'thetadot))) (shown (up 'a (/ 'b 'c)))
         (shown (string->symbol evil)) (shown evil) (shown (sqrt (square 'x)))
         (shown (verify-equal (* 'a 'x) 'b)) (shown (list (list 1 2.5) (list 3 4)))
@@ -48,6 +48,10 @@
   (define log (port->string out))
   (subprocess-wait process)
   (values (subprocess-status process) log))
+
+(test-case "what formulas in text are drawn with is drawn, too"
+  (check-false (regexp-match? #rx"U[+]" (prose->TeX (->text (up (/ 'a 'b) (sqrt (/ 'c 'd)))))))
+  (check-false (regexp-match? #rx"U[+]" (prose->TeX (->text (down 'a (up 'b (/ 'c 'd))))))))
 
 (test-case "LaTeX takes all of it"
   (skip-unless (find-executable-path "pdflatex") "documents for LaTeX: pdflatex is not here"

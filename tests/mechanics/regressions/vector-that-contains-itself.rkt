@@ -4,7 +4,6 @@
 (require mechanics
          mechanics/generic/cyclic
          (only-in mechanics/lang/printer print-result)
-         racket/port
          rackunit)
 
 (define (vector-in-itself)
