@@ -26,7 +26,8 @@
 (define (edge-after t) (map (lambda (p) (in-plane ((moved t) p))) square-edge))
 (define at-first (area square-edge))
 (define later (map (lambda (t) (area (edge-after t))) '(2. 5. 8.)))
-(list at-first later)
+at-first
+later
 
 ;; An attempt: each small area keeps its size, for the determinant is 1.
 (define (determinant-later t)

@@ -1,0 +1,46 @@
+#lang mechanics
+;; The homoclinic tangle of the driven pendulum  (SICM 4.3, p. 309)
+;;
+;; A = 0.05 m, ω = 4.2 ω₀: from the pendulum upside down the unstable manifold, red, and the stable
+;; one, blue, which without a drive are one separatrix. They cross without end.
+
+(require mechanics/plot mechanics/book "strobe.rkt")
+
+(define omega (* 4.2 (sqrt 9.8)))
+(define forwards (driven-pendulum-map 1. 1. 9.8 0.05 omega))
+(define backwards (driven-pendulum-map 1. 1. 9.8 0.05 (- omega)))
+
+(define win (frame :-pi :pi -9. 9. #:x-label "θ" #:y-label "p_θ"))
+(define (branch T side)
+  (fixed-point-eigen T :pi 0. 1e-8
+                     (lambda (rho dx dy rho-2 dx-2 dy-2)
+                       (unstable-manifold T :pi 0. (* side dx) (* side dy) rho 1e-6))))
+(define (draw T side color)
+  (define curve (branch T side))
+  (plot-parametric-fill win
+                        (lambda (u)
+                          (define p (curve u))
+                          (up ((principal-value :pi) (abscissa p)) (ordinate p)))
+                        0.1 150. (cylinder-near? 0.08) #:color color))
+(for ([side '(1 -1)])
+  (draw forwards side 'red)
+  (draw backwards side 'blue))
+
+win
+
+(module+ main
+  (require "save.rkt")
+  (save-figure win "homoclinic-tangle.png"))
+
+(module+ test
+  (require rackunit)
+  (define saddle (find-fixed-point forwards (up :pi 0.)))
+  (test-case "the trace of what happens upside down"
+    (check-= (apply + (fixed-point-multipliers saddle)) 4.63081658352 1e-8))
+  (test-case "the map moves the manifold along itself by its multiplier"
+    (define curve (branch forwards 1))
+    (define p (curve 0.7))
+    (define q (curve (* 0.7 (car (fixed-point-multipliers saddle)))))
+    (define image (forwards (ref p 0) (ref p 1) up void))
+    (check-= ((principal-value :pi) (- (ref image 0) (ref q 0))) 0 1e-5)
+    (check-= (ref image 1) (ref q 1) 1e-5)))

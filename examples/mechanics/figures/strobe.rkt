@@ -1,0 +1,18 @@
+#lang mechanics
+;; Sections of the periodically driven pendulum, for the figures of section 3.6.1: its state once in
+;; each period of the drive.
+
+(require mechanics/plot mechanics/book)
+
+(provide strobe-section strobe-map)
+
+(define omega_0 (sqrt 9.8))
+
+;; m = l = 1, the amplitude A in metres, the frequency in units of that of small oscillations.
+(define (strobe-map A ratio) (driven-pendulum-map 1. 1. 9.8 A (* ratio omega_0)))
+
+;; starts : lists (θ p)
+(define (strobe-section A ratio p-max starts n)
+  (define win (frame :-pi :pi (- p-max) p-max #:x-label "θ" #:y-label "p_θ"))
+  (explore-map win (strobe-map A ratio) n #:size 1.5
+               #:from (map (lambda (start) (apply up start)) starts)))
