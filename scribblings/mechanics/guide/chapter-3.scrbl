@@ -8,7 +8,8 @@
 @(define session (make-session '(require mechanics/book mechanics/plot)))
 
 What to type while reading the first half of chapter 3 of @|the-book|, sections 3.1 to 3.5, and
-what comes back. Surfaces of section, from 3.6 on, are not here yet.
+what comes back. Surfaces of section, from 3.6 on, and
+chapter 4 are in @secref["chaos-guide"].
 
 @racketblock[(require mechanics/book)]
 
@@ -186,7 +187,14 @@ The figures up to 3.5 are programs, which test what they show: a Legendre transf
 @program-link["figures/figure-3-5.rkt"], @program-link["figures/figure-3-6.rkt"],
 @program-link["figures/figure-3-7.rkt"] and @program-link["figures/figure-3-8.rkt"]; the driven
 pendulum, @program-link["figures/figure-3-9.rkt"], and the same motion with two kinds of momenta,
-@program-link["figures/figure-3-10.rkt"].
+@program-link["figures/figure-3-10.rkt"]. Of those from 3.6 on, sections of the driven pendulum,
+@program-link["figures/figure-3-12.rkt"] and @program-link["figures/figure-3-13.rkt"], and of the
+motion of Hénon and Heiles, @program-link["figures/figure-3-19.rkt"],
+@program-link["figures/figure-3-20.rkt"] and @program-link["figures/figure-3-21.rkt"]; how orbits
+part, @program-link["figures/figure-3-23.rkt"]; the standard map,
+@program-link["figures/standard-map-sections.rkt"] and
+@program-link["figures/chaos-by-colours.rkt"]; a tangle,
+@program-link["figures/homoclinic-tangle.rkt"].
 
 @section[#:tag "chapter-3-exercises"]{Exercises}
 
