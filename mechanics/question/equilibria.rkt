@@ -9,7 +9,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/rewriting/solve.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
@@ -81,12 +81,22 @@
   (check-constant 'equilibria residual (time local))
   (define solutions (solve-equations (scalars residual) (scalars q) (assumptions-in-force)))
   (unless solutions (raise-no-formula residual))
+  (note-other-period residual q)
   (for/list ([s (in-list solutions)])
     (define names (scalars q))
     (define (value k)
       (define entry (assq (list-ref names k) (car s)))
       (if entry (cdr entry) (list-ref names k)))
     (equilibrium (scalars->structure q value) (cdr s))))
+
+;; Of cos(k x) those within a turn of k x are found; how many these are in a turn of x, nobody
+;; knows.
+(define (note-other-period residual q)
+  (define u (angle-of-other-period (scalars residual) (scalars q) (assumptions-in-force)))
+  (when u
+    (note-once (format (string-append "equilibria: found are those within one turn of ~a; "
+                                      "there may be others, of other turns")
+                       (value->text u)))))
 
 ;; The coordinates of one near the start, by numbers.
 (define (find-equilibrium given start #:force [given-force #f])

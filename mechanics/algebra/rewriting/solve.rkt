@@ -4,9 +4,10 @@
 ;; the others.
 ;;
 ;; A factor is solved if it is linear in an unknown, with a coefficient in which no
-;; unknown occurs; and, if there is one unknown only, when it is a quadratic
-;; polynomial, or one of degree 1 in the sine and the cosine of one angle a x + b.
-;; Of angles one solution in each turn is given, exactly: multiples of :pi are.
+;; unknown occurs; and, if there is one unknown only, when it is a quadratic polynomial, in
+;; the unknown or in a power of it, or one of degree 1 in the sine and the cosine of one angle
+;; a x + b.  Of angles all solutions within a turn of x are given if a is a whole number,
+;; else those within a turn of the angle; exactly: multiples of :pi are.
 ;;
 ;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
 ;; solutions to be real are kept with them.
@@ -18,7 +19,7 @@
          "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
 
-(provide solve-equations expression-factors)
+(provide solve-equations angle-of-other-period expression-factors)
 
 ;; equations : expressions that are to vanish; unknowns : symbols; A : assumptions
 ;; -> a list of solutions (((unknown . expression) ...) condition ...), where an unknown
@@ -35,14 +36,23 @@
              [(ormap (lambda (e) (null? (involved e))) open) '()]
              [else
               (define e (simplest open involved))
-              (for*/list ([f (in-list (vanishing-factors e A))]
-                          [xs (in-value (involved f))]
-                          #:when (pair? xs)
-                          [root (in-list (or (solve-factor f xs A) (return #f)))]
+              (for*/list ([root (in-list (or (roots-of e involved A) (return #f)))]
                           [solution (in-list (solve (replaced (remq e open) root)
                                                     (extended found root A)
                                                     (append conditions (root-conditions root))))])
                 solution)])))))
+
+;; The roots of all factors, or else of the whole: x⁵ + 1 has a factor of degree 4.
+(define (roots-of e involved A)
+  (define of-factors
+    (for*/list ([f (in-list (vanishing-factors e A))]
+                [xs (in-value (involved f))]
+                #:when (pair? xs))
+      (solve-factor f xs A)))
+  (define xs (involved e))
+  (if (memq #f of-factors)
+      (and (null? (cdr xs)) (power-roots e (car xs) A))
+      (append* of-factors)))
 
 ;; x = value, under conditions.  waves : what sine and cosine are there, an alist
 (struct root (x value conditions waves) #:authentic)
@@ -113,7 +123,9 @@
   (define root (ormap linear xs))
   (cond [root (list root)]
         [(pair? (cdr xs)) #f]
-        [else (or (quadratic-roots f (car xs) A) (wave-roots f (car xs) A))]))
+        [else (or (quadratic-roots f (car xs) A)
+                  (power-roots f (car xs) A)
+                  (wave-roots f (car xs) A))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Polynomials, known by their values
@@ -165,6 +177,58 @@
       '()
       (for/list ([sign '(1 -1)]) (root x (solution sign) conditions '()))))
 
+;; a x²ⁿ + b xⁿ + c, where n is the least power of x there is; b or c may be 0
+(define (power-roots f x A)
+  (define powers (remove-duplicates (powers-of f x)))
+  (define n (and (pair? powers) (apply min powers)))
+  (define y (string->uninterned-symbol "y"))
+  (define (in-y e)
+    (node-map-powers e x (lambda (k) (if (zero? (remainder k n)) (e:expt y (quotient k n)) x))))
+  (define g (and n (> n 1) (in-y f)))
+  (define roots
+    (and g
+         (not (occurs? x g))
+         (let ([linear (linear-root g y (list y) A)])
+           (if linear (list linear) (quadratic-roots g y A)))))
+  (and roots
+       (append-map (lambda (r) (nth-roots (root-value r) (root-conditions r) n x A)) roots)))
+
+;; The x with xⁿ = value, which are real where value is positive, or n odd
+(define (nth-roots value conditions n x A)
+  (define (size v) (simplify-expression (e:expt v (/ 1 n)) A))
+  (define (roots values condition)
+    (for/list ([v (in-list values)]) (root x v (append condition conditions) '())))
+  (define sign (cond [(real? value) (sgn value)]
+                     [(zero-everywhere? (e:- value (e:apply op:abs value)) A) 1]
+                     [(zero-everywhere? (e:+ value (e:apply op:abs value)) A) -1]
+                     [else #f]))
+  (define one (if (eqv? sign -1) (e:negate (size (e:negate value))) (size value)))
+  (cond [(eqv? sign 0) (roots '(0) '())]
+        [(odd? n) (roots (list one) (if sign '() (list (list '>= value 0))))]
+        [(eqv? sign -1) '()]
+        [else (roots (list one (e:negate one)) (if sign '() (list (list '>= value 0))))]))
+
+(define (sgn v) (cond [(> v 0) 1] [(< v 0) -1] [else 0]))
+
+;; The exponents of x in e, 1 where it stands alone.
+(define (powers-of e x)
+  (cond [(eq? e x) '(1)]
+        [(not (node? e)) '()]
+        [(power-of? e x) (list (cadr (node-args e)))]
+        [else (append-map (lambda (a) (powers-of a x)) (node-args e))]))
+
+(define (power-of? e x)
+  (and (eq? (node-head e) op:expt)
+       (eq? (car (node-args e)) x)
+       (exact-positive-integer? (cadr (node-args e)))))
+
+;; e with (change k) in place of each power k of x
+(define (node-map-powers e x change)
+  (let walk ([e e])
+    (cond [(not (node? e)) e]
+          [(power-of? e x) (change (cadr (node-args e)))]
+          [else (rebuild (node-head e) (map walk (node-args e)))])))
+
 ;; ---------------------------------------------------------------------------
 ;; Angles
 
@@ -175,15 +239,35 @@
   (define ab (and u (line u x A)))
   (define coefficients (and ab (wave-coefficients f x u A)))
   (define solutions (and coefficients (angles-where coefficients A)))
+  (define turns (if solutions (turns-of (car ab)) 1))
   (and solutions
-       (for/list ([s (in-list solutions)])
+       (for*/list ([j (in-range turns)] [s (in-list solutions)])
+         (define angle (e:+ (turn-angle s) (e:* (* 2 j) exact-pi)))
+         (define value (quotient-of (e:- angle (cadr ab)) (car ab) A))
          (root x
-               (quotient-of (e:- (turn-angle s) (cadr ab)) (car ab) A)
+               (if (= turns 1) value (within-turn value A))
                (turn-conditions s)
                (for/list ([op (in-list (list op:cos op:sin))]
                           [value (in-list (list (turn-cosine s) (turn-sine s)))]
                           #:when value)
                  (cons (make-node op (list u)) value))))))
+
+;; How often a x goes round while x does once.
+(define (turns-of a) (if (exact-integer? a) (abs a) 1))
+
+;; An angle in these expressions that does not go round a whole number of times while an
+;; unknown in it does once, so that a turn of the one is not a turn of the other; or #f
+(define (angle-of-other-period es unknowns A)
+  (for*/or ([e (in-list es)] [x (in-list unknowns)] [u (in-list (angles-of e x))])
+    (define ab (line u x A))
+    (and (not (and ab (exact-integer? (car ab)))) u)))
+
+;; A multiple of π as the one above −π and up to π that differs from it by turns.
+(define (within-turn angle A)
+  (define parts (simplify-expression (e:/ angle exact-pi) A))
+  (if (and (rational? parts) (exact? parts) (not (<= -1 parts 1)))
+      (e:* (- parts (* 2 (ceiling (/ (- parts 1) 2)))) exact-pi)
+      angle))
 
 ;; The arguments of sines and cosines in which x occurs.
 (define (angles-of f x)
@@ -236,7 +320,19 @@
         [(eqv? c 0)
          (define u (inverse op:atan (quotient-of (e:negate a) b A)))
          (list (turn u #f #f '()) (turn (e:+ exact-pi u) #f #f '()))]
-        [else #f]))
+        [else
+         ;; R cos(u − δ) = −C
+         (define R (simplify-expression (e:apply op:sqrt (e:+ (e:* a a) (e:* b b))) A))
+         (define x (quotient-of (e:negate c) R A))
+         (define direction (simplify-expression (direction-of a b) A))
+         (for/list ([sign (in-list (either x 1 -1))])
+           (turn (e:+ direction (e:* sign (inverse op:acos x))) #f #f (bound-on x)))]))
+
+;; The angle of the point (a, b)
+(define (direction-of a b)
+  (define (of . arguments)
+    (if (ormap flonum? arguments) (apply e:apply op:atan arguments) (make-node op:atan arguments)))
+  (if (and (real? a) (positive? a)) (of (e:/ b a)) (of b a)))
 
 ;; The two of a sine or cosine x, that are one at the ends.
 (define (either x a b)

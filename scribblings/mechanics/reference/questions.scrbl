@@ -243,12 +243,14 @@ directions without inertia leave it undetermined.
 
 The coordinates at which a system that rests stays at rest, by formulas in the
 parameters, those that always exist first. Each comes with conditions for it to be real.
-A coordinate that may be anything is its own symbol; of angles there is one in each
-turn, exactly if the parameters are exact: @racket[':pi] is π.
+A coordinate that may be anything is its own symbol; of angles there are all of a
+turn, exactly if the parameters are exact: @racket[':pi] is π. Where the period is not a whole
+part of a turn, as that of @racket[(cos (* 'k x))], those within one period are found, and a
+note says so.
 
 The equations are factored and solved one after the other: factors that are linear in
-an unknown, and those in one unknown that are quadratic, or of degree 1 in its sine and
-cosine. Others raise @racket[exn:fail:mechanics]: then there is
+an unknown, and those in one unknown that are quadratic in it or in a power of it, or of degree
+1 in the sine and cosine of an angle. The list is complete, then. Others raise @racket[exn:fail:mechanics]: then there is
 @racket[find-equilibrium]. A force that changes in time is an error.
 
 @examples[#:eval session
@@ -259,6 +261,11 @@ cosine. Others raise @racket[exn:fail:mechanics]: then there is
 (define bead (up 't 'theta 'thetadot))
 (equilibria (L-ring 'm 'R 'g 'omega) bead)
 (equilibria (L-ring 1 1 9.8 2) bead)
+(define ((L-Lennard-Jones m e s) (up t r rdot))
+  (- (* 1/2 m (square rdot)) (* 4 e (- (expt (/ s r) 12) (expt (/ s r) 6)))))
+(equilibria (L-Lennard-Jones 'm 'e 's) (up 't 'r 'rdot))
+(equilibria (lambda (s) (- (* 1/2 (square (velocity s))) (cos (* 2 (coordinate s)))))
+            (up 't 'x 'v))
 (define (L-twisted (up t theta thetadot))
   (+ (* 1/2 (square thetadot)) (cos theta) (* -1/2 (square (- theta 1)))))
 (eval:error (equilibria L-twisted bead))]}

@@ -170,3 +170,38 @@
  [(equilibrium-stability (L-potential square) 'h)
   "equilibrium-stability: these coordinates are not an equilibrium\n"
   "  coordinates: h\n  residual: (* 2 h)"])
+
+;; ---------------------------------------------------------------------------
+;; All of a turn, and powers
+
+(define ((in-potential V) (up t x v)) (- (* 1/2 (square v)) (V x)))
+(define (places V) (found (in-potential V) (up 't 'x 'v)))
+
+(test-case "all equilibria of a turn, whatever the period"
+  (check-equal? (places (lambda (x) (cos (* 2 x)))) '(0 (* 1/2 :pi) :pi (* -1/2 :pi)))
+  (check-equal? (places (lambda (x) (square (sin x)))) '((* 1/2 :pi) (* -1/2 :pi) 0 :pi))
+  (check-equal? (length (places (lambda (x) (cos (* 3 x))))) 6)
+  (check-equal? (length (places (lambda (x) (sin (- (* 5 x) 'a))))) 10))
+
+(test-case "A cos u + B sin u + C"
+  (define (V x) (+ (* 3 (sin x)) (* -4 (cos x)) (* 2 x)))
+  (define all (equilibria (in-potential V) (up 't 'x 'v)))
+  (check-equal? (length all) 2)
+  (for ([e all])
+    (define x (exact->inexact (equilibrium-coordinates e)))
+    (check-= ((D V) x) 0.0 1e-14))
+  (define (V-symbolic x) (+ (* 'a (sin x)) (* 'b (cos x)) (* 'c x)))
+  (define symbolic (equilibria (in-potential V-symbolic) (up 't 'x 'v)))
+  (check-equal? (map (lambda (e) (length (equilibrium-conditions e))) symbolic) '(1 1))
+  (for* ([e symbolic] [a '(1.0 -2.0)] [b '(0.5 -3.0)])
+    (define x (substitute (substitute (substitute (equilibrium-coordinates e) 'a a) 'b b) 'c 0.7))
+    (check-= (+ (* a (cos x)) (* -1 b (sin x)) 0.7) 0.0 1e-13))
+  (check-equal? (places (lambda (x) (+ (sin x) (cos x) (* 2 x)))) '()))
+
+(test-case "powers, and the potential of Lennard-Jones"
+  (check-equal? (places (lambda (x) (- (expt x 5) (* 5 x)))) '(1 -1))
+  (check-equal? (places (lambda (x) (+ (expt x 4) (* 4 x)))) '(-1))
+  (check-equal? (places (lambda (x) (+ (expt x 6) (* 6 x)))) '(-1))
+  (check-equal? (places (lambda (x) (+ (expt x 5) (* 5 x)))) '())
+  (check-equal? (places (lambda (r) (* 4 'e (- (expt (/ 's r) 12) (expt (/ 's r) 6)))))
+                '((* s (expt 2 1/6)) (* -1 s (expt 2 1/6)))))

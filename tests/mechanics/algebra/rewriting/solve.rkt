@@ -39,9 +39,10 @@
   (check-equal? (solutions (list (- (* 4 (cos 'x) (sin 'x)) (* 9.8 (sin 'x)))) '(x))
                 '((((x 0))) (((x :pi))))))
 
-(test-case "sines and cosines of one angle, once each turn"
+(test-case "sines and cosines of one angle, all of a turn"
   (check-equal? (solutions (list (cos (* 2 'x))) '(x))
-                '((((x (* 1/4 :pi)))) (((x (* -1/4 :pi))))))
+                '((((x (* 1/4 :pi)))) (((x (* -1/4 :pi))))
+                  (((x (* -3/4 :pi)))) (((x (* 3/4 :pi))))))
   (check-equal? (solutions (list (- (* 2 (sin 'x)) 3)) '(x)) '())
   (check-equal? (solutions (list (- (* 'a (sin 'x)) (* 'b (cos 'x)))) '(x))
                 '((((x (atan (/ b a))))) (((x (+ :pi (atan (/ b a)))))))))
@@ -54,7 +55,7 @@
   (check-equal? (angles (+ (cos 'x) 1)) '(:pi))
   (check-equal? (angles (- (sin 'x) (cos 'x))) '((* 1/4 :pi) (* 5/4 :pi)))
   (check-equal? (angles (- (* 3 (cos 'x)) 1)) '((acos 1/3) (* -1 (acos 1/3))))
-  (check-equal? (angles (sin (+ (* 2 'x) 'a))) '((* -1/2 a) (* 1/2 (- :pi a))))
+  (check-equal? (angles (sin (+ (* 2 'x) 'a))) '((* -1/2 a) (* 1/2 (- :pi a)) (- :pi (* 1/2 a)) (- (* 3/2 :pi) (* 1/2 a))))
   (check-equal? (angles (- (* 2.0 (cos 'x)) 1.0)) '((* 1/3 :pi) (* -1/3 :pi)))
   (check-equal? (angles (- (* 2.0 (cos 'x)) 0.3)) (list (acos 0.15) (- (acos 0.15))))
   (check-equal? (angles (- (* 2.0 (sin 'x)) 0.3)) (list (asin 0.15) (- pi (asin 0.15)))))
