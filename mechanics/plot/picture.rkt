@@ -3,6 +3,7 @@
 ;; a second to load, and that needs the libraries of racket/draw.
 
 (require file/convertible
+         (only-in pict unsafe-dc)
          plot/no-gui
          (only-in racket/class send)
          (only-in racket/draw the-color-database)
@@ -17,20 +18,47 @@
   (and (send the-color-database find-color (if (symbol? name) (symbol->string name) name))
        #t))
 
-;; -> pict.  Very many points are one image, above the rest; images are beneath it.  The first
-;; of the points, and one of an image, are drawn none the less, for the legend and the axes.
+;; -> pict
 (define (make-picture v layers)
+  (define dense (filter dense? layers))
+  (define images (filter image? layers))
+  (if (and (null? dense) (null? images))
+      (drawn-once v layers)
+      (composed v layers dense images)))
+
+;; As plot-pict makes one, which draws each plot a second time, as a check that the canvas is
+;; as it was after that; the library has it so.
+(define (drawn-once v layers)
+  (define drawn (renderers v layers))
+  (define settings (current-parameterization))
+  (define-values (width height) (values (view-width v) (view-height v)))
+  (unsafe-dc (lambda (canvas x y)
+               (call-with-parameterization
+                settings (lambda () (draw-plot v drawn canvas x y width height))))
+             width height))
+
+(define (draw-plot v drawn canvas x y width height)
+  (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
+  (plot/dc drawn canvas x y width height
+           #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
+           #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
+           #:aspect-ratio (view-aspect-ratio v)))
+
+(define (renderers v layers)
+  (for/list ([l (in-list layers)]) (layer->renderer (alone l) (view-bounds v))))
+
+;; Very many points are one image, above the rest; images are beneath it.  The first of the
+;; points, and one of an image, are drawn none the less, for the legend and the axes.
+(define (composed v layers dense images)
   (define bounds (view-bounds v))
   (define-values (x-min x-max y-min y-max) (apply values bounds))
-  (define images (filter image? layers))
   (define drawn
     (parameterize ([plot-background-alpha (if (null? images) 1 0)])
-      (plot-pict (for/list ([l (in-list layers)]) (layer->renderer (alone l) bounds))
+      (plot-pict (renderers v layers)
                  #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
                  #:width (view-width v) #:height (view-height v)
                  #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
                  #:aspect-ratio (view-aspect-ratio v))))
-  (define dense (filter dense? layers))
   (define with-points (if (null? dense) drawn (with-dense-points drawn bounds dense)))
   (if (null? images) with-points (with-images-beneath with-points bounds images)))
 

@@ -4,8 +4,9 @@
 ;;
 ;; Entries are found by reading the manual's source, without running it.
 
-(require (for-label mechanics mechanics/animate mechanics/answers mechanics/book mechanics/plot
-                    mechanics/rackunit (except-in mechanics/worksheet #%module-begin))
+(require (for-label mechanics mechanics/animate mechanics/answers mechanics/book mechanics/pict
+                    mechanics/plot mechanics/rackunit
+                    (except-in mechanics/worksheet #%module-begin))
          racket/file
          racket/list
          racket/path
@@ -129,8 +130,8 @@ end
 (define forms (manual-forms))
 (define documented (remove-duplicates (append-map documented-names forms)))
 
-(for ([module-path '(mechanics mechanics/animate mechanics/answers mechanics/book mechanics/plot
-                     mechanics/rackunit mechanics/worksheet)])
+(for ([module-path '(mechanics mechanics/animate mechanics/answers mechanics/book mechanics/pict
+                     mechanics/plot mechanics/rackunit mechanics/worksheet)])
   (test-case (format "every name that ~a exports is documented" module-path)
     (check-equal? (in-order (remove* documented (own-names module-path))) '())))
 
