@@ -19,7 +19,7 @@
 ;; squares the error.
 
 (require racket/flonum
-         "circle-equation.rkt" "invariant-curve.rkt" "map-of-the-plane.rkt"
+         "circle-equation.rkt" "invariant-curve.rkt" "jacobian.rkt" "map-of-the-plane.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
@@ -81,6 +81,8 @@
   (define rotation (flonum who rotation-number))
   (define omega (fl* :2pi rotation))
   (define-values (low high) (ends who between omega))
+  (check-keeps-areas who map (list (list 0.1 low) (list 1.0 omega) (list 4.0 high))
+                     "invariant circles")
   (define J (flonum who (find-invariant-curve map rotation 0 low high 1e-9)))
   (define equation (circle-equation who map J omega))
   (define orbit (curve-of-orbit map J omega))

@@ -158,6 +158,19 @@
 
 ;; ---------------------------------------------------------------------------
 
+;; Near the point the one is to undo the other.
+(define (check-inverse who map inverse at)
+  (define-values (x y) (values (+ 1e-3 (ref at 0)) (+ 2e-3 (ref at 1))))
+  (define back
+    (image-of who map x y (lambda (x y) (image-of who inverse x y up))))
+  (define off
+    (max (abs (whole-turns-less (- (comparand (ref back 0)) x)))
+         (abs (whole-turns-less (- (comparand (ref back 1)) y)))))
+  (unless (< off 1e-6)
+    (complain who (string-append "what was given as #:inverse does not undo the map\n  start: ~a"
+                                 "\n  there and back: ~a")
+              (value->text (up x y)) (value->text back))))
+
 (define (check-asked who map p stable? inverse side length gap)
   (check-map who map)
   (unless (fixed-point? p)
@@ -169,7 +182,8 @@
   (when stable?
     (unless inverse
       (complain who "the stable manifold is followed backwards: give the inverse map, #:inverse"))
-    (check-map who inverse))
+    (check-map who inverse)
+    (check-inverse who map inverse (fixed-point-coordinates p)))
   (unless (memv side '(1 -1)) (raise-argument-error who "one of the branches 1 and -1" side))
   (for ([x (in-list (list length gap))] [what (in-list '("length" "gap"))])
     (unless (and (finite? (comparand x)) (positive? (comparand x)))

@@ -12,14 +12,14 @@
          "map-of-the-plane.rkt"
          "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
          "../compile/compile-function.rkt"
-         "../error/refusal.rkt"
-         "../generic/compare.rkt" "../generic/up-down.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../numeric/whole-turns.rkt"
          "../numeric/search/differences.rkt"
          "../value/shape.rkt")
 
 (provide map-jacobian (struct-out jacobian) jacobian-trace jacobian-determinant
-         eigenvalues eigenvector jacobian-runner)
+         check-keeps-areas eigenvalues eigenvector jacobian-runner)
 
 (struct jacobian (a b c d) #:transparent)
 
@@ -36,6 +36,16 @@
     (define slopes (scalars (derivative-at image at)))
     (apply jacobian (for/list ([k (in-list '(0 2 1 3))])
                       (number-or-refuse (list-ref slopes k))))))
+
+;; points : lists of two coordinates; what : the sort of thing that needs it
+(define (check-keeps-areas who map points what)
+  (for ([p (in-list points)])
+    (define determinant (jacobian-determinant (apply map-jacobian who map p)))
+    (unless (< (abs (- determinant 1)) 1e-6)
+      (complain who
+                (string-append "the map does not keep areas, which ~a need"
+                               "\n  determinant of its derivatives: ~a\n  off by: ~a\n  at: ~a")
+                what determinant (abs (- determinant 1)) (value->text (apply up p))))))
 
 (define (number-or-refuse x)
   (define n (comparand (innermost x)))

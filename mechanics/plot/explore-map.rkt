@@ -25,7 +25,7 @@
   (unless (exact-nonnegative-integer? color)
     (raise-argument-error who "a small natural number as the first color" color))
   (define starts
-    (append (if from (checked-starts who map from) '())
+    (append (if from (checked-starts who f map from) '())
             (if grid (grid-starts who f grid) '())))
   (if window?
       (explore-in-window who f map n starts source)
@@ -39,7 +39,7 @@
   (define-values (x0 y0)
     (values (check-number 'display-map "the abscissa" x)
             (check-number 'display-map "the ordinate" y)))
-  (check-image 'display-map map x0 y0)
+  (check-image 'display-map f map x0 y0)
   (draw-orbit 'display-map f map n x0 y0 0 1.0)
   f)
 
@@ -69,18 +69,36 @@
   (unless (exact-nonnegative-integer? n)
     (raise-argument-error who "how many points an orbit has, a natural number" n)))
 
-(define (checked-starts who map from)
+(define (checked-starts who f map from)
   (unless (list? from)
     (complain who "#:from is a list of points to start at; given ~a" (describe-with-value from)))
   (for/list ([p (in-list from)] [k (in-naturals)])
     (define-values (x y) (plane-point who (lambda () (format "start ~a" k)) p))
-    (check-image who map x y)
+    (check-image who f map x y)
     (cons x y)))
 
-(define (check-image who map x y)
+(define (check-image who f map x y)
   (unless (image? map x y)
-    (complain who "the map has no image of the start ~a\n  map: ~a"
-              (value->text (up x y)) (value->text map))))
+    (complain who "the map has no image of the start ~a\n  map: ~a~a"
+              (value->text (up x y)) (value->text map) (where-allowed f map y))))
+
+;; The abscissas at that ordinate, within the frame, where there are images: those a section of
+;; that energy has, say.
+(define (where-allowed f map y)
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (define (at k) (+ x-min (* (- x-max x-min) (/ k 200.0))))
+  (define (allowed? x) (image? map x y))
+  (define inside (for/list ([k (in-range 201)] #:when (allowed? (at k))) k))
+  (define (edge in out)
+    (for/fold ([in in] [out out] #:result in) ([_ (in-range 30)])
+      (define middle (* 0.5 (+ in out)))
+      (if (allowed? middle) (values middle out) (values in middle))))
+  (if (null? inside)
+      (format "\n  in the frame it has none for the ordinate ~a" y)
+      (let ([first (car inside)] [last (car (reverse inside))])
+        (format "\n  for the ordinate ~a it has images of abscissas from ~a to ~a" y
+                (if (= first 0) x-min (edge (at first) (at (- first 1))))
+                (if (= last 200) x-max (edge (at last) (at (+ last 1))))))))
 
 ;; The middles of as many equal parts of the frame; those without an image start no orbit.
 (define (grid-starts who f grid)

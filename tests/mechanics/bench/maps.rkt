@@ -5,6 +5,9 @@
 (require racket/flonum
          (only-in mechanics golden-ratio invariant-circle iterated-map
                   maximal-Lyapunov-exponent up)
+         (only-in mechanics/map/indicator indicator-grid)
+         (only-in mechanics/plot explore-map frame)
+         (only-in mechanics/plot/frame frame->bytes)
          (only-in mechanics/book HHmap driven-pendulum-map [standard-map book-standard-map])
          "C.rkt" "clock.rkt" "motion-systems.rkt" "table.rkt")
 
@@ -53,11 +56,23 @@
 (define (exponent)
   (maximal-Lyapunov-exponent (book-standard-map 10.0) (up 0.1 0.1) 1000000))
 
+(define (chaos)
+  (define starts
+    (for/flvector #:length 300 ([k (in-range 300)]) (fl* (fl/ (->fl k) 300.0) turn)))
+  (indicator-grid 'chaos-map (book-standard-map 1.0) starts starts 1000))
+
+(define (million-points)
+  (define win (frame 0 turn 0 turn))
+  (explore-map win (book-standard-map 0.9) 99999 #:grid '(1 10))
+  (frame->bytes win 'png-bytes))
+
 (define section-tasks
   (list (list "Hénon and Heiles, 60 starts, 500 crossings each" Henon-Heiles-section 1000)
         (list "driven pendulum, 10,000 periods" strobe 150)
         (list "golden circle of K = 0.95, to rounding" golden-circle 300)
-        (list "Lyapunov exponent of a map, 1,000,000 steps" exponent 200)))
+        (list "Lyapunov exponent of a map, 1,000,000 steps" exponent 200)
+        (list "chaos of 300 x 300 starts, 1,000 steps, all cores (4,000 on two)" chaos 8000)
+        (list "a picture of 1,000,000 points" million-points 3000)))
 
 ;; ---------------------------------------------------------------------------
 

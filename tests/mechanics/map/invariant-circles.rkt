@@ -93,3 +93,14 @@
  [(rotation-number (standard-map 0.5) (up 0 0) 3)
   "rotation-number: contract violation\n"
   "  expected: the length of the orbit, an integer of 100 or more\n  given: 3"])
+
+(define (shrinking theta I return fail)
+  (define next (+ (* 0.9 I) 0.3 (* 0.5 (sin theta))))
+  (return ((principal-value :2pi) (+ theta next)) next))
+
+(test-case "a map that does not keep areas has none: its determinant is told"
+  (check-exn (regexp (string-append
+                      "^invariant-circle: the map does not keep areas, which invariant circles need"
+                      "\n  determinant of its derivatives: 0[.](8999|9).*\n  off by: 0[.](0999|1).*\n"
+                      "  at: \\(up 0.1 "))
+             (lambda () (invariant-circle shrinking 0.38 #:most-modes 256))))

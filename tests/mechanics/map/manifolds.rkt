@@ -76,3 +76,10 @@
   "invariant-manifold: contract violation\n  expected: one of the branches 1 and -1\n  given: 2"]
  [(invariant-manifold T saddle #:length -1)
   "invariant-manifold: contract violation\n  expected: a positive length\n  given: -1"])
+
+(test-case "an inverse that is none is found out"
+  (define K (standard-map 1.4))
+  (check-exn (regexp (string-append "^homoclinic-points: what was given as #:inverse does not undo "
+                                    "the map\n  start: \\(up 0.001 0.002\\)\n  there and back: "))
+             (lambda ()
+               (homoclinic-points K (find-fixed-point K (up 0 0)) #:inverse (standard-map 1.4)))))

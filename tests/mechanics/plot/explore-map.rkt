@@ -54,9 +54,20 @@
 (define win (section))
 (define (nowhere x y return fail) (fail))
 
+;; The section of Hénon and Heiles at E = 1/8.
+(test-case "a start outside the surface: the interval that its energy allows is told"
+  (define star (frame -0.5 0.7 -0.6 0.6))
+  (define message
+    (with-handlers ([exn:fail:contract? exn-message])
+      (explore-map star (HHmap 1/8 0.1 1e-10 1e-12) 10 #:from (list (up -0.48 0)))))
+  (define found
+    (regexp-match #rx"for the ordinate 0.0 it has images of abscissas from (.*) to (.*)$" message))
+  (check-close (map string->number (cdr found)) '(-0.4396926208 0.6736481777) 1e-6))
+
 (says
  [(explore-map win nowhere 10 #:from (list (up 1 2)))
-  "explore-map: the map has no image of the start (up 1.0 2.0)\n  map: nowhere"]
+  "explore-map: the map has no image of the start (up 1.0 2.0)\n  map: nowhere\n"
+  "  in the frame it has none for the ordinate 2.0"]
  [(explore-map win T 10 #:from 3)
   "explore-map: #:from is a list of points to start at; given the number 3"]
  [(explore-map win T 10 #:from '(3))

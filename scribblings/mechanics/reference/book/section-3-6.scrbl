@@ -51,9 +51,9 @@ The state of energy E at (y, p_y) on the section x = 0, on its way to positive x
          any]{
 
 The map of Hénon and Heiles's section x = 0, p_x > 0 at the energy E, in the coordinates y and p_y.
-It fails at points that do not have the energy. The motion is integrated to @racket[int-eps], the
-sign of x looked at at least every @racket[dt]; crossings are found to rounding, nearer
-than @racket[sec-eps].
+It fails at points that do not have the energy. The motion is integrated to @racket[int-eps];
+crossings are zeros of the polynomials that it is along its steps, so that none is missed, whatever
+@racket[dt], and each is nearer than @racket[sec-eps].
 
 @examples[#:eval session
 ((HHmap 1/8 0.1 1e-10 1e-12) 0.1 0 list void)
