@@ -17,7 +17,7 @@
 (require racket/linklet
          racket/list
          "flonum-functions.rkt" "program.rkt" "sections.rkt"
-         "../numeric/linear/factored-system.rkt")
+         "../numeric/linear/factored-system.rkt" "../numeric/linear/symmetric-system.rkt")
 
 (provide program->maker)
 
@@ -31,6 +31,7 @@
 (define (functions)
   (apply make-instance 'functions #f 'constant
          'solve-dense! solve-dense!
+         'solve-symmetric! solve-symmetric!
          (flonum-functions)))
 
 ;; ---------------------------------------------------------------------------
@@ -42,7 +43,7 @@
   (define names
     (for/list ([_ (in-list sections)] [k (in-naturals)])
       (string->symbol (format "section-~a" k))))
-  `(linklet (,(cons 'solve-dense! (functions-used p))) (make-run)
+  `(linklet (,(list* 'solve-dense! 'solve-symmetric! (functions-used p))) (make-run)
      ,@(for/list ([name (in-list names)] [s (in-list sections)])
          `(define-values (,name)
             ,(if (filling? s) (filling->procedure p s scratch) (section->procedure p s scratch))))
@@ -64,14 +65,11 @@
   (remove-duplicates
    (for/list ([i (in-vector (program-instructions p))]
               #:when (eq? (instruction-operation i) 'solve))
-     (instruction-unknowns i))
+     (system-unknowns i))
    eqv?))
 
-;; Of a system: n rows of n + 1 entries.
-(define (instruction-unknowns i) (integer-sqrt (length (instruction-operands i))))
-
 (define (systems-place p system)
-  (* 3 (index-of (system-sizes p) (instruction-unknowns system))))
+  (* 3 (index-of (system-sizes p) (system-unknowns system))))
 
 ;; ---------------------------------------------------------------------------
 ;; A section
@@ -138,17 +136,18 @@
   (cond [primitive `(,primitive ,@forms)]
         [(eq? operation 'negate) `(unsafe-fl* -1.0 ,@forms)]
         [(eq? operation 'solve)
-         (solving forms (instruction-unknowns instruction) (systems-place p instruction))]
+         (solving forms (system-unknowns instruction) (systems-place p instruction)
+                  (if (symmetric-system? instruction) 'solve-symmetric! 'solve-dense!))]
         [(eq? operation 'component) `(unsafe-flvector-ref ,(car forms) ,(cadr operands))]
         [(eq? operation 'wrapped) (apply wrapping forms)]
         [else `(,operation ,@forms)]))
 
 ;; The value of a system of n unknowns, given as rows of [A b], is the flvector of its
-;; solution, good until the next system is solved.
-(define (solving entries n place)
+;; solution, good until the next system is solved.  solve! : the name of what solves it
+(define (solving entries n place solve!)
   (in-system place
     `(begin ,@(storing entries 0 n)
-            (solve-dense! A ,n (unsafe-vector-ref systems ,(+ place 2)) b)
+            (,solve! A ,n (unsafe-vector-ref systems ,(+ place 2)) b)
             b)))
 
 (define (in-system place body)
@@ -173,7 +172,7 @@
   `(lambda (input output scratch systems)
      ,(in-system (systems-place p system)
         `(begin ,@(storing (map form (entries-of p f)) (filling-from f)
-                           (instruction-unknowns system))
+                           (system-unknowns system))
                 (void)))))
 
 ;; As `wrap` of algebra/expression/operation.rkt has it.  What is not a number stays so.

@@ -12,7 +12,7 @@
          racket/list
          racket/unsafe/ops
          "flonum-functions.rkt" "program.rkt"
-         "../numeric/linear/factored-system.rkt")
+         "../numeric/linear/factored-system.rkt" "../numeric/linear/symmetric-system.rkt")
 
 (provide program->interpreter-maker)
 
@@ -24,7 +24,7 @@
 
 ;; n unknowns; entries : fxvector of the places of the rows [A b]; first : place of the first
 ;; component, after which the others are, as many as `components`
-(struct system (n entries components) #:authentic)
+(struct system (n entries components solve!) #:authentic)
 
 ;; -> (-> (input output -> void)), as program->maker has it
 (define (program->interpreter-maker p)
@@ -91,9 +91,9 @@
 ;; The components follow the system.
 (define (assemble-system instructions i place-of)
   (define operands (instruction-operands i))
-  (define n (integer-sqrt (length operands)))
-  (system n (apply fxvector (map place-of operands))
-          (components-of instructions i)))
+  (system (system-unknowns i) (apply fxvector (map place-of operands))
+          (components-of instructions i)
+          (if (symmetric-system? i) solve-symmetric! solve-dense!)))
 
 ;; The numbers of the components that there are, in their order.
 (define (components-of instructions i)
@@ -165,7 +165,7 @@
   (define n (system-n s))
   (define-values (A b) (values (room-matrix r) (room-right r)))
   (fill! A b n (system-entries s) v)
-  (solve-dense! A n (room-exchanges r) b)
+  ((system-solve! s) A n (room-exchanges r) b)
   (for ([k (in-fxvector (system-components s))] [place (in-naturals (+ to 1))])
     (flvector-set! v place (flvector-ref b k))))
 

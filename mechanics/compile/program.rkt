@@ -15,7 +15,7 @@
 (provide
  ;; the program
  (struct-out program) program-length (struct-out place)
- instruction-operation instruction-operands
+ instruction-operation instruction-operands system-unknowns symmetric-system?
  ;; from expressions
  expressions->program
  ;; programs made of others
