@@ -19,7 +19,7 @@
 
 (require (only-in racket/list add-between)
          (for-syntax racket/base
-                     "imported.rkt" "mistake/keyword-value.rkt" "mistake/misread.rkt"
+                     "imported.rkt" "mistake/call-parts.rkt" "mistake/misread.rkt"
                      "mistake/sign.rkt")
          (only-in "pattern/mismatch.rkt" short-text tuple-advice)
          "mistake/advised.rkt"
@@ -105,7 +105,7 @@
 ;; At expansion time
 
 (define-syntax (application stx)
-  (check-keywords stx)
+  (check-call stx)
   (syntax-case stx ()
     [(_ operator argument ...)
      (expand-application stx (called-beside (syntax->list #'(operator argument ...))))]

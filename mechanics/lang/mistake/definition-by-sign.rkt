@@ -19,7 +19,7 @@
 
 ;; The same without regard to letters.
 (define (plain-definition data)
-  (define spread (append-map signs-apart data))
+  (define spread (append-map signs-apart (without-increment data)))
   (define i (index-where spread (lambda (d) (memq d '(= :=)))))
   (define head (and i (head-before (take spread i))))
   (define behind (if head (drop spread (add1 i)) '()))
@@ -28,6 +28,13 @@
          (define value (if procedure (cdr procedure) (prefix-form behind)))
          (and value
               (list 'define (if procedure (cons head (car procedure)) head) value)))))
+
+;; m += 1 as m = m + 1
+(define (without-increment data)
+  (define sign
+    (and (> (length data) 2) (symbol? (car data))
+         (assq (cadr data) '((+= . +) (-= . -) (*= . *) (/= . /)))))
+  (if sign (list* (car data) '= (car data) (cdr sign) (cddr data)) data))
 
 ;; x=3 as x = 3
 (define (signs-apart d)

@@ -20,6 +20,8 @@
         [(not (on-one-line? forms)) (call-beside forms)]
         [(printed data known?)]
         [(in-other-words data known?)]
+        [(several-definitions? data)
+         "no comma separates definitions; each has a line of its own, as (define x 3)"]
         [(definition-by-word data) => (written "a definition is written ~a")]
         [(definition-by-sign data known?)
          => (lambda (form)
@@ -29,6 +31,8 @@
         [(null? (cdr data)) #f]
         [(keyword? (car data)) (in-parentheses data)]
         [(and (infix? data) (prefix-form data)) => (written "operations come first: ~a")]
+        [(and (sign-at-end (car data)) (list? (cadr data)) (prefix-form data))
+         => (written "operations come first: ~a")]
         [(component-beside forms)]
         [(call-beside forms)]
         [(prime? forms)
@@ -63,6 +67,14 @@
         [(or (label? first-one) (and (label? (cadr data)) (not (known? first-one))))
          (format "~a ... is a line that was printed, nothing to type" first-one)]
         [else #f]))
+
+;; a, b = 1, 2
+(define (several-definitions? data)
+  (and (ormap comma? data)
+       (regexp-match? #rx"=" (format "~a" data))
+       (not (memq 'lambda data))))
+
+(define (comma? d) (and (pair? d) (eq? (car d) 'unquote)))
 
 ;; import math; and a line of prose
 (define (in-other-words data known?)

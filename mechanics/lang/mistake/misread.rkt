@@ -16,7 +16,6 @@
 ;; advice on it, that holds for what is written so, too.
 (define (advice-on-call stx row)
   (or (syntax-property stx called)
-      (advice-on-prime row)
       (and (formula? row) (advice-on stx))
       (advice-on-infix row)
       (advice-on-brackets stx row)
@@ -36,13 +35,6 @@
          (if form
              (string-append "operations come first: " (form->text form) (or-definition form))
              "operations come first, as in (* 2 x)"))))
-
-;; (x' t), read as (x 't)
-(define (advice-on-prime row)
-  (for/or ([name (in-list row)] [next (in-list (cdr row))])
-    (and (identifier? name) (prime-before? name next)
-         (format "a prime is read as a quote; the derivative of ~a is (D ~a)"
-                 (syntax-e name) (syntax-e name)))))
 
 (define (or-definition form)
   (if (and (eq? (car form) '=) (symbol? (cadr form)))

@@ -11,6 +11,9 @@
     (#rx"(^|: )let: bad syntax" "it is written (let ([m 3]) (* 2 m))")
     (#rx"(^|: )let[*]: bad syntax" "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))")
     (#rx"(^|: )if: " "it is written (if (> x 0) x (- x)), with a value for either case")
+    (#rx"(^|: )cond: bad" "it is written (cond [(> x 0) x] [else (- x)])")
+    (#rx"==: this match expander" "equality is (= a b)")
+    (#rx"the last form is not an expression" "a definition has no value; an expression comes last")
     (#rx"(^|: )for[/a-z*]*: bad " "it is written (for/list ([i 10]) (* i i))")
     (#rx"identifier already defined"
      "a module of Racket defines a name once; in #lang mechanics it may be defined again")

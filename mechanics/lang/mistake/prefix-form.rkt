@@ -12,7 +12,7 @@
          "sign.rkt" "typed-formula.rkt"
          "../as-written.rkt")
 
-(provide prefix-form call-form one-argument-function?)
+(provide prefix-form call-form one-argument-function? sign-at-end)
 
 ;; Signs from the loosest to the closest, and how the operation is called here.
 (define levels
@@ -68,9 +68,9 @@
         [(null? (cdr operands)) (car operands)]
         [else (foldl (lambda (next all) (operation '* all next)) (car operands) (cdr operands))]))
 
-;; Sums and products take any number of operands.
+;; Sums, products and comparisons take any number of operands.
 (define (operation name left right)
-  (if (and (memq name '(+ *)) (pair? left) (eq? (car left) name))
+  (if (and (memq name '(+ * = < > <= >=)) (pair? left) (eq? (car left) name))
       (append left (list right))
       (list name left right)))
 
@@ -83,7 +83,10 @@
 ;; A formula in parentheses: with a sign, or a number before what it multiplies.
 (define (formula? forms)
   (or (infix? forms)
-      (and (pair? forms) (pair? (cdr forms)) (number? (car forms)))))
+      (and (pair? forms)
+           (if (null? (cdr forms))
+               (and (symbol? (car forms)) (typed-formula (car forms)) #t)
+               (number? (car forms))))))
 
 (define (formula-of name)
   (define text (typed-formula name))
@@ -94,7 +97,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Calls
 
-;; A*cos (omega t) is A * cos (omega t).
+;; A*cos (omega t) is A * cos (omega t), and p/ (2 m) is p / (2 m).
 (define (apart forms)
   (cond [(or (null? forms) (null? (cdr forms))) forms]
         [else (append (if (list? (cadr forms)) (function-apart (car forms)) (list (car forms)))
@@ -103,9 +106,15 @@
 (define (function-apart d)
   (define found (and (symbol? d) (regexp-match #px"^(.+)([-+*/])(\\p{L}+)$" (symbol->string d))))
   (define name (and found (string->symbol (cadddr found))))
-  (if (and name (one-argument-function? name))
-      (list (operand-in (cadr found)) (string->symbol (caddr found)) name)
-      (list d)))
+  (cond [(and name (one-argument-function? name))
+         (list (operand-in (cadr found)) (string->symbol (caddr found)) name)]
+        [(sign-at-end d)
+         => (lambda (found) (list (operand-in (cadr found)) (string->symbol (caddr found))))]
+        [else (list d)]))
+
+;; p^2/ -> ("p^2/" "p^2" "/"), or #f
+(define (sign-at-end d)
+  (and (symbol? d) (regexp-match #px"^(.*(?:\\p{L}|[0-9]))([-+*/^])$" (symbol->string d))))
 
 (define (operand-in text) (or (string->number text) (string->symbol text)))
 

@@ -60,6 +60,12 @@
       #f (format "no expressions for procedure body; it is written (lambda ~a (* 2 t))"
                  (form->text (syntax->datum #'formals)))
       stx)]
+    [(_ name . body)
+     (and (identifier? #'name) (regexp-match? #rx".:$" (symbol->string (syntax-e #'name))))
+     (raise-syntax-error
+      #f (format "arguments stand in parentheses: (lambda (~a) ...)"
+                 (regexp-replace #rx":$" (symbol->string (syntax-e #'name)) ""))
+      stx)]
     [(_) (raise-syntax-error #f "a function is written (lambda (t) (* 2 t))" stx)]
     [_ (void)]))
 

@@ -5,7 +5,8 @@
 (require "../as-written.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["../mistake/prefix-form.rkt" prefix-form])
+(require-on-demand ["../mistake/prefix-form.rkt" prefix-form sign-at-end]
+                   ["../mistake/other-notation.rkt" notation-sentence])
 
 (provide check-on-paper shown)
 
@@ -67,9 +68,17 @@
              (or (number? (car forms)) (symbol? (car forms)))
              (ormap symbol? forms)
              (or (memq (cadr forms) '(+ - * / ^ **))
+                 (and (list? (cadr forms)) (sign-at-end (car forms)))
                  (andmap (lambda (d) (or (number? d) (symbol? d))) forms)))
     (define form (prefix-form forms))
     (when form
-      (raise-syntax-error #f (format "operations come first: ~a"
-                                     (form->text (list 'define (datum head) form)))
+      (raise-syntax-error #f (format "operations come first: ~a~a"
+                                     (form->text (list 'define (datum head) form))
+                                     (about-units forms))
                           stx))))
+
+;; (define m 1.5 kg)
+(define (about-units forms)
+  (define sentence
+    (and (number? (car forms)) (symbol? (cadr forms)) (notation-sentence (cadr forms))))
+  (if sentence (string-append "; " sentence) ""))

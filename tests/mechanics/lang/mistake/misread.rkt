@@ -21,7 +21,6 @@
            "(pi / 2)"
            "((1/2 mass (square speed)) - potential)"
            "(speed = 3)"
-           "(speed' angle)"
            "(2 angle)"
            "(2 breadth height)"
            "(cos(angle/2))"
@@ -68,8 +67,6 @@
     (undefined "mass" "operations come first: (- (* 1/2 mass (square speed)) potential)"
                "as a symbol it is written 'mass")
     (undefined "speed" "operations come first: (= speed 3); a definition is (define speed 3)"
-               "as a symbol it is written 'speed")
-    (undefined "speed" "a prime is read as a quote; the derivative of speed is (D speed)"
                "as a symbol it is written 'speed")
     (string-append "application: the value 2 is a number; it cannot be applied to the argument 2; "
                    "a product is (* 2 2)\n")

@@ -47,6 +47,13 @@
                "define: operations come first: (define (T m v) (* 1/2 m (square v)))"
                "(define (x t) = A*cos(omega*t))"
                "define: a definition is written (define (x t) (* A (cos (* omega t))))"
+               "(define ((H m) (up t q p)) p^2/(2m))"
+               (string-append "define: operations come first: "
+                              "(define ((H m) (up t q p)) (/ (expt p 2) (* 2 m)))")
+               "(define m 1.5 kg)"
+               (string-append "define: operations come first: (define m (* 1.5 kg)); numbers have "
+                              "no units here; any consistent ones will do, as kilograms, meters "
+                              "and seconds in (* 5 9.8)")
                "(define x' 3)"
                (string-append "define: a prime is read as a quote; a name is written without, "
                               "as in (define xprime 3)"))])
@@ -56,6 +63,7 @@
   (for ([(form message)
          (hash "(lambda (* 2 t))" "lambda: the arguments come first: (lambda (t) (* 2 t))"
                "(lambda (square x))" "lambda: the arguments come first: (lambda (x) (square x))"
+               "(lambda x: (* 2 x))" "lambda: arguments stand in parentheses: (lambda (x) ...)"
                "(lambda)" "lambda: a function is written (lambda (t) (* 2 t))"
                "(lambda (t))"
                "lambda: no expressions for procedure body; it is written (lambda (t) (* 2 t))")])
@@ -65,6 +73,11 @@
   (for ([form '("(evolve-trajectory 1 #:tolerance)" "(evolve-trajectory #:tolerance #:events 1)")])
     (check-equal? (said form)
                   "evolve-trajectory: #:tolerance has no value: it stands behind the keyword")))
+
+(test-case "a quote that touches what stands before it"
+  (check-equal? (said "(+ 1 2'x)") "+: 2'x is read as two; a product is (* 2 'x)")
+  (check-equal? (said "(x' t)") "x: a prime is read as a quote; the derivative of x is (D x)")
+  (check-equal? (prints "(list 1 2 'x)" "(list 'a'b)") "'(1 2 x)\n'(a b)\n"))
 
 (test-case "if and cond"
   (check-equal? (said "(cond (else))") "cond: missing expressions in `else' clause"))

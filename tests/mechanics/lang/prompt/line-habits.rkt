@@ -50,6 +50,11 @@
   (check-line "f = lambda x, y: x*y" "a definition is written (define (f x y) (* x y))")
   (check-line "define proposed(t) A*cos(omega*t)"
               "a definition is written (define (proposed t) (* A (cos (* omega t))))")
+  (check-line "m += 1" "a definition is written (define m (+ m 1))")
+  (check-line "x1=3, y1=4"
+              "no comma separates definitions; each has a line of its own, as (define x 3)")
+  (check-line "a, b = 1, 2"
+              "no comma separates definitions; each has a line of its own, as (define x 3)")
   (check-line "let x = 3" "a definition is written (define x 3)")
   (check-line "define m = 3" "a definition is written (define m 3)")
   (check-line "string=?" #f)
@@ -58,6 +63,8 @@
 
 (test-case "operations and primes"
   (check-line "m * v" "operations come first: (* m v)")
+  (check-line "p^2/(2m)" "operations come first: (/ (expt p 2) (* 2 m))")
+  (check-line "1 < 2 < 3" "operations come first: (< 1 2 3)")
   (check-line "1 + 2" "operations come first: (+ 1 2)")
   (define said "a prime is read as a quote; the derivative of x is (D x)")
   (check-line "x'(t)" said)
