@@ -10,6 +10,7 @@
          "../display/advice.rkt"
          "../error/complain.rkt" "../error/once.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
          "../motion/on-demand.rkt"
          "../plot/coordinate.rkt")
 
@@ -38,7 +39,7 @@
 
 (define (check-animation who a)
   (unless (animation? a)
-    (raise-argument-error who "an animation, such as (animate trajectory (draw-pendulum))" a)))
+    (complain-of-argument who "an animation, such as (animate trajectory (draw-pendulum))" a)))
 
 ;; ---------------------------------------------------------------------------
 ;; Making one
@@ -50,10 +51,10 @@
   (define who 'animate)
   (check-motion who motion from to)
   (check-drawing who drawing)
-  (unless (string? title) (raise-argument-error who "a string as title" title))
+  (unless (string? title) (complain-of-argument who "a string as title" title))
   (when trail-time
     (unless (> (check-number who "the time of the trail" trail-time) 0.0)
-      (raise-argument-error who "a positive time of the trail, or #f" trail-time)))
+      (complain-of-argument who "a positive time of the trail, or #f" trail-time)))
   (define s (if (trajectory? motion)
                 (make-schedule who (or from (trajectory-start motion))
                                (or to (trajectory-end motion)) speed rate)
@@ -102,7 +103,7 @@
          (points first)
          points]
         [else
-         (raise-argument-error who "#t, #f, or a function from states to points, as trail" trail)]))
+         (complain-of-argument who "#t, #f, or a function from states to points, as trail" trail)]))
 
 (define (plane-of who portrait drawing first)
   (define names (if (drawing? drawing) (drawing-axes drawing) '()))
@@ -112,7 +113,7 @@
           [(eq? portrait #t) (plane-of-coordinate who 0 names first)]
           [(exact-nonnegative-integer? portrait) (plane-of-coordinate who portrait names first)]
           [else
-           (raise-argument-error
+           (complain-of-argument
             who "#t, #f, the number of a coordinate, or a phase-plane, as phase portrait"
             portrait)]))
   (when plane (plane-point-at plane who first))

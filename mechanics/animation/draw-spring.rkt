@@ -2,6 +2,7 @@
 ;; Masses on springs.
 
 (require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt")
 
 (provide draw-oscillator draw-spring-pendulum)
@@ -11,7 +12,7 @@
 (define (draw-oscillator #:masses [n 1] #:length [length 1] #:width [width 360])
   (define who 'draw-oscillator)
   (unless (and (exact-positive-integer? n) (<= n 20))
-    (raise-argument-error who "a number of masses from 1 to 20" n))
+    (complain-of-argument who "a number of masses from 1 to 20" n))
   (define l (check-length who "the length" length))
   (define end (* l (if (= n 1) 2.0 (+ n 1))))
   (define side (* 0.24 l))

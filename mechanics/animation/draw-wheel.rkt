@@ -2,6 +2,7 @@
 ;; Wheels: one that rolls down an incline, seen from the side, and a coin on a table.
 
 (require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt"
          "../plot/coordinate.rkt")
 
@@ -13,7 +14,7 @@
   (define r (check-length who "the radius" radius))
   (define long (check-length who "the range" range))
   (define alpha (check-number who "the slope" slope))
-  (unless (< (abs alpha) :pi/2) (raise-argument-error who "a slope between -π/2 and π/2" slope))
+  (unless (< (abs alpha) :pi/2) (complain-of-argument who "a slope between -π/2 and π/2" slope))
   (define (foot s) (turned s (- alpha)))
   (define up-from-ground (crosswise (turned r (- alpha))))
   (define (hub q) (add (foot (vector-ref q 0)) up-from-ground))

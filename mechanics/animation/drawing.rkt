@@ -9,7 +9,7 @@
          "../error/complain.rkt"
          "../error/machine.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../plot/view.rkt")
 
 (provide mechanism make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes
@@ -66,7 +66,7 @@
 
 (define (check-picture-width who width)
   (unless (and (exact-positive-integer? width) (<= 50 width 4000))
-    (raise-argument-error who "a width of 50 to 4000 pixels" width)))
+    (complain-of-argument who "a width of 50 to 4000 pixels" width)))
 
 ;; One point, or a list of them -> vectors of two flonums
 (define (trail-points who x)
@@ -118,7 +118,7 @@
               "expected a drawing of a mechanism of the library, such as (draw-pendulum)\n  given: ~a"
               (if (drawing? d) (value->text (drawing-datum d)) (describe-with-value d))))
   (unless (hash? names)
-    (raise-argument-error who "a hash from names to names, such as (hash \"θ\" \"φ\")" names))
+    (complain-of-argument who "a hash from names to names, such as (hash \"θ\" \"φ\")" names))
   (check-picture-width who size)
   (define marked (append (shapes-of d state) (flat-shapes who ((drawing-marks d) state))))
   (define named (for/list ([s (in-list marked)]) (if (lettering? s) (renamed s names) s)))
@@ -129,5 +129,5 @@
 
 (define (renamed s names)
   (define other (hash-ref names (lettering-text s) (lettering-text s)))
-  (unless (string? other) (raise-argument-error 'diagram "a string as name" other))
+  (unless (string? other) (complain-of-argument 'diagram "a string as name" other))
   (struct-copy lettering s [text other]))

@@ -4,6 +4,7 @@
 
 (require racket/math
          "plane.rkt" "shapes.rkt"
+         "../generic/wrong-argument.rkt"
          "../plot/coordinate.rkt")
 
 (provide rod bob spring wall block vector-arrow angle-mark length-mark
@@ -36,7 +37,7 @@
 (define (spring p q #:coils [coils 8] #:width [width 0.1] #:color [color ink])
   (define who 'spring)
   (unless (and (exact-positive-integer? coils) (<= coils 100))
-    (raise-argument-error who "a number of coils from 1 to 100" coils))
+    (complain-of-argument who "a number of coils from 1 to 100" coils))
   (define from (point-of who (lambda () "the first end") p))
   (define to (point-of who (lambda () "the second end") q))
   (define along (minus to from))

@@ -3,7 +3,7 @@
 
 (require "system-state.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
          "../plot/coordinate.rkt")
 
@@ -23,7 +23,7 @@
     (unless (and (procedure? f) (accepts? f 1))
       (raise-other-function 'phase-plane "a function of the state" f)))
   (for ([text (in-list (list x-label y-label))])
-    (unless (string? text) (raise-argument-error 'phase-plane "a string as label" text)))
+    (unless (string? text) (complain-of-argument 'phase-plane "a string as label" text)))
   (new-phase-plane x y x-label y-label))
 
 ;; Coordinate i against its velocity, or its momentum if the state has momenta.

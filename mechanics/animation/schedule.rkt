@@ -1,7 +1,7 @@
 #lang racket/base
 ;; When the pictures of an animation are taken.
 
-(require "../generic/compare.rkt"
+(require "../generic/compare.rkt" "../generic/wrong-argument.rkt"
          "../plot/coordinate.rkt")
 
 (provide (struct-out schedule) make-schedule
@@ -18,9 +18,9 @@
   (when (= start end)
     (raise-arguments-error who "the animation would take no time" "from" from "to" to))
   (unless (> (check-number who "the speed" speed) 0.0)
-    (raise-argument-error who "a positive speed, in units of time per second" speed))
+    (complain-of-argument who "a positive speed, in units of time per second" speed))
   (unless (and (real? rate) (<= 1 rate 100))
-    (raise-argument-error who "from 1 to 100 frames per second" rate))
+    (complain-of-argument who "from 1 to 100 frames per second" rate))
   (schedule from to start end (real->double-flonum (comparand speed)) rate))
 
 (define (schedule-span s) (- (schedule-end s) (schedule-start s)))

@@ -7,7 +7,7 @@
 ;; shapes are expected, lists of shapes will do, however deep.
 
 (require "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/value-struct.rkt"
+         "../generic/describe.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../plot/coordinate.rkt")
 
 (provide polyline disc label flat-shapes
@@ -40,15 +40,15 @@
                   #:closed? [closed? #f] #:fill [fill #f] #:arrows [heads 'none])
   (define who 'polyline)
   (unless (and (list? points) (pair? points) (pair? (cdr points)))
-    (raise-argument-error who "a list of at least two points" points))
+    (complain-of-argument who "a list of at least two points" points))
   (check-color who color)
   (check-color who fill)
   (check-width who width)
   (unless (memq dash '(solid dot long-dash short-dash dot-dash))
-    (raise-argument-error
+    (complain-of-argument
      who "a line style, one of (solid dot long-dash short-dash dot-dash)" dash))
   (unless (memq heads '(none end both))
-    (raise-argument-error who "where arrows are: 'none, 'end or 'both" heads))
+    (complain-of-argument who "where arrows are: 'none, 'end or 'both" heads))
   (stroke (for/list ([p (in-list points)] [i (in-naturals)])
             (point-of who (lambda () (format "the point ~a" i)) p))
           (and closed? #t) color width dash fill heads))
@@ -67,12 +67,12 @@
 (define (label at text #:color [color ink] #:size [size 15] #:anchor [anchor 'center]
                #:italic? [italic? #t] #:shift [shift #(0 0)])
   (define who 'label)
-  (unless (string? text) (raise-argument-error who "a string" text))
+  (unless (string? text) (complain-of-argument who "a string" text))
   (check-color who color)
   (unless (and (real? size) (<= 4 size 200))
-    (raise-argument-error who "a size of letters from 4 to 200 pixels" size))
+    (complain-of-argument who "a size of letters from 4 to 200 pixels" size))
   (unless (memq anchor anchors)
-    (raise-argument-error who "where the text is, one of (center left right above below)" anchor))
+    (complain-of-argument who "where the text is, one of (center left right above below)" anchor))
   (lettering (point-of who (lambda () "the place") at) text color size anchor (and italic? #t)
              (point-of who (lambda () "the shift") shift)))
 
@@ -87,19 +87,19 @@
 (define (check-length who what x)
   (define length (check-number who what x))
   (unless (> length 0.0)
-    (raise-argument-error who (format "a positive number as ~a" what) x))
+    (complain-of-argument who (format "a positive number as ~a" what) x))
   length)
 
 ;; Names are looked up where there is a library that knows them, when they are drawn.
 (define (check-color who color)
   (unless (or (not color) (string? color) (symbol? color)
               (and (list? color) (= (length color) 3) (andmap byte? color)))
-    (raise-argument-error who "a color: a name such as 'red, a list of three bytes, or #f"
+    (complain-of-argument who "a color: a name such as 'red, a list of three bytes, or #f"
                           color)))
 
 (define (check-width who width)
   (unless (and (real? width) (<= 0 width 100))
-    (raise-argument-error who "a width in pixels, from 0 to 100" width)))
+    (complain-of-argument who "a width in pixels, from 0 to 100" width)))
 
 ;; A shape, or lists of them -> list of shapes
 (define (flat-shapes who x)

@@ -20,8 +20,8 @@
 
 (provide evolve-trajectory
          trajectory? trajectory-start trajectory-end trajectory-final-state
-         trajectory-states trajectory-events trajectory-method
-         trajectory-so-far)
+         trajectory-states trajectory-so-far
+         (rename-out [events-of trajectory-events] [method-of trajectory-method]))
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
 ;; reading : what makes states of steps; method : what it was integrated by, a name or a
@@ -75,9 +75,13 @@
               (describe-with-value e)))
   (so-far e))
 
+(define a-trajectory "a trajectory, such as evolve-trajectory gives")
+
 (define (check-trajectory who tr)
-  (unless (trajectory? tr)
-    (complain-of-argument who "a trajectory, such as evolve-trajectory gives" tr)))
+  (unless (trajectory? tr) (complain-of-argument who a-trajectory tr)))
+
+(define-parts trajectory? a-trajectory
+  [events-of trajectory-events] [method-of trajectory-method])
 
 (define (step-times tr)
   (cons (first-time tr)

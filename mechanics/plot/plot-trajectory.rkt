@@ -2,7 +2,8 @@
 ;; Motions drawn: one function of the state against another, or against the time.
 
 (require "coordinate.rkt" "draw.rkt" "frame.rkt" "style.rkt"
-         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/wrong-argument.rkt"
+         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../generic/wrong-argument.rkt"
          "../motion/on-demand.rkt")
 
 (provide plot-trajectory)
@@ -21,8 +22,9 @@
   (check-frame who f)
   (unless (trajectory? tr)
     (complain-of-argument who "a trajectory, such as evolve-trajectory gives" tr))
-  (check-function who a 1)
-  (when b (check-function who b 1))
+  (for ([f (in-list (list a b))] #:when f)
+    (unless (and (procedure? f) (accepts? f 1))
+      (raise-other-function who "a function of the state, such as coordinate" f)))
   (define x (if b (lambda (t state) (a state)) (lambda (t state) t)))
   (define y (or b a))
   (draw-curve who f (make-style who 'curve color width dash label) (sample-times tr)

@@ -5,8 +5,8 @@
          "../calculus/derivative.rkt"
          "../display/print-expression.rkt" (only-in "../display/receiver.rkt" receiver-here)
          "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/elementary.rkt" "../generic/on-demand.rkt"
-         "../generic/wrong-argument.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt")
 
@@ -62,7 +62,11 @@
         [(newtonian? equations) (Newton-steps who equations q t)]
         [else
          (complain-of-argument
-          who "(Lagrange-equations L) or (d-Alembert-equations masses r F)" equations)]))
+          who "(Lagrange-equations L) or (d-Alembert-equations masses r F)" equations
+          (if (pointwise? equations)
+              (format "\n  of a Lagrangian: (~a (Lagrange-equations ~a) q)" who
+                      (value->text equations))
+              ""))]))
 
 (define (Lagrange-steps who equations q t)
   (define L (equations-Lagrangian equations))

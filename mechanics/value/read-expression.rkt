@@ -53,7 +53,8 @@
   (with-handlers ([exn:fail:read?
                    (lambda (e)
                      (complain 'read-expression "the text is no whole expression\n  ~a"
-                               (exn-message e)))])
+                               (regexp-replace #rx"^[^\n]*:([0-9]+): read: " (exn-message e)
+                                               "at character \\1: ")))])
     (call-with-default-reading-parameterization
      (lambda ()
        (parameterize ([read-accept-reader #f] [read-accept-lang #f] [read-accept-graph #f])

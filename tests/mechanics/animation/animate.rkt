@@ -136,15 +136,14 @@
  [(animate swing (draw-pendulum) #:to 5)
   "trajectory: the time is outside the trajectory\n  time: 5\n  from: 0.0\n  to: 4.0"]
  [(animate swing (draw-pendulum) #:speed 0)
-  "animate: contract violation\n  expected: a positive speed, in units of time per second\n"
-  "  given: 0"]
+  "animate: expected a positive speed, in units of time per second\n"
+  "  given: the number 0"]
  [(animate swing (draw-pendulum) #:frames-per-second 1000)
-  "animate: contract violation\n  expected: from 1 to 100 frames per second\n  given: 1000"]
+  "animate: expected from 1 to 100 frames per second\n  given: the number 1000"]
  [(animate swing (draw-pendulum) #:trail-time -1)
-  "animate: contract violation\n  expected: a positive time of the trail, or #f\n  given: -1"]
+  "animate: expected a positive time of the trail, or #f\n  given: the number -1"]
  [(animate swing (draw-pendulum) #:trail 'bob)
-  "animate: contract violation\n"
-  "  expected: #t, #f, or a function from states to points, as trail\n  given: 'bob"]
+  "animate: expected #t, #f, or a function from states to points, as trail\n  given: the symbol bob"]
  [(animate swing (draw-pendulum) #:trail velocity)
   "animate: a point of the trail is no point of the plane, such as (up x y) or (cons x y)\n"
   "  given: the number 0.0"]
@@ -154,20 +153,18 @@
  [(animate swing (draw-pendulum) #:phase-portrait 1)
   "animate: there is no coordinate of that number\n  number: 1\n  coordinates: 1"]
  [(animate swing (draw-pendulum) #:phase-portrait 'yes)
-  "animate: contract violation\n"
-  "  expected: #t, #f, the number of a coordinate, or a phase-plane, as phase portrait\n"
-  "  given: 'yes"]
+  "animate: expected #t, #f, the number of a coordinate, or a phase-plane, as phase portrait\n"
+  "  given: the symbol yes"]
  [(animate (lambda (t) (up t 0)) (draw-pendulum) #:from 0 #:to 1 #:phase-portrait #t)
   "animate: a phase portrait of states without velocities or momenta needs a (phase-plane x y)\n"
   "  state: (up 0 0)"]
  [(animate swing (draw-pendulum) #:title 3)
-  "animate: contract violation\n  expected: a string as title\n  given: 3"]
+  "animate: expected a string as title\n  given: the number 3"]
  [(phase-plane 1 2)
   "phase-plane: expected a function of the state\n  given: the number 1"]
  [(animation-frame swing 1)
-  "animation-frame: contract violation\n"
-  "  expected: an animation, such as (animate trajectory (draw-pendulum))\n"
-  "  given: (trajectory from 0.0 to 4.0)"]
+  "animation-frame: expected an animation, such as (animate trajectory (draw-pendulum))\n"
+  "  given: (trajectory from 0.0 to 4.0), a function"]
  [(animation-frame (animate swing (draw-pendulum) #:to 1) 2)
   "animation-frame: the time is outside the animation\n  time: 2\n  from: 0.0\n  to: 1"])
 

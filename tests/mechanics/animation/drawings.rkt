@@ -133,44 +133,42 @@
   "draw-pendulum: component 0 of the coordinates is no number\n  given: the symbol theta\n"
   "  without a number: theta\n  give its symbols values first"]
  [(draw-pendulum #:length -1)
-  "draw-pendulum: contract violation\n  expected: a positive number as the length\n  given: -1"]
+  "draw-pendulum: expected a positive number as the length\n  given: the number -1"]
  [(draw-pendulum #:width 3)
-  "draw-pendulum: contract violation\n  expected: a width of 50 to 4000 pixels\n  given: 3"]
+  "draw-pendulum: expected a width of 50 to 4000 pixels\n  given: the number 3"]
  [(draw-pendulum-chain #:lengths 2)
   "draw-pendulum-chain: expected a list of lengths\n  given: the number 2"]
  [(draw-Atwood-machine #:masses '(1))
   "draw-Atwood-machine: expected a list of two or three masses\n  given: (1), a list"]
  [(draw-oscillator #:masses 0)
-  "draw-oscillator: contract violation\n  expected: a number of masses from 1 to 20\n  given: 0"]
+  "draw-oscillator: expected a number of masses from 1 to 20\n  given: the number 0"]
  [(draw-brick #:edges '(1 2))
   "draw-brick: expected a list of three lengths\n  given: (1 2), a list"]
  [(draw-wheel #:slope 2)
-  "draw-wheel: contract violation\n  expected: a slope between -π/2 and π/2\n  given: 2"]
+  "draw-wheel: expected a slope between -π/2 and π/2\n  given: the number 2"]
  [(make-drawing 0 1 1 1 values)
   "make-drawing: the least y is not below the greatest\n  least: 1\n  greatest: 1"]
  [(diagram (make-drawing 0 1 0 1 values))
   "diagram: expected a drawing of a mechanism of the library, such as (draw-pendulum)\n"
   "  given: (make-drawing 0 1 0 1 values)"]
  [(diagram (draw-pendulum) #:names '(("θ" "φ")))
-  "diagram: contract violation\n"
-  "  expected: a hash from names to names, such as (hash \"θ\" \"φ\")\n  given: '((\"θ\" \"φ\"))"])
+  "diagram: expected a hash from names to names, such as (hash \"θ\" \"φ\")\n  given: ((\"θ\" \"φ\")), a list"])
 
 ;; ---------------------------------------------------------------------------
 ;; Shapes
 
 (says
  [(polyline '())
-  "polyline: contract violation\n  expected: a list of at least two points\n  given: '()"]
+  "polyline: expected a list of at least two points\n  given: (), a list"]
  [(polyline (list (up 0 0) 3))
   "polyline: the point 1 is no point of the plane, such as (up x y) or (cons x y)\n"
   "  given: the number 3"]
  [(disc (up 0 0) 0)
-  "disc: contract violation\n  expected: a positive number as the radius\n  given: 0"]
+  "disc: expected a positive number as the radius\n  given: the number 0"]
  [(disc (up 0 0) 1 #:color 3)
-  "disc: contract violation\n"
-  "  expected: a color: a name such as 'red, a list of three bytes, or #f\n  given: 3"]
+  "disc: expected a color: a name such as 'red, a list of three bytes, or #f\n  given: the number 3"]
  [(label (up 0 0) 'm)
-  "label: contract violation\n  expected: a string\n  given: 'm"]
+  "label: expected a string\n  given: the symbol m"]
  [(sketch 0 1 0 1 (disc (up 0 0) 1) "text")
   "sketch: expected shapes, such as (disc (up 0 1) 0.1)\n"
   "  given: \"text\", a string"])

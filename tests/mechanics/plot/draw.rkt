@@ -218,6 +218,8 @@
   "the number 1"]
  [(plot-trajectory f sin cos) "plot-trajectory" "a trajectory, such as evolve-trajectory gives"
   "the procedure `sin`"]
+ [(plot-trajectory f (m:evolve-trajectory (harmonic 1 1) (m:up 0 1 0) 1) 0) "plot-trajectory"
+  "a function of the state, such as coordinate" "the number 0"]
  [(plot-point f 0 0 #:size -1) "plot-point" "a size in pixels, from 0 to 1000" "the number -1"]
  [(plot-line f 0 0 1 1 #:style 'wavy) "plot-line"
   "a line style, one of (solid dot long-dash short-dash dot-dash)" "the symbol wavy"]

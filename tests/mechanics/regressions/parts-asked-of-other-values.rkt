@@ -26,6 +26,13 @@
  [(trajectory-final-state (up 0 1 0))
   "trajectory-final-state: expected a trajectory, such as evolve-trajectory gives\n"
   "  given: (up 0 1 0), an up tuple of 3"]
+ [(trajectory-events 3)
+  "trajectory-events: expected a trajectory, such as evolve-trajectory gives\n"
+  "  given: the number 3"]
+ [(show-derivation L (literal-function 'q))
+  "show-derivation: expected (Lagrange-equations L) or (d-Alembert-equations masses r F)\n"
+  "  given: the procedure `L`\n"
+  "  of a Lagrangian: (show-derivation (Lagrange-equations L) q)"]
  [(reduction-agreement L)
   "reduction-agreement: expected what reduce-by-substitution gives\n  given: the procedure `L`"]
  [(verdict-status #t)

@@ -124,9 +124,9 @@
   "read-expression: ... is no expression\n  in: (power-series 1 1 1/2 ...)\n"
   "  it stands for what was not printed; (print-limit #f) has all of an expression printed"]
  [(read-expression "(+ a b)) c")
-  "read-expression: the text is no whole expression\n  string::8: read: unexpected `)`"]
+  "read-expression: the text is no whole expression\n  at character 8: unexpected `)`"]
  [(read-expression "(+ a b") "read-expression: the text is no whole expression\n"
-                             "  string::1: read: expected a `)` to close `(`"]
+                             "  at character 1: expected a `)` to close `(`"]
  [(read-expression "2 x") "read-expression: expected one expression; the text has several\n"
                           "  text: \"2 x\"\n  a formula as on paper is read by read-infix"]
  [(read-expression "x ! x") "read-expression: expected one expression; the text has several\n"
