@@ -6,8 +6,9 @@
 
 @|the-book| has its readers derive equations, and leaves it to them to know whether they are
 right. A residual knows: subtract what you found from what the library finds, by another
-way if there is one, and have the difference judged. For each exercise of chapters 1 to 4
-whose answer can be judged so, or by its numbers, there is a program in
+way if there is one, and have the difference judged. For each exercise of chapters 1 to 4, and
+for some of chapters 5 to 7, whose answer can be judged so, or by its numbers, there is a
+program in
 @filepath{examples/mechanics/exercises},
 @program-link["exercises/exercise-1-17.rkt" @filepath{exercise-1-17.rkt}] for exercise 1.17. It
 states the problem in its own words, takes an attempt that is right and one with a slip that
@@ -29,6 +30,14 @@ by your own before you read on.
 @section{Chapter 4}
 
 @exercise-table[4]
+
+@section{Chapters 5 to 7}
+
+@exercise-table[5]
+
+@exercise-table[6]
+
+@exercise-table[7]
 
 @section{What a condition tells: Kepler's third law}
 
