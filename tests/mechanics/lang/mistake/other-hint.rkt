@@ -38,7 +38,10 @@
   (check-equal?
    (last-lines "(begin (require racket/math) (sinh 'x))")
    '("this one is Racket's, of numbers alone; (require (except-in racket/math ...)) leaves it out"))
-  (check-equal? (last-lines "(car 3)") '("given: 3")))
+  (check-equal? (last-lines "(car 3)") '("given: 3"))
+  ;; A pattern is matched by tuples, and what does not match is no list for that.
+  (check-equal? (last-lines "(begin (define (f (up t (up x y))) x) (f (up 't 'x)))")
+                '("in: (up t x)")))
 
 (test-case "libraries"
   (check-equal? (last-lines "(require mechanics/books)" "(require \"mechanics\")")
