@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
+          (only-in "../program.rkt" program-link))
 
 @title[#:tag "chapter-7"]{Along with chapter 7 of the book}
 
@@ -66,6 +67,9 @@ resonance:
 (perturbation-resonances near)
 (verify-perturbation near)
 (ref (resonance-width rotor-and-clock waves '(1 -1) state) 1)]
+
+The section of figure 7.9 with these bounds drawn over it is
+@program-link["figures/figure-7-9.rkt"].
 
 @section{7.5 The vertically driven pendulum}
 
