@@ -113,31 +113,33 @@
 
 (define (pendulum-oscillating-state-to-aa-state alpha beta)
   (of-state (state) (pendulum-oscillating-state-to-aa-state alpha beta)
-    (up (time state)
-        ((pendulum-oscillating-phase alpha beta) state)
-        (pendulum-oscillating-action alpha beta (energy alpha beta state)))))
+    (aa-state alpha beta state pendulum-oscillating-phase pendulum-oscillating-action)))
 
 (define (pendulum-circulating-state-to-aa-state alpha beta)
   (of-state (state) (pendulum-circulating-state-to-aa-state alpha beta)
-    (up (time state)
-        ((pendulum-circulating-phase alpha beta) state)
-        (pendulum-circulating-action alpha beta (energy alpha beta state)))))
+    (aa-state alpha beta state pendulum-circulating-phase pendulum-circulating-action)))
+
+(define (aa-state alpha beta state phase action)
+  (up (time state)
+      ((phase alpha beta) state)
+      (action alpha beta (energy alpha beta state))))
 
 (define (pendulum-oscillating-aa-state-to-state alpha beta)
   (of-state (state) (pendulum-oscillating-aa-state-to-state alpha beta)
-    (define E ((pendulum-oscillating-action-to-E alpha beta) (momentum state)))
-    (define t (g:/ (coordinate state) (pendulum-oscillating-frequency alpha beta E)))
-    (up (time state)
-        ((pendulum-oscillating-angle alpha beta E) t)
-        ((pendulum-oscillating-angular-momentum alpha beta E) t))))
+    (state-of-aa alpha beta state pendulum-oscillating-action-to-E pendulum-oscillating-frequency
+                 pendulum-oscillating-angle pendulum-oscillating-angular-momentum)))
 
 (define (pendulum-circulating-aa-state-to-state alpha beta)
   (of-state (state) (pendulum-circulating-aa-state-to-state alpha beta)
-    (define E ((pendulum-circulating-action-to-E alpha beta) (momentum state)))
-    (define t (g:/ (coordinate state) (pendulum-circulating-frequency alpha beta E)))
-    (up (time state)
-        ((pendulum-circulating-angle alpha beta E) t)
-        ((pendulum-circulating-angular-momentum alpha beta E) t))))
+    (state-of-aa alpha beta state pendulum-circulating-action-to-E pendulum-circulating-frequency
+                 pendulum-circulating-angle pendulum-circulating-angular-momentum)))
+
+(define (state-of-aa alpha beta state action-to-E frequency angle angular-momentum)
+  (define E ((action-to-E alpha beta) (momentum state)))
+  (define t (g:/ (coordinate state) (frequency alpha beta E)))
+  (up (time state)
+      ((angle alpha beta E) t)
+      ((angular-momentum alpha beta E) t)))
 
 ;; ---------------------------------------------------------------------------
 ;; For all energies
