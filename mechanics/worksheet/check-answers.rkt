@@ -1,34 +1,40 @@
 #lang racket/base
 ;; What a student's file runs at its end: each answer is judged, and told in words.
 
-(require "answer-data.rkt" "exercise-kind.rkt" "exercise.rkt" "judge.rkt" "judgment-words.rkt"
-         "judgment.rkt" "seal.rkt")
+(require (for-syntax racket/base)
+         "answer-data.rkt" "exercise-kind.rkt" "exercise.rkt" "judge.rkt" "judgment-words.rkt"
+         "judgment.rkt" "seal.rkt" "tries.rkt")
 
-(provide check-answers checking? sealed-exercises tell-judgments)
+(provide check-answers checking? sealed-exercises (struct-out judged) tell-judgments)
 
 ;; Not while answers are collected for the teacher.
 (define checking? (make-parameter #t))
 
-;; (check-answers [name value] ... "sealed" ...)
-(define-syntax check-answers
-  (syntax-rules ()
-    [(_ [name value] ... sealed) (check-sealed (list (cons 'name value) ...) sealed)]
-    [(_ part ...) (collect () part ...)]))
+;; (check-answers [name value] ... "sealed" ...), the texts being one.
+(define-syntax (check-answers stx)
+  (define source (syntax-source stx))
+  (syntax-case stx ()
+    [(_ part ...)
+     (let-values ([(texts pairs)
+                   (partition-texts (syntax->list #'(part ...)))])
+       (with-syntax ([([name value] ...) pairs]
+                     [(text ...) texts]
+                     [file (and (path? source) (path->bytes source))])
+         #'(check-sealed (list (cons 'name value) ...) (string-append text ...) file)))]))
 
-;; The texts, which are one, behind the pairs.
-(define-syntax collect
-  (syntax-rules ()
-    [(_ (pair ...) [name value] part ...) (collect (pair ... [name value]) part ...)]
-    [(_ ([name value] ...) text ...)
-     (check-sealed (list (cons 'name value) ...) (string-append text ...))]))
+(begin-for-syntax
+  (define (partition-texts parts)
+    (define (text? p) (string? (syntax-e p)))
+    (values (filter text? parts) (filter (lambda (p) (not (text? p))) parts))))
 
-(define (check-sealed answers sealed)
+(define (check-sealed answers sealed file)
   (when (checking?)
-    (define exercises (unseal sealed))
     (tell-judgments
-     (for/list ([e (in-list exercises)])
+     (for/list ([e (in-list (unseal sealed))])
        (define found (assq (exercise-name e) answers))
-       (cons e (judge e (answer-of-kind e (if found (cdr found) unanswered))))))))
+       (define d (answer-of-kind e (if found (cdr found) unanswered)))
+       (judged e d (judge e d)))
+     (and file (bytes->path file)))))
 
 ;; The exercises in the envelope of a student's file, given as text; or #f
 (define (sealed-exercises text)
@@ -37,18 +43,34 @@
     (if m (regexp-match* #px"\"([A-Za-z0-9+/=]+)\"" (cadr m) #:match-select cadr) '()))
   (and (pair? parts) (unseal (apply string-append parts))))
 
+;; ---------------------------------------------------------------------------
 
-;; found : list of (exercise . judgment)
-(define (tell-judgments found)
-  (for ([f (in-list found)] [i (in-naturals 1)])
-    (define-values (e j) (values (car f) (cdr f)))
-    (printf "~a. ~a\n" i (judgment->text e j #:hints (fitting-hints e j))))
-  (define got (for/sum ([f (in-list found)])
-                (or (judgment-points (cdr f) (exercise-points (car f))) 0)))
-  (define all (for/sum ([f (in-list found)]) (exercise-points (car f))))
-  (printf "~a of ~a.\n" (number->text got) (counted-points all)))
+;; answer : data
+(struct judged (exercise answer judgment))
 
-(define (fitting-hints e j)
-  (if (memq (judgment-status j) '(wrong partly trivial))
-      (map hint-text (exercise-hints e))
+;; file : of the student, or #f
+(define (tell-judgments all [file #f])
+  (define tries
+    (count-tries file (for/list ([one (in-list all)] #:when (wanting? one))
+                        (cons (exercise-name (judged-exercise one)) (judged-answer one)))))
+  (for ([one (in-list all)] [i (in-naturals 1)])
+    (printf "~a. ~a\n" i (judgment->text (judged-exercise one) (judged-judgment one)
+                                         #:hints (fitting-hints one tries))))
+  (printf "~a of ~a.\n" (number->text (total all)) (counted-points (possible all))))
+
+(define (wanting? one) (memq (judgment-status (judged-judgment one)) '(wrong partly trivial)))
+
+;; Those of which enough wrong answers have been given.
+(define (fitting-hints one tries)
+  (define e (judged-exercise one))
+  (define given (hash-ref tries (exercise-name e) 0))
+  (if (wanting? one)
+      (for/list ([h (in-list (exercise-hints e))] #:when (<= (hint-after h) given)) (hint-text h))
       '()))
+
+(define (total all)
+  (for/sum ([one (in-list all)])
+    (or (judgment-points (judged-judgment one) (exercise-points (judged-exercise one))) 0)))
+
+(define (possible all)
+  (for/sum ([one (in-list all)]) (exercise-points (judged-exercise one))))

@@ -112,7 +112,7 @@
   (write-reports w r)
   (if (wish-json? w)
       (display (class->json r))
-      (tell r g worksheet))
+      (tell g worksheet (simple-form-path (wish-path w))))
   (if (andmap settled? (graded-judgments g)) 0 1))
 
 (define (settled? j) (memq (judgment-status j) '(right kept)))
@@ -126,7 +126,11 @@
               file))
   (worksheet "" #f "" exercises))
 
-(define (tell r g worksheet)
+;; The hints depend on what was tried before.
+(define (tell g worksheet file)
   (when (graded-problem g) (printf "~a\n" (graded-problem g)))
   (for ([n (in-list (graded-notes g))]) (printf "~a\n" n))
-  (tell-judgments (map cons (exercises-of worksheet) (graded-judgments g))))
+  (tell-judgments
+   (for/list ([e (in-list (exercises-of worksheet))] [j (in-list (graded-judgments g))])
+     (judged e (hash-ref (graded-answers g) (exercise-name e) #f) j))
+   file))

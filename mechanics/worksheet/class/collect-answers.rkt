@@ -1,8 +1,8 @@
 #lang racket/base
 ;; The answers of one submission, collected from a process of its own.
 ;;
-;; The process is given so many seconds, and may write so much; then it is ended, with
-;; whatever it started.  Nothing that it writes is run.
+;; The process is given so many seconds of the processor's time, and may write so much; then it
+;; is ended, with whatever it started.  Nothing that it writes is run.
 
 (require racket/port
          "answer-lines.rkt" "evaluate.rkt" "isolation.rkt"
@@ -28,7 +28,7 @@
 
 (define (request->text i exercises text)
   (define bare (for/list ([e (in-list exercises)]) (without-key e)))
-  (format "~s\n" (request (isolation-seconds i) (isolation-megabytes i) bare text)))
+  (format "~s\n" (request (isolation-patience i) (isolation-megabytes i) bare text)))
 
 ;; What tells how an answer is applied, and no more.
 (define (without-key e)
@@ -44,10 +44,13 @@
   (thread (lambda ()
             (with-handlers ([exn:fail? void]) (write-string request in) (close-output-port in))))
   (thread (lambda () (copy-port err (open-output-nowhere))))
-  (define-values (text end) (read-in-time out (isolation-seconds i)))
+  (define-values (text end) (read-in-time out (isolation-patience i)))
+  (define status (sync/timeout 1 process))
   (subprocess-kill process #t)
+  (define killed? (and status (not (eqv? 0 (subprocess-status process)))))
+  (define how (if (and (eq? end 'done) killed?) 'ended end))
   (define found (read-answer-lines text))
-  (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found end)))
+  (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found how)))
 
 ;; -> text, and how it ended: done, late or long.  Its time begins when it says that it is
 ;; loaded, and has read what it is asked.
@@ -70,6 +73,8 @@
 (define (problem-of found end)
   (define program (hash-ref found '*program* #f))
   (cond [(eq? end 'late) "it took too long, and was stopped"]
+        [(and (eq? end 'ended) (hash-has-key? found '*ready*))
+         "it took too long, or too much memory, and was stopped"]
         [(eq? end 'long) "it wrote without end, and was stopped"]
         [program (string-append "it does not run: " (cadr program))]
         [(not (hash-has-key? found '*ready*)) "Racket could not be started for it"]

@@ -18,7 +18,7 @@
          setup/dirs)
 
 (provide find-isolation close-isolation
-         isolation-seconds isolation-megabytes isolation-complete? isolation-warning
+         isolation-patience isolation-megabytes isolation-complete? isolation-warning
          start-isolated)
 
 ;; limits, person, spaces : lists of strings that stand before a command, each perhaps empty
@@ -26,6 +26,11 @@
 (struct isolation (megabytes seconds limits? person spaces folder))
 
 (define (isolation-complete? i) (and (isolation-folder i) #t))
+
+;; How long to wait for a process.  Where its own time is limited it may wait for others: a
+;; machine with much to do makes no answer wrong.
+(define (isolation-patience i)
+  (if (isolation-limits? i) (* 3 (isolation-seconds i)) (isolation-seconds i)))
 
 ;; What is to be told on top of a report, or #f.
 (define (isolation-warning i)
@@ -90,7 +95,7 @@
 ;; Racket reserves more addresses than it uses.
 (define (limits i)
   (define bytes (* 1048576 (+ 1024 (* 2 (isolation-megabytes i)))))
-  (define seconds (+ 2 (inexact->exact (ceiling (isolation-seconds i)))))
+  (define seconds (+ 1 (inexact->exact (ceiling (isolation-seconds i)))))
   (list (find "prlimit") (format "--as=~a" bytes) (format "--cpu=~a" seconds)
         "--nproc=128" "--nofile=64" "--fsize=0" "--core=0" "--"))
 

@@ -95,8 +95,8 @@ is a list of expressions, made of names and numbers; they are read, never run, a
 process that no submission has been in. So no submission sees the key, gives itself a verdict, or
 changes that of another; one that loops costs its ten seconds.
 
-For this the commands @exec{unshare}, @exec{setpriv} and @exec{prlimit} are needed, and a system that
-lets users have namespaces, as Debian and most others do. Elsewhere, on macOS and Windows for
+For this the commands @exec{unshare}, @exec{setpriv} and @exec{prlimit} are needed, and a system
+that lets users have namespaces, as Debian and most others do. Elsewhere, on macOS and Windows for
 example, Racket's sandbox is alone, and the report says so on top: that keeps mistakes in, but who
 knows Racket well can escape from it. Then judge only what people hand in whom you trust, or use
 a virtual machine.

@@ -107,7 +107,8 @@ begins. @racket[assuming] holds while the exercise is judged, as with @racket[as
 @racket[within] is how far a number may be off, as a share of the key, a hundredth if nothing is
 said; with @racket[#:absolute], or if the key is 0, in the unit itself.
 
-A @racket[hint] is told with a wrong answer. A @racket[slip] is a wrong answer that you expect,
+A @racket[hint] is told with a wrong answer, or with @racket[#:after] from that wrong answer on;
+a file beside the student's counts them. A @racket[slip] is a wrong answer that you expect,
 and what to say to it; whatever is equal to it, in the sense of the kind, is told the same, and
 gets that share of the points. With @racket[(no-practice)] students cannot check the answer
 themselves, for their file has no key to it.
@@ -140,16 +141,16 @@ themselves, for their file has no key to it.
  (list @racketidfont{equations} "a function of a path, whose value is a function of time"
        "it is zero along the motions of the key and along no others: factors and combinations do
        not matter; equations count one by one")
- (list @racketidfont{solution} "a path" "it is a motion of the system, begins as it should, and has all
-       constants")
+ (list @racketidfont{solution} "a path"
+       "it is a motion of the system, begins as it should, and has all constants")
  (list @racketidfont{conserved} "a function of the local tuple, or of the state of a Hamiltonian"
        "it is conserved, no constant, and independent of those known")
  (list @racketidfont{function} "a function of the local tuple" "it is equal to the key")
  (list @racketidfont{constraint-force} "a function of the local tuple" "it is equal to the key")
  (list @racketidfont{Hamiltonian} "a function of the state"
        "it is the key but for a function of the time")
- (list @racketidfont{canonical} "a map of states" "it is canonical, and makes of the Hamiltonian what it
-       should")
+ (list @racketidfont{canonical} "a map of states"
+       "it is canonical, and makes of the Hamiltonian what it should")
  (list @racketidfont{reason} "a text" "it is kept for the teacher")
  (list @racketidfont{expects} "a value, or a function of named arguments"
        "the procedure of the clause gives a proof, or a true value"))]
@@ -193,8 +194,8 @@ that is no lock. It stands at the end of a student's file and is not written by 
 @tabular[#:sep @hspace[2] #:row-properties '(top)
 (list
  (list @exec{raco mechanics new FILE} "writes a worksheet to begin with")
- (list @exec{raco mechanics worksheet FILE} "writes the students' file, and the page to hand out in HTML
-       and in TeX")
+ (list @exec{raco mechanics worksheet FILE}
+       "writes the students' file, and the page to hand out in HTML and in TeX")
  (list @exec{raco mechanics handout FILE} @elem{writes the page alone: @exec{--to html} or
        @exec{tex}, with @exec{--answers} for yourself; of another program the page that
        @exec{show} makes})

@@ -89,6 +89,17 @@
                        "   hint: Lagrange's equations")
                       (second result)))
 
+(test-case "a hint may wait for the second wrong answer; the same one again is none"
+  (write-text "late.rkt" "#lang mechanics/worksheet" "(title \"Late\")"
+              "(exercise two number \"?\" (key 2) (hint \"soon\") (hint \"late\" #:after 2))")
+  (command "worksheet" "late.rkt")
+  (define (hints-for answer)
+    (write-text "tried.rkt" (string-replace (text "late-student.rkt") "two unanswered)"
+                                            (format "two ~a)" answer)))
+    (regexp-match* #rx"hint: ([a-z]+)" (second (command "check" "tried.rkt"))
+                   #:match-select cadr))
+  (check-equal? (map hints-for '(5 5 7 5 2)) '(("soon") ("soon") ("soon" "late") ("soon" "late") ())))
+
 (test-case "all that is right makes the status 0"
   (write-text "right.rkt" (student-with '(("L-pendulum" "unanswered"))))
   (write-text "small.rkt" "#lang mechanics/worksheet" "(title \"Small\")"

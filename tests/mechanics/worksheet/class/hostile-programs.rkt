@@ -41,6 +41,7 @@
             (with-answer "(let again ()"
                          "  (with-handlers ([void (lambda (e) (again))]) (let loop () (loop))))")
             too-long)
+   (hostile "sleeps" (with-answer "(sleep 1000)") too-long)
    (hostile "tower-of-powers" (with-answer "(expt 9 (expt 9 9))") too-long)))
 
 ;; canary : path of a file that is to stay; port : of a server that is to hear nothing
