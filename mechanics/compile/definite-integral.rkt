@@ -1,11 +1,15 @@
 #lang racket/base
-;; Definite integrals (SICM p. 17).  An integrand that is evaluated often is compiled.
+;; Definite integrals (SICM p. 17).  An integrand that is evaluated often is compiled.  Where
+;; symbols are in an end or in the integrand, there is a formula if an antiderivative is found.
 
-(require "../generic/on-demand.rkt")
+(require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+         "../error/failure.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/on-demand.rkt")
 
 (require-on-demand
  ["one-variable.rkt" compile-scalar]
- ["../calculus/integral.rkt" [integrate generic:integrate]])
+ ["../calculus/integral.rkt" [integrate generic:integrate]]
+ ["../calculus/symbolic-integral.rkt" symbolic-integral])
 
 (provide definite-integral definite-integral-with-tolerance integrate)
 
@@ -19,6 +23,28 @@
 
 ;; The same on behalf of `who`.
 (define (integrate who f low high tolerance #:report [report first-of-three])
-  (generic:integrate who f low high tolerance compile-scalar report))
+  (define formula
+    (and (procedure? f)
+         (or (symbolic-end? low) (symbolic-end? high) (symbolic-integrand? f low high))
+         (symbolic-integral who f low high)))
+  (if formula
+      (report formula 0 1)
+      (generic:integrate who f low high tolerance compile-scalar report)))
+
+(define (symbolic-end? end)
+  (define x (comparand end))
+  (and (symbolic? x) (not (constant-value x))))
+
+;; Does f have symbols of its own at a number between?
+(define (symbolic-integrand? f low high)
+  (and (real? low) (real? high) (accepts? f 1)
+       (let ([y (with-handlers ([no-value? (lambda (e) #f)]) (f (inner-point low high)))])
+         (and (symbolic? y) (symbolic-end? y)))))
+
+(define (inner-point low high)
+  (cond [(and (rational? low) (rational? high)) (+ low (* 5/13 (- high low)))]
+        [(rational? low) (+ low 5/13)]
+        [(rational? high) (- high 5/13)]
+        [else 5/13]))
 
 (define (first-of-three value bound count) value)

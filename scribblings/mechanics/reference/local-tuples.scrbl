@@ -139,7 +139,7 @@ derivatives of the coordinates up to that one, as in @racket[Lagrange-equations]
 
 @sicm{1.4, p. 17}}
 
-@defproc[(definite-integral [f procedure?] [low real?] [high real?]
+@defproc[(definite-integral [f procedure?] [low (or/c real? expression?)] [high (or/c real? expression?)]
                             [tolerance real? 1e-10]
                             [#:report report (-> real? real? exact-nonnegative-integer? any)
                                       (lambda (value bound evaluations) value)])
@@ -199,6 +199,17 @@ its motion contributes (Leibniz' rule) is not forgotten.
 (define (distance a) (definite-integral (lambda (x) (abs (- x a))) 0 1))
 (list ((D distance) 0.3) (((square D) distance) 0.3))
 ((D (lambda (a) (definite-integral (lambda (x) (if (< (square x) a) 1 0)) 0 1))) 0.25)]
+
+Where symbols are in an end or in the integrand, the result is a formula, if an antiderivative
+is found: of polynomials, sines, cosines, exponentials and their products one is. A condition
+under which it holds, that a denominator does not vanish on the way, is said in a note.
+
+@examples[#:eval session
+(definite-integral (lambda (x) (* x (exp (* -1 'k x)))) 0 'T)
+(define (straight t) (+ 'q1 (* (/ (- 'q2 'q1) (- 't2 't1)) (- t 't1))))
+(prove-zero (- (Lagrangian-action (lambda (s) (* 1/2 'm (square (velocity s)))) straight 't1 't2)
+               (/ (* 'm (square (- 'q2 'q1))) (* 2 (- 't2 't1)))))
+(eval:error (definite-integral (lambda (x) (exp (* 'k (square x)))) 0 'b))]
 
 A pendulum's period from its law of energy, infinitely slow at the ends of the swing:
 
