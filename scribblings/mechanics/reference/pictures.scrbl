@@ -221,7 +221,7 @@ found by Newton's method, with exact derivatives, from a grid of starts. An ener
 the time is an error.
 
 @examples[#:eval session
-(define H (Lagrangian->Hamiltonian (L-pendulum 9.8 1 1)))
+(define (H s) (- (* 1/2 (square (momentum s))) (* 9.8 (cos (coordinate s)))))
 (plot-phase-portrait (frame (- :2pi) :2pi -9 9 #:width 400 #:height 250) H)]
 
 @sicm{3.3, p. 223}}
