@@ -16,7 +16,8 @@
          "../algebra/expression/operation.rkt"
          "../generic/elementary.rkt" "../generic/kind.rkt")
 
-(provide reload sweep-back! sweep-forward! last-dependent differentiable? program-with-gradient)
+(provide reload sweep-back! sweep-forward! next-tangent last-dependent differentiable?
+         program-with-gradient)
 
 ;; A builder that holds the instructions of p, in the places that they have there.
 (define (reload p)

@@ -5,7 +5,8 @@
 ;; the number 0, and cost nothing.  What derivatives have in common with the program, and
 ;; with each other, is done once: the same builder numbers all values.
 
-(require "builder.rkt" "program.rkt")
+(require (only-in racket/list index-of)
+         "builder.rkt" "program.rkt" "sweep.rkt")
 
 (provide tangent-program)
 
@@ -42,15 +43,19 @@
                    (values (vector-ref (car xs) k) (vector-ref (car rows) k)))]
     [else
      (define v (again b operation xs))
-     (define slopes (slopes-of b operation xs v))
-     (values v (chain b slopes rows n))]))
+     (values v (chain b operation xs v rows n))]))
 
-;; The sum of the slopes by each operand times the derivatives of it.
-(define (chain b slopes rows n)
+;; The derivatives of an operation's value, by those of its operands.
+(define (chain b operation xs v rows n)
+  (define i (cons operation xs))
   (for/vector #:length n ([j (in-range n)])
-    (for/fold ([sum 0]) ([s (in-list slopes)] [r (in-list rows)])
-      (define x (vector-ref r j))
-      (if (eqv? x 0) sum (add! b sum (multiply! b (s) x))))))
+    (define ts (for/list ([r (in-list rows)]) (vector-ref r j)))
+    (define (tangent operand) (list-ref ts (index-of xs operand)))
+    (if (andmap zero-operand? ts)
+        0
+        (next-tangent b i v (car ts) (if (null? (cdr ts)) 0 (cadr ts)) tangent))))
+
+(define (zero-operand? x) (eqv? x 0))
 
 (define (again b operation xs)
   (case operation
@@ -58,48 +63,8 @@
     [(subtract) (apply subtract! b xs)]
     [(multiply) (apply multiply! b xs)]
     [(divide) (apply divide! b xs)]
-    [(negate) (subtract! b 0 (car xs))]
+    [(negate) (negate! b (car xs))]
     [else (apply do! b operation xs)]))
-
-;; Thunks, one for each operand: what is not asked for is not written.
-(define (slopes-of b operation xs v)
-  (define x (car xs))
-  (define y (and (pair? (cdr xs)) (cadr xs)))
-  (define (call name . operands) (apply do! b name operands))
-  (define (square z) (multiply! b z z))
-  (define (reciprocal z) (divide! b 1 z))
-  (define (root z) (call 'sqrt z))
-  (define-syntax-rule (by formula ...) (list (lambda () formula) ...))
-  (case operation
-    [(add) (by 1 1)]
-    [(subtract) (by 1 -1)]
-    [(multiply) (by y x)]
-    [(divide) (by (reciprocal y) (subtract! b 0 (divide! b v y)))]
-    [(negate) (by -1)]
-    [(sqrt) (by (divide! b 1/2 v))]
-    [(exp) (by v)]
-    [(log) (by (reciprocal x))]
-    [(sin) (by (call 'cos x))]
-    [(cos) (by (subtract! b 0 (call 'sin x)))]
-    [(tan) (by (add! b 1 (square v)))]
-    [(asin) (by (reciprocal (root (subtract! b 1 (square x)))))]
-    [(acos) (by (divide! b -1 (root (subtract! b 1 (square x)))))]
-    [(atan)
-     (if y
-         (let ([r2 (lambda () (add! b (square x) (square y)))])
-           (by (divide! b y (r2)) (subtract! b 0 (divide! b x (r2)))))
-         (by (reciprocal (add! b 1 (square x)))))]
-    [(sinh) (by (call 'cosh x))]
-    [(cosh) (by (call 'sinh x))]
-    [(tanh) (by (subtract! b 1 (square v)))]
-    [(asinh) (by (reciprocal (root (add! b 1 (square x)))))]
-    [(acosh) (by (reciprocal (root (subtract! b (square x) 1))))]
-    [(atanh) (by (reciprocal (subtract! b 1 (square x))))]
-    [(abs) (by (call 'sgn x))]
-    [(sgn) (by 0)]
-    [(expt) (by (multiply! b y (power! b x (if (number? y) (- y 1) (subtract! b y 1))))
-                (multiply! b v (call 'log x)))]
-    [(wrapped) (by 1 0 0 0)]))
 
 ;; A x = b gives A x' = b' − A' x: another system with the same matrix for each input by which
 ;; anything in it varies.
@@ -116,18 +81,17 @@
       (for/list ([i (in-range size)])
         (for/fold ([sum (slope i size k)]) ([j (in-range size)])
           (subtract! b sum (multiply! b (slope i j k) (vector-ref x j))))))
-    (if (andmap (lambda (r) (eqv? r 0)) right)
+    (if (andmap zero-operand? right)
         (make-vector size 0)
         (solution! b
-                   (for*/list ([(r i) (in-indexed right)] [j (in-range width)])
-                     (if (= j size) r (entry i j)))
+                   (for*/list ([i (in-range size)] [j (in-range width)])
+                     (if (= j size) (list-ref right i) (entry i j)))
                    size)))
   (define columns (for/vector #:length n ([k (in-range n)]) (varied k)))
   (values x
           (for/vector #:length size ([i (in-range size)])
             (for/vector #:length n ([c (in-vector columns)]) (vector-ref c i)))))
 
-(define (in-indexed xs) (in-parallel xs (in-naturals)))
 
 ;; -> vector of the places of the unknowns
 (define (solution! b entries size)
