@@ -6,12 +6,14 @@
 ;; brackets may come out multiplied by one number λ: then the motion is still Hamilton's, with
 ;; H' = H∘C/λ, and the verdict, a refutation, says so.
 
-(require "canonical.rkt" "symplectic-transformation.rkt" "transformation.rkt"
-         "../algebra/expression/symbols.rkt"
+(require racket/list
+         "canonical.rkt" "symplectic-transformation.rkt" "transformation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt"
+         (only-in "../value/algebra.rkt" make-meaning)
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/linear/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
@@ -26,7 +28,7 @@
      (check-Hamiltonian 'verify-canonical H)
      (check-Hamiltonian 'verify-canonical H-prime)
      (check-question 'verify-canonical state C H H-prime)
-     (judged state (lambda () ((canonical? C H H-prime) state))
+     (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
              (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state)))]
     [arguments
      (complain-of-arity 'verify-canonical
@@ -47,7 +49,7 @@
 
 (define (verify-brackets who C state residual)
   (check-question who state C)
-  (judged state (lambda () ((residual C) state))
+  (judged state (list C) (lambda () ((residual C) state))
           (lambda (change) (verify-brackets who (change C) state residual))
           (lambda () (remarks-on-brackets C state))))
 
@@ -58,14 +60,26 @@
   (void (transformed who C state))
   (for ([f (in-list (cons C Hs))]) (check-parameters who f state "state")))
 
-;; find-residual : -> the residual, differentiated while kinks are noted
-(define (judged state find-residual again [remarks (lambda () '())])
+;; about : the transformation, and Hamiltonians; find-residual : -> the residual, differentiated
+;; while kinks are noted
+(define (judged state about find-residual again [remarks (lambda () '())])
   (define-values (residual survey) (survey-derivatives find-residual (scalars state)))
   (define v (prove-zero residual #:variables (scalars state) #:surveys (list survey)
+                        #:meaning (lambda () (meaning-of about state))
                         #:again again))
   (if (refuted? v)
       (for/fold ([v v]) ([text (in-list (remarks))]) (with-remark v text))
       v))
+
+;; Under a condition all must have values, and the transformation an inverse, as before.
+(define (meaning-of about state)
+  (define M ((D-as-matrix (car about)) state))
+  (make-meaning
+   (filter expression? (append-map (lambda (f) (scalars (f state))) about))
+   (for/list ([i (in-range (m:num-rows M))])
+     (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j)))
+   '()
+   (scalars state)))
 
 ;; ---------------------------------------------------------------------------
 ;; All brackets multiplied by one number

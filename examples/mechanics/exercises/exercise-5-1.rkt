@@ -31,4 +31,5 @@ right
     (check-pred proved? (verify-equal ((F->K moving) state) (* -1 'p 'v))))
   (test-case "without it the old velocity is taken for the new one"
     (check-pred refuted? slip)
+    (check-equal? (verdict-conditions slip) '((= v 0)))
     (check-pred proved? (verify-equal (verdict-residual slip) (up 0 (- 'v) 0)))))

@@ -29,4 +29,5 @@ slip
     (check-pred proved? standard)
     (check-pred proved? right))
   (test-case "not with both from the old state"
-    (check-pred refuted? slip)))
+    (check-pred refuted? slip)
+    (check-equal? (verdict-conditions slip) '((= K 0)))))
