@@ -42,8 +42,8 @@
                        pendulum-oscillating-aa-state-to-state
                        pendulum-circulating-state-to-aa-state
                        pendulum-circulating-aa-state-to-state
-                       pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state
-                       pendulum-advance pendulum-integration pendulum-solution-series]
+                       pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state]
+ ["pendulum-motion.rkt" pendulum-advance pendulum-integration pendulum-solution-series]
  ["extended-phase-space.rkt" extended-Hamiltonian extended-state reduced-state
                              periodic-extension]
  ["integral-invariants.rkt" loop-integral loop-integrand]

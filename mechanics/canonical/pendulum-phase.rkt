@@ -1,5 +1,5 @@
 #lang racket/base
-;; Action and angle of the pendulum, and its motion through any state (scmutils' names).
+;; Action and angle of the pendulum (scmutils' names).
 ;;
 ;; The angle is 0 where θ = 0 and p > 0, and grows at the frequency.  In the *global* variables
 ;; turns have half their angle and twice their action, those downwards are seen from the other
@@ -14,11 +14,9 @@
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../numeric/constants.rkt"
-         "../value/principal-value.rkt"
-         "../value/series/access.rkt")
+         "../value/principal-value.rkt")
 
-(require-on-demand ["../search/find-root.rkt" find-root]
-                   ["../motion/evolution.rkt" state-advancer])
+(require-on-demand ["../search/find-root.rkt" find-root])
 
 (provide pendulum-oscillating-phase pendulum-circulating-phase
          pendulum-oscillating-dt pendulum-circulating-dt
@@ -26,7 +24,8 @@
          pendulum-oscillating-state-to-aa-state pendulum-oscillating-aa-state-to-state
          pendulum-circulating-state-to-aa-state pendulum-circulating-aa-state-to-state
          pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state
-         pendulum-advance pendulum-integration pendulum-solution-series)
+         ;; for motions
+         of-state energy in-turn mirrored downwards?)
 
 (define-syntax-rule (of-state (state) (name argument ...) body ...)
   (unary-function (lambda () (list 'name (value->datum argument) ...)) (state)
@@ -179,52 +178,3 @@
                            (g:* 2 (if down? (g:- angle pi) angle))
                            (g:* 1/2 J))))
        (if down? (mirrored turned) turned)])))
-
-;; (((pendulum-advance α β) state) t) : the state at the time t
-(define (pendulum-advance alpha beta)
-  (of-state (state) (pendulum-advance alpha beta)
-    (define E (energy alpha beta state))
-    (define-values (angle momentum-of dt)
-      (if (swinging? 'pendulum-advance beta E)
-          (values pendulum-oscillating-angle pendulum-oscillating-angular-momentum
-                  pendulum-oscillating-dt)
-          (values pendulum-circulating-angle pendulum-circulating-angular-momentum
-                  pendulum-circulating-dt)))
-    (define down? (and (not (swinging? 'pendulum-advance beta E))
-                       (downwards? 'pendulum-advance state)))
-    (define start ((dt alpha beta) (if down? (mirrored state) state)))
-    (unary-function (lambda () (list 'pendulum-advance (value->datum state))) (t)
-      (define since (g:+ start (g:- t (time state))))
-      (define there
-        (up t ((angle alpha beta E) since) ((momentum-of alpha beta E) since)))
-      (if down? (mirrored there) there))))
-
-;; The same by integration
-(define (pendulum-integration alpha beta tolerance)
-  (of-state (state) (pendulum-integration alpha beta tolerance)
-    (unary-function (lambda () (list 'pendulum-integration (value->datum state))) (t)
-      (define there
-        ((state-advancer pendulum-sysder alpha beta) state (g:- t (time state)) tolerance))
-      (up (time there) (in-turn (coordinate there)) (momentum there)))))
-
-;; (((pendulum-solution-series α β) state) t) : the Fourier series of θ, t from θ = 0 on
-(define (pendulum-solution-series alpha beta)
-  (of-state (state) (pendulum-solution-series alpha beta)
-    (define E (energy alpha beta state))
-    (define omega (pendulum-frequency alpha beta E))
-    (define swings? (swinging? 'pendulum-solution-series beta E))
-    (define-values (k rate)
-      (if swings?
-          (values (modulus beta E) (g:sqrt (g:/ beta alpha)))
-          (values (g:/ 1 (modulus beta E)) (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha))))))
-    (define K* (first-elliptic-integral (g:sqrt (g:- 1 (g:square k)))))
-    (define (wave n t)
-      (define omega-n (g:* n omega))
-      (g:/ (g:* omega (g:sin (g:* omega-n t)))
-           (g:* omega-n (g:cosh (g:/ (g:* omega-n K*) rate)))))
-    (unary-function (lambda () (list 'pendulum-solution-series (value->datum state))) (t)
-      (series:generate
-       (lambda (i)
-         (cond [swings? (g:* 4 (wave (+ (* 2 i) 1) t))]
-               [(= i 0) (g:+ (g:* omega t) (g:* 2 (wave 1 t)))]
-               [else (g:* 2 (wave (+ i 1) t))]))))))

@@ -1,0 +1,64 @@
+#lang racket/base
+;; The pendulum's motion through any state: by elliptic functions, by integration, and as a
+;; Fourier series (scmutils' names).
+
+(require "pendulum.rkt" "pendulum-phase.rkt"
+         "../calculus/elliptic.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/series/access.rkt")
+
+(require-on-demand ["../motion/evolution.rkt" state-advancer])
+
+(provide pendulum-advance pendulum-integration pendulum-solution-series)
+
+;; (((pendulum-advance α β) state) t) : the state at the time t
+(define (pendulum-advance alpha beta)
+  (of-state (state) (pendulum-advance alpha beta)
+    (define E (energy alpha beta state))
+    (define-values (angle momentum-of dt)
+      (if (swinging? 'pendulum-advance beta E)
+          (values pendulum-oscillating-angle pendulum-oscillating-angular-momentum
+                  pendulum-oscillating-dt)
+          (values pendulum-circulating-angle pendulum-circulating-angular-momentum
+                  pendulum-circulating-dt)))
+    (define down? (and (not (swinging? 'pendulum-advance beta E))
+                       (downwards? 'pendulum-advance state)))
+    (define start ((dt alpha beta) (if down? (mirrored state) state)))
+    (unary-function (lambda () (list 'pendulum-advance (value->datum state))) (t)
+      (define since (g:+ start (g:- t (time state))))
+      (define there
+        (up t ((angle alpha beta E) since) ((momentum-of alpha beta E) since)))
+      (if down? (mirrored there) there))))
+
+;; The same by integration
+(define (pendulum-integration alpha beta tolerance)
+  (of-state (state) (pendulum-integration alpha beta tolerance)
+    (unary-function (lambda () (list 'pendulum-integration (value->datum state))) (t)
+      (define there
+        ((state-advancer pendulum-sysder alpha beta) state (g:- t (time state)) tolerance))
+      (up (time there) (in-turn (coordinate there)) (momentum there)))))
+
+;; (((pendulum-solution-series α β) state) t) : the Fourier series of θ, t from θ = 0 on
+(define (pendulum-solution-series alpha beta)
+  (of-state (state) (pendulum-solution-series alpha beta)
+    (define E (energy alpha beta state))
+    (define omega (pendulum-frequency alpha beta E))
+    (define swings? (swinging? 'pendulum-solution-series beta E))
+    (define-values (k rate)
+      (if swings?
+          (values (modulus beta E) (g:sqrt (g:/ beta alpha)))
+          (values (g:/ 1 (modulus beta E)) (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha))))))
+    (define K* (first-elliptic-integral (g:sqrt (g:- 1 (g:square k)))))
+    (define (wave n t)
+      (define omega-n (g:* n omega))
+      (g:/ (g:* omega (g:sin (g:* omega-n t)))
+           (g:* omega-n (g:cosh (g:/ (g:* omega-n K*) rate)))))
+    (unary-function (lambda () (list 'pendulum-solution-series (value->datum state))) (t)
+      (series:generate
+       (lambda (i)
+         (cond [swings? (g:* 4 (wave (+ (* 2 i) 1) t))]
+               [(= i 0) (g:+ (g:* omega t) (g:* 2 (wave 1 t)))]
+               [else (g:* 2 (wave (+ i 1) t))]))))))
