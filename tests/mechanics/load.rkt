@@ -32,7 +32,7 @@
 (define rooms-on-demand
   '("algebra/polynomial" "algebra/kernel" "algebra/field" "algebra/simplify"
     "algebra/presentation" "algebra/rewriting" "algebra/zero"
-    "constraint" "force" "map" "rigid" "plot" "numeric/search" "numeric/bigfloat"))
+    "constraint" "force" "map" "rigid" "plot" "numeric/search" "numeric/bigfloat" "worksheet"))
 
 (define files-on-demand (append-map on-demand-imports (map full-path (library-files))))
 
