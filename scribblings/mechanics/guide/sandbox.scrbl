@@ -4,7 +4,8 @@
 @title[#:tag "sandbox"]{In a sandbox: grading what others wrote}
 
 Who lets a server, a class or a program ask questions of this library runs programs of
-somebody else. For classes that is done: @secref["what-students-can-do"]. Racket's @racketmodname[racket/sandbox] runs them with bounds on time and
+somebody else. For classes that is done: @secref["what-students-can-do"].
+Racket's @racketmodname[racket/sandbox] runs them with bounds on time and
 memory, without files and network. Three things are to know.
 
 @section{One library for both sides}
