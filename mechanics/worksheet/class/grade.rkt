@@ -34,16 +34,20 @@
                      #:seconds [seconds 10] #:megabytes [megabytes 512]
                      #:namespaces? [namespaces? #t] #:tell [tell void])
   (define i (find-isolation megabytes seconds #:namespaces? namespaces?))
-  (define exercises (exercises-of w))
   (define judge-once (make-judge seconds))
-  (define results
-    (for/list ([next (in-list (start-all i exercises submissions))]
-               [s (in-list submissions)]
-               [n (in-naturals 1)])
-      (begin0 (grade-one exercises s (next) judge-once)
-              (tell n))))
-  (close-isolation i)
-  (class-report w (isolation-warning i) results))
+  (dynamic-wind
+   void
+   (lambda ()
+     (class-report w (isolation-warning i)
+                   (grade-all i (exercises-of w) submissions judge-once tell)))
+   (lambda () (close-isolation i))))
+
+(define (grade-all i exercises submissions judge-once tell)
+  (for/list ([next (in-list (start-all i exercises submissions))]
+             [s (in-list submissions)]
+             [n (in-naturals 1)])
+    (begin0 (grade-one exercises s (next) judge-once)
+            (tell n))))
 
 ;; ---------------------------------------------------------------------------
 ;; Evaluation
