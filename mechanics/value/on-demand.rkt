@@ -15,4 +15,4 @@
  ["quaternion.rkt" quaternion? quaternion make-quaternion real&3vector->quaternion
                    quaternion->vector quaternion->3vector quaternion->real-part quaternion-ref
                    q:conjugate q:magnitude q:make-unit]
- ["special.rkt" gamma factorial bessj bessj0 bessj1])
+ ["special.rkt" gamma factorial log-gamma beta erf erfc zeta Lambert-W bessj bessj0 bessj1])

@@ -497,7 +497,8 @@ is k sn(t + K):
 
 @section{Special functions}
 
-They are functions of real numbers alone, and are not differentiated.
+They are functions of real numbers, not of expressions. They can be differentiated, but for
+@racket[zeta] and @racket[factorial].
 
 @deftogether[(@defproc[(gamma [x real?]) real?]
               @defproc[(factorial [n exact-nonnegative-integer?]) exact-positive-integer?])]{
@@ -509,6 +510,42 @@ They are functions of real numbers alone, and are not differentiated.
 (factorial 20)
 (eval:error (gamma 0))
 (eval:error (factorial 1.5))]}
+
+@deftogether[(@defproc[(log-gamma [x real?]) real?]
+              @defproc[(beta [x real?] [y real?]) real?])]{
+
+The logarithm of |Γ(x)|, and Γ(x) Γ(y)/Γ(x + y) of positive x and y.
+
+@examples[#:eval session
+(log-gamma 100)
+(beta 1/2 1/2)
+((D log-gamma) 1)]}
+
+@deftogether[(@defproc[(erf [x real?]) real?]
+              @defproc[(erfc [x real?]) real?])]{
+
+The error function, the integral of 2e^(−t²)/√π from 0 to x, and 1 minus it.
+
+@examples[#:eval session
+(erf 1)
+(erfc 10)
+((D erf) 0)]}
+
+@defproc[(zeta [x real?]) real?]{
+
+Riemann's ζ(x), the sum of n^(−x), continued to x below 1. It is not differentiated.
+
+@examples[#:eval session
+(zeta 3)
+(zeta -1)]}
+
+@defproc[(Lambert-W [x real?]) real?]{
+
+The number w at least −1 with we^w = x, for x from −1/e on.
+
+@examples[#:eval session
+(Lambert-W 1)
+((D Lambert-W) 0)]}
 
 @deftogether[(@defproc[(bessj [n exact-integer?] [x real?]) real?]
               @defproc[(bessj0 [x real?]) real?]
