@@ -250,7 +250,8 @@ note says so.
 
 The equations are factored and solved one after the other: factors that are linear in
 an unknown, and those in one unknown that are quadratic in it or in a power of it, or of degree
-1 in the sine and cosine of an angle. The list is complete, then. Others raise @racket[exn:fail:mechanics]: then there is
+1 in the sine and cosine of an angle. The list is complete, then. Others raise
+@racket[exn:fail:mechanics]: then there is
 @racket[find-equilibrium]. A force that changes in time is an error.
 
 @examples[#:eval session
