@@ -13,8 +13,8 @@
 
 (define picture
   (frame :-pi :pi -0.05 0.05 #:width 500 #:height 350 #:x-label "φ" #:y-label "Dφ"))
-(plot-contours picture E (for/list ([phi '(0.4 0.8 1.2)]) (E phi 0.)) #:samples 201)
-(plot-contours picture E (for/list ([rate '(0.03 0.035 0.042)]) (E 0. rate)) #:samples 201)
+(plot-contours picture E (for/list ([phi '(0.4 0.8 1.2)]) (E phi 0.)) #:samples 101)
+(plot-contours picture E (for/list ([rate '(0.03 0.035 0.042)]) (E 0. rate)) #:samples 101)
 (define edge (E (/ pi 2) 0.))
 (plot-contours picture E edge #:samples 201 #:color 'red)
 
