@@ -9,32 +9,22 @@
 ;;
 ;;     ∂S/∂cₖ = ∫ (∂₁L φₖ + ∂₂L φₖ') dt,
 ;;
-;; so that L and its two derivatives, compiled once as functions of a local tuple, are all
+;; so that L and its derivatives, compiled once as functions of a local tuple, are all
 ;; there is to evaluate, however large n is.  The integral is that of Gauss and Legendre's
 ;; rule on equal parts of the time: the gradient is exactly that of this sum.
 
 (require racket/flonum
-         "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
-         "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../numeric/quadrature/end-polynomials.rkt" "../numeric/quadrature/gauss-rule.rkt")
 
 (provide compile-Lagrangian path-action points-between)
 
-;; From the scalars of (up t q v) to L there and its derivatives by q and by v;
+;; From the scalars of (up t q v) to L there and its derivatives by t, q and v;
 ;; example : such a local tuple.  (input output -> void)
 (define (compile-Lagrangian who L example)
-  (define value (scalar-valued who L))
-  (define (with-derivatives local)
-    (define t (vector-ref (structure-elements local) 0))
-    (define (at q v) (value (up t q v)))
-    (define q (vector-ref (structure-elements local) 1))
-    (define v (vector-ref (structure-elements local) 2))
-    (up (at q v)
-        (derivative-at (lambda (q) (at q v)) q)
-        (derivative-at (lambda (v) (at q v)) v)))
-  (compiled-function-runner (compile-function with-derivatives example #:name who)))
+  (compiled-function-runner
+   (compile-function (scalar-valued who L) example #:name who #:gradient? #t)))
 
 ;; q0, q1 : the scalars of the ends, at the times t0 and t1; c : the coefficients, one
 ;; for each scalar with the first polynomial, one for each with the second …
@@ -43,7 +33,7 @@
   (define d (flvector-length q0))
   (define samples (time-samples n t0 t1 nodes parts))
   (define input (make-flvector (+ 1 (* 2 d))))
-  (define output (make-flvector (+ 1 (* 2 d))))
+  (define output (make-flvector (+ 2 (* 2 d))))
   (lambda (c)
     (define gradient (make-flvector (* n d)))
     (define action
@@ -95,9 +85,9 @@
                    (fl+ (flvector-ref gradient place)
                         (fl* (sample-weight s)
                              (fl+ (fl* (flvector-ref (sample-basis s) i)
-                                       (flvector-ref output (+ 1 k)))
+                                       (flvector-ref output (+ 2 k)))
                                   (fl* (flvector-ref (sample-rates s) i)
-                                       (flvector-ref output (+ 1 d k)))))))))
+                                       (flvector-ref output (+ 2 d k)))))))))
 
 ;; The scalars of the path with these coefficients at n times evenly spaced between.
 (define (points-between q0 q1 n c)
