@@ -81,6 +81,7 @@
       (g:- q q0)))
 
 (define closeness 1e-5)
+(define longest-orbit 1e4)       ; the time after which it is given up, where nobody says
 
 (define (near? s start turn)
   (define dq (- (coordinate s) (coordinate start)))
@@ -106,11 +107,11 @@
 ;; ((state->action-angle H) state) : (t, θ, I), with θ between 0 and 2π since the coordinate was
 ;; `center`, rising
 (define-plain (state->action-angle H #:center [center 0] #:turn [turn #f]
-                                   #:tolerance [tolerance 1e-11] #:longest [longest 1e4])
+                                   #:tolerance [tolerance 1e-11])
   (define who 'state->action-angle)
   (check-Hamiltonian who H)
   (unary-function (lambda () (list who (value->datum H))) (state)
-    (define o (closed-orbit who H state turn tolerance longest))
+    (define o (closed-orbit who H state turn tolerance longest-orbit))
     (define wait (time-to-center who H state center turn tolerance (orbit-period o)))
     (define angle (* 2 pi (- 1 (/ wait (orbit-period o)))))
     (up (time state) (if (>= angle (* 2 pi)) (- angle (* 2 pi)) angle) (orbit-action o))))
@@ -134,7 +135,7 @@
 
 ;; ((action-angle->state H) state) : the state with that angle and action
 (define-plain (action-angle->state H #:center [center 0] #:turn [turn #f]
-                                   #:tolerance [tolerance 1e-11] #:longest [longest 1e4])
+                                   #:tolerance [tolerance 1e-11])
   (define who 'action-angle->state)
   (check-Hamiltonian who H)
   (unary-function (lambda () (list who (value->datum H))) (state)
@@ -142,7 +143,7 @@
     (unless (and (real? angle) (real? J) (> J 0))
       (complain who "expected an angle and a positive action, in numbers; given ~a"
                 (value->text state)))
-    (define (orbit-at p) (closed-orbit who H (up 0 center p) turn tolerance longest))
+    (define (orbit-at p) (closed-orbit who H (up 0 center p) turn tolerance longest-orbit))
     (define p (momentum-with-action who orbit-at J))
     (define wait (* (orbit-period (orbit-at p)) (/ (- angle (* 2 pi (floor (/ angle (* 2 pi)))))
                                                    (* 2 pi))))

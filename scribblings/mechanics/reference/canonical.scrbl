@@ -393,13 +393,11 @@ The action ∮ p dq/2π of the motion through a state, and its angular frequency
 
 @deftogether[(@defproc[((state->action-angle [H procedure?] [#:center center real? 0]
                                              [#:turn turn (or/c real? #f) #f]
-                                             [#:tolerance tolerance real? 1e-11]
-                                             [#:longest longest real? 1e4])
+                                             [#:tolerance eps real? 1e-11])
                         [state structure?]) structure?]
               @defproc[((action-angle->state [H procedure?] [#:center center real? 0]
                                              [#:turn turn (or/c real? #f) #f]
-                                             [#:tolerance tolerance real? 1e-11]
-                                             [#:longest longest real? 1e4])
+                                             [#:tolerance eps real? 1e-11])
                         [state structure?]) structure?])]{
 
 From a state to (up t angle action), with the angle counted from where the coordinate passes
