@@ -123,5 +123,5 @@
   (check-exn #rx"^reduce-by-substitution: the velocities do not keep the constraints\n"
              (lambda ()
                (reduce-by-substitution L-edge blade (lambda (t q v) v) edge-state)))
-  (check-exn #rx"^reduce-by-substitution: contract violation"
+  (check-exn #rx"^reduce-by-substitution: expected a function"
              (lambda () (reduce-by-substitution L-edge blade 'v edge-state))))

@@ -190,8 +190,8 @@
 
 (says
  [(nelder-mead square 1.0 1 1e-8 0)
-  "nelder-mead: contract violation\n  expected: a number of evaluations, a positive integer\n"
-  "  given: 0"])
+  "nelder-mead: expected a number of evaluations, a positive integer\n"
+  "  given: the number 0"])
 
 ;; ---------------------------------------------------------------------------
 ;; Complex expressions

@@ -74,7 +74,7 @@
 (test-case "structures from a rule"
   (check-equal? (s:generate 3 'up add1) (up 1 2 3))
   (check-equal? (s:generate 2 'down (lambda (i) (up i))) (down (up 0) (up 1)))
-  (check-exn #rx"expected: 'up or 'down" (lambda () (s:generate 2 'left add1))))
+  (check-exn #rx"expected 'up or 'down" (lambda () (s:generate 2 'left add1))))
 
 (test-case "mapping keeps the orientation of the first"
   (check-equal? (s:map g:square (down 1 'a)) (down 1 (g:square 'a)))
