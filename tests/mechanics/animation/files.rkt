@@ -188,8 +188,9 @@
      (format "animation-save: the name of the file says no format; it ends in ~a\n  file: ~s"
              ".gif or .html" name)
      (animation-save a name)))
-  (check-exn #rx"expected: the name of a file\n  given: 3" (lambda () (animation-save a 3)))
-  (check-exn #rx"expected: an animation" (lambda () (animation-save 3 "a.gif"))))
+  (check-exn #rx"expected the name of a file\n  given: the number 3"
+             (lambda () (animation-save a 3)))
+  (check-exn #rx"expected an animation" (lambda () (animation-save 3 "a.gif"))))
 
 (skip-unless drawable? no-drawing
   (test-case "a folder that is not there, or is there in place of the file"

@@ -118,7 +118,7 @@
     (define f (frame 0 1 0 1))
     (plot-point f 0 0 #:color "Steel Blue")
     (plot-point f 0 0 #:color 'steelblue)
-    (check-exn #rx"expected: a color: .*\n  given: 'bleu"
+    (check-exn #rx"expected a color: .*\n  given: the symbol bleu"
                (lambda () (plot-point f 0 0 #:color 'bleu)))
     (check-equal? (length (frame-points f)) 2)))
 
@@ -159,9 +159,10 @@
      (format "graphics-save: the name of the file says no format; it ends in ~a\n  file: ~s"
              ".png, .svg or .pdf" name)
      (graphics-save (drawn) name)))
-  (check-exn #rx"expected: the name of a file\n  given: 3" (lambda () (graphics-save (drawn) 3)))
-  (check-exn #rx"expected: a frame" (lambda () (graphics-save 3 "a.png")))
-  (check-exn #rx"frame->pict: .*expected: a frame" (lambda () (frame->pict 3))))
+  (check-exn #rx"expected the name of a file\n  given: the number 3"
+             (lambda () (graphics-save (drawn) 3)))
+  (check-exn #rx"expected a frame" (lambda () (graphics-save 3 "a.png")))
+  (check-exn #rx"frame->pict: .*expected a frame" (lambda () (frame->pict 3))))
 
 ;; ---------------------------------------------------------------------------
 ;; With the drawing library, when it is needed, and without it

@@ -152,7 +152,7 @@
   (check-exn #rx"expected two points or more\n  given: 1" (lambda () (cubic-spline '(0) '(1))))
   (check-exn #rx"expected points in a list, a vector or a tuple\n  given: the number 3"
              (lambda () (cubic-spline 3 '(1))))
-  (check-exn #rx"expected: 'not-a-knot, 'natural, 'periodic or a list of the slopes"
+  (check-exn #rx"expected 'not-a-knot, 'natural, 'periodic or a list of the slopes"
              (lambda () (cubic-spline '(0 1) '(1 2) #:ends 'free)))
   (check-exn #rx"a periodic function has the same value at both ends\n  first: 1\n  last: 2"
              (lambda () (cubic-spline '(0 1) '(1 2) #:ends 'periodic)))

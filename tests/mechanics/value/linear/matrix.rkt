@@ -45,7 +45,8 @@
   (check-exn #rx"^matrix-by-rows: the rows of a matrix have one length"
              (lambda () (matrix-by-rows '(1 2) '(3))))
   (check-exn #rx"^matrix-by-rows: a matrix has at least one row" (lambda () (matrix-by-rows)))
-  (check-exn #rx"expected: a row: a list or a tuple\n  given: 3" (lambda () (matrix-by-rows 3))))
+  (check-exn #rx"expected a row: a list or a tuple\n  given: the number 3"
+             (lambda () (matrix-by-rows 3))))
 
 (test-case "a matrix prints as what makes it, in all three modes"
   (define text "(matrix-by-rows (list 1 2 3) (list a b c))")
