@@ -38,6 +38,7 @@ order.
 @include-section["guide/pictures.scrbl"]
 @include-section["guide/animations.scrbl"]
 @include-section["guide/showing.scrbl"]
+@include-section["guide/scales.scrbl"]
 @include-section["guide/teachers.scrbl"]
 @include-section["guide/students.scrbl"]
 @include-section["guide/systems.scrbl"]
