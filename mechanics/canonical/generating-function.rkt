@@ -86,7 +86,7 @@
                    (derivative-at (lambda (y) (number t x y)) y))))
   (lambda (state)
     (define y (part state (type-new k)))
-    (solution-at s (up (time state) y) (shaped (type-old k) state)
+    (solution-at s (up (time state) y) (vector->structure (type-old k) state)
                  (signed (new-sign k) (part state (other (type-new k)))))))
 
 ;; old state ↦ new state
@@ -102,14 +102,14 @@
     (check-H-state who state)
     (define-values (t x) (values (time state) (part state (type-old k))))
     (define y
-      (solution-at s (up t x) (shaped (type-new k) state)
+      (solution-at s (up t x) (vector->structure (type-new k) state)
                    (signed (old-sign k) (part state (other (type-old k))))))
     (state-of t (type-new k) y
               (signed (new-sign k) (derivative-at (lambda (y) (F t x y)) y)))))
 
 ;; Where the search for that variable begins: with coordinates and momenta near those of the
 ;; state, as in a transformation near the identity.
-(define (shaped which state) (part state which))
+(define (vector->structure which state) (part state which))
 
 (define (two place)
   (values (vector-ref (tuple-elements place) 0) (vector-ref (tuple-elements place) 1)))

@@ -67,7 +67,7 @@
     (define shape (constraint-values who cs t q v))
     (check-count who (shape-length shape) q)
     (define-values (a multipliers) (solve state))
-    (values (shaped v a) (shaped shape multipliers))))
+    (values (vector->structure v a) (vector->structure shape multipliers))))
 
 ;; The same in vectors.
 ;; choose : list, one element for each constraint -> those of the constraints to keep

@@ -34,7 +34,7 @@
     (define solve (accelerations-with who L cs outside choose))
     (lambda (state)
       (define-values (a multipliers) (solve state))
-      (up 1 (velocity state) (shaped (velocity state) a))))
+      (up 1 (velocity state) (vector->structure (velocity state) a))))
   (define all (derivative values))
   (make-manifold-derivative
    (lambda (state)
@@ -111,14 +111,14 @@
   (define-values (positions velocities) (violations who cs state))
   (define holonomic (filter (lambda (k) (list-ref positions k)) kept))
   (up 0
-      (shaped (coordinate state) (shortest who L cs holonomic state positions))
+      (vector->structure (coordinate state) (shortest who L cs holonomic state positions))
       (still (velocity state))))
 
 (define (towards-velocities who L cs kept state)
   (define-values (positions velocities) (violations who cs state))
   (up 0
       (still (coordinate state))
-      (shaped (velocity state) (shortest who L cs kept state velocities))))
+      (vector->structure (velocity state) (shortest who L cs kept state velocities))))
 
 (define (still q) (scalars->structure q (lambda (k) 0)))
 

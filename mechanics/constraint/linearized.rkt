@@ -21,10 +21,7 @@
          (only-in "../value/structure.rkt" flip))
 
 (provide constraint-values jacobian-rows drifts force-of-multipliers check-count
-         positions-and-velocities rows-of-function shaped)
-
-;; The structure like q with these scalars, a vector.
-(define (shaped q v) (scalars->structure q (lambda (k) (vector-ref v k))))
+         positions-and-velocities rows-of-function)
 
 ;; The values, shaped as the multipliers are.
 (define (constraint-values who cs t q v)
@@ -39,7 +36,8 @@
 
 ;; The derivatives of f at x: a row for each scalar of the value.
 (define (rows-of-function f x)
-  (define (flat y) (structure 'up (list->vector (scalars (f (shaped x (structure-elements y)))))))
+  (define (at y) (f (vector->structure x (structure-elements y))))
+  (define (flat y) (structure 'up (list->vector (scalars (at y)))))
   (define columns (derivative-at flat (structure 'up (list->vector (scalars x)))))
   (rows-transpose
    (for/vector ([c (in-vector (structure-elements columns))]) (structure-elements c))))

@@ -47,8 +47,9 @@
 
 (define (perform-here who t) (performer who t))
 
-;; (start parameters -> outcome) by the generic arithmetic; example, parameters : for their shapes
-(define (generically who maker example parameters end tolerance method)
+;; (start parameters -> outcome) by the generic arithmetic; example, parameters : for their shapes;
+;; what is collected is left to others
+(define (generically who maker example parameters collect end tolerance method)
   (define shapes (apply up parameters))
   (lambda (y p)
     (define ps

@@ -8,7 +8,7 @@
          racket/list
          racket/runtime-path
          racket/string
-         "code.rkt" "exported-system.rkt" "names.rkt" "template.rkt"
+         "program-text.rkt" "exported-system.rkt" "names.rkt" "template.rkt"
          "../compile/program.rkt"
          "../error/complain.rkt")
 

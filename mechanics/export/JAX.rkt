@@ -5,7 +5,7 @@
 (require racket/list
          racket/runtime-path
          racket/string
-         "code.rkt" "exported-system.rkt" "names.rkt" "python.rkt" "template.rkt"
+         "program-text.rkt" "exported-system.rkt" "names.rkt" "python.rkt" "template.rkt"
          "../error/complain.rkt")
 
 (provide JAX-files)

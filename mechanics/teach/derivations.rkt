@@ -8,7 +8,9 @@
          "../error/complain.rkt"
          "../force/displacement.rkt" "../force/generalized-force.rkt" "../force/particles.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt"
-         "../hamiltonian/Legendre-transform.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
+         "../hamiltonian/Hamiltonian.rkt" "../hamiltonian/Legendre-transform.rkt"
+         "../hamiltonian/Poisson-bracket.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/Noether.rkt"
@@ -17,7 +19,7 @@
          "../verdict/prove-zero.rkt")
 
 (provide derive-Legendre-transform derive-F->C derive-generalized-force derive-multipliers
-         derive-Noether-integral)
+         derive-Noether-integral derive-Hamilton-equations)
 
 (define (derived . steps) (derivation steps))
 
@@ -44,6 +46,28 @@
    (make-step '(- (* p v) L) (H state) (verify-equal (H state) (g:- (g:* p v) (L local))))
    (make-step '((partial 0) H) (((partial 0) H) state) (opposite 0))
    (make-step '((partial 1) H) (((partial 1) H) state) (opposite 1))))
+
+;; Hamilton's equations at a state (up t q p) of symbols (SICM 3.1.1): the rates of q and p, each
+;; as its Poisson bracket with H, the rate of the state, and that of H, which is its own by t.
+(define (derive-Hamilton-equations H state)
+  (define who 'derive-Hamilton-equations)
+  (check-Hamiltonian who H)
+  (check-state who state)
+  (define rate-of-q (((partial 2) H) state))
+  (define rate-of-p (g:negate (((partial 1) H) state)))
+  (define rates (up 1 rate-of-q rate-of-p))
+  (define along
+    (g:+ (((partial 0) H) state)
+         (g:+ (g:* (((partial 1) H) state) rate-of-q) (g:* (((partial 2) H) state) rate-of-p))))
+  (define (bracket part) ((Poisson-bracket part H) state))
+  (derived
+   (make-step '((partial 2) H) rate-of-q (verify-equal (bracket coordinate) rate-of-q))
+   (make-step '(- ((partial 1) H)) rate-of-p (verify-equal (bracket momentum) rate-of-p))
+   (make-step '(up 1 ((partial 2) H) (- ((partial 1) H))) rates
+              (verify-equal ((Hamiltonian->state-derivative H) state) rates))
+   (make-step '(+ ((partial 0) H) (* ((partial 1) H) ((partial 2) H))
+                  (* ((partial 2) H) (- ((partial 1) H))))
+              along (verify-equal along (((partial 0) H) state)))))
 
 ;; What a change of coordinates q = F(t, q') does to velocities (SICM 1.6.1).
 (define (derive-F->C F local)

@@ -4,4 +4,5 @@
 (require "../generic/on-demand.rkt")
 
 (provide-on-demand ["derivations.rkt" derive-Legendre-transform derive-F->C
-                    derive-generalized-force derive-multipliers derive-Noether-integral])
+                    derive-generalized-force derive-multipliers derive-Noether-integral
+                    derive-Hamilton-equations])

@@ -6,7 +6,7 @@
          "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide scalars shape-length scalars->structure unknowns-like
-         structure->flvector flvector->structure)
+         structure->flvector flvector->structure vector->structure)
 
 ;; The scalars of x, a scalar or a structure of them, from the first to the last.
 (define (scalars x)
@@ -28,6 +28,9 @@
 
 (define (flvector->structure shape v)
   (scalars->structure shape (lambda (k) (flvector-ref v k))))
+
+(define (vector->structure shape v)
+  (scalars->structure shape (lambda (k) (vector-ref v k))))
 
 ;; A structure of that shape, of symbols that stand in no expression; those in place of symbols
 ;; are spelt like them, for they may be shown in a message.

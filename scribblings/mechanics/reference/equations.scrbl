@@ -296,4 +296,17 @@ is no symmetry the first and the last line are refuted.
 
 @sicm{1.8.5, p. 91}}
 
+@defproc[(derive-Hamilton-equations [H Hamiltonian] [state state]) any/c]{
+
+The steps of Hamilton's equations at @racket[state], @racket[(up t q p)] with a @racket[down]
+of momenta: the rates of q and of p, ∂₂H and −∂₁H, each the Poisson bracket of its part of the
+state with H; the rate of the state, as it is integrated; and that of H along the motion, which is
+what it has by the time alone.
+
+@examples[#:eval session
+(define (H-spring s) (+ (/ (square (momentum s)) (* 2 'm)) (* 1/2 'k (square (coordinate s)))))
+(show-derivation (derive-Hamilton-equations H-spring (up 't 'x 'p)) #:as 'text)]
+
+@sicm{3.1.1, p. 202}}
+
 @(close-session session)

@@ -18,6 +18,11 @@
 (define (L-falling local)
   (- (* 1/2 'm (square (velocity local))) (* 'm 'g (ref (coordinate local) 1))))
 
+(define (H-moving s)
+  (+ (/ (square (momentum s)) (* 2 'm))
+     ((literal-function 'V (-> (X Real Real) Real)) (- (ref (coordinate s) 0) (* 'c (time s)))
+                                                    (ref (coordinate s) 1))))
+
 (define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))
 (define plane (up 't (up 'x 'y) (up 'xdot 'ydot)))
 
@@ -38,7 +43,8 @@
         (derive-F->C p->r polar)
         (derive-generalized-force on-circle weight (up 't 'theta 'thetadot))
         (derive-multipliers L-falling circle plane)
-        (derive-Noether-integral L-plane turned plane)))
+        (derive-Noether-integral L-plane turned plane)
+        (derive-Hamilton-equations H-moving (up 't (up 'x 'y) (down 'p_x 'p_y)))))
 
 (define (value-of d label)
   (for/first ([s (in-list (derivation-lines d))] #:when (equal? (step-label s) label))
@@ -55,6 +61,8 @@
                 (simplify (velocity ((F->C p->r) polar))))
   (check-equal? (value-of (caddr all) '(* F ((partial 1) r)))
                 (simplify (* -1 'g 'l 'm (sin 'theta))))
+  (check-equal? (value-of (list-ref all 5) '((partial 2) H))
+                (simplify (up (/ 'p_x 'm) (/ 'p_y 'm))))
   (check-equal? (value-of (list-ref all 4) '(* ((partial 2) L) ((D F) 0)))
                 (simplify (* 'm (- (* 'x 'ydot) (* 'y 'xdot))))))
 
