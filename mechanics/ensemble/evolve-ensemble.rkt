@@ -6,7 +6,8 @@
 ;; the order of the starts whatever is finished first, so that sums do not depend on chance.
 
 (require racket/future
-         "batch.rkt" "checkpoint.rkt" "crew.rkt" "ordered.rkt" "prepared.rkt" "start-rows.rkt" "task.rkt"
+         "batch.rkt" "checkpoint.rkt" "crew.rkt" "ordered.rkt" "prepared.rkt" "start-rows.rkt"
+         "task.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/value-struct.rkt"
