@@ -5,6 +5,9 @@
 
 ;; Is there nothing between the two syntaxes?
 (define (adjacent? one other)
+  (and (equal? (syntax-source one) (syntax-source other)) (touch? one other)))
+
+(define (touch? one other)
   (define-values (start span next)
     (values (syntax-position one) (syntax-span one) (syntax-position other)))
   (and start span next (= (+ start span) next)))

@@ -21,8 +21,10 @@
 (define (orbit point)
   (for/fold ([all '()] [p (fixed-point-coordinates point)] #:result (reverse all)) ([k 6])
     (values (cons p all) (T (ref p 0) (ref p 1) up void))))
-(list (fixed-point-kind stable) (fixed-point-multipliers stable))
-(list (fixed-point-kind unstable) (fixed-point-multipliers unstable))
+(fixed-point-kind stable)
+(fixed-point-multipliers stable)
+(fixed-point-kind unstable)
+(fixed-point-multipliers unstable)
 
 ;; Around the centre the kinds take turns, as Poincaré and Birkhoff say.
 (define (angle p) (atan (ref p 1) (* 5 (ref p 0))))

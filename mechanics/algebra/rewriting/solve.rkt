@@ -193,7 +193,7 @@
   (and roots
        (append-map (lambda (r) (nth-roots (root-value r) (root-conditions r) n x A)) roots)))
 
-;; The x with xⁿ = value, which are real where value is positive, or n odd
+;; The real x with xⁿ = value: where n is even, those of a value that is not negative
 (define (nth-roots value conditions n x A)
   (define (size v) (simplify-expression (e:expt v (/ 1 n)) A))
   (define (roots values condition)
@@ -204,9 +204,12 @@
                      [else #f]))
   (define one (if (eqv? sign -1) (e:negate (size (e:negate value))) (size value)))
   (cond [(eqv? sign 0) (roots '(0) '())]
-        [(odd? n) (roots (list one) (if sign '() (list (list '>= value 0))))]
+        [(odd? n) (roots (list (if sign one (signed (size (magnitude value)) value))) '())]
         [(eqv? sign -1) '()]
         [else (roots (list one (e:negate one)) (if sign '() (list (list '>= value 0))))]))
+
+(define (magnitude v) (e:apply op:abs v))
+(define (signed size v) (e:* (e:apply op:sgn v) size))
 
 (define (sgn v) (cond [(> v 0) 1] [(< v 0) -1] [else 0]))
 

@@ -26,5 +26,5 @@
   (list (make-task 'A1 "action of 2 links along a given path, 100 s" (lambda () (action waving)))
         (make-task 'A1g "the same by the generic arithmetic"
                    (lambda () (action waving/not-compiled)))
-        (make-task 'Q1 "the classic integrals of the tests, to two tolerances, four times"
+        (make-task 'N1 "the classic integrals of the tests, to two tolerances, four times"
                    (lambda () (integrate-all classic-integrals)))))

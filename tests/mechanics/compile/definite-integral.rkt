@@ -47,7 +47,8 @@
 (test-case "the report: value, bound of the error, evaluations"
   (define-values (value bound count) (definite-integral g:sin 0 1 #:report values))
   (check-= value (- 1 (cos 1.0)) bound)
-  (check-equal? count 21)
+  ;; 21 of the rule, and where a mass of small width might be
+  (check-equal? count 307)
   (check-equal? (definite-integral g:sin 1 1 #:report list) '(0.0 0.0 0)))
 
 (test-case "of several integrals, bounds and evaluations are counted together"
@@ -106,8 +107,7 @@
              (lambda () (definite-integral f 0 100))))
 
 (test-case "mistakes"
-  (check-exn #rx"^definite-integral: expected a real number; given the symbol b\n  give its symbols"
-             (lambda () (definite-integral g:sin 0 'b)))
+  (check-equal? (definite-integral g:sin 0 'b) (g:- 1 (g:cos 'b)))
   (check-exn #rx"^definite-integral: expected a function of one variable"
              (lambda () (definite-integral (lambda (x y) x) 0 1)))
   (check-exn #rx"^definite-integral: expected a real number; given .*up tuple of 2"

@@ -51,4 +51,4 @@
    [(->pict 'x #:size 0)
     "->pict: expected a size of letters, a number between 0 and 1000\n  given: 0"]
    [(->pict 'x #:width 'wide)
-    "->pict: expected a width in columns, or #f for lines of any length\n  given: 'wide"]))
+    "->pict: expected a width in columns, or #f for lines of any length\n  given: the symbol wide"]))

@@ -74,7 +74,7 @@
  [(Hamiltonian-action (H-harmonic 1 1) (lambda (t) (up t t)) (lambda (t) (up 1 1)) 0 1)
   "Hamiltonian-action: "
   "the third part of a Hamiltonian state is the momenta, dual to the coordinates\n"
-  "  coordinates: (up 0.5 0.5)\n  in their place: (up 1 1)\n"
+  "  coordinates: (up 5/13 5/13)\n  in their place: (up 1 1)\n"
   "  momenta are written (down 1 1); velocities belong to a Lagrangian"]
  [(phase-space-divergence 3)
   "phase-space-divergence: expected a state derivative, a function of the state; "

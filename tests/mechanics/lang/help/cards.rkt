@@ -140,7 +140,7 @@
   (check-equal? (later-sentence 'derivative-of-sine)
                 (string-append "it belongs to section 9 of the book (our notation, p. 511), "
                                "which is not here yet"))
-  (check-equal? (later-sentence 'fixed-point-eigen)
-                (string-append "it belongs to section 4.3 of the book (homoclinic tangles), "
+  (check-equal? (later-sentence 'pointer-coordinates)
+                (string-append "it belongs to section 3.6 of the book (surfaces of section), "
                                "which is not here yet"))
   (check-false (later-sentence 'cube)))
