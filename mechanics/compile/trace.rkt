@@ -19,13 +19,14 @@
 ;; -> program and the shape of f's value there; or the reason why there is none,
 ;; a string, and #f.  as-constant : what numbers in the program become; check-unknown : called
 ;; with who and an expression that has no numeric value; further : the scalars of the value ->
-;; symbols that are inputs, too, after those of the example
+;; symbols that are inputs, too, after those of the example; names : of these, symbols, or #f
 (define (trace who f example #:constants [as-constant real->double-flonum]
                #:unknown [check-unknown raise-no-value]
-               #:further-inputs [further (lambda (es) '())])
+               #:further-inputs [further (lambda (es) '())]
+               #:names [names #f])
   (define placeholders
     (for/list ([k (in-range (shape-length example))])
-      (make-placeholder (format "x~a" k))))
+      (make-placeholder (if names (symbol->string (list-ref names k)) (format "x~a" k)))))
   (define holes (list->vector placeholders))
   (define (run) (f (scalars->structure example (lambda (k) (vector-ref holes k)))))
   (define result (value-or-reason run))

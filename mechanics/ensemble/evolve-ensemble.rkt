@@ -6,12 +6,13 @@
 ;; the order of the starts whatever is finished first, so that sums do not depend on chance.
 
 (require racket/future
+         (only-in racket/path path-only)
          "batch.rkt" "checkpoint.rkt" "crew.rkt" "ordered.rkt" "prepared.rkt" "start-rows.rkt"
          "task.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/value-struct.rkt"
-         "../motion/check.rkt" "../motion/choice.rkt"
+         "../motion/check.rkt" "../motion/choice.rkt" (only-in "../motion/system.rkt" derivative-for)
          "../numeric/progress.rkt"
          "../value/shape.rkt")
 
@@ -45,6 +46,7 @@
   (define rows (start-rows starts parameters))
   (define-values (example ps) (first-row rows))
   (check-maker who maker ps)
+  (check-first maker ps example)
   (define (make how) (how who maker example ps collect (number end) (number tolerance) method))
   (define-values (t shape) (make make-task))
   (define-values (add! result)
@@ -58,6 +60,11 @@
          (run-kept t file next perform jobs add!)
          (run t next perform jobs add!))))
   (if fold (result) (reverse (result))))
+
+;; Where the derivative has no value at the first start, that start fails like any other.
+(define (check-first maker ps example)
+  (with-handlers ([no-value? void])
+    (check-derivative who (derivative-for maker ps) example)))
 
 (define (number x) (real->double-flonum (real-number x)))
 
@@ -139,7 +146,13 @@
     (unless (exact-positive-integer? x)
       (complain who "~a is a positive integer\n  given: ~a" what (value->text x))))
   (unless (or (not file) (path-string? file))
-    (complain who "expected the name of a file as checkpoint\n  given: ~a" (value->text file))))
+    (complain who "expected the name of a file as checkpoint\n  given: ~a" (value->text file)))
+  (when file (check-file-place file)))
+
+(define (check-file-place file)
+  (define folder (path-only (path->complete-path file)))
+  (unless (directory-exists? folder)
+    (complain who "there is no such folder for the checkpoint\n  folder: ~a" folder)))
 
 (define (check-callbacks collect on-each fold)
   (check-callback "#:collect" collect 1 "a state")

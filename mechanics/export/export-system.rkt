@@ -2,7 +2,8 @@
 ;; A system written as a program in another language, from the instruction list that our own
 ;; code is made of.
 ;;
-;; A folder is written whole or not at all: beside its place first, then moved there.
+;; A new folder is written whole or not at all; in one that is there only files of an export are
+;; written over.
 
 (require racket/file
          racket/path
@@ -29,7 +30,7 @@
   (check-order parameters)
   (define to (checked-folder folder replace?))
   (define s (make-exported who derivative example text parameters derivatives?))
-  (write-folder to (files-of who s) replace?)
+  (write-folder to (files-of who s))
   (path->string to))
 
 (define targets (list (cons 'C C-files) (cons 'python python-files) (cons 'JAX JAX-files)))
@@ -45,8 +46,8 @@
   (define text (if (symbol? name) (symbol->string name) name))
   (unless (and (string? text) (identifier? text))
     (complain who
-              (string-append "expected a name of letters, digits and _, for files and functions"
-                             "\n  given: ~s")
+              (string-append "expected a name of letters, digits and _ that is no word of C or"
+                             " Python, for files and functions\n  given: ~s")
               name))
   text)
 
@@ -62,24 +63,57 @@
     (complain who "expected the name of a folder\n  given: ~a" (value->text folder)))
   (define to (simple-form-path folder))
   (when (file-exists? to) (complain who "there is a file of that name\n  folder: ~a" folder))
-  (when (and (directory-exists? to) (pair? (directory-list to)) (not replace?))
-    (complain who
-              "the folder is there already\n  folder: ~a\n  to write it anew: #:replace? #t"
-              folder))
+  (when (and (directory-exists? to) (pair? (directory-list to))) (check-old to folder replace?))
   to)
 
+;; Only what an export has written is written over.
+(define (check-old to folder replace?)
+  (cond [(not (file-exists? (build-path to list-file)))
+         (complain who
+                   (string-append "the folder holds something else than an exported system; it is"
+                                  " left as it is\n  folder: ~a")
+                   folder)]
+        [(not replace?)
+         (complain who "the folder is there already\n  folder: ~a\n  to write it anew: ~a"
+                   folder "#:replace? #t")]))
+
+;; In each exported folder: the names of the files that were written.
+(define list-file ".exported")
+
 ;; files : alist of names and texts
-(define (write-folder to files replace?)
+(define (write-folder to files)
+  (define all (append files (list (cons list-file (names->text (map car files))))))
+  (if (directory-exists? to)
+      (write-over to all)
+      (write-whole to all)))
+
+(define (names->text names)
+  (apply string-append (for/list ([n (in-list names)]) (string-append n "\n"))))
+
+;; All or nothing: beside its place first, then moved there.
+(define (write-whole to files)
   (define beside (make-temporary-file ".export~a" 'directory (parent-of to)))
   (with-handlers ([void (lambda (e)
                           (delete-directory/files beside #:must-exist? #f)
                           (raise e))])
-    (for ([f (in-list files)])
-      (define file (build-path beside (car f)))
-      (make-directory* (path-only file))
-      (call-with-output-file file (lambda (port) (void (write-string (cdr f) port)))))
-    (when (directory-exists? to) (delete-directory/files to))
+    (write-files beside files)
     (rename-file-or-directory beside to)))
+
+;; What the last export wrote and this one does not goes; nothing else does.
+(define (write-over to files)
+  (define listed (build-path to list-file))
+  (when (file-exists? listed)
+    (for ([name (in-list (file->lines listed))] #:unless (assoc name files))
+      (define old (build-path to name))
+      (when (file-exists? old) (delete-file old))))
+  (write-files to files))
+
+(define (write-files folder files)
+  (for ([f (in-list files)])
+    (define file (build-path folder (car f)))
+    (make-directory* (path-only file))
+    (call-with-atomic-output-file
+     file (lambda (port path) (void (write-string (cdr f) port))))))
 
 (define (parent-of folder)
   (define parent (path-only folder))

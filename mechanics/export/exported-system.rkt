@@ -9,6 +9,7 @@
          "../compile/tangent-program.rkt" "../compile/trace.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
+         (only-in "../motion/check.rkt" check-rates)
          "../value/shape.rkt")
 
 (provide (struct-out exported) make-exported exported-size exported-parameter-count)
@@ -32,9 +33,9 @@
               (describe-with-value derivative)))
   (define variables (variables-of who example))
   (define (parameters-in es) (check-parameters who order (free-symbols es) variables))
-  (define-values (p value) (trace who derivative example #:further-inputs parameters-in))
+  (define-values (p value) (trace who derivative example #:further-inputs parameters-in #:names variables))
   (when (string? p) (raise-no-code who derivative p))
-  (check-rates who value example)
+  (check-rates who derivative example value)
   (exported name (value->text derivative) variables (parameters-in (scalars value))
             (eqv? 1 (car (scalars value)))
             p
@@ -72,20 +73,14 @@
               (string-append "the symbol ~a is a parameter of the state derivative, and names a"
                              " variable of the state, too\n  give one of them another name")
               both))
+  (define twice (and order (check-duplicates order eq?)))
+  (when twice (complain who "a parameter is there twice\n  parameter: ~a" twice))
   (define missing (and order (for/first ([s (in-list found)] #:unless (memq s order)) s)))
   (when missing
     (complain who
               "the state derivative holds a symbol that is not among the parameters\n  ~a: ~a\n  ~a: ~a"
               "symbol" missing "parameters" order))
   (or order found))
-
-(define (check-rates who value example)
-  (unless (= (shape-length value) (shape-length example))
-    (complain who
-              (string-append "the state derivative gives ~a numbers for a state of ~a"
-                             "\n  derivative: ~a\n  state: ~a")
-              (shape-length value) (shape-length example)
-              (value->text value) (value->text example))))
 
 (define (raise-no-code who derivative reason)
   (complain who

@@ -36,4 +36,15 @@
     ("Φ" . "Phi") ("Ψ" . "Psi") ("Ω" . "Omega") ("′" . "prime") ("'" . "prime")))
 
 ;; Is the text good for the name of a folder and of functions?
-(define (identifier? text) (regexp-match? #px"^[A-Za-z][A-Za-z0-9_]*$" text))
+(define (identifier? text)
+  (and (regexp-match? #px"^[A-Za-z][A-Za-z0-9_]*$" text) (not (member text words))))
+
+;; Words of C and of Python, and names that exported folders have already.
+(define words
+  (string-split
+   (string-append
+    "auto break case char const continue default do double else enum extern float for goto if "
+    "inline int long register restrict return short signed sizeof static struct switch typedef "
+    "union unsigned void volatile while False None True and as assert async await class def del "
+    "elif except finally from global import in is lambda nonlocal not or pass raise try with "
+    "yield main dop853 numpy jax ctypes os")))

@@ -16,7 +16,7 @@
  ;; procedures
  checked-monitor check-maker takes-state-only? raise-arguments
  ;; states and their derivatives
- state-vector check-derivative check-clock)
+ state-vector check-derivative check-rates check-clock)
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
@@ -159,6 +159,13 @@
               (describe-function derivative)
               (if (pointwise? derivative) (parameters-hint derivative) "")))
   (define slope (derivative (flvector->structure state y)))
+  (check-rates who derivative state slope)
+  (for ([x (in-list (scalars slope))])
+    (unless (number? (real-number x)) (raise-no-derivative who slope x)))
+  slope)
+
+;; slope : what the derivative gives at the state; is it of its shape?
+(define (check-rates who derivative state slope)
   (unless (same-shape? slope state)
     (complain who "the state derivative is of another shape than the state~a~a~a"
               (field "state" state) (field "derivative" slope)
@@ -166,10 +173,7 @@
                      (string-append "\n  " state-derivative-hint)]
                     [(list? slope) (list-hint slope)]
                     [(pointwise? slope) (parameters-hint derivative)]
-                    [else ""])))
-  (for ([x (in-list (scalars slope))])
-    (unless (number? (real-number x)) (raise-no-derivative who slope x)))
-  slope)
+                    [else ""]))))
 
 (define (raise-no-derivative who slope x)
   (define symbols (if (symbolic? x) (symbols-in x) '()))

@@ -42,6 +42,13 @@ static void write_row(long k)
     printf("\n");
 }
 
+static int read_number(const char *text, double *x)
+{
+    char *rest;
+    *x = strtod(text, &rest);
+    return rest != text && *rest == 0;
+}
+
 int main(int argc, char **argv)
 {
     double end, tolerance = 1e-10;
@@ -52,8 +59,10 @@ int main(int argc, char **argv)
         fprintf(stderr, "%s END [TOLERANCE] < starts > finals\n", argv[0]);
         return 2;
     }
-    end = atof(argv[1]);
-    if (argc == 3) tolerance = atof(argv[2]);
+    if (!read_number(argv[1], &end) || (argc == 3 && !read_number(argv[2], &tolerance))) {
+        fprintf(stderr, "%s: END and TOLERANCE are numbers\n", argv[0]);
+        return 2;
+    }
     while (more == 1) {
         for (count = 0; count < batch && (more = read_row(count)) == 1; count++) row++;
         if (more == -1) {

@@ -147,6 +147,10 @@
 
 ;; ---------------------------------------------------------------------------
 
+(test-case "a Lagrangian is no state derivative"
+  (check-exn #rx"another shape than the state.*[(]Lagrangian->state-derivative L[)] makes"
+             (lambda () (evolve-ensemble (L-pendulum 9.8 1 1) (list (up 0 1 0)) 1))))
+
 (define free (pendulum 1 1 9.8))
 
 (says
@@ -165,6 +169,11 @@
  [(evolve-ensemble pendulum (list (up 0 1 0)) 1 #:parameters '(1 1 9.8))
   "evolve-ensemble: the parameters of a start are a list of numbers and tuples of them\n"
   "  of start 0: 1"]
+ [(evolve-ensemble (lambda (s) (up 1 (ref s 2) (ref s 1) 7)) (list (up 0 1.0 0.0)) 2)
+  "evolve-ensemble: the state derivative is of another shape than the state\n"
+  "  state: (up 0 1.0 0.0)\n  derivative: (up 1 0.0 1.0 7)"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:checkpoint "/no/such/folder/a")
+  "evolve-ensemble: there is no such folder for the checkpoint\n  folder: /no/such/folder/"]
  [(evolve-ensemble free (list (up 0 1 0)) 1 #:jobs 0)
   "evolve-ensemble: #:jobs is a positive integer\n  given: 0"]
  [(evolve-ensemble free (list (up 0 1 0)) 1 #:method (leapfrog 0.1))

@@ -15,8 +15,18 @@
  [(export-system free state #:to 'Fortran)
   "export-system: there is no such target\n  targets: 'C, 'python, 'JAX\n  given: Fortran"]
  [(export-system free state #:name "my pendulum")
-  "export-system: expected a name of letters, digits and _, for files and functions\n"
-  "  given: \"my pendulum\""]
+  "export-system: expected a name of letters, digits and _ that is no word of C or Python, for"
+  " files and functions\n  given: \"my pendulum\""]
+ [(export-system free state #:name "import")
+  "export-system: expected a name of letters, digits and _ that is no word of C or Python, for"
+  " files and functions\n  given: \"import\""]
+ [(export-system free state #:parameters '(g m l g))
+  "export-system: a parameter is there twice\n  parameter: g"]
+ [(export-system (L-pendulum 'g 'm 'l) state)
+  "export-system: the state derivative is of another shape than the state\n"
+  "  state: (up t theta thetadot)\n"
+  "  derivative: (+ (* 1/2 m l thetadot l thetadot) (* m g l (cos theta)))\n"
+  "  (Lagrangian->state-derivative L) makes a state derivative of a Lagrangian"]
  [(export-system free (up 't 'theta 'm))
   "export-system: the symbol m is a parameter of the state derivative, and names a variable of"
   " the state, too\n  give one of them another name"]
@@ -32,11 +42,11 @@
   "export-system: this state derivative has no code in other languages\n  of: <function>\n"
   "  reason: it takes a decision by `>`"]
  [(export-system (lambda (s) (up 1 ((literal-function 'f) (ref s 1)))) (up 't 'x))
-  "export-system: (f x1), a number-like expression is left in the function's value, but has no numeric value\n"
+  "export-system: (f x), a number-like expression is left in the function's value, but has no numeric value\n"
   "  a literal function stands for any function; put a definite one in its place"]
  [(export-system (lambda (s) (up 1 2 3)) (up 't 'x))
-  "export-system: the state derivative gives 3 numbers for a state of 2\n"
-  "  derivative: (up 1 2 3)\n  state: (up t x)"])
+  "export-system: the state derivative is of another shape than the state\n"
+  "  state: (up t x)\n  derivative: (up 1 2 3)"])
 
 (define-syntax-rule (in-new-folder folder body ...)
   (let ([folder (make-temporary-file "export~a" 'directory)])
@@ -51,7 +61,17 @@
     (check-exn #rx"the folder is there already.*#:replace[?] #t" (lambda () (export)))
     (check-equal? (directory-list to) before)
     (export-system free state #:folder to #:replace? #t #:to 'JAX #:name "pendulum")
-    (check-equal? (map path->string (directory-list to)) '("pendulum.py"))
+    (check-equal? (map path->string (directory-list to)) '(".exported" "pendulum.py"))
+    ;; what is not of an export is never touched
+    (define notes (build-path to "notes.txt"))
+    (call-with-output-file notes (lambda (port) (write-string "mine" port)))
+    (export-system free state #:folder to #:replace? #t #:name "other" #:to 'JAX)
+    (check-equal? (map path->string (directory-list to)) '(".exported" "notes.txt" "other.py"))
+    (delete-file (build-path to ".exported"))
+    (check-exn #rx"something else than an exported system; it is left as it is"
+               (lambda () (export-system free state #:folder to #:replace? #t)))
+    (check-equal? (file->string notes) "mine")
+    (check-equal? (map path->string (directory-list to)) '("notes.txt" "other.py"))
     (check-exn #rx"no such folder"
                (lambda () (export-system free state #:folder (build-path folder "a" "b"))))
     (check-equal? (map path->string (directory-list folder)) '("it"))))

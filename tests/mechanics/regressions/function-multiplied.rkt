@@ -22,7 +22,7 @@
  [(((Lagrange-equations L) (lambda (t) (* 'A sin 'phi))) 't)
   "\n  sin is a factor there; to apply it, write (sin 'phi)"]
  [(Lagrangian-action L (lambda (t) (* 2 cos t)) 0 1)
-  "\n  cos is a factor there; to apply it, write (cos 0.5)"]
+  "\n  cos is a factor there; to apply it, write (cos 5/13)"]
  [((Lagrangian->energy (lambda (s) (* 'm (coordinate s) cos))) (up 't 'x 'v))
   "\n  cos is a factor there; to apply it, write (cos ...)"]
  [(definite-integral (lambda (x) (* 2 exp x)) 0 1)

@@ -103,5 +103,5 @@
   ((constrained-Lagrange-equations L 3) q p) ((constrained-Lagrange-equations L rod) q)]
  ["holonomic" (holonomic 3) (holonomic (lambda (t) t))]
  ["s:map" (s:map 3 (up 1 2))]
- ["definite-integral" (definite-integral 3 0 1) (definite-integral sin 'a 1)]
+ ["definite-integral" (definite-integral 3 0 1) (definite-integral sin (up 1 2) 1)]
  ["minimize" (minimize 3 0 1) (minimize sin 'a 1)])
