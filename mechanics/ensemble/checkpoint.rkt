@@ -41,14 +41,15 @@
   (unless (equal? (read-bytes (bytes-length title) in) title)
     (complain who "this file is no checkpoint of an ensemble; it is left as it is\n  file: ~a"
               file))
-  (define whose (with-handlers ([exn:fail? (lambda (e) #f)]) (receive in)))
+  (define longest (file-size file))
+  (define whose (with-handlers ([exn:fail? (lambda (e) #f)]) (receive in longest)))
   (unless (equal? whose print)
     (complain who
               (string-append "the checkpoint is of another ensemble: another system, end,"
                              " tolerance or method; it is left as it is\n  file: ~a")
               file))
   (let loop ([good (file-position in)])
-    (define record (with-handlers ([exn:fail? (lambda (e) eof)]) (receive in)))
+    (define record (with-handlers ([exn:fail? (lambda (e) eof)]) (receive in longest)))
     (cond [(eof-object? record) (values found good)]
           [else
            (hash-set! found (finished-index (cdr record)) record)

@@ -17,14 +17,15 @@
 (define at-a-time 2)
 (define most-deaths 3)
 
-;; out, in : of the worker's process; handed : batches, the one it works at first
-(struct worker (out in [handed #:mutable]) #:authentic)
+;; out : of the worker's process; writer : a thread that writes what it is sent to the process,
+;; who may be writing himself; handed : batches, the one it works at first
+(struct worker (out writer [handed #:mutable]) #:authentic)
 
 ;; next-batch : -> batch or #f; done! : finished -> void, in whatever order
-;; gave-up : batch -> finished, for one whose workers die
-(define (perform-by-crew t jobs next-batch done! gave-up)
+;; gave-up! : batch -> void, for one whose workers die
+(define (perform-by-crew t jobs next-batch done! gave-up!)
   (define custodian (make-custodian))
-  (define d (desk next-batch '() (make-hasheqv) done! gave-up))
+  (define d (desk next-batch '() (make-hasheqv) done! gave-up!))
   (dynamic-wind
    void
    (lambda ()
@@ -34,7 +35,7 @@
    (lambda () (custodian-shutdown-all custodian))))
 
 ;; again : batches to be handed out again; deaths : index of a batch -> how many it saw
-(struct desk (next-batch [again #:mutable] deaths done! gave-up) #:authentic)
+(struct desk (next-batch [again #:mutable] deaths done! gave-up!) #:authentic)
 
 (define (take-batch! d)
   (define again (desk-again d))
@@ -73,6 +74,7 @@
 (define (hear! d w)
   (define f (with-handlers ([exn:fail? (lambda (e) eof)]) (receive (worker-out w))))
   (cond [(eof-object? f) (bury! d w) #f]
+        [(trouble? f) (raise (exn:fail (trouble-message f) (current-continuation-marks)))]
         [else
          (set-worker-handed! w (remf (lambda (b) (= (batch-index b) (finished-index f)))
                                      (worker-handed w)))
@@ -86,7 +88,7 @@
   (define (hopeless? b) (>= (hash-ref deaths (batch-index b) 0) most-deaths))
   (define-values (hopeless others) (partition hopeless? handed))
   (set-desk-again! d (append others (desk-again d)))
-  (for ([b (in-list hopeless)]) ((desk-done! d) ((desk-gave-up d) b))))
+  (for-each (desk-gave-up! d) hopeless))
 
 ;; ---------------------------------------------------------------------------
 
@@ -95,13 +97,16 @@
   (define-values (process out in errors)
     (subprocess #f #f (and (file-stream-port? stderr) stderr) (find-exe) worker-file))
   (when errors (thread (lambda () (copy-port errors stderr))))
-  (define w (worker out in '()))
+  (define w (worker out (thread (lambda () (write-all in))) '()))
   (say! w datum)
   w)
 
+(define (say! w x) (thread-send (worker-writer w) (message x) void))
+
 ;; To one that has died nothing can be said: that is seen when it is heard.
-(define (say! w x)
-  (define bytes (message x))
+(define (write-all in)
   (with-handlers ([exn:fail? void])
-    (write-bytes bytes (worker-in w))
-    (flush-output (worker-in w))))
+    (let loop ()
+      (write-bytes (thread-receive) in)
+      (flush-output in)
+      (loop))))

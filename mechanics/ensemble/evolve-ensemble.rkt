@@ -12,7 +12,8 @@
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/value-struct.rkt"
-         "../motion/check.rkt" "../motion/choice.rkt" (only-in "../motion/system.rkt" derivative-for)
+         "../motion/check.rkt" "../motion/choice.rkt"
+         (only-in "../motion/system.rkt" derivative-for)
          "../numeric/progress.rkt"
          "../value/shape.rkt")
 
@@ -78,8 +79,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Running
 
-;; add! : finished -> void
-(define (run t next perform jobs add!)
+;; add! : finished -> void; add-unkept! : the same of what is to be tried again another time
+(define (run t next perform jobs add! [add-unkept! add!])
   (define first (next))
   (define second (and first (next)))
   (define (next-of-all)
@@ -87,7 +88,7 @@
           [second (begin0 second (set! second #f))]
           [else (next)]))
   (if (and t (> jobs 1) second)
-      (perform-by-crew t jobs next-of-all add! given-up)
+      (perform-by-crew t jobs next-of-all add! (lambda (b) (add-unkept! (given-up b))))
       (let loop ()
         (define b (next-of-all))
         (when b
@@ -117,7 +118,7 @@
     (add! f))
   (dynamic-wind
    void
-   (lambda () (run t next-undone perform jobs add-and-keep!))
+   (lambda () (run t next-undone perform jobs add-and-keep! add!))
    (lambda () (close-checkpoint c))))
 
 ;; ---------------------------------------------------------------------------

@@ -12,5 +12,7 @@
     (let loop ()
       (define b (receive in))
       (unless (eof-object? b)
-        (send (perform-batch perform b) out)
+        (send (with-handlers ([exn:fail? (lambda (e) (trouble (exn-message e)))])
+                (perform-batch perform b))
+              out)
         (loop)))))

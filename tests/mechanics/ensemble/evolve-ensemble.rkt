@@ -94,6 +94,13 @@
     (check-equal? all alone)
     (check-equal? (reverse seen) (range count))))
 
+(test-case "batches of more than a pipe holds do not stop the crew"
+  (define many (for/list ([k 6000]) (up 0.0 (* 1e-4 k) 0.0)))
+  (define ends (evolve-ensemble (pendulum 1.0 1.0 9.8) many 0.01 #:batch 2000 #:jobs 2))
+  (check-equal? (length ends) 6000)
+  (check-equal? (list-ref ends 5999)
+                (car (evolve-ensemble (pendulum 1.0 1.0 9.8) (list (list-ref many 5999)) 0.01))))
+
 (test-case "a batch whose workers always die is given up, and told"
   (define nonsense (program 1 (vector (list 'no-such-operation (place 0))) (vector (place 1))))
   (define t (task nonsense #f #f 1 #f 1.0 1e-9 'auto))
@@ -102,8 +109,8 @@
   (define given-up '())
   (parameterize ([current-error-port (open-output-nowhere)])
     (perform-by-crew t 1 next
-                     (lambda (f) (set! given-up (cons f given-up)))
-                     (lambda (b) (batch-index b))))
+                     (lambda (f) (error "nothing was to be done"))
+                     (lambda (b) (set! given-up (cons (batch-index b) given-up)))))
   (check-equal? (sort given-up <) '(0 1)))
 
 ;; ---------------------------------------------------------------------------

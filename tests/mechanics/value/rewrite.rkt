@@ -58,7 +58,7 @@
   (check-exn
    #rx"^coefficient: the expression is no polynomial in m: it is divided by a sum with m in it"
    (lambda () (coefficient (/ 1 (+ 1 'm)) 'm 0)))
-  (check-exn #rx"an integer, the power whose coefficient is wanted\n  given: 1/2"
+  (check-exn #rx"an integer, the power whose coefficient is wanted\n  given: the number 1/2"
              (lambda () (coefficient 'm 'm 1/2))))
 
 (test-case "what is wrong with the arguments is said"
