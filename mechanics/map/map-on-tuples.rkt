@@ -29,7 +29,7 @@
     (complain who "expected a map of the plane, or a function of a state\n  given: ~a"
               (describe-with-value map)))
   (define start (point-numbers who at plane?))
-  (define once (if plane? (plane-image who map) (state-image map at)))
+  (define once (if plane? (plane-image who map) (state-image who map at)))
   (define (image p) (for/fold ([p p]) ([_ (in-range times)]) (once p)))
   (define (point v)
     (define p (apply up (flvector->list v)))
@@ -37,11 +37,26 @@
   (map-on-tuples image point start (angles-of image start)))
 
 (define ((plane-image who map) p)
-  (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+  (define image (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+  (unless (and (tuple? image) (= 2 (shape-length image)))
+    (complain who "the map does not call `return` with the two coordinates of the image\n  ~a: ~a"
+              "map" (value->text map)))
+  image)
 
-(define ((state-image map at) p)
-  (define image (scalars (map (with-time at p))))
+(define ((state-image who map at) p)
+  (define value (map (with-time at p)))
+  (when (or (plain-procedure? value) (not (= (shape-length value) (shape-length at))))
+    (complain who
+              "the map gives another thing than it was given\n  map: ~a\n  of: ~a\n  value: ~a~a"
+              (value->text map) (value->text (with-time at p)) (value->text value)
+              (if (plain-procedure? value)
+                  (format "\n  parameters are supplied first: (~a ...)" (value->text map))
+                  "")))
+  (define image (scalars value))
   (apply up (if (timed? at) (cdr image) image)))
+
+;; Tuples answer `procedure?`, too.
+(define (plain-procedure? x) (and (procedure? x) (not (tuple? x))))
 
 ;; A state, of which the first scalar is the time.
 (define (timed? at) (and (tuple? at) (>= (structure-length (adopt at)) 3)))

@@ -6,7 +6,7 @@
          racket/path
          "program-document.rkt" "written-files.rkt"
          (only-in "../program-file.rkt" about-language language-without-us)
-         "../../document/TeX-document.rkt" "../../document/web-page.rkt"
+         "../../document/TeX-document.rkt" "../../document/web-page.rkt" "../../error/complain.rkt"
          "../../plot/picture-file.rkt")
 
 (provide show-command TeX-command)
@@ -36,6 +36,8 @@
                   #:once-each [("-o") where "The file to write" (set! out where)]
                   #:args (file) file))
   (define from (simple-form-path file))
+  (when (directory-exists? from)
+    (complain name "this is a folder, and no program\n  file: ~a" file))
   (define to
     (simple-form-path (or out (path-replace-extension (file-name-from-path from) extension))))
   (check-new-file name to from)

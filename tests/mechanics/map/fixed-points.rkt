@@ -97,6 +97,13 @@
  [(found 3 (up 1 2))
   "find-fixed-point: expected a map of the plane, or a function of a state\n"
   "  given: the number 3"]
+ [(find-fixed-point standard-map (up 3 0.1))
+  "find-fixed-point: the map gives another thing than it was given\n  map: standard-map\n"
+  "  of: (up 3.0 0.1)\n  value: standard-map\n"
+  "  parameters are supplied first: (standard-map ...)"]
+ [(find-fixed-point (lambda (x y return fail) (list y x)) (up 1 2))
+  "find-fixed-point: the map does not call `return` with the two coordinates of the image\n"
+  "  map: <function>"]
  [(find-fixed-point shift (up 1 2) #:period 0)
   "find-fixed-point: contract violation\n  expected: a period, a positive integer\n  given: 0"]
  [(periodic-points shift 2 '(1 0 0 1))
