@@ -56,14 +56,16 @@
 ;; Powers at symbols
 
 ;; place : a state of symbols; direction : in which it moves, or #f where there is no formula;
-;; values : F, LF, L²F, … there, growing
-(struct chain (place direction [values #:mutable]) #:authentic)
+;; values : F, LF, L²F, … there, growing;  declared : the assumptions they were simplified under
+(struct chain (place direction [values #:mutable] declared) #:authentic)
 
-;; -> chain for states of that shape, or #f
+;; -> chain for states of that shape and what is assumed now, or #f
 (define (chain-of d F state)
   (define known (hash-ref (derivation-chains d) F #f))
   (define c
-    (if (and known (same-shape? state (chain-place known)))
+    (if (and known
+             (same-shape? state (chain-place known))
+             (equal? (assumptions 'declared) (chain-declared known)))
         known
         (let ([c (new-chain d F state)])
           (hash-set! (derivation-chains d) F c)
@@ -80,7 +82,7 @@
       (values (and (formula? value)
                    (up (derivation-rate d) (strictly velocity) (strictly force)))
               (strictly value))))
-  (chain place direction (vector value)))
+  (chain place direction (vector value) (assumptions 'declared)))
 
 ;; Is it made of numbers and expressions, so that it can be evaluated elsewhere?
 (define (formula? x)

@@ -110,3 +110,15 @@
   "resonance-width: the perturbation has no wave (1 2); it has ((0 1) (1 -1) (1 1))"]
  [(resonance-width H0 V '(1) (up 0 (up 'a 'b) (down 'P 0)))
   "resonance-width: expected the integers of a wave, a list of 2; given (1), a list"])
+
+;; ---------------------------------------------------------------------------
+;; Powers of a Lie derivative, kept from one state to the next
+
+(test-case "what was found under assumptions is not taken where they do not hold"
+  (define (F s) (* (sqrt (square 'aa)) (coordinate s)))
+  (define (H s) (* 1/2 (square (momentum s))))
+  (define LF ((Lie-derivative H) F))
+  (define assumed (assuming ('(> aa 0)) (LF line)))
+  (check-identity assumed (* 'aa 'p))
+  (check-equal? (substitute (LF line) 'aa -2 'p 3) 6)
+  (check-equal? (substitute (assuming ('(< aa 0)) (LF line)) 'aa -2 'p 3) 6))
