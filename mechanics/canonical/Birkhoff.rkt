@@ -7,7 +7,7 @@
 ;; a = b, and otherwise is a resonance of the frequencies.
 
 (require racket/list
-         "Lie-triangle.rkt" "complex-polynomial.rkt"
+         "Lie-triangle.rkt" "complex-polynomial.rkt" "vanishing-divisor.rkt"
          "../algebra/expression/expression.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
          "../error/complain.rkt"
@@ -58,10 +58,6 @@
         (values W (hash-set kept exponents c) gone)
         (values (hash-set W exponents (/ (* 0+1i c) d)) kept
                 (if (positive? (first-nonzero k)) (cons (cons k d) gone) gone)))))
-
-;; A sum of decimals is told from 0 up to rounding.
-(define (vanishing? d frequencies)
-  (<= (abs d) (if (exact? d) 0 (* 1e-12 (apply max (map abs frequencies))))))
 
 (define (first-nonzero k) (or (for/first ([x (in-list k)] #:unless (zero? x)) x) 0))
 

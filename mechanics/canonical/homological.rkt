@@ -7,7 +7,7 @@
 ;; angle is kept, and so are the waves of resonances: those with k·ω = 0 whatever the momenta,
 ;; which cannot be removed, and those that are asked for.
 
-(require "Poisson-series.rkt"
+(require "Poisson-series.rkt" "vanishing-divisor.rkt"
          "../generic/arithmetic.rkt")
 
 (provide solve-homological divisor
@@ -29,7 +29,7 @@
             ([k (in-list (wave-numbers h))])
     (define w (hash-ref (series-waves h) k))
     (define d (divisor k frequencies))
-    (cond [(or (andmap zero? k) (eqv? d 0) (resonant? k))
+    (cond [(or (andmap zero? k) (vanishing? d frequencies) (resonant? k))
            (values W (series-sum kept (one-wave n k (wave-cosine w) (wave-sine w))) gone)]
           [else
            (define V (one-wave n k (g:negate (g:/ (wave-sine w) d)) (g:/ (wave-cosine w) d)))

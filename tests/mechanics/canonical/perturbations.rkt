@@ -98,6 +98,20 @@
   (check-equal? (map (lambda (r) (list (car r) (cadr r))) (perturbation-resonances P))
                 '((1 (1 -2)))))
 
+;; Frequencies that are decimals are told from resonances up to rounding.
+(define ((free first second) (up t q (down I J))) (+ (* first I) (* second J)))
+(define (exchange (up t (up a b) p)) (cos (- a b)))
+
+(test-case "a resonance of decimals is kept, not divided by"
+  (for ([frequencies '((1.0 1.0) (0.3 0.30000000000000004) (2 2))])
+    (define P (perturbation-series (apply free frequencies) exchange two))
+    (check-equal? (perturbation-divisors P) '())
+    (check-equal? (map cadr (perturbation-resonances P)) '((1 -1)))
+    (check-identity (series:ref ((perturbation-Hamiltonian P) two) 1)
+                    (* 'epsilon (cos (- 'theta 'phi)))))
+  (define near (perturbation-series (free 1.0 1.001) exchange two))
+  (check-equal? (map cadr (perturbation-divisors near)) '((1 -1))))
+
 (test-case "what it prints"
   (check-equal? (format "~a" (perturbation-series driven-rotor drive two #:keep '((1 -1) (1 1))))
                 (string-append
