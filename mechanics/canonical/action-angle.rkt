@@ -5,7 +5,8 @@
 ;; period T, and turns at ω = 2π/T = dE/dI.  The angle is ω times the time since the motion passed
 ;; a given coordinate, forwards.  A coordinate that is an angle may close by a turn.
 
-(require "../error/complain.rkt" "../error/failure.rkt"
+(require "momentum-of-action.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
@@ -16,8 +17,7 @@
 
 (require-on-demand
  ["../motion/trajectory.rkt" evolve-trajectory trajectory-events trajectory-final-state]
- ["../motion/event.rkt" event occurrence-time]
- ["../search/find-root.rkt" find-root])
+ ["../motion/event.rkt" event occurrence-state occurrence-time])
 
 (provide action-of-orbit frequency-of-orbit state->action-angle action-angle->state)
 
@@ -49,9 +49,10 @@
     (define passing (event away #:direction direction #:terminal? #t))
     (define motion
       (evolve-trajectory (with-area flow) s longest #:events passing #:tolerance tolerance))
-    (when (null? (trajectory-events motion))
-      (raise-not-closed who state longest (trajectory-final-state motion)))
-    (trajectory-final-state motion))
+    (define end (trajectory-final-state motion))
+    (when (null? (trajectory-events motion)) (raise-not-closed who state longest end))
+    (check-time-free who H (inner-state end))
+    end)
   (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
     (define end (until 'rising (until 'falling s)))
     (if (near? (inner-state end) start turn)
@@ -96,10 +97,21 @@
   (define-values (q p) (values (coordinate state) (momentum state)))
   (unless (and (real? q) (real? p))
     (complain who "expected a state of one coordinate, in numbers; given ~a" (value->text state)))
-  (define rate ((Hamiltonian->state-derivative H) state))
-  (when (and (zero? (coordinate rate)) (zero? (momentum rate)))
+  (when (at-rest? H state)
     (complain who "a state at rest has no period; given ~a" (value->text state)))
-  (up 0 (exact->inexact q) (exact->inexact p)))
+  (define start (up 0 (exact->inexact q) (exact->inexact p)))
+  (check-time-free who H start)
+  start)
+
+(define (at-rest? H state)
+  (define rate ((Hamiltonian->state-derivative H) state))
+  (and (zero? (coordinate rate)) (zero? (momentum rate))))
+
+;; Asked where the motion begins and where it comes to, at a few times
+(define (check-time-free who H state)
+  (define (energy t) (H (up t (coordinate state) (momentum state))))
+  (unless (for/and ([t '(0.7318 2.913)]) (equal? (energy t) (energy 0.0)))
+    (complain who "~a depends on the time, and its motions have no action" (value->text H))))
 
 ;; ---------------------------------------------------------------------------
 ;; Action and angle
@@ -121,17 +133,28 @@
   (define start (up 0 (exact->inexact (coordinate state)) (exact->inexact (momentum state))))
   (define flow (Hamiltonian->state-derivative H))
   (define (away s) (apart (coordinate s) center turn))
+  (define (forwards? s) (> (coordinate (flow s)) 0))
   (cond
-    [(and (= (away start) 0) (> (coordinate (flow start)) 0)) 0]
+    [(and (= (away start) 0) (forwards? start)) 0]
     [else
-     (define passing (event away #:name 'passing #:direction 'rising #:terminal? #t))
      (define motion
-       (evolve-trajectory flow start (* 1.01 period) #:events passing #:tolerance tolerance))
-     (when (null? (trajectory-events motion))
-       (complain who
-                 "the motion through ~a does not pass the coordinate ~a forwards; #:center names one"
-                 (value->text state) center))
-     (occurrence-time (car (trajectory-events motion)))]))
+       (evolve-trajectory flow start (* 1.01 period) #:tolerance tolerance
+                          #:events (event away #:name 'passing #:direction 'rising)))
+     ;; half a turn away the sine rises as the coordinate falls
+     (or (for/first ([o (in-list (trajectory-events motion))]
+                      #:when (forwards? (occurrence-state o)))
+           (occurrence-time o))
+         (raise-not-passing who state center turn start (trajectory-final-state motion)))]))
+
+(define (raise-not-passing who state center turn start end)
+  (when (and turn (< (- (coordinate end) (coordinate start)) (* -1/2 turn)))
+    (complain who
+              (string-append "the motion through ~a turns backwards, and has no positive action; "
+                             "mirror the coordinate and the momentum")
+              (value->text state)))
+  (complain who
+            "the motion through ~a does not pass the coordinate ~a forwards; #:center names one"
+            (value->text state) center))
 
 ;; ((action-angle->state H) state) : the state with that angle and action
 (define-plain (action-angle->state H #:center [center 0] #:turn [turn #f]
@@ -144,7 +167,7 @@
       (complain who "expected an angle and a positive action, in numbers; given ~a"
                 (value->text state)))
     (define (orbit-at p) (closed-orbit who H (up 0 center p) turn tolerance longest-orbit))
-    (define p (momentum-with-action who orbit-at J))
+    (define p (momentum-at-center who H center orbit-at J))
     (define wait (* (orbit-period (orbit-at p)) (/ (- angle (* 2 pi (floor (/ angle (* 2 pi)))))
                                                    (* 2 pi))))
     (define start (up 0 (exact->inexact center) p))
@@ -156,9 +179,14 @@
                               #:tolerance tolerance))))
     (up (time state) (coordinate there) (momentum there))))
 
-;; The action grows with the momentum at the center.
-(define (momentum-with-action who orbit-at J)
-  (define (excess p) (- (orbit-action (orbit-at p)) J))
-  (define high (let double ([p (sqrt (* 2 J))]) (if (> (excess p) 0) p (double (* 2 p)))))
-  (define low (let halve ([p (/ high 2)]) (if (< (excess p) 0) p (halve (/ p 2)))))
-  (find-root excess low high #:tolerance 1e-13))
+(define (momentum-at-center who H center orbit-at J)
+  (define (action-at p)
+    (if (at-rest? H (up 0 center p))
+        0.0
+        (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) +inf.0)])
+          (orbit-action (orbit-at p)))))
+  (or (momentum-with-action action-at J)
+      (complain who
+                (string-append "no motion that closes and passes the coordinate ~a "
+                               "was found with the action ~a; #:center names another")
+                (value->text center) (value->text J))))

@@ -64,3 +64,34 @@
    "action-of-orbit: the motion through (up 0 0 1) did not close by the time 10"
    (action-of-orbit (lambda (s) (square (momentum s))) (up 0 0 1) #:longest 10)
    exn:fail:mechanics:not-convergent?))
+
+;; ---------------------------------------------------------------------------
+;; Centers, turns and separatrices
+
+(define unit-pendulum (Hpendulum 1 1))
+
+(test-case "a turn does not move the angle of a swing"
+  (for ([state (list (up 0 0 -1.85) (up 0 0.3 1.8) (up 0 -2.0 0.5))])
+    (check-close ((state->action-angle unit-pendulum #:center 1.5 #:turn (* 2 pi)) state)
+                 ((state->action-angle unit-pendulum #:center 1.5) state)
+                 1e-7)))
+
+(test-case "close to the separatrix, where larger momenta turn"
+  (define found ((action-angle->state unit-pendulum) (up 0 0 2.2)))
+  (check-close (pendulum-oscillating-action 1 1 (unit-pendulum found)) 2.2 1e-8))
+
+(test-case "a turning motion, there and back"
+  (define state (up 0 1.0 3.0))
+  (define there ((state->action-angle unit-pendulum #:turn (* 2 pi)) state))
+  (check-close ((action-angle->state unit-pendulum #:turn (* 2 pi)) there) state 1e-7))
+
+(says
+ [((state->action-angle unit-pendulum #:turn (* 2 pi)) (up 0 1 -3))
+  "state->action-angle: the motion through (up 0 1 -3) turns backwards, and has no positive "
+  "action; mirror the coordinate and the momentum"]
+ [((action-angle->state (oscillator 1 1) #:center 1) (up 0 1 0.3))
+  "action-angle->state: no motion that closes and passes the coordinate 1 was found with the "
+  "action 0.3; #:center names another"]
+ [(action-of-orbit (lambda (s) (+ (square (momentum s)) (* (square (coordinate s)) (cos (time s)))))
+                   (up 0 1 0))
+  "action-of-orbit: <function> depends on the time, and its motions have no action"])
