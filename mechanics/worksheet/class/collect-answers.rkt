@@ -4,11 +4,12 @@
 ;; The process is given so many seconds of the processor's time, and may write so much; then it
 ;; is ended, with whatever it started.  Nothing that it writes is run.
 
-(require racket/port
+(require racket/match
+         racket/port
          "answer-lines.rkt" "evaluate.rkt" "isolation.rkt"
          "../exercise.rkt")
 
-(provide collect-answers (struct-out collected))
+(provide collect-answers collected-from (struct-out collected))
 
 ;; answers : hasheq of answers (answer-lines.rkt), by name
 ;; problem : why there are not more, or #f
@@ -48,7 +49,10 @@
   (define status (sync/timeout 1 process))
   (subprocess-kill process #t)
   (define killed? (and status (not (eqv? 0 (subprocess-status process)))))
-  (define how (if (and (eq? end 'done) killed?) 'ended end))
+  (collected-from text (if (and (eq? end 'done) killed?) 'ended end)))
+
+;; text : what the process wrote; how : it ended, done, ended, late or long
+(define (collected-from text how)
   (define found (read-answer-lines text))
   (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found how)))
 
@@ -69,14 +73,18 @@
 
 (define longest-start 60)        ; seconds
 
-;; A program that was stopped, or did not run at all.
+;; A program that was stopped, or did not run at all.  What is said of the program may be the
+;; program's own invention, and of any form.
 (define (problem-of found end)
-  (define program (hash-ref found '*program* #f))
+  (define program
+    (match (hash-ref found '*program* #f)
+      [(list 'failed (? string? why)) why]
+      [_ #f]))
   (cond [(eq? end 'late) "it took too long, and was stopped"]
         [(and (eq? end 'ended) (hash-has-key? found '*ready*))
          "it took too long, or too much memory, and was stopped"]
         [(eq? end 'long) "it wrote without end, and was stopped"]
-        [program (string-append "it does not run: " (cadr program))]
+        [program (string-append "it does not run: " program)]
         [(not (hash-has-key? found '*ready*)) "Racket could not be started for it"]
         [(= 1 (hash-count found)) "it ended without an answer"]
         [else #f]))

@@ -58,14 +58,20 @@
   (for/list ([s (in-list submissions)])
     (define result (make-channel))
     (thread (lambda ()
-              (define found
-                (if (submission-text s)
-                    (call-with-semaphore
-                     seats
-                     (lambda () (collect-answers i exercises (submission-text s))))
-                    (collected (hasheq) (submission-problem s))))
-              (channel-put result found)))
+              (channel-put result
+                           (call-with-semaphore seats
+                                                (lambda () (collect-one i exercises s))))))
     (lambda () (channel-get result))))
+
+;; Whatever happens there is a result, for somebody waits for it: a system may have no process
+;; left to start.
+(define (collect-one i exercises s)
+  (with-handlers ([exn:fail? (lambda (x)
+                               (collected (hasheq) (string-append "it could not be evaluated: "
+                                                                  (exn-message x))))])
+    (if (submission-text s)
+        (collect-answers i exercises (submission-text s))
+        (collected (hasheq) (submission-problem s)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Judgment

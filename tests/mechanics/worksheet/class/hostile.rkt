@@ -18,7 +18,7 @@
          rackunit
          xml
          "../../support/skip.rkt"
-         "hostile-programs.rkt")
+         "../../support/hostile-programs.rkt")
 
 (define folder (make-temporary-file "mechanics-hostile~a" 'directory))
 (file-or-directory-permissions folder #o755)
