@@ -7,6 +7,9 @@
 ;; equations are, and they fix the accelerations as well.  What is true of every motion and
 ;; fixes nothing, as 0 = 0, is trivial.
 ;;
+;; Equations that are not linear in the accelerations may hold for other motions too, as
+;; (x'' + x)(x'' - x) = 0 does: they are left to a person.
+;;
 ;; Where the key's equations do not give the accelerations, the answer's are compared with
 ;; them one by one.
 
@@ -46,6 +49,9 @@
   (define (share) (share-proved (verdict-residual v)))
   (cond [(refuted? v) (partly (if (all-zero? M) 0 (min (share) (/ (rank M) n))) v)]
         [(not (proved? v)) (undecided-judgment v)]
+        [(not (free-of-accelerations? M names))
+         (undecided-judgment #f "every motion obeys it, but it is not linear in the accelerations"
+                             "so other motions may obey it as well")]
         [(all-zero? M)
          (trivial v "it is true of every motion, and says nothing about the accelerations")]
         [(= n (rank M)) (right v)]
@@ -86,6 +92,12 @@
   (for*/and ([i (in-range (m:num-rows M))] [j (in-range (m:num-cols M))])
     (zero-value? (matrix-ref M i j))))
 
+;; Are the equations linear in the accelerations?
+(define (free-of-accelerations? M names)
+  (for*/and ([i (in-range (m:num-rows M))] [j (in-range (m:num-cols M))]
+             [s (in-list (acceleration-symbols names))])
+    (zero-value? (rate (matrix-ref M i j) s))))
+
 ;; E with the accelerations a, a list.
 (define (along-motion E a names)
   (replace E (map cons (acceleration-symbols names) a)))
@@ -95,10 +107,7 @@
 (define (accelerations-by E names)
   (define M (mass-matrix-of E names))
   (define symbols (acceleration-symbols names))
-  (define linear?
-    (for*/and ([i (in-range (m:num-rows M))] [j (in-range (m:num-cols M))] [s (in-list symbols)])
-      (zero-value? (rate (matrix-ref M i j) s))))
-  (and linear?
+  (and (free-of-accelerations? M names)
        (= (m:num-rows M) (length symbols))
        (not (zero-value? (determinant M)))
        (let ([b (list->up (scalars (along-motion E (map (lambda (_) 0) symbols) names)))])

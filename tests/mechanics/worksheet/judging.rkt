@@ -55,6 +55,18 @@
  [car failed 0 "car: contract violation"]
  [unanswered unanswered 0])
 
+;; Motions that obey the key obey these too, and so do others.
+(define ((pendulum-times factor) theta)
+  (lambda (t)
+    (define a ((D2 theta) t))
+    (define b (* (/ 'g 'l) (sin (theta t))))
+    (* (factor a b) (+ a b))))
+
+(judges pendulum
+ [(pendulum-times (lambda (a b) (- a b))) undecided #f "every motion obeys it, but"]
+ [(pendulum-times (lambda (a b) (+ 1 a))) undecided #f "every motion obeys it, but"]
+ [(pendulum-times (lambda (a b) (+ 1 (square b)))) right 1])
+
 (define (L-two (up t (up x y) (up vx vy)))
   (- (* 1/2 'm (+ (square vx) (square vy))) (* 1/2 'k (+ (square x) (* 4 (square y))))))
 (define two (an-exercise equations ('coordinates 'x 'y) ('of L-two)))
