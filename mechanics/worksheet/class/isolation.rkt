@@ -15,7 +15,8 @@
          racket/list
          racket/path
          racket/port
-         setup/dirs)
+         setup/dirs
+         "tasks.rkt")
 
 (provide find-isolation close-isolation
          isolation-patience isolation-megabytes isolation-complete? isolation-warning
@@ -44,7 +45,8 @@
 (define (find-isolation megabytes seconds #:namespaces? [namespaces? #t])
   (define person
     (if (and (find "setpriv") (root?))
-        (list (find "setpriv") "--reuid=65534" "--regid=65534" "--clear-groups" "--no-new-privs")
+        (list (find "setpriv") (format "--reuid=~a" nobody) (format "--regid=~a" nobody)
+              "--clear-groups" "--no-new-privs")
         '()))
   (define limited (isolation megabytes seconds (and (find "prlimit") #t) person '() #f))
   (define full (and namespaces? (find "prlimit") (find "unshare") (find "setpriv")
@@ -52,6 +54,8 @@
   (cond [(and full (works? full)) full]
         [else (when full (close-isolation full))
               limited]))
+
+(define nobody 65534)
 
 (define (find name) (let ([p (find-executable-path name)]) (and p (path->string p))))
 
@@ -97,7 +101,11 @@
   (define bytes (* 1048576 (+ 1024 (* 2 (isolation-megabytes i)))))
   (define seconds (+ 1 (inexact->exact (ceiling (isolation-seconds i)))))
   (list (find "prlimit") (format "--as=~a" bytes) (format "--cpu=~a" seconds)
-        "--nproc=128" "--nofile=64" "--fsize=0" "--core=0" "--"))
+        (format "--nproc=~a" (+ 128 (tasks-of (user-of i)))) "--nofile=64" "--fsize=0" "--core=0"
+        "--"))
+
+;; The system counts all tasks of a user against the limit, whoever started them.
+(define (user-of i) (if (null? (isolation-person i)) (owner "/proc/self") nobody))
 
 (define (in-namespaces i command)
   (if (isolation-folder i)
