@@ -101,8 +101,8 @@ directions that carry no inertia:
 The method that is used unless told otherwise, @racket['auto], is right for nearly everything.
 It is @racket['Taylor], which follows the Taylor series of the motion, where the state
 derivative is smooth, and @racket['Dormand-Prince-853] where it takes decisions or uses a
-function without a recurrence; @racket[trajectory-method] tells which. Others are chosen by the keyword @racket[#:method], or for a whole session
-by @racket[set-ode-integration-method!].
+function without a recurrence; @racket[trajectory-method] tells which. Others are chosen by the
+keyword @racket[#:method], or for a whole session by @racket[set-ode-integration-method!].
 
 @tabular[#:sep @hspace[2] #:style 'boxed #:row-properties '(bottom-border ())
  (list

@@ -98,7 +98,8 @@
                                             (format "two ~a)" answer)))
     (regexp-match* #rx"hint: ([a-z]+)" (second (command "check" "tried.rkt"))
                    #:match-select cadr))
-  (check-equal? (map hints-for '(5 5 7 5 2)) '(("soon") ("soon") ("soon" "late") ("soon" "late") ())))
+  (check-equal? (map hints-for '(5 5 7 5 2))
+                '(("soon") ("soon") ("soon" "late") ("soon" "late") ())))
 
 (test-case "all that is right makes the status 0"
   (write-text "right.rkt" (student-with '(("L-pendulum" "unanswered"))))

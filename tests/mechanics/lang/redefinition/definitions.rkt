@@ -147,6 +147,7 @@
   (check-equal? (refusal "(define f 1)" "(define (f x))")
                 (string-append "example:3:0: define: no expressions for procedure body; "
                                "it is written (define (f x) (* 2 x))\n  in: (define (f x))"))
-  (check-regexp-match #rx"^example:3:0: define: f has no value" (refusal "(define f 1)" "(define f)"))
+  (check-regexp-match #rx"^example:3:0: define: f has no value"
+                      (refusal "(define f 1)" "(define f)"))
   (check-regexp-match #rx"^example:3:11: define: \\(x y z\\) is no argument"
                       (refusal "(define f 1)" "(define (f (x y z)) x)")))
