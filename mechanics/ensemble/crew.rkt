@@ -8,11 +8,14 @@
          racket/list
          racket/port
          racket/runtime-path
-         "batch.rkt" "task.rkt")
+         "batch.rkt" "task.rkt"
+         "../error/failure.rkt")
 
 (provide perform-by-crew)
 
 (define-runtime-path worker-file "worker.rkt")
+
+(define who 'evolve-ensemble)
 
 (define at-a-time 2)
 (define most-deaths 3)
@@ -74,7 +77,7 @@
 (define (hear! d w)
   (define f (with-handlers ([exn:fail? (lambda (e) eof)]) (receive (worker-out w))))
   (cond [(eof-object? f) (bury! d w) #f]
-        [(trouble? f) (raise (exn:fail (trouble-message f) (current-continuation-marks)))]
+        [(trouble? f) (raise-no-answer who "a worker failed\n  ~a" (trouble-message f))]
         [else
          (set-worker-handed! w (remf (lambda (b) (= (batch-index b) (finished-index f)))
                                      (worker-handed w)))
