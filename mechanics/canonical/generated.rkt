@@ -74,13 +74,25 @@
   (define variables (append (scalars x) (scalars y)))
   (define form (map simplify (append (scalars a) (scalars b))))
   (check-closed who C k form variables)
-  (define F (integrated who form variables))
-  (make-function
-   (lambda (t1 x1 y1)
-     (evaluate-generically F (cons (cons t t1) (map cons variables
-                                                    (append (scalars x1) (scalars y1))))))
-   8
-   (lambda () (list 'generating-function (value->datum C) '#:type number))))
+  (define e (integrated who form variables))
+  (define F
+    (make-function
+     (lambda (t1 x1 y1)
+       (evaluate-generically e (cons (cons t t1) (map cons variables
+                                                      (append (scalars x1) (scalars y1))))))
+     8
+     (lambda () (list 'generating-function (value->datum C) '#:type number))))
+  (check-generated who F C state number)
+  F)
+
+;; What is integrated is closed unless the contrary was shown: so the answer is put to the test.
+(define (check-generated who F C state number)
+  (define v (verify-generating-function F C state #:type number))
+  (unless (proved? v)
+    (raise-no-answer who
+                     (string-append "a function was found, but not shown to generate ~a"
+                                    "\n  is it canonical? (verify-canonical C state)")
+                     (value->text C))))
 
 ;; -> ∂F/∂x and ∂F/∂y at x, y, from C
 (define (coefficients who k C state t x y)

@@ -92,7 +92,7 @@
                     (value->text factor)))
       '()))
 
-;; -> λ, free of the state, if the brackets are λ times those of q and p; else #f
+;; -> λ, free of the state and not 0, if the brackets are λ times those of q and p; else #f
 (define (common-factor C state)
   (define excess ((symplectic-transform? C) state))
   (define n (degrees-of-freedom state))
@@ -100,5 +100,6 @@
   (define (constant? x)
     (for/and ([name (in-list (scalars state))]) (or (number? x) (not (occurs? name x)))))
   (and (constant? factor)
+       (not (proved? (prove-zero factor)))
        (proved? (prove-zero (g:- (g:* (g:- 1 factor) (J-matrix n)) excess)))
        factor))

@@ -89,6 +89,11 @@
 ;; ---------------------------------------------------------------------------
 ;; What generates nothing
 
+(test-case "brackets that vanish are no multiple to divide a Hamiltonian by"
+  (define v (verify-canonical (lambda (s) (up (time s) (coordinate s) (coordinate s))) line))
+  (check-pred refuted? v)
+  (check-equal? (verdict-remarks v) '()))
+
 (test-case "a generating function without mixed derivatives"
   (check-message
    (string-append
@@ -122,3 +127,13 @@
  [(generating-function (polar-canonical 'alpha) line #:type 5)
   "generating-function: contract violation\n"
   "  expected: the type of a generating function: 1, 2, 3 or 4\n  given: 5"])
+
+;; Of a root that is nowhere real nothing is proved or refuted.
+(define (nowhere-real (up t q p)) (up t (* (sqrt (- -1 (square 'a))) q) p))
+
+(test-case "what is not shown to be generated is not given"
+  (check-message
+   (string-append "generating-function: a function was found, but not shown to generate "
+                  "nowhere-real\n  is it canonical? (verify-canonical C state)")
+   (generating-function nowhere-real line #:type 2)
+   exn:fail:mechanics?))
