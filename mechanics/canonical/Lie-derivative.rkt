@@ -10,7 +10,7 @@
 
 (require "../algebra/expression/expression.rkt"
          "../calculus/derivative.rkt"
-         "../error/refusal.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
@@ -20,7 +20,9 @@
 
 (require-on-demand ["../calculus/expression-function.rkt" evaluate-generically])
 
-(provide Lie-derivative flow-derivative)
+(provide Lie-derivative flow-derivative
+         ;; for what is made of it
+         on-quantity)
 
 ;; F ↦ {F, H}
 (define (Lie-derivative H) (derivation-of 'Lie-derivative H 0))
@@ -31,9 +33,23 @@
 (define (derivation-of who H rate)
   (check-Hamiltonian who H)
   (define d (derivation who H rate (make-weak-hasheq)))
-  (make-primitive-operator (lambda (F) (image d F 1))
+  (make-primitive-operator (on-quantity who (lambda (F) (image d F 1)))
                            (lambda () (list who (value->datum H)))
                            #:iterate (lambda (n) (lambda (F) (image d F n)))))
+
+;; act, for a single function of the state; given the state as well, or in its place, it says so
+(define (on-quantity who act)
+  (case-lambda
+    [(F)
+     (check-quantity who F)
+     (unless (ormap procedure? (scalars F))
+       (raise-no-quantity who (describe-with-value F)))
+     (act F)]
+    [Fs (raise-no-quantity who (format "~a arguments" (length Fs)))]))
+
+(define (raise-no-quantity who given)
+  (complain who "it takes a function of the state, and what it gives the state: ~a; given ~a"
+            "((operator F) state)" given))
 
 ;; rate : of the time, 0 or 1;  chains : F ↦ its powers at symbols
 (struct derivation (who H rate chains) #:authentic)

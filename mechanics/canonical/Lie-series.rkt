@@ -28,7 +28,7 @@
     (complain who "the parameter of a Lie series is a number or a symbol; given ~a"
               (describe-with-value epsilon)))
   (define whole (g:exp (g:* epsilon (derivative H))))
-  (make-primitive-operator (lambda (F) (whole F))
+  (make-primitive-operator (on-quantity who whole)
                            (lambda () (list who (value->datum H) (value->datum epsilon)))))
 
 ;; (Lie-transformation W ε n) : the state ↦ its coordinates and momenta along the series, summed

@@ -122,3 +122,20 @@
   (check-identity assumed (* 'aa 'p))
   (check-equal? (substitute (LF line) 'aa -2 'p 3) 6)
   (check-equal? (substitute (assuming ('(< aa 0)) (LF line)) 'aa -2 'p 3) 6))
+
+(define (free-motion state) (* 1/2 (square (momentum state))))
+
+(says
+ [((Lie-transform free-motion 'dt) line)
+  "Lie-transform: it takes a function of the state, and what it gives the state: "
+  "((operator F) state); given (up t q p), an up tuple of 3"]
+ [((Lie-transform free-motion 'dt) coordinate line)
+  "Lie-transform: it takes a function of the state, and what it gives the state: "
+  "((operator F) state); given 2 arguments"]
+ [((Lie-derivative free-motion) coordinate line)
+  "Lie-derivative: it takes a function of the state, and what it gives the state: "
+  "((operator F) state); given 2 arguments"])
+
+(test-case "tuples of functions move together"
+  (check-identity (series:sum (((Lie-transform free-motion 'dt) (up coordinate momentum)) line) 1)
+                  (up (+ 'q (* 'dt 'p)) 'p)))
