@@ -13,7 +13,8 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/value-struct.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt"
@@ -43,6 +44,7 @@
   (define-values (angles actions)
     (values (scalars (coordinate state)) (scalars (momentum state))))
   (check-resonances who resonances (length angles))
+  (check-parameter who parameter given state)
   (define h (in-waves who given state order))
   (define frequencies (frequencies-of H0 state))
   (define removals (make-vector order '()))
@@ -74,7 +76,9 @@
   (check-symbols who state "state")
   (unless (exact-positive-integer? order)
     (raise-argument-error who "the order, at least 1" order))
-  (for ([H (in-list given)]) (check-parameters who H state "state"))
+  (for ([H (in-list given)])
+    ((number-valued who H) state)
+    (check-parameters who H state "state"))
   (define free ((car given) state))
   (for ([angle (in-list (scalars (coordinate state)))]
         #:when (and (expression? free) (occurs? angle (strictly free))))
@@ -83,6 +87,19 @@
                              "alone, but ~a depends on the angle ~a\n  its value: ~a"
                              "\n  action and angle make it so: for an oscillator, polar-canonical")
               (value->text (car given)) angle (value->text (strictly free)))))
+
+;; ε is nothing that the Hamiltonians are made of.
+(define (check-parameter who parameter given state)
+  (unless (scalar? parameter)
+    (complain who "the parameter is a number or a symbol; given ~a"
+              (describe-with-value parameter)))
+  (when (and (symbol? parameter)
+             (for/or ([e (in-list (cons state (map (lambda (H) (H state)) given)))])
+               (for/or ([x (in-list (scalars e))]) (occurs-in? parameter x))))
+    (complain who "the parameter ~a stands in the state or in a Hamiltonian, too; #:parameter ~a"
+              parameter "gives it another name")))
+
+(define (occurs-in? name x) (or (eq? name x) (and (expression? x) (occurs? name x))))
 
 (define (check-resonances who resonances n)
   (unless (and (list? resonances)

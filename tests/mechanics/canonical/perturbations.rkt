@@ -161,3 +161,19 @@
  [(perturbation-solution (perturbation-series driven-rotor drive two #:keep '((1 -1))))
   "perturbation-solution: the new Hamiltonian has the waves ((1 -1)) left, kept for resonances; "
   "its motion is no rotation\n  integrate that of (perturbation-Hamiltonian P)"])
+
+(define ((rotor-of alpha) state) (rotor state))
+
+(says
+ [(perturbation-series rotor gravity line #:parameter 'theta)
+  "perturbation-series: the parameter theta stands in the state or in a Hamiltonian, too; "
+  "#:parameter gives it another name"]
+ [(perturbation-series rotor gravity line #:parameter 'beta)
+  "perturbation-series: the parameter beta stands in the state or in a Hamiltonian, too; "
+  "#:parameter gives it another name"]
+ [(perturbation-series rotor gravity line #:parameter sin)
+  "perturbation-series: the parameter is a number or a symbol; given the procedure `sin`"])
+
+(test-case "parameters that were forgotten"
+  (check-regexp-match #rx"^perturbation-series: the value of a Hamiltonian is a number.*left out"
+                      (message-of (perturbation-series rotor-of gravity line))))
