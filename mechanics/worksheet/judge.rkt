@@ -34,12 +34,21 @@
       (not (setting e 'check))
       (not (exercise-key e))))
 
+;; A datum that is no expression is the student's mistake; whatever goes wrong after it is read
+;; may be the teacher's or ours, and is left to a person.
 (define (judge-datum e d)
-  (with-handlers ([exn:fail? (lambda (x) (judgment 'failed 0 #f (list (exn-message x))))])
+  (define answer
+    (with-handlers ([exn:fail? (lambda (x) (judgment 'failed 0 #f (list (exn-message x))))])
+      (datum->answer d)))
+  (if (judgment? answer) answer (judge-answer e answer)))
+
+(define (judge-answer e answer)
+  (with-handlers ([exn:fail? not-judged])
     (call-assuming (setting e 'assuming '())
-                   (lambda ()
-                     (define answer (datum->answer d))
-                     (with-slips e answer (judged e (exercise-key e) answer))))))
+                   (lambda () (with-slips e answer (judged e (exercise-key e) answer))))))
+
+(define (not-judged x)
+  (undecided-judgment #f (string-append "it could not be judged: " (exn-message x))))
 
 ;; key : a datum.  What the mathematics cannot answer is undecided.
 (define (judged e key answer)
@@ -67,7 +76,12 @@
 ;; ---------------------------------------------------------------------------
 ;; Slips
 
+;; A slip that cannot be compared leaves the judgment as it is.
 (define (with-slips e answer j)
+  (with-handlers ([exn:fail? (lambda (x) j)])
+    (explained e answer j)))
+
+(define (explained e answer j)
   (cond [(not (memq (judgment-status j) '(wrong partly trivial))) j]
         [(foreseen-slip e answer)
          => (lambda (s)

@@ -4,6 +4,7 @@
 
 (require mechanics/book
          mechanics/worksheet/answer-data
+         mechanics/worksheet/exercise
          mechanics/worksheet/exercise-kind
          mechanics/worksheet/judge
          mechanics/worksheet/judgment
@@ -226,3 +227,18 @@
   (define decimals (an-exercise expression ('key (* 0.1 'x))))
   (define j (judge decimals '(answer (* (+ (sin 0.1) 0.0001665833531718) x))))
   (check-equal? (list (judgment-status j) (judgment-share j)) '(undecided #f)))
+
+;; ---------------------------------------------------------------------------
+;; What goes wrong in judging is not the student's
+
+(judges (an-exercise expects ('expects (lambda (answer) (car answer))))
+ ['x undecided #f "it could not be judged: car: contract violation"]
+ [(string->symbol "y") undecided #f "it could not be judged: car"])
+
+(test-case "what is no expression is the student's"
+  (check-judgment (judge (an-exercise expression ('key 'a)) '(answer "a")) 'failed 0))
+
+(test-case "a slip that cannot be compared leaves the judgment as it is"
+  (define e (an-exercise expression ('key 'a) ('slip 'b "no")))
+  (define broken (struct-copy exercise e [slips (list (slip '(/ 1 0) "no" 0))]))
+  (check-judgment (judge broken '(answer c)) 'wrong 0))
