@@ -1,0 +1,22 @@
+#lang racket/base
+;; Data that anybody may have written, read without harm: no reader of another language, no
+;; cycles, no compiled code, and no number such as #e1e999999999 that would fill the memory.
+
+(provide read-untrusted)
+
+;; string -> its first datum; what is none raises an error of the reader's
+(define (read-untrusted text)
+  (when (regexp-match? #px"[0-9]{2000,}" text)
+    (error 'read-untrusted "a number has more digits than any answer needs"))
+  (call-with-default-reading-parameterization
+   (lambda ()
+     (parameterize ([read-accept-reader #f] [read-accept-lang #f] [read-accept-graph #f]
+                    [read-accept-box #f] [read-accept-compiled #f]
+                    [current-readtable without-prefixes])
+       (read (open-input-string text))))))
+
+;; No number that is written by `write` has a prefix.
+(define without-prefixes
+  (for*/fold ([table #f]) ([c (in-string "eixobdEIXOBD")])
+    (make-readtable table c 'dispatch-macro
+                    (lambda _ (error 'read-untrusted "a number has the prefix #~a" c)))))
