@@ -93,7 +93,7 @@
 (define (isolated-command i arguments)
   (append (if (isolation-limits? i) (limits i) '())
           (isolation-person i)
-          (in-namespaces i (append (list (path->string (racket-program))) (racket-options)
+          (in-namespaces i (append (list (path->string (racket-program))) (racket-options i)
                                    arguments))))
 
 ;; Racket reserves more addresses than it uses.
@@ -111,28 +111,34 @@
   (if (isolation-folder i)
       (append (isolation-spaces i)
               (list "/bin/sh" "-c" set-up "sh" (path->string (isolation-folder i))
+                    (path->string (collection-folder))
                     (number->string (length (needed-folders))))
               (needed-folders)
               command)
       command))
 
-;; $1 : where to put the root directory together; $2 : how many folders follow that it needs;
-;; then the command.  Racket asks /proc for its own name.  Capabilities, which only hold in the
-;; namespaces anyway, are given up.
+;; $1 : where to put the root directory together; $2 : the collection of this library, of which
+;; nothing around it is seen; $3 : how many folders follow that it needs; then the command.
+;; The system may refuse a folder without what is mounted in it; then that comes along.  Racket
+;; asks /proc for its own name.  Capabilities, which only hold in the namespaces anyway, are
+;; given up.
 (define set-up #<<sh
 set -e
-root=$1; count=$2; shift 2
+root=$1; collection=$2; count=$3; shift 3
+show() {
+  mkdir -p "$2"
+  mount --bind "$1" "$2" 2>/dev/null || mount --rbind "$1" "$2"
+  mount -o remount,bind,ro "$2"
+}
 mount -t tmpfs -o size=1m,mode=755 none "$root"
 while [ "$count" -gt 0 ]; do
   mkdir -p "$root$(dirname "$1")"
   if [ -L "$1" ]; then ln -s "$(readlink "$1")" "$root$1"
-  elif [ -d "$1" ] && [ ! -d "$root$1" ]; then
-    mkdir -p "$root$1"
-    mount --rbind "$1" "$root$1"
-    mount -o remount,bind,ro "$root$1"
+  elif [ -d "$1" ] && [ ! -d "$root$1" ]; then show "$1" "$root$1"
   fi
   shift; count=$((count - 1))
 done
+show "$collection" "$root/library/mechanics"
 mkdir "$root/proc"
 mount -t proc proc "$root/proc"
 mount -o remount,bind,ro "$root"
@@ -147,11 +153,12 @@ sh
                                       (find-system-path 'orig-dir))))
 
 ;; Where the collection of this library is found; nothing of the user's own.
-(define (racket-options)
-  (list "-A" "/nowhere" "-S" (path->string (library-folder))))
+(define (racket-options i)
+  (list "-A" "/nowhere" "-S" (if (isolation-folder i)
+                                 "/library"
+                                 (path->string (build-path (collection-folder) 'up)))))
 
-(define (library-folder)
-  (simple-form-path (build-path (collection-path "mechanics") 'up)))
+(define (collection-folder) (simple-form-path (collection-path "mechanics")))
 
 ;; Shorter paths first, for the longer ones may be within them.
 (define (needed-folders)
@@ -159,7 +166,7 @@ sh
     (map path->string
          (filter values
                  (list* (path-only (racket-program)) (find-collects-dir) (find-config-dir)
-                        (find-lib-dir) (find-share-dir) (library-folder)
+                        (find-lib-dir) (find-share-dir)
                         (append (get-main-collects-search-dirs) system-folders)))))
   (sort (remove-duplicates (map without-slash all)) < #:key string-length))
 
