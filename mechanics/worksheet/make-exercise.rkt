@@ -5,10 +5,12 @@
 ;; and kept as data.
 
 (require racket/list
-         "answer-data.rkt" "exercise-kind.rkt" "exercise.rkt" "prescribed-symbols.rkt"
+         "answer-data.rkt" (only-in "answer-parts.rkt" same?) "exercise-kind.rkt" "exercise.rkt"
+         "prescribed-symbols.rkt"
          "../error/complain.rkt" "../error/words.rkt"
          "../generic/describe.rkt"
-         "../lagrangian/Lagrange-equations.rkt")
+         "../lagrangian/Lagrange-equations.rkt"
+         "../value/read-expression.rkt")
 
 (provide make-exercise)
 
@@ -27,8 +29,10 @@
               (and (not (assq 'no-practice clauses)) (not (eq? kind-name 'expects)))))
   (define key-value (if (assq 'key clauses) (argument 'key) (usual-key draft argument)))
   (define rounds (rounds-of draft))
+  (define key (and key-value (clause-datum name 'key key-value rounds)))
+  (when (eq? kind-name 'canonical) (check-moves-something name key names))
   (struct-copy exercise draft
-               [key (and key-value (clause-datum name 'key key-value rounds))]
+               [key key]
                [slips (for/list ([c (in-list clauses)] #:when (eq? (car c) 'slip))
                         (make-slip name (cdr c) rounds))]))
 
@@ -79,13 +83,20 @@
 (define (make-slip name parts rounds)
   (unless (and (>= (length parts) 2) (string? (cadr parts)))
     (complain name "a slip is a wrong answer and what to say of it, (slip answer \"...\")"))
-  (slip (clause-datum name 'slip (car parts) rounds) (cadr parts)
-        (keyword-value parts '#:credit 0)))
+  (define credit (keyword-value parts '#:credit 0))
+  (unless (and (real? credit) (<= 0 credit 1))
+    (complain name "the credit of a slip is a share of the points, from 0 to 1\n  given: ~a"
+              (value->text credit)))
+  (slip (clause-datum name 'slip (car parts) rounds) (cadr parts) credit))
 
 (define (make-hint name parts)
   (unless (and (pair? parts) (string? (car parts)))
     (complain name "a hint is a text, (hint \"...\") or (hint \"...\" #:after 2)"))
-  (hint (car parts) (keyword-value parts '#:after 1)))
+  (define after (keyword-value parts '#:after 1))
+  (unless (exact-nonnegative-integer? after)
+    (complain name "a hint comes after a number of wrong answers, as in #:after 2\n  given: ~a"
+              (value->text after)))
+  (hint (car parts) after))
 
 (define (keyword-value parts keyword otherwise)
   (define found (memq keyword parts))
@@ -132,6 +143,12 @@
     (need 'expects "it needs the procedure that judges, as in (expects (lambda (answer) ...))"))
   (when (and (kind-key? k) (not (and (eq? (kind-name k) 'equations) (has? 'of))))
     (need 'key "it has no key, as in (key (sqrt (/ 'g 'l)))")))
+
+;; The identity would be called trivial, had a student answered with it.
+(define (check-moves-something name key names)
+  (when (same? (read-expression key) (state-of names))
+    (complain name (string-append "the key is the identity, which leaves every state where it "
+                                  "is: a canonical map is wanted that is not trivial"))))
 
 (define (check-numbers name clauses)
   (for ([c (in-list clauses)] #:when (memq (car c) '(points within)))

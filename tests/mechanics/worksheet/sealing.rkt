@@ -3,7 +3,6 @@
 ;; puts there does no harm.
 
 (require file/gzip
-         mechanics/worksheet/exercise
          mechanics/worksheet/make-exercise
          mechanics/worksheet/seal
          net/base64
