@@ -8,7 +8,8 @@
 @(define session (make-session '(require mechanics/rackunit mechanics/book)))
 
 Checks for tests written with the library @racketmodname[rackunit #:indirect]. Each asks a
-question of @racketmodname[mechanics] and takes what that takes; a text at the end is a message. A check that
+question of @racketmodname[mechanics] and takes what that takes; a text at the end is a
+message. A check that
 fails shows its verdict: the residual, the point that refutes it, and the condition under which
 it would hold. What is undecided holds for no check.
 
