@@ -22,9 +22,9 @@
   (for/fold ([all '()] [p (fixed-point-coordinates point)] #:result (reverse all)) ([k 6])
     (values (cons p all) (T (ref p 0) (ref p 1) up void))))
 (fixed-point-kind stable)
-(fixed-point-multipliers stable)
+(apply values (fixed-point-multipliers stable))
 (fixed-point-kind unstable)
-(fixed-point-multipliers unstable)
+(apply values (fixed-point-multipliers unstable))
 
 ;; Around the centre the kinds take turns, as Poincaré and Birkhoff say.
 (define (angle p) (atan (ref p 1) (* 5 (ref p 0))))

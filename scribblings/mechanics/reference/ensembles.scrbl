@@ -2,7 +2,7 @@
 @(require (for-label mechanics mechanics/book)
           "../eval.rkt" "../citation.rkt")
 
-@(define session (make-session '(require mechanics/book racket/file)))
+@(define session (make-session '(require mechanics/book)))
 
 @title[#:tag "ensembles" #:style '(toc)]{Ensembles, and systems in other languages}
 
@@ -97,14 +97,28 @@ instructions that is compiled here, and returns its name. @racket[example] is a 
 in it name the variables. Symbols in the @racket[derivative] become parameters of the program,
 in the order of @racket[parameters] or of the alphabet; numbers stay numbers.
 
-@examples[#:eval session
-(define folder (build-path (find-system-path 'temp-dir) "pendulum-example"))
-(void (export-system (Lagrangian->state-derivative (L-pendulum 'g 'm 'l))
-                     (up 't 'theta 'thetadot)
-                     #:name "pendulum" #:folder folder #:replace? #t))
-(map path->string (directory-list folder))
-(for ([line (file->lines (build-path folder "pendulum.c"))]) (displayln line))
-(delete-directory/files folder)]
+@codeblock|{
+#lang mechanics
+(require mechanics/book)
+(export-system (Lagrangian->state-derivative (L-pendulum 'g 'm 'l))
+               (up 't 'theta 'thetadot) #:name "pendulum")
+}|
+
+writes a folder @filepath{pendulum-C}, with this in @filepath{pendulum.c}:
+
+@verbatim|{
+void pendulum_derivative(const double *y, const double *p, double *dy)
+{
+    const double theta = y[1];
+    const double thetadot = y[2];
+    const double g = p[0];
+    const double l = p[1];
+    const double m = p[2];
+    dy[0] = 1.0;
+    dy[1] = thetadot;
+    dy[2] = -(sin(theta) * (l * (g * m)) / (l * (l * m)));
+}
+}|
 
 @itemlist[
  @item{@racket['C]: C99 without dependencies: the rates and, with @racket[derivatives?], their
@@ -118,9 +132,10 @@ in the order of @racket[parameters] or of the alphabet; numbers stay numbers.
  steps of Dormand and Prince's of order 5, which @tt{jit}, @tt{vmap} and forward derivatives
  go through.}]
 
-A folder that is there is not written over unless @racket[replace?] says so; it is written whole
-or not at all. What has no code, a decision by the state or an unknown function, is named in an
+A new folder is written whole or not at all. One that is there is refused, unless it holds an
+export and @racket[replace?] says so: then files of the export are written over, and nothing else
+is touched. What has no code, a decision by the state or an unknown function, is named in an
 error.
 
-@examples[#:eval session #:label #f
+@examples[#:eval session
 (eval:error (export-system (lambda (s) (up 1 (if (> (ref s 1) 0) 1 -1))) (up 't 'x)))]}

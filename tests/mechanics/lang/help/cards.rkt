@@ -80,7 +80,7 @@
        (not (regexp-match? #rx"^(proved|refuted|undecided|equivalent): " text))))
 
 ;; Those that show what is refused.
-(define refusals '(animation-save graphics-save unequal-contraction))
+(define refusals '(animation-save export-system graphics-save unequal-contraction))
 
 (define needs-bigfloats #rx"bigfloat|ode-precision")
 
