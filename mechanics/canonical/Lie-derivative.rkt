@@ -96,15 +96,13 @@
         ((flow-direction (derivation-who d) (derivation-H d)) place))
       (define value (F place))
       (values (and (formula? value)
-                   (up (derivation-rate d) (strictly velocity) (strictly force)))
-              (strictly value))))
+                   (up (derivation-rate d) (simplify-strictly velocity) (simplify-strictly force)))
+              (simplify-strictly value))))
   (chain place direction (vector value) (assumptions 'declared)))
 
 ;; Is it made of numbers and expressions, so that it can be evaluated elsewhere?
 (define (formula? x)
   (for/and ([leaf (in-list (scalars x))]) (or (number? leaf) (expression? leaf))))
-
-(define (strictly x) (parameterize ([automatic-assumptions #f]) (simplify x)))
 
 ;; LⁿF at a state
 (define (value-in c n state)
@@ -129,7 +127,7 @@
     (define point (map cons names (scalars state)))
     (scalars->structure value (lambda (k) (evaluate-generically (vector-ref xs k) point))))
   (define-values (_value rate) (value-and-derivative-along at (chain-place c) (chain-direction c)))
-  (strictly rate))
+  (simplify-strictly rate))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers as brackets of functions

@@ -13,17 +13,15 @@
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../value/assumptions.rkt" "../value/simplify.rkt")
+         "../value/simplify.rkt")
 
 (provide (struct-out wave) Poisson-series? constant-series zero-series angle-series one-wave
          expression->Poisson-series series-sum series-scale series-product series-bracket
-         series-waves wave-numbers series->expression strictly)
+         series-waves wave-numbers series->expression)
 
 ;; waves : hash of k ↦ wave;  linear : the coefficients of the angles, numbers
 (struct Poisson-series (waves linear) #:authentic)
 (struct wave (cosine sine) #:authentic)
-
-(define (strictly e) (parameterize ([automatic-assumptions #f]) (simplify e)))
 
 (define (zeros n) (for/list ([_ (in-range n)]) 0))
 (define (zero-series n) (Poisson-series (hash) (zeros n)))
@@ -52,8 +50,8 @@
                    (wave 0 0))))
   (Poisson-series
    (for*/hash ([(k w) (in-hash collected)]
-               [simple (in-value (wave (strictly (wave-cosine w))
-                                       (if (still? k) 0 (strictly (wave-sine w)))))]
+               [simple (in-value (wave (simplify-strictly (wave-cosine w))
+                                       (if (still? k) 0 (simplify-strictly (wave-sine w)))))]
                #:unless (and (eqv? 0 (wave-cosine simple)) (eqv? 0 (wave-sine simple))))
      (values k simple))
    linear))
@@ -149,10 +147,12 @@
 
 ;; sin or cos of k·θ + b
 (define (walk-wave sine? argument angles fail)
-  (define k (for/list ([a (in-list angles)]) (strictly (expression-derivative argument a))))
+  (define k
+    (for/list ([a (in-list angles)]) (simplify-strictly (expression-derivative argument a))))
   (cond
     [(andmap exact-integer? k)
-     (define b (strictly (evaluate-generically argument (map (lambda (a) (cons a 0)) angles))))
+     (define still (map (lambda (a) (cons a 0)) angles))
+     (define b (simplify-strictly (evaluate-generically argument still)))
      (define-values (c s) (values (g:cos b) (g:sin b)))
      (make (list (cons k (if sine? (wave s c) (wave c (g:negate s))))) (zeros (length angles)))]
     [else (fail)]))

@@ -8,7 +8,8 @@
 ;; which cannot be removed, and those that are asked for.
 
 (require "Poisson-series.rkt" "vanishing-divisor.rkt"
-         "../generic/arithmetic.rkt")
+         "../generic/arithmetic.rkt"
+         "../value/simplify.rkt")
 
 (provide solve-homological divisor
          (struct-out removed))
@@ -18,7 +19,7 @@
 
 ;; k·ω
 (define (divisor k frequencies)
-  (strictly (for/fold ([sum 0]) ([i (in-list k)] [omega (in-list frequencies)])
+  (simplify-strictly (for/fold ([sum 0]) ([i (in-list k)] [omega (in-list frequencies)])
               (g:+ sum (g:* i omega)))))
 
 ;; h : a Poisson series; resonant? : k -> is it to be kept?

@@ -70,13 +70,11 @@
     (with-handlers ([raised? (lambda (e) #f)]) (cons (f x) (derivative-at f x))))
   (cond [(not equations) 'by-numbers]
         [else
-         (define slopes (simplified-strictly (cdr equations)))
+         (define slopes (simplify-strictly (cdr equations)))
          (check-determinant s slopes like)
          (if (free-of? slopes (scalars x))
              'exactly
              (or (find-formula (car equations) place x target) 'by-numbers))]))
-
-(define (simplified-strictly x) (parameterize ([automatic-assumptions #f]) (simplify x)))
 
 (define (free-of? x names)
   (not (for*/or ([e (in-list (scalars x))] [name (in-list names)])
@@ -120,7 +118,7 @@
 (define (smoothed xs unknowns equations)
   (define smooth (map without-absolute-values xs))
   (define (solves? e)
-    (eqv? 0 (simplified-strictly (substitute-expression e (map cons unknowns smooth)))))
+    (eqv? 0 (simplify-strictly (substitute-expression e (map cons unknowns smooth)))))
   (if (andmap solves? equations) smooth xs))
 
 (define (without-absolute-values e)
@@ -179,7 +177,7 @@
 
 ;; slopes : at symbols
 (define (check-determinant s slopes like)
-  (define d (with-handlers ([raised? (lambda (e) 1)]) (simplified-strictly (determinant slopes))))
+  (define d (with-handlers ([raised? (lambda (e) 1)]) (simplify-strictly (determinant slopes))))
   (when (eqv? d 0) (raise-not-determined s slopes #f)))
 
 (define (raise-not-determined s M e)

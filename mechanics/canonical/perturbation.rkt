@@ -17,7 +17,7 @@
          "../generic/value-struct.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
          "../value/series/access.rkt")
 
 (provide perturbation-series perturbation?
@@ -81,12 +81,12 @@
     (check-parameters who H state "state"))
   (define free ((car given) state))
   (for ([angle (in-list (scalars (coordinate state)))]
-        #:when (and (expression? free) (occurs? angle (strictly free))))
+        #:when (and (expression? free) (occurs? angle (simplify-strictly free))))
     (complain who
               (string-append "the Hamiltonian without the perturbation is to depend on the momenta "
                              "alone, but ~a depends on the angle ~a\n  its value: ~a"
                              "\n  action and angle make it so: for an oscillator, polar-canonical")
-              (value->text (car given)) angle (value->text (strictly free)))))
+              (value->text (car given)) angle (value->text (simplify-strictly free)))))
 
 ;; ε is nothing that the Hamiltonians are made of.
 (define (check-parameter who parameter given state)
@@ -124,7 +124,7 @@
           [else (zero-series (length angles))])))
 
 (define (check-time who H e t)
-  (when (and (expression? e) (symbol? t) (occurs? t (strictly e)))
+  (when (and (expression? e) (symbol? t) (occurs? t (simplify-strictly e)))
     (complain who
               (string-append "~a depends on the time ~a: periodic-extension makes it an angle"
                              "\n  its value: ~a")
@@ -142,7 +142,7 @@
 ;; The function of the state that a Poisson series is.
 (define (term-function P s)
   (define state (perturbation-state P))
-  (define e (strictly (series->expression s (angles-of P))))
+  (define e (simplify-strictly (series->expression s (angles-of P))))
   (define names (scalars state))
   (unary-function (lambda () (value->datum e)) (at)
     (check-H-state 'perturbation-series at)
@@ -170,7 +170,7 @@
               [k (in-list (wave-numbers s))]
               #:unless (andmap zero? k))
     (define w (hash-ref (series-waves s) k))
-    (list n k (strictly
+    (list n k (simplify-strictly
                (series->expression
                 (one-wave (length k) k (wave-cosine w) (wave-sine w)) (angles-of P))))))
 
@@ -183,7 +183,7 @@
     (for/list ([n (in-range (add1 order))])
       (format "  order ~a: ~a" n
               (value->text
-               (strictly (series->expression (list-ref (perturbation-terms P) n)
+               (simplify-strictly (series->expression (list-ref (perturbation-terms P) n)
                                              (angles-of P)))))))
   (define divided
     (for/list ([d (in-list (remove-duplicates (map cdr (perturbation-divisors P))))])

@@ -15,7 +15,7 @@
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
          "../verdict/prove-zero.rkt")
 
 (provide perturbation-transformation perturbation-inverse perturbation-solution
@@ -72,7 +72,7 @@
 (define (summed P terms)
   (for/fold ([sum 0]) ([s (in-list terms)] [k (in-naturals)])
     (g:+ sum (g:* (g:expt (perturbation-parameter P) k)
-                  (strictly (series->expression s (angles-of P)))))))
+                  (simplify-strictly (series->expression s (angles-of P)))))))
 
 (define (filled shape xs) (scalars->structure shape (lambda (k) (list-ref xs k))))
 

@@ -75,7 +75,7 @@
   (define slopes (list->vector rows))
   (define (entry i j) (vector-ref entries (+ (* i width) j)))
   (define (slope i j k) (vector-ref (vector-ref slopes (+ (* i width) j)) k))
-  (define x (solution! b xs size))
+  (define x (list->vector (solve! b xs)))
   (define (varied k)
     (define right
       (for/list ([i (in-range size)])
@@ -83,17 +83,10 @@
           (subtract! b sum (multiply! b (slope i j k) (vector-ref x j))))))
     (if (andmap zero-operand? right)
         (make-vector size 0)
-        (solution! b
-                   (for*/list ([i (in-range size)] [j (in-range width)])
-                     (if (= j size) (list-ref right i) (entry i j)))
-                   size)))
+        (list->vector
+         (solve! b (for*/list ([i (in-range size)] [j (in-range width)])
+                     (if (= j size) (list-ref right i) (entry i j)))))))
   (define columns (for/vector #:length n ([k (in-range n)]) (varied k)))
   (values x
           (for/vector #:length size ([i (in-range size)])
             (for/vector #:length n ([c (in-vector columns)]) (vector-ref c i)))))
-
-
-;; -> vector of the places of the unknowns
-(define (solution! b entries size)
-  (define system (apply do! b 'solve entries))
-  (for/vector #:length size ([k (in-range size)]) (write! b (list 'component system k))))

@@ -119,7 +119,7 @@
     (not (for*/or ([e (in-list (scalars x))] [name (in-list names)])
            (and (expression? e) (occurs? name e)))))
   (or (free-of? slopes)
-      (free-of? (parameterize ([automatic-assumptions #f]) (simplify slopes)))))
+      (free-of? (simplify-strictly slopes))))
 
 ;; ---------------------------------------------------------------------------
 ;; Formulas

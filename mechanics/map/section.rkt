@@ -8,6 +8,7 @@
 ;; arithmetic of perturbed values, which is right to first order in each ε.
 
 (require racket/flonum
+         (only-in racket/list remove-duplicates)
          "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/once.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
@@ -105,12 +106,10 @@
   (define start (plain state))
   (define-values (duration there) ((finder-for start) start))
   (define tags (for/list ([x (in-list (scalars state))] #:when (perturbed? x)) (perturbed-tag x)))
-  (for/fold ([x (advance state duration tolerance)]) ([tag (in-list (distinct tags))])
+  (define different (reverse (remove-duplicates tags eqv?)))
+  (for/fold ([x (advance state duration tolerance)]) ([tag (in-list different)])
     (define-values (g rate) (value-and-derivative-along (event-f e) x (f x)))
     (advance x (g:- (g:/ g rate)) tolerance)))
-
-(define (distinct tags)
-  (for/fold ([all '()]) ([t (in-list tags)]) (if (memv t all) all (cons t all))))
 
 ;; ---------------------------------------------------------------------------
 ;; A period later

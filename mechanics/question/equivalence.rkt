@@ -95,7 +95,7 @@
 ;; granted.
 (define (survey-of-difference F local)
   (define state ((clip-state 3) local))
-  (define rest (parameterize ([automatic-assumptions #f]) (simplify (F state))))
+  (define rest (simplify-strictly (F state)))
   (define (G at) (evaluate-generically rest (map cons (scalars state) (scalars at))))
   (define-values (_ survey) (surveyed G local))
   survey)

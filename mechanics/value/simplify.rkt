@@ -7,7 +7,8 @@
          "../error/complain.rkt" "../error/hint.rkt" "../error/once.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt")
 
-(provide expression simplify simplify/assumptions as-shown substitute with-literals)
+(provide expression simplify simplify-strictly simplify/assumptions as-shown
+         substitute with-literals)
 
 ;; The plain S-expression of a value, as it prints.
 (define (expression x) (value->datum x))
@@ -22,6 +23,9 @@
         [else
          (define-values (simple assumptions) (simplify/found x))
          simple]))
+
+;; Under the declared assumptions alone.
+(define (simplify-strictly x) (parameterize ([automatic-assumptions #f]) (simplify x)))
 
 ;; The simplified value, and what that assumed without being declared.
 (define (simplify/assumptions x)

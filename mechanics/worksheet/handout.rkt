@@ -11,7 +11,6 @@
          "../algebra/notation/tree.rkt"
          "../document/piece.rkt" "../document/shown.rkt"
          "../generic/value-tree.rkt"
-         (only-in "../value/assumptions.rkt" automatic-assumptions)
          "../value/read-expression.rkt" "../value/simplify.rkt")
 
 (provide worksheet->document text->parts)
@@ -60,7 +59,7 @@
 
 ;; Keys are shown simplified.
 (define (datum-tree d)
-  (value->tree (parameterize ([automatic-assumptions #f]) (simplify (read-expression d))) #t))
+  (value->tree (simplify-strictly (read-expression d)) #t))
 
 ;; Words and formulas in a line, as a statement of which all renderers know.
 (define (paragraph parts)

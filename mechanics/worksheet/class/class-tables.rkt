@@ -3,7 +3,7 @@
 ;; results.json of Gradescope.
 
 (require json
-         (only-in racket/string string-join)
+         (only-in racket/string string-append* string-join)
          "grade.rkt" "submission.rkt"
          "../exercise.rkt" "../judgment-words.rkt" "../judgment.rkt")
 
@@ -24,8 +24,6 @@
   (string-append* (for/list ([cells (in-list (cons header (map (lambda (g) (csv-row w g))
                                                                (class-report-graded r))))])
                     (string-append (string-join (map csv-cell cells) ",") "\r\n"))))
-
-(define (string-append* texts) (apply string-append texts))
 
 (define (csv-row w g)
   (define s (graded-submission g))
