@@ -7,9 +7,9 @@
 
 (require racket/future
          (only-in racket/path path-only)
-         "batch.rkt" "checkpoint.rkt" "crew.rkt" "ordered.rkt" "prepared.rkt" "start-rows.rkt"
-         "task.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "batch.rkt" "checkpoint.rkt" "crew.rkt" "ordered.rkt" "perform.rkt" "prepared.rkt"
+         "start-rows.rkt" "task.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/once.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/value-struct.rkt"
          "../motion/check.rkt" "../motion/choice.rkt"
@@ -71,10 +71,8 @@
 
 ;; Code is made when it is first needed: workers make their own.
 (define (performer-here t)
-  (define perform #f)
-  (lambda (y p)
-    (unless perform (set! perform (perform-here who t)))
-    (perform y p)))
+  (define perform (once (lambda () (performer who t))))
+  (lambda (y p) ((perform) y p)))
 
 ;; ---------------------------------------------------------------------------
 ;; Running

@@ -3,15 +3,16 @@
 ;; be followed here by the generic arithmetic.
 
 (require racket/flonum
-         "perform.rkt" "task.rkt"
+         "task.rkt"
          "../compile/compile-function.rkt" "../compile/program.rkt"
          "../compile/tangent-program.rkt"
          "../error/failure.rkt"
          "../generic/up-down.rkt"
-         "../motion/evolution.rkt" "../motion/system.rkt"
+         "../motion/evolution.rkt" "../motion/method.rkt" "../motion/system.rkt"
+         (only-in "../numeric/ode/stepper.rkt" method-asks)
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 
-(provide make-task perform-here generically)
+(provide make-task generically)
 
 ;; example : a state; parameters : list of scalars and tuples of them, an example; collect : state
 ;; -> value, or #f.  -> task, or #f if the derivative has no code; and the shape of what
@@ -22,7 +23,7 @@
   (define collecting (and code collect (compile-traced collect example #:name who)))
   (define slope (and code (compiled-function-program code)))
   (values (and slope
-               (task slope (by-state slope n)
+               (task slope (and (asks-for-jacobian? who method) (by-state slope n))
                      (and collecting (compiled-function-program collecting))
                      n
                      (constant-rate? (compiled-function-value-shape code) #t)
@@ -37,6 +38,9 @@
       (compile-traced (derivative-for maker '()) example #:name who)
       (compile-traced rates (up example (apply up parameters)) #:name who)))
 
+;; Implicit methods do; for others it is not worked out.
+(define (asks-for-jacobian? who method) (eq? 'jacobian (method-asks (method-of who method))))
+
 ;; The derivatives by the state, as implicit methods take them: one column after the other.
 (define (by-state slope n)
   (define J (tangent-program slope))
@@ -44,8 +48,6 @@
   (program (program-inputs J) (program-instructions J)
            (for*/vector ([j (in-range n)] [i (in-range n)])
              (vector-ref (program-outputs J) (+ (* i width) j)))))
-
-(define (perform-here who t) (performer who t))
 
 ;; (start parameters -> outcome) by the generic arithmetic; example, parameters : for their shapes;
 ;; what is collected is left to others
