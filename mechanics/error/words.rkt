@@ -1,13 +1,28 @@
 #lang racket/base
 ;; Words put together, for messages and reports.
 
-(require racket/list)
+(require racket/list racket/string)
 
 (provide message joined counted)
 
 ;; "who: " and the text, which with its parts is as `format` takes them.
 (define (message who text parts)
-  (format "~a: ~a" who (apply format text parts)))
+  (format "~a: ~a" who (apply format text (map in-brief parts))))
+
+;; A value that is shown to be recognised need not be shown whole: of a line of a part,
+;; as many characters as fill some lines of a screen.
+(define longest-line 400)
+
+(define (in-brief part)
+  (if (and (string? part) (> (string-length part) longest-line))
+      (joined (map line-in-brief (string-split part "\n" #:trim? #f)) "\n")
+      part))
+
+(define (line-in-brief line)
+  (define more (- (string-length line) longest-line))
+  (if (positive? more)
+      (format "~a ...~a more characters" (substring line 0 longest-line) more)
+      line))
 
 ;; "a, b, c"
 (define (joined texts [separator ", "])

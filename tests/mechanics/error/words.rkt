@@ -16,6 +16,17 @@
   (check-equal? (for/list ([n '(0 1 2)]) (counted n "argument"))
                 '("0 arguments" "1 argument" "2 arguments")))
 
+;; A reader recognises a value by its beginning, and must find what is said after it.
+(test-case "long lines of what is named in a message are shown by their beginning"
+  (define long (make-string 1000 #\x))
+  (check-equal? (message 'f "~a is no path; use ~a" (list long 'Gamma))
+                (format "f: ~a ...600 more characters is no path; use Gamma"
+                        (make-string 400 #\x)))
+  (define lines (joined (for/list ([n 100]) (format "line ~a" n)) "\n"))
+  (check-equal? (message 'f "~a" (list lines)) (string-append "f: " lines))
+  (check-equal? (message 'f "~a ~a" (list (make-string 400 #\y) 7))
+                (format "f: ~a 7" (make-string 400 #\y))))
+
 (test-case "what is raised says who, and is of the kind it should be"
   (for ([raise-with (list complain complain-of-arity raise-unavailable raise-unwritable)]
         [kind? (list exn:fail:contract? exn:fail:contract:arity?
