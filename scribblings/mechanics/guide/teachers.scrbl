@@ -101,8 +101,8 @@ example, Racket's sandbox is alone, and the report says so on top: that keeps mi
 knows Racket well can escape from it. Then judge only what people hand in whom you trust, or use
 a virtual machine.
 
-@section{Fourteen worksheets}
+@section{Worksheets that are there}
 
-They are to be used, changed and passed on:
+There are some for each chapter of the book, to be used, changed and passed on:
 
 @(program-table "worksheets")

@@ -9,6 +9,8 @@
          mechanics/worksheet/judgment
          mechanics/worksheet/prescribed-symbols
          mechanics/worksheet/student-file
+         (only-in racket/file file->string)
+         (only-in racket/list count)
          racket/runtime-path
          rackunit)
 
@@ -19,13 +21,23 @@
   (parameterize ([current-namespace (namespace-anchor->empty-namespace here)])
     (dynamic-require path 'worksheet)))
 
-(define worksheets
+(define files
   (for/list ([name (in-list (directory-list folder))]
              #:when (regexp-match? #rx"[.]rkt$" (path->string name)))
-    (load (build-path folder name))))
+    (build-path folder name)))
+
+(define worksheets (map load files))
+
+;; As its second line says.
+(define (chapter file)
+  (define m (regexp-match #rx"^[^\n]*\n;; SICM ([0-9])[.]" (file->string file)))
+  (string->number (cadr m)))
 
 (test-case "there are ten of chapter 1, and one for each later chapter at least"
-  (check-true (>= (length worksheets) 13)))
+  (define chapters (map chapter files))
+  (define (of n) (count (lambda (c) (= c n)) chapters))
+  (check-true (>= (of 1) 10))
+  (for ([n (in-range 2 8)]) (check-true (>= (of n) 1) (format "chapter ~a" n))))
 
 ;; ---------------------------------------------------------------------------
 ;; Answers made of the key, by kind -> expressions
