@@ -1,12 +1,12 @@
 #lang racket/base
 ;; Definite integrals between numbers, of functions that may be infinite at some points.
 ;;
-;; A function that is infinite at an end is integrated towards it: as a sum of powers
-;; (singular-end.rkt), as a wave that becomes ever shorter (oscillating.rkt), as a power or
+;; A function that is infinite at an end is integrated towards it: in the logarithm of the
+;; distance (logarithmic-end.rkt), as a sum of powers (singular-end.rkt), as a wave that becomes ever shorter (oscillating.rkt), as a power or
 ;; logarithm that is barely integrable (tail.rkt).  Where it is infinite between the ends,
 ;; halving finds the point to within rounding; there the interval is divided.
 
-(require "gauss-kronrod.rkt" "oscillating.rkt" "singular-end.rkt" "tail.rkt"
+(require "gauss-kronrod.rkt" "logarithmic-end.rkt" "oscillating.rkt" "singular-end.rkt" "tail.rkt"
          "../../error/failure.rkt")
 
 (provide (struct-out question) over-interval call-or-fail both)
@@ -77,10 +77,11 @@
     (if (> here most) (values y here) (values best most))))
 
 ;; ---------------------------------------------------------------------------
-;; From a point to an end, in one of three ways; #f twice if none is
+;; From a point to an end, in one of four ways; #f twice if none is
 
 (define (to-end f from end tolerance)
   (let/ec return
+    (call-or-fail (lambda () (integral-in-logarithm f from end tolerance)) return)
     (call-or-fail (lambda () (integral-towards f from end tolerance)) return)
     (call-or-fail (lambda () (shortening-waves f from end tolerance)) return)
     (call-or-fail (lambda () (barely-to-end f from end tolerance)) return)

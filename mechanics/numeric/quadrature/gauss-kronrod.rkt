@@ -12,7 +12,7 @@
 ;; to, the method looks at other points (probe.rkt) when it would end; panels whose
 ;; polynomials are wrong there are halved, too.
 
-(require racket/flonum
+(require racket/flonum racket/list
          "panel.rkt" "probe.rkt"
          "../sample.rkt"
          "../../error/failure.rkt")
@@ -86,22 +86,35 @@
 
 ;; Would end with this value; but are there panels that other points contradict?
 (define (search t panels count taken value bound size)
-  (define whole (task-whole t))
-  (define probes
-    (or taken
-        (if ((task-search? t))
-            (take-probes (task-f t) (panel-low whole) (panel-high whole))
-            '())))
-  (define wrong
-    (for/list ([p (in-list (suspects panels probes (task-tolerance t) size (panel-width whole)))]
-               #:unless (indivisible? p whole))
-      p))
-  (cond [(null? wrong) (values value bound)]
-        [(>= count (task-limit t)) ((task-raise-stuck t) value bound (car wrong))]
-        [else
-         (define-values (next added)
-           (halve (lambda (p) (memq p wrong)) panels (task-f t)))
-         (refine t next (+ count added) probes)]))
+  (cond
+    [((task-search? t))
+     (define whole (task-whole t))
+     (define sorted (panels-from-the-left panels))
+     (define probes (or taken (take-probes (task-f t) sorted (fl> size 0.0))))
+     (define wrong (remove-indivisible (contradicted t sorted probes size) whole))
+     (cond [(null? wrong) (finish t panels value bound size)]
+           [(>= count (task-limit t)) ((task-raise-stuck t) value bound (car wrong))]
+           [else
+            (define-values (next added)
+              (halve (lambda (p) (memq p wrong)) panels (task-f t)))
+            (refine t next (+ count added) probes)])]
+    [else (values value bound)]))
+
+(define (contradicted t panels probes size)
+  (define-values (tolerance width) (values (task-tolerance t) (panel-width (task-whole t))))
+  (define found (suspects panels probes tolerance size width))
+  (if (null? found) (suspects-at-edges (task-f t) panels tolerance size width) found))
+
+(define (remove-indivisible panels whole)
+  (filter (lambda (p) (not (indivisible? p whole))) panels))
+
+;; The rounding of nodes is counted at the end, for halving does not make it less; and only of
+;; whole integrals: of parts towards a point where f is infinite it would be too much.
+(define (finish t panels value bound size)
+  (define unsure (rounding-of-nodes panels))
+  (if (<= unsure (* (task-tolerance t) size))
+      (values value (fl+ bound unsure))
+      ((task-raise-stuck t) value (fl+ bound unsure) (argmax panel-error panels))))
 
 ;; -> panels, and how many more there are
 (define (halve which? panels f)

@@ -1,65 +1,115 @@
 #lang racket/base
 ;; Points at which a quadrature that would end looks for what it has not seen.
 ;;
-;; A peak between the nodes of a panel leaves no trace in their values.  Points spread over
-;; the interval, no two of them further apart than about 1/240 of it, find one that is a
-;; thousandth of it wide; others close in on both ends, and on 0 if it lies between, in steps
-;; of a factor 4, for the mass of e^(−x) over 0 … 10⁶ is there.  Where a value differs
-;; from the polynomial of its panel by more than that may be wrong, the panel is *suspect*.
+;; A peak between the nodes of a panel leaves no trace in their values.  Points spread over the
+;; interval, 192 to its length, find one that is a thousandth of it wide; they are left out
+;; where panels are so narrow that their own nodes are as close.  Others close in on both ends,
+;; and on 0 if it lies between, in steps of a factor 16, for the mass of e^(−x) over 0 … 10⁶ is
+;; there.  Where a value differs from the polynomial of its panel by more than that may be
+;; wrong, the panel is *suspect*.  Of a function that was 0 wherever it was seen, peaks are
+;; sought five times as closely, and to the smallest numbers.
 ;;
 ;; What the polynomial may be wrong by follows from the estimate of panel.rkt, whose error to
 ;; the power 2/3 is the distance of two rules: about tolerance^(2/3) of the mean of |f|,
 ;; as long as the panel is not so narrow that it does not matter.
+;;
+;; A jump may hide, too, between the edge of two panels and their nodes next to it: then the two
+;; polynomials differ there, and f close to the edge tells which of them is wrong.
 
 (require racket/flonum racket/list
          "panel.rkt"
          "../../error/failure.rkt")
 
-(provide take-probes suspects)
+(provide take-probes suspects suspects-at-edges)
 
 (struct probe (x y) #:authentic)
 
-;; -> a list in increasing order of x; f is evaluated at some 300 points, of which those are
-;; left out where it has no finite value, as ∞ · 0 far out
-(define (take-probes f low high)
-  (define-values (a b) (values (min low high) (max low high)))
-  (for*/list ([x (in-list (sort (remove-duplicates (points a b)) fl<))]
-              #:when (fl< a x b)
-              [y (in-value (with-handlers ([exn:fail:mechanics:singular? (lambda (e) #f)]) (f x)))]
+;; -> a list in increasing order of x; f has no value at some, as ∞ · 0 far out
+;; panels : from the left; seen? : was f anything but 0?
+(define (take-probes f panels seen?)
+  (define low (panel-least (first panels)))
+  (define high (panel-greatest (last panels)))
+  (define width (fl- high low))
+  (define points
+    (append (closing-in low width seen?)
+            (spread-points panels low width (if seen? 192 1000))
+            (closing-in high (fl- 0.0 width) seen?)
+            (if (fl< low 0.0 high)
+                (append (closing-in 0.0 high seen?) (closing-in 0.0 low seen?))
+                '())))
+  (for*/list ([x (in-list (sort points fl<))]
+              #:when (fl<= low x high)
+              [y (in-value (value-if-any f x))]
               #:when y)
     (probe x y)))
 
-(define spread 240)
-(define golden 0.6180339887498949)
+(define (value-if-any f x)
+  (with-handlers ([exn:fail:mechanics:singular? (lambda (e) #f)]) (f x)))
 
-(define (points a b)
-  (define width (fl- b a))
-  (append (for/list ([k (in-range spread)])
-            (define jitter (fl- (fl* golden (->fl k)) (flfloor (fl* golden (->fl k)))))
-            (fl+ a (fl* width (fl/ (fl+ (->fl k) (fl+ 0.45 (fl* 0.1 jitter))) (->fl spread)))))
-          (closing-in a width)
-          (closing-in b (fl- 0.0 width))
-          (if (fl< a 0.0 b) (append (closing-in 0.0 b) (closing-in 0.0 a)) '())))
+(define nodes-per-panel 14.0)           ; that many would be as far apart as its nodes are at most
 
-(define (closing-in end width)
-  (for/list ([k (in-range 8 54 2)]) (fl+ end (fl* width (expt 0.5 k)))))
+;; In the middle of n cells, or nearly
+(define (spread-points panels low width n)
+  (define cell (fl/ width (->fl n)))
+  (let loop ([k 0] [panels panels] [points '()])
+    (define x (fl+ low (fl* cell (fl+ (->fl k) (fl+ 0.45 (fl* 0.1 (jitter k)))))))
+    (cond [(or (= k n) (null? panels)) points]
+          [(fl> x (panel-greatest (car panels))) (loop k (cdr panels) points)]
+          [(fl< (panel-width (car panels)) (fl* nodes-per-panel cell)) (loop (+ k 1) panels points)]
+          [else (loop (+ k 1) panels (cons x points))])))
+
+;; The fraction of a multiple of the golden section
+(define (jitter k)
+  (define x (fl* 0.6180339887498949 (->fl k)))
+  (fl- x (flfloor x)))
+
+;; The end itself, and points that come nearer to it
+(define (closing-in end width seen?)
+  (define (at k) (fl+ end (fl* width (flexpt 0.5 (->fl k)))))
+  (cons end (for/list ([k (if seen? (in-range 10 55 4) (in-range 12 900 12))]) (at k))))
+
+;; ---------------------------------------------------------------------------
+
+;; What is wrong enough: values by `most`, areas by `matters`.
+(struct threshold (most matters) #:authentic)
+
+(define (threshold-of tolerance size width)
+  (threshold (fl* 0.1 (fl/ (fl* (flexpt tolerance (fl/ 2.0 3.0)) size) width))
+             (fl* 0.1 (fl* tolerance size))))
+
+(define (off? y polynomial width t)
+  (define off (flabs (fl- y polynomial)))
+  (and (fl> off (threshold-most t)) (fl> (fl* off width) (threshold-matters t))))
 
 ;; The panels whose polynomials are wrong at a probe; size ≈ ∫ |f| over the whole width.
 (define (suspects panels probes tolerance size width)
-  (define most (fl* 0.1 (fl/ (fl* (flexpt tolerance (fl/ 2.0 3.0)) size) width)))
-  (define matters (fl* 0.1 (fl* tolerance size)))
+  (define t (threshold-of tolerance size width))
   (define (wrong? p q)
-    (define off (flabs (fl- (probe-y q) (panel-polynomial p (probe-x q)))))
-    (and (fl> off most) (fl> (fl* off (panel-width p)) matters)))
-  (let loop ([panels (sort panels fl< #:key panel-least)] [probes probes] [found '()])
+    (off? (probe-y q) (panel-polynomial p (probe-x q)) (panel-width p) t))
+  (let loop ([panels panels] [probes probes] [found '()])
     (cond [(or (null? panels) (null? probes)) found]
           [else
            (define p (car panels))
            (define q (car probes))
-           (cond [(fl> (probe-x q) (flmax (panel-low p) (panel-high p)))
-                  (loop (cdr panels) probes found)]
+           (cond [(fl> (probe-x q) (panel-greatest p)) (loop (cdr panels) probes found)]
                  [(fl< (probe-x q) (panel-least p)) (loop panels (cdr probes) found)]
                  [(wrong? p q) (loop (cdr panels) probes (cons p found))]
                  [else (loop panels (cdr probes) found)])])))
 
-(define (panel-least p) (flmin (panel-low p) (panel-high p)))
+(define strip 0.005)                   ; of a panel is outside of its nodes
+
+;; The panels that are wrong at an edge between two.
+(define (suspects-at-edges f panels tolerance size width)
+  (define t (threshold-of tolerance size width))
+  (for/fold ([found '()]) ([p (in-list panels)] [q (in-list (cdr panels))])
+    (define edge (panel-greatest p))
+    (define-values (from-p from-q) (values (panel-polynomial p edge) (panel-polynomial q edge)))
+    (define (wrong-beside? p polynomial)
+      (define aside (fl* 1e-3 (fl* strip (fl- (panel-centre p) edge))))
+      (define y (value-if-any f (fl+ edge aside)))
+      (and y (off? y polynomial (fl* strip (panel-width p)) t)))
+    (cond [(off? from-p from-q (fl* strip (flmax (panel-width p) (panel-width q))) t)
+           (append (if (wrong-beside? p from-p) (list p) '())
+                   (if (wrong-beside? q from-q) (list q) '())
+                   found)]
+          [else found])))

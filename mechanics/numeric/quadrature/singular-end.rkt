@@ -10,7 +10,7 @@
 ;; of gauss-kronrod.rkt makes of it.
 
 (require racket/list
-         "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
+         "epsilon-algorithm.rkt" "gauss-kronrod.rkt" "logarithmic-end.rkt"
          "../../error/failure.rkt")
 
 (provide integral-towards)
@@ -38,7 +38,8 @@
     (cond
       [(and (>= k least-terms)
             (found? p (lambda () (rough-integral f x end)) tolerance)
-            (still-falling? f end (- x end) p tolerance))
+            (still-falling? f end (- x end) p tolerance)
+            (or (= end 0.0) (same-power-to-the-end? f end (- x end))))
        (values (limit p) (* tolerance (progress-size p)))]
       [(or (= k most-terms) (not (resolved? y end))) (none)]
       [else

@@ -98,10 +98,13 @@
 ;; fall, or as 1/u at most.  Where g ends earlier than u may, as x/(1 + x²) does when x²
 ;; overflows, it is looked at up to there.
 (define (diverging? g to)
-  (for/or ([k (in-range 3)])
-    (define end (/ to (expt 2 k)))
-    (define y (g end))
-    (and y (not (= y 0.0)) (level-or-reciprocal? g end))))
+  (define end
+    (for*/first ([k (in-range 3)]
+                 [end (in-value (/ to (expt 2 k)))]
+                 [y (in-value (g end))]
+                 #:when (and y (not (= y 0.0))))
+      end))
+  (and end (level-or-reciprocal? g end)))
 
 (define (level-or-reciprocal? g to)
   (define us (for/list ([k (in-range 8)]) (* to (expt 2.0 (* -0.5 k)))))
