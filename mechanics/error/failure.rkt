@@ -12,7 +12,7 @@
  (struct-out exn:fail:mechanics:not-convergent:integral)
  ;; raising them
  raise-no-answer raise-singular raise-without-inverse raise-not-convergent
- raise-divergent-integral raise-unknown-integral
+ raise-divergent-integral raise-unknown-integral raise-rounded-integral
  ;; asking
  no-value?)
 
@@ -72,6 +72,12 @@
   (raise-no-integral who
                      (string-append "the integral was not found to the tolerance asked; "
                                     "whether it converges is not known")
+                     value bound where))
+
+(define (raise-rounded-integral who value bound where)
+  (raise-no-integral who
+                     (string-append "the integral was not found to the tolerance asked, for "
+                                    "numbers next to each other are too far apart there")
                      value bound where))
 
 (define (raise-no-integral who what value bound where)

@@ -58,14 +58,16 @@
     (stuck value bound (and (indivisible? worst whole) x))
     (raise-unknown-integral who value bound (place x)))
   (define tolerated (max (real->double-flonum tolerance) (* 2.0 rounding)))
-  (refine (task g whole tolerated limit raise-stuck edge search?) (list whole) 1 #f))
+  (define (raise-rounded value bound worst)
+    (raise-rounded-integral who value bound (place (panel-centre worst))))
+  (refine (task g whole tolerated limit raise-stuck raise-rounded edge search?) (list whole) 1 #f))
 
 (define (never) #f)
 
 (define most-panels 10000)
 
 ;; What does not change while panels are halved; whole : the first of them
-(struct task (f whole tolerance limit raise-stuck edge search?) #:authentic)
+(struct task (f whole tolerance limit raise-stuck raise-rounded edge search?) #:authentic)
 
 ;; count : how many panels; probes : #f as long as none were taken
 (define (refine t panels count probes)
@@ -91,19 +93,22 @@
      (define whole (task-whole t))
      (define sorted (panels-from-the-left panels))
      (define probes (or taken (take-probes (task-f t) sorted (fl> size 0.0))))
-     (define wrong (remove-indivisible (contradicted t sorted probes size) whole))
+     (define-values (all-wrong again) (contradicted t sorted probes size))
+     (define wrong (remove-indivisible all-wrong whole))
      (cond [(null? wrong) (finish t panels value bound size)]
            [(>= count (task-limit t)) ((task-raise-stuck t) value bound (car wrong))]
            [else
             (define-values (next added)
               (halve (lambda (p) (memq p wrong)) panels (task-f t)))
-            (refine t next (+ count added) probes)])]
+            (refine t next (+ count added) again)])]
     [else (values value bound)]))
 
+;; -> panels, and probes to be looked at again
 (define (contradicted t panels probes size)
   (define-values (tolerance width) (values (task-tolerance t) (panel-width (task-whole t))))
-  (define found (suspects panels probes tolerance size width))
-  (if (null? found) (suspects-at-edges (task-f t) panels tolerance size width) found))
+  (define-values (found again) (suspects panels probes tolerance size width))
+  (values (if (null? found) (suspects-at-edges (task-f t) panels tolerance size width) found)
+          again))
 
 (define (remove-indivisible panels whole)
   (filter (lambda (p) (not (indivisible? p whole))) panels))
@@ -114,7 +119,7 @@
   (define unsure (rounding-of-nodes panels))
   (if (<= unsure (* (task-tolerance t) size))
       (values value (fl+ bound unsure))
-      ((task-raise-stuck t) value (fl+ bound unsure) (argmax panel-error panels))))
+      ((task-raise-rounded t) value (fl+ bound unsure) (argmax rounding-of-panel panels))))
 
 ;; -> panels, and how many more there are
 (define (halve which? panels f)

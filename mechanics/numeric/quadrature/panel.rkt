@@ -26,7 +26,7 @@
 (require racket/flonum)
 
 (provide (struct-out panel) integrate-panel panel-centre panel-width panel-least panel-greatest
-         panel-polynomial panels-from-the-left rounding-of-nodes
+         panel-polynomial panels-from-the-left rounding-of-nodes rounding-of-panel
          rounding)
 
 ;; ---------------------------------------------------------------------------
@@ -137,9 +137,12 @@
 ;; up and down, its square is a sum of squares.
 (define (rounding-of-nodes panels)
   (flsqrt (for/fold ([sum 0.0]) ([p (in-list panels)])
-            (define unit (fl* epsilon (flmax (flabs (panel-low p)) (flabs (panel-high p)))))
-            (fl+ sum (fl* (fl* unit unit)
-                          (fl+ (squared-steps (panel-left p)) (squared-steps (panel-right p))))))))
+            (define here (rounding-of-panel p))
+            (fl+ sum (fl* here here)))))
+
+(define (rounding-of-panel p)
+  (define unit (fl* epsilon (flmax (flabs (panel-low p)) (flabs (panel-high p)))))
+  (fl* unit (flsqrt (fl+ (squared-steps (panel-left p)) (squared-steps (panel-right p))))))
 
 (define epsilon (expt 2.0 -52))
 

@@ -37,14 +37,22 @@
             (if (fl< low 0.0 high)
                 (append (closing-in 0.0 high seen?) (closing-in 0.0 low seen?))
                 '())))
-  (for*/list ([x (in-list (sort points fl<))]
-              #:when (fl<= low x high)
-              [y (in-value (value-if-any f x))]
-              #:when y)
-    (probe x y)))
+  (probes-at f (filter (lambda (x) (fl<= low x high)) (sort points fl<))))
 
-(define (value-if-any f x)
-  (with-handlers ([exn:fail:mechanics:singular? (lambda (e) #f)]) (f x)))
+;; One handler for all points: a new one for each takes longer than most functions.
+(define (probes-at f points)
+  (define left points)
+  (define found '())
+  (define (go-on)
+    (unless (null? left)
+      (define x (car left))
+      (set! left (cdr left))
+      (set! found (cons (probe x (f x)) found))
+      (go-on)))
+  (let again ()
+    (with-handlers ([exn:fail:mechanics:singular? void]) (go-on))
+    (unless (null? left) (again)))
+  (reverse found))
 
 (define nodes-per-panel 14.0)           ; that many would be as far apart as its nodes are at most
 
@@ -81,20 +89,21 @@
   (define off (flabs (fl- y polynomial)))
   (and (fl> off (threshold-most t)) (fl> (fl* off width) (threshold-matters t))))
 
-;; The panels whose polynomials are wrong at a probe; size ≈ ∫ |f| over the whole width.
+;; The panels whose polynomials are wrong at a probe; and those probes that are in them, for
+;; others need not be looked at again.  size ≈ ∫ |f| over the whole width.
 (define (suspects panels probes tolerance size width)
   (define t (threshold-of tolerance size width))
   (define (wrong? p q)
     (off? (probe-y q) (panel-polynomial p (probe-x q)) (panel-width p) t))
-  (let loop ([panels panels] [probes probes] [found '()])
-    (cond [(or (null? panels) (null? probes)) found]
+  (let loop ([panels panels] [probes probes] [found '()] [again '()])
+    (cond [(or (null? panels) (null? probes)) (values found (reverse again))]
           [else
            (define p (car panels))
-           (define q (car probes))
-           (cond [(fl> (probe-x q) (panel-greatest p)) (loop (cdr panels) probes found)]
-                 [(fl< (probe-x q) (panel-least p)) (loop panels (cdr probes) found)]
-                 [(wrong? p q) (loop (cdr panels) probes (cons p found))]
-                 [else (loop panels (cdr probes) found)])])))
+           (define-values (inside beyond)
+             (splitf-at probes (lambda (q) (fl<= (probe-x q) (panel-greatest p)))))
+           (if (ormap (lambda (q) (wrong? p q)) inside)
+               (loop (cdr panels) beyond (cons p found) (append (reverse inside) again))
+               (loop (cdr panels) beyond found again))])))
 
 (define strip 0.005)                   ; of a panel is outside of its nodes
 
@@ -106,8 +115,8 @@
     (define-values (from-p from-q) (values (panel-polynomial p edge) (panel-polynomial q edge)))
     (define (wrong-beside? p polynomial)
       (define aside (fl* 1e-3 (fl* strip (fl- (panel-centre p) edge))))
-      (define y (value-if-any f (fl+ edge aside)))
-      (and y (off? y polynomial (fl* strip (panel-width p)) t)))
+      (for/or ([q (in-list (probes-at f (list (fl+ edge aside))))])
+        (off? (probe-y q) polynomial (fl* strip (panel-width p)) t)))
     (cond [(off? from-p from-q (fl* strip (flmax (panel-width p) (panel-width q))) t)
            (append (if (wrong-beside? p from-p) (list p) '())
                    (if (wrong-beside? q from-q) (list q) '())

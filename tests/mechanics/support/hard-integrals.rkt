@@ -9,12 +9,6 @@
 
 (provide hard-integrals)
 
-;; A value written as a string is the number, exactly.
-(define-syntax-rule (hard [name f low high value size ...] ...)
-  (table [name f low high (exact value) size ...] ...))
-
-(define (exact text) (string->number (string-append "#e" text)))
-
 ;; Ranges much longer than what matters in them.
 (define long-ranges
   (hard

@@ -1,9 +1,10 @@
 #lang racket/base
 ;; Integrals with known values, for tests and for the benchmarks: those that any method of
-;; quadrature should do.  The difficult ones are in hard-integrals.rkt.
+;; quadrature should do.  The difficult ones are in
+;; hard-integrals.rkt and hostile-integrals.rkt.
 
 (provide classic-integrals
-         table (struct-out entry)
+         table hard (struct-out entry)
          pi square cosh tanh)
 
 (define pi (* 4.0 (atan 1.0)))
@@ -19,6 +20,12 @@
 ;; the magnitude of the value where it is left out.
 (define-syntax-rule (table [name f low high value size ...] ...)
   (list (make-entry name f low high value size ...) ...))
+
+;; A value written as a string is the number, exactly.
+(define-syntax-rule (hard [name f low high value size ...] ...)
+  (table [name f low high (exact value) size ...] ...))
+
+(define (exact text) (string->number (string-append "#e" text)))
 
 (struct entry (name f low high value size))
 
