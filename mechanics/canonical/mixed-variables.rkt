@@ -4,17 +4,14 @@
 ;; How to find x is settled once, at symbols, for all arguments of a shape:
 ;;
 ;;   exactly     where f is of degree 1 in x
-;;   by formula  where the equations can be solved (algebra/rewriting/solve.rkt)
-;;               of which a root that holds the unknown may go by squaring
+;;   by formula  where the equations can be solved (solution-formula.rkt)
 ;;   by numbers  elsewhere, by Newton's method; derivatives are those of the inverse function
 ;;
 ;; Where the derivatives of f have no inverse the x is not determined, and the determinant says
 ;; so.
 
-(require racket/list
-         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/operation.rkt" "../algebra/expression/substitute.rkt"
-         "../algebra/expression/symbols.rkt"
+(require "solution-formula.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
@@ -24,9 +21,7 @@
          "../value/linear/linear-algebra.rkt")
 
 (require-on-demand
- ["../algebra/rewriting/solve.rkt" solve-equations]
  ["../calculus/expression-function.rkt" evaluate-generically]
- ["../hamiltonian/velocity-formula.rkt" without-root]
  ["../search/find-root.rkt" find-root]
  ["../search/implicit.rkt" plain])
 
@@ -76,72 +71,14 @@
              'exactly
              (or (find-formula (car equations) place x target) 'by-numbers))]))
 
+(define (find-formula values place x target)
+  (define found (solution-formula values target (scalars x)))
+  (and found
+       (formula place target (scalars->structure x (lambda (k) (list-ref found k))))))
+
 (define (free-of? x names)
   (not (for*/or ([e (in-list (scalars x))] [name (in-list names)])
          (and (expression? e) (occurs? name e)))))
-
-;; Of several solutions the one that leads back to a positive x, or else the first one.
-(define (find-formula values place x target)
-  (define unknowns (scalars x))
-  (define equations (map g:- (scalars values) (scalars target)))
-  (define good? (leads-back? values unknowns target))
-  (define complete (complete-solutions equations unknowns))
-  (define chosen
-    (or (findf good? complete)
-        (and (pair? complete) (car complete))
-        (findf good? (complete-solutions (map (rootless unknowns) equations) unknowns))))
-  (and chosen
-       (formula place target (scalars->structure x (lambda (k) (list-ref chosen k))))))
-
-;; -> lists of expressions for the unknowns
-(define (complete-solutions equations unknowns)
-  (define found
-    (and (andmap values equations)
-         (parameterize ([automatic-assumptions #f])
-           (solve-equations equations unknowns (assumptions-in-force)))))
-  (for*/list ([solution (in-list (or found '()))]
-              #:when (for/and ([u (in-list unknowns)]) (assq u (car solution))))
-    (smoothed (for/list ([u (in-list unknowns)]) (cdr (assq u (car solution))))
-              unknowns equations)))
-
-;; What is squared has more solutions; those that lead back are solutions where signs are as
-;; there.
-(define ((rootless unknowns) e)
-  (define involved (filter (lambda (u) (occurs? u e)) unknowns))
-  (and (pair? involved)
-       (null? (cdr involved))
-       (parameterize ([automatic-assumptions #f])
-         (without-root e (car involved) (string->uninterned-symbol "R")))))
-
-;; Roots of squares come as |u|: the two of them are solutions together, and so is one with u
-;; for |u|, which has no kink.
-(define (smoothed xs unknowns equations)
-  (define smooth (map without-absolute-values xs))
-  (define (solves? e)
-    (eqv? 0 (simplify-strictly (substitute-expression e (map cons unknowns smooth)))))
-  (if (andmap solves? equations) smooth xs))
-
-(define (without-absolute-values e)
-  (node-fold e
-             (lambda (leaf) leaf)
-             (lambda (n parts)
-               (if (eq? (node-head n) op:abs) (car parts) (apply e:apply (node-head n) parts)))))
-
-;; Does the solution give x again for y = f(x), at one point with positive x and parameters?
-(define ((leads-back? values unknowns target) xs)
-  (define ys (scalars target))
-  (define names (remove-duplicates (append unknowns (append-map symbols-of (scalars values))
-                                           (remove* ys (append-map symbols-of xs)))))
-  (define point (for/list ([s (in-list names)] [k (in-naturals)]) (cons s (/ (+ 3 k) (+ 5 k)))))
-  (define (number-at e p) (constant-value (substitute-expression e p)))
-  (define images (for/list ([e (in-list (scalars values))]) (number-at e point)))
-  (and (andmap real? images)
-       (let ([back (append (map cons ys images) point)])
-         (for/and ([e (in-list xs)] [u (in-list unknowns)])
-           (define x (number-at e back))
-           (and x (< (abs (- x (cdr (assq u point)))) 1e-9))))))
-
-(define (symbols-of e) (if (expression? e) (symbols-in e) '()))
 
 ;; ---------------------------------------------------------------------------
 ;; The ways

@@ -20,8 +20,9 @@
  ["Lie-series.rkt" Lie-transform flow-transform Lie-transformation]
  ["Baker-Campbell-Hausdorff.rkt" Baker-Campbell-Hausdorff]
  ["Hamilton-Jacobi.rkt" Hamilton-Jacobi-residual verify-Hamilton-Jacobi]
- ["perturbation.rkt" perturbation-series perturbation? perturbation-Hamiltonian
-                     perturbation-generators perturbation-divisors perturbation-resonances]
+ ["perturbation.rkt" perturbation-series]
+ ["found-perturbation.rkt" perturbation? perturbation-Hamiltonian perturbation-generators
+                           perturbation-divisors perturbation-resonances]
  ["perturbed-motion.rkt" perturbation-transformation perturbation-inverse perturbation-solution
                          verify-perturbation]
  ["Birkhoff.rkt" Birkhoff-normal-form normal-form? normal-form-Hamiltonian

@@ -6,33 +6,17 @@
 ;; is not to be, stays: resonances.  All that was divided by is kept with the answer, for where
 ;; it is small the answer is worth nothing.
 
-(require racket/list
-         "Lie-triangle.rkt" "Poisson-series.rkt" "homological.rkt"
+(require "Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt" "homological.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
+         "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt"
-         "../value/series/access.rkt")
+         "../value/shape.rkt" "../value/simplify.rkt")
 
-(provide perturbation-series perturbation?
-         perturbation-Hamiltonian perturbation-generators
-         perturbation-divisors perturbation-resonances
-         ;; for what is made of it
-         (struct-out perturbation) frequencies-of actions-of angles-of term-function)
-
-;; state : of symbols; given : functions H₀, H₁, …; terms, Ws : Poisson series, of H' and
-;; the Wₙ; removals : for each order the list of what was removed
-(value-struct perturbation (state given parameter terms Ws removals)
-  #:text (lambda (P) (perturbation->text P)))
-
-(define (angles-of P) (scalars (coordinate (perturbation-state P))))
-(define (actions-of P) (scalars (momentum (perturbation-state P))))
+(provide perturbation-series)
 
 ;; H1 : a function of the state, or the list of H₁, H₂, …
 ;; resonances : lists of integers, of the waves to be kept
@@ -135,64 +119,3 @@
             (string-append "a perturbation is a sum of sines and cosines of integer multiples of "
                            "the angles, with coefficients in the momenta; in ~a there is ~a")
             (value->text H) (value->text part)))
-
-;; ---------------------------------------------------------------------------
-;; What is found
-
-;; The function of the state that a Poisson series is.
-(define (term-function P s)
-  (define state (perturbation-state P))
-  (define e (simplify-strictly (series->expression s (angles-of P))))
-  (define names (scalars state))
-  (unary-function (lambda () (value->datum e)) (at)
-    (check-H-state 'perturbation-series at)
-    (evaluate-generically e (map cons names (scalars at)))))
-
-;; The series of functions H'₀ + ε H'₁ + ⋯ of the new state
-(define (perturbation-Hamiltonian P)
-  (apply series
-         (for/list ([s (in-list (perturbation-terms P))] [n (in-naturals)])
-           (g:* (g:expt (perturbation-parameter P) n) (term-function P s)))))
-
-;; The list of W₁, W₂, …, functions of the state
-(define (perturbation-generators P)
-  (for/list ([W (in-list (perturbation-Ws P))]) (term-function P W)))
-
-;; ((order integers divisor) …) of all waves that were removed
-(define (perturbation-divisors P)
-  (for*/list ([(gone n) (in-parallel (perturbation-removals P) (in-naturals 1))]
-              [r (in-list gone)])
-    (list n (removed-numbers r) (removed-divisor r))))
-
-;; ((order integers term) …) of the waves that stayed, of which the integers are not all zero
-(define (perturbation-resonances P)
-  (for*/list ([(s n) (in-parallel (perturbation-terms P) (in-naturals))]
-              [k (in-list (wave-numbers s))]
-              #:unless (andmap zero? k))
-    (define w (hash-ref (series-waves s) k))
-    (list n k (simplify-strictly
-               (series->expression
-                (one-wave (length k) k (wave-cosine w) (wave-sine w)) (angles-of P))))))
-
-;; ---------------------------------------------------------------------------
-;; In words
-
-(define (perturbation->text P)
-  (define order (length (perturbation-Ws P)))
-  (define lines
-    (for/list ([n (in-range (add1 order))])
-      (format "  order ~a: ~a" n
-              (value->text
-               (simplify-strictly (series->expression (list-ref (perturbation-terms P) n)
-                                             (angles-of P)))))))
-  (define divided
-    (for/list ([d (in-list (remove-duplicates (map cdr (perturbation-divisors P))))])
-      (format "  divided by: ~a, of the wave ~a" (value->text (cadr d)) (car d))))
-  (define kept
-    (for/list ([r (in-list (perturbation-resonances P))])
-      (format "  resonance: ~a, kept in order ~a" (cadr r) (car r))))
-  (apply string-append
-         (format "perturbation to order ~a in ~a" order
-                 (value->text (perturbation-parameter P)))
-         (for/list ([line (in-list (append lines divided kept))])
-           (string-append "\n" line))))

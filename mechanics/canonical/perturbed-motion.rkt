@@ -6,7 +6,7 @@
 ;; the angles turn at the frequencies of the new Hamiltonian: forth, on, and back is the solution.
 
 (require racket/list
-         "Lie-triangle.rkt" "Poisson-series.rkt" "perturbation.rkt"
+         "Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt"
          "Lie-derivative.rkt"
          "../calculus/expression-function.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
@@ -32,10 +32,6 @@
   (define who 'perturbation-inverse)
   (check-perturbation who P)
   (transformation who P (lambda (terms) (carried P terms (reverse (in-order P)) -1))))
-
-(define (check-perturbation who P)
-  (unless (perturbation? P)
-    (complain who "expected what perturbation-series gives; given ~a" (describe-with-value P))))
 
 ;; ((n . Wₙ) …)
 (define (in-order P) (for/list ([W (in-list (perturbation-Ws P))] [n (in-naturals 1)]) (cons n W)))

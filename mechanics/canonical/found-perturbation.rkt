@@ -1,0 +1,101 @@
+#lang racket/base
+;; What perturbation theory found: the new Hamiltonian, the generators, what was divided by and
+;; what stayed.
+;;
+;; All of it is kept as Poisson series in the symbols of a state; functions of any state are made
+;; of them by substitution.
+
+(require racket/list
+         "Poisson-series.rkt" "homological.rkt"
+         "../calculus/expression-function.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt"
+         "../generic/function.rkt"
+         "../generic/value-struct.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/series/access.rkt")
+
+(provide perturbation? perturbation-Hamiltonian perturbation-generators
+         perturbation-divisors perturbation-resonances
+         ;; for what makes it, and what is made of it
+         (struct-out perturbation) check-perturbation actions-of angles-of)
+
+;; state : of symbols; given : functions H₀, H₁, …; terms, Ws : Poisson series, of H' and
+;; the Wₙ; removals : for each order the list of what was removed
+(value-struct perturbation (state given parameter terms Ws removals)
+  #:text (lambda (P) (perturbation->text P)))
+
+(define (angles-of P) (scalars (coordinate (perturbation-state P))))
+(define (actions-of P) (scalars (momentum (perturbation-state P))))
+
+(define (check-perturbation who P)
+  (unless (perturbation? P)
+    (complain who "expected what perturbation-series gives; given ~a" (describe-with-value P))))
+
+;; ---------------------------------------------------------------------------
+;; What is found
+
+;; The function of the state that a Poisson series is.
+(define (term-function P s)
+  (define state (perturbation-state P))
+  (define e (simplify-strictly (series->expression s (angles-of P))))
+  (define names (scalars state))
+  (unary-function (lambda () (value->datum e)) (at)
+    (check-H-state 'perturbation-series at)
+    (evaluate-generically e (map cons names (scalars at)))))
+
+;; The series of functions H'₀ + ε H'₁ + ⋯ of the new state
+(define (perturbation-Hamiltonian P)
+  (check-perturbation 'perturbation-Hamiltonian P)
+  (apply series
+         (for/list ([s (in-list (perturbation-terms P))] [n (in-naturals)])
+           (g:* (g:expt (perturbation-parameter P) n) (term-function P s)))))
+
+;; The list of W₁, W₂, …, functions of the state
+(define (perturbation-generators P)
+  (check-perturbation 'perturbation-generators P)
+  (for/list ([W (in-list (perturbation-Ws P))]) (term-function P W)))
+
+;; ((order integers divisor) …) of all waves that were removed
+(define (perturbation-divisors P)
+  (check-perturbation 'perturbation-divisors P)
+  (for*/list ([(gone n) (in-parallel (perturbation-removals P) (in-naturals 1))]
+              [r (in-list gone)])
+    (list n (removed-numbers r) (removed-divisor r))))
+
+;; ((order integers term) …) of the waves that stayed, of which the integers are not all zero
+(define (perturbation-resonances P)
+  (check-perturbation 'perturbation-resonances P)
+  (for*/list ([(s n) (in-parallel (perturbation-terms P) (in-naturals))]
+              [k (in-list (wave-numbers s))]
+              #:unless (andmap zero? k))
+    (define w (hash-ref (series-waves s) k))
+    (list n k (simplify-strictly
+               (series->expression
+                (one-wave (length k) k (wave-cosine w) (wave-sine w)) (angles-of P))))))
+
+;; ---------------------------------------------------------------------------
+;; In words
+
+(define (perturbation->text P)
+  (define order (length (perturbation-Ws P)))
+  (define lines
+    (for/list ([n (in-range (add1 order))])
+      (format "  order ~a: ~a" n
+              (value->text
+               (simplify-strictly (series->expression (list-ref (perturbation-terms P) n)
+                                             (angles-of P)))))))
+  (define divided
+    (for/list ([d (in-list (remove-duplicates (map cdr (perturbation-divisors P))))])
+      (format "  divided by: ~a, of the wave ~a" (value->text (cadr d)) (car d))))
+  (define kept
+    (for/list ([r (in-list (perturbation-resonances P))])
+      (format "  resonance: ~a, kept in order ~a" (cadr r) (car r))))
+  (apply string-append
+         (format "perturbation to order ~a in ~a" order
+                 (value->text (perturbation-parameter P)))
+         (for/list ([line (in-list (append lines divided kept))])
+           (string-append "\n" line))))
