@@ -1,25 +1,28 @@
 #lang mechanics
-;; A section put together of the perturbative solutions of three resonances, and the section of the
-;; driven pendulum itself, for figures 7.10 and 7.11.  Each start is told by the theory of the
-;; resonance that is nearest; the theories of ω, 0 and −ω are blue, black and red.
+;; A section put together of the perturbative solutions of three resonances, left, and the section
+;; of the driven pendulum itself, right, for figures 7.10 and 7.11.  Each start on the left is told by
+;; the theory of the resonance that is nearest; those of ω, 0 and −ω are blue, black and red.
 
 (require mechanics/plot "resonances.rkt")
 
-(provide resonances composite true-section)
+(provide resonances side-by-side)
 
 (define resonances '((0 1) (-1 1) (1 1)))
 
 (define (nearest p)
-  (argmin (lambda (k) (abs (- p (middle k)))) resonances))
+  (for/fold ([best '(0 1)]) ([k resonances])
+    (if (< (abs (- p (middle k))) (abs (- p (middle best)))) k best)))
 
-(define (composite gamma starts n)
-  (define picture (section-frame))
-  (for ([k resonances] [color '(black blue red)])
-    (define own (filter (lambda (start) (equal? (nearest (cadr start)) k)) starts))
-    (draw-theory picture gamma k own n #:color color))
-  picture)
-
-(define (true-section gamma starts n)
-  (define picture (section-frame))
-  (draw-section picture gamma starts n)
+(define (side-by-side gamma starts n)
+  (define picture
+    (frame :-pi (* 3 pi) -8. 8. #:width 700 #:height 500
+           #:x-label "θ of the theory, and 2π + θ of the pendulum" #:y-label "p"))
+  (for ([start starts])
+    (define k (nearest (cadr start)))
+    (draw-theory picture gamma k (list start) n
+                 #:color (cond [(= (middle k) 0) 'black]
+                               [(> (middle k) 0) 'blue]
+                               [else 'red])))
+  (draw-section picture gamma starts n #:shift :2pi)
+  (plot-line picture pi -8. pi 8.)
   picture)

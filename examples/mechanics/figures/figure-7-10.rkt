@@ -5,17 +5,15 @@
 ;; each where it is meant for, right the pendulum itself.  Islands and the curves between them are
 ;; the same; small islands between the large ones, and chaos at their edges, are not in the theory.
 
-(require mechanics/plot "resonances.rkt" "composite.rkt" pict)
+(require mechanics/plot "resonances.rkt" "composite.rkt")
 
 (define gamma 1/4)
 (define starts
   '((0. 0.5) (0. 1.) (0. 1.5) (0. 1.9) (3.1 0.3) (3.1 -0.3) (0. 2.3) (0. -2.3) (0. 2.8) (0. 3.2)
     (0. -2.8) (0. -3.2) (3.1 5.2) (3.1 5.5) (3.1 5.8) (3.1 -5.2) (3.1 -5.5) (3.1 -5.8) (0. 3.6)
     (0. -3.6) (0. 6.3) (0. -6.3) (0. 7.) (0. -7.)))
-(define theory (composite gamma starts 120))
-(define truth (true-section gamma starts 120))
+(define picture (side-by-side gamma starts 120))
 
-(define picture (hc-append 10 (frame->pict theory) (frame->pict truth)))
 picture
 
 (module+ main
@@ -29,7 +27,7 @@ picture
       (for ([told (edges gamma k)] [found (island-edges gamma k theta p)])
         (check-= told found 0.07))))
   (test-case "neighbouring solutions fit together: a curve between two by both theories"
-    (define (heights k) 
+    (define (heights k)
       (define motion ((resonant-motion gamma k) 0. 2.8))
       (for/list ([j 100]) (ref (motion (/ (* j :2pi) omega)) 1)))
     (define-values (by-0 by-omega) (values (heights '(0 1)) (heights '(-1 1))))

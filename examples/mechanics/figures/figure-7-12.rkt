@@ -39,11 +39,12 @@ picture
   (test-case "they touch at γ = 9/4"
     (check-= (room 9/4) 0 1e-12)
     (check-true (> (room 5/4) 0)))
-  ;; How far up an orbit comes that starts between the resonances
+  ;; How far up orbits come that start between the resonances
   (define (climb gamma)
     (define T (driven-map gamma))
-    (for/fold ([theta 0.] [p 2.3] [most 0.] #:result most) ([_ 2000])
-      (T theta p (lambda (theta p) (values theta p (max most p))) void)))
+    (for*/fold ([most 0.]) ([start '(2.3 2.5 3.)])
+      (for/fold ([theta 0.] [p start] [most most] #:result most) ([_ 3000])
+        (T theta p (lambda (theta p) (values theta p (max most p))) void))))
   (test-case "what is seen: curves between them at γ = 1/4, none at 5/4, before they touch"
     (check-true (< (climb 1/4) 3.9))
     (check-true (> (climb 5/4) 6))))

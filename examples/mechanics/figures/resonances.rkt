@@ -117,11 +117,12 @@
                                #:x-label "θ" #:y-label "p"))
 
 ;; starts : lists (θ p)
-(define (draw-section picture gamma starts n)
+(define (draw-section picture gamma starts n #:shift [shift 0])
   (define T (driven-map gamma))
   (define (wrapped theta p return fail)
-    (T theta p (lambda (theta p) (return (angle theta) p)) fail))
-  (explore-map picture wrapped n #:from (map (lambda (start) (apply up start)) starts)))
+    (T theta p (lambda (theta p) (return (+ shift (angle theta)) p)) fail))
+  (explore-map picture wrapped n
+               #:from (for/list ([start starts]) (up (+ shift (car start)) (cadr start)))))
 
 (define (draw-theory picture gamma k starts n #:order [order 1] #:color [color 'black])
   (define motion (resonant-motion gamma k #:order order))
