@@ -86,7 +86,7 @@
  (all-from-out "hamiltonian/on-demand.rkt")
  ;; canonical transformations, with the names of both editions
  (all-from-out "canonical/on-demand.rkt")
- (rename-out [F->CH F->CT] [J-matrix symplectic-unit] [Phi* transpose-function]
+ (rename-out [F->CH F->CT] [Phi* transpose-function]
              [Hpendulum pendulum-Hamiltonian])
  ;; energies and other integrals of the motion
  Lagrangian->energy Lagrangian->power-loss Noether-integral

@@ -17,8 +17,10 @@
 (define ((H-free m) (up t q p))
   (/ (square p) (* 2 m)))
 
-;; The free particle in the moving coordinates: H∘C + K (p. 341).
+;; The free particle in space, in the moving coordinates: H∘C + K (p. 341).
+(define velocity-of-frame (up 'v^x 'v^y 'v^z))
+
 (define (H-prime state)
-  ((+ (compose (H-free 'm) (F->CH (translating 'v)))
-      (F->K (translating 'v)))
+  ((+ (compose (H-free 'm) (F->CH (translating velocity-of-frame)))
+      (F->K (translating velocity-of-frame)))
    state))

@@ -10,18 +10,18 @@
   (+ (/ (square p) (* 2 m))
      (* 1/2 k (square x))))
 
-;; Coordinates in space that turn about the z axis at the rate n (p. 348).
-(define ((rotating n) (up t (up x y z) p))
-  (define-values (c s) (values (cos (* n t)) (sin (* n t))))
-  (up (+ (* c x) (* s y))
-      (- (* c y) (* s x))
+;; From coordinates in space that turn about the z axis at the rate Ω to those at rest (p. 348).
+(define ((rotating Omega) (up t (up x y z) p))
+  (define-values (c s) (values (cos (* Omega t)) (sin (* Omega t))))
+  (up (- (* c x) (* s y))
+      (+ (* s x) (* c y))
       z))
 
-(define (C-rotating n) (F->CH (rotating n)))
+(define (C-rotating Omega) (F->CH (rotating Omega)))
 
-;; What the Hamiltonian gets in turning coordinates.
-(define ((K-rotating n) (up t (up x y z) (down p_x p_y p_z)))
-  (* n (- (* x p_y) (* y p_x))))
+;; What the Hamiltonian gets in turning coordinates: −Ω times the angular momentum (p. 349).
+(define ((K-rotating Omega) (up t (up x y z) (down p_x p_y p_z)))
+  (* -1 Omega (- (* x p_y) (* y p_x))))
 
 ;; Any Hamiltonian in space (p. 348).
 (define H-arbitrary
@@ -36,9 +36,9 @@
   (literal-function 'C (-> (UP Real (UP Real Real) (DOWN Real Real))
                            (UP Real (UP Real Real) (DOWN Real Real)))))
 
-;; One that leaves the time alone (p. 354).
+;; One whose new time depends on the old one alone (p. 354).
 (define (C-simple-time state)
-  (define (component-of name) (literal-function name (Hamiltonian 2)))
-  (up (time state)
-      (up ((component-of 'q_x) state) ((component-of 'q_y) state))
-      (down ((component-of 'p_x) state) ((component-of 'p_y) state))))
+  (define image (C-general state))
+  (up ((literal-function 'tau) (time state))
+      (coordinates image)
+      (momenta image)))

@@ -12,7 +12,7 @@
      (* alpha q (cos (* omega t)))))
 
 ;; Its state a time Δt later.  Driven, it has the motion xi; what is left moves freely.
-(define ((C* alpha omega omega_0 delta-t) (up t q p))
+(define (((C* alpha omega omega_0) delta-t) (up t q p))
   (define amplitude (/ alpha (- (square omega_0) (square omega))))
   (define (xi t) (* amplitude (cos (* omega t))))
   (define-values (c s) (values (cos (* omega_0 delta-t)) (sin (* omega_0 delta-t))))

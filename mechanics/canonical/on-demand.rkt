@@ -8,8 +8,9 @@
  ["canonical.rkt" canonical? compositional-canonical? canonical-H? canonical-K? qp-canonical?
                   time-independent-canonical? T-func J-func Phi Phi*
                   linear-function->multiplier multiplicative-transpose]
- ["symplectic-transformation.rkt" J-matrix symplectic-matrix? symplectic? symplectic-transform?
-                   canonical-transform? qp-submatrix D-as-matrix symplectic-two-form]
+ ["symplectic-transformation.rkt" J-matrix symplectic-unit symplectic-matrix? symplectic?
+                                  symplectic-transform? canonical-transform? qp-submatrix
+                                  D-as-matrix symplectic-two-form]
  ["polar-canonical.rkt" polar-canonical polar-canonical-inverse two-particle-center-of-mass
                         two-particle-center-of-mass-canonical]
  ["generating-function.rkt" F1->C F2->C F3->C F4->C F1->C-inv F2->C-inv F3->C-inv F4->C-inv

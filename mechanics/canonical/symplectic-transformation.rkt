@@ -18,22 +18,34 @@
          "../value/shape.rkt"
          "../value/linear/matrix.rkt")
 
-(provide J-matrix symplectic-matrix? symplectic? symplectic-transform?
+(provide J-matrix symplectic-unit symplectic-matrix? symplectic? symplectic-transform?
          canonical-transform? qp-submatrix D-as-matrix symplectic-two-form)
 
 ;; ---------------------------------------------------------------------------
 ;; Matrices
 
-;; The 2n by 2n matrix J
+;; The matrix J of a state of n coordinates, with a row and a column for the time (p. 353)
 (define (J-matrix n)
-  (unless (exact-positive-integer? n)
-    (raise-argument-error 'J-matrix "a number of coordinates, at least 1" n))
+  (check-count 'J-matrix n)
+  (m:generate (+ n n 1) (+ n n 1) (lambda (i j) (timed-J-entry n i j))))
+
+;; Without these: Jₙ, 2n by 2n (p. 355)
+(define (symplectic-unit n)
+  (check-count 'symplectic-unit n)
   (m:generate (* 2 n) (* 2 n) (lambda (i j) (J-entry n i j))))
+
+(define (check-count who n)
+  (unless (exact-positive-integer? n)
+    (raise-argument-error who "a number of coordinates, at least 1" n)))
 
 (define (J-entry n i j)
   (cond [(= j (+ i n)) 1]
         [(= i (+ j n)) -1]
         [else 0]))
+
+;; With a row and a column of zeros before the others
+(define (timed-J-entry n i j)
+  (if (or (= i 0) (= j 0)) 0 (J-entry n (- i 1) (- j 1))))
 
 ;; J − M J Mᵀ, all zero if M is symplectic
 (define (symplectic-matrix? M)
@@ -129,10 +141,6 @@
   (unary-function (lambda () (list who (value->datum C))) (state)
     (check-H-state who state)
     (make (rows-of-derivatives checked state) state)))
-
-;; J with a row and a column of zeros for the time before the others
-(define (timed-J-entry n i j)
-  (if (or (= i 0) (= j 0)) 0 (J-entry n (- i 1) (- j 1))))
 
 ;; ---------------------------------------------------------------------------
 ;; The two-form

@@ -101,5 +101,5 @@
     (for/and ([name (in-list (scalars state))]) (or (number? x) (not (occurs? name x)))))
   (and (constant? factor)
        (not (proved? (prove-zero factor)))
-       (proved? (prove-zero (g:- (g:* (g:- 1 factor) (J-matrix n)) excess)))
+       (proved? (prove-zero (g:- (g:* (g:- 1 factor) (symplectic-unit n)) excess)))
        factor))

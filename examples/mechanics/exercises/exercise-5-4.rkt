@@ -24,7 +24,7 @@ unit
 general
 
 ;; The slip: the sum of two.
-(define slip (verify-symplectic (+ (J-matrix 2) (identity-matrix 4))))
+(define slip (verify-symplectic (+ (symplectic-unit 2) (identity-matrix 4))))
 (verdict-status slip)
 
 (module+ test

@@ -8,7 +8,7 @@
 (define M (matrix-by-rows '(a b) '(c d)))
 (define plain (verify-symplectic M))
 plain
-(define right (verify-equal (symplectic-matrix? M) (* (- 1 (determinant M)) (J-matrix 1))))
+(define right (verify-equal (symplectic-matrix? M) (* (- 1 (determinant M)) (symplectic-unit 1))))
 right
 
 ;; Its transpose misses J by the same.

@@ -33,7 +33,7 @@ The motion of the driven oscillator, a time Δt on, is a canonical transformatio
 time, with the Hamiltonian of that time ago:
 
 @examples[#:eval session #:label #f
-(define (C dt) (C* 'alpha 'omega 'omega_0 dt))
+(define C (C* 'alpha 'omega 'omega_0))
 (define Cp ((C->Cp C) 'dt))
 (verify-canonical Cp line)
 (define H (H-driven-oscillator 'alpha 'omega 'omega_0))

@@ -163,11 +163,13 @@ Are the derivatives of a transformation, or is a matrix, symplectic?
 @deftogether[(@defproc[(J-matrix [n exact-positive-integer?]) matrix?]
               @defproc[(symplectic-unit [n exact-positive-integer?]) matrix?])]{
 
-The matrix J of 2n rows that the Poisson brackets of n coordinates and n momenta make.
+The matrix that the Poisson brackets of the components of a state with n coordinates make, of
+2n + 1 rows, the first for the time; and that of the coordinates and momenta alone, of 2n rows.
+Another n than a positive integer is an error.
 
-@examples[#:eval session (J-matrix 2) (symplectic-unit 1)]
+@examples[#:eval session (J-matrix 1) (symplectic-unit 2)]
 
-@sicm{5.2.2, p. 353}}
+@sicm{5.2.2, pp. 353 and 355}}
 
 @defproc[(symplectic-matrix? [M matrix?]) matrix?]{
 

@@ -147,7 +147,7 @@
     (L-space-Euler Euler-state->L-space)
     (compatible-zero dual-zero)
     (golden-ratio :phi)
-    (F->CH F->CT) (J-matrix symplectic-unit) (Phi* transpose-function)
+    (F->CH F->CT) (Phi* transpose-function)
     (Hpendulum pendulum-Hamiltonian)))
 
 ;; ---------------------------------------------------------------------------

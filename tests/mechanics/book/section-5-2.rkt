@@ -9,6 +9,7 @@
 (define line (up 't 'theta 'I))
 (define polar (up 't (up 'r 'phi) (down 'p_r 'p_phi)))
 (define space (up 't (up 'x 'y 'z) (down 'p_x 'p_y 'p_z)))
+(define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
 (define two-particles
   (up 't
       (up (up 'x_1 'y_1) (up 'x_2 'y_2))
@@ -39,6 +40,11 @@
 
 (test-case "p. 348: turning coordinates, for any Hamiltonian"
   (define C (C-rotating 'n))
+  (check-prints ((rotating 'n) space)
+                '(up (- (* x (cos (* n t))) (* y (sin (* n t))))
+                     (+ (* x (sin (* n t))) (* y (cos (* n t))))
+                     z))
+  (check-prints ((F->K (rotating 'n)) space) '(- (* n p_x y) (* n p_y x)))
   (check-identity ((canonical-H? C H-arbitrary) space) (zeros-like space))
   (check-identity ((canonical-K? C (K-rotating 'n)) space) (zeros-like space))
   (check-identity ((canonical-K? C (F->K (rotating 'n))) space) (zeros-like space))
@@ -72,23 +78,53 @@
   (check-identity ((canonical-transform? a-non-canonical-transform) s)
                   (- J (* DC (* J ((multiplicative-transpose (compatible-shape s)) DC))))))
 
-(test-case "p. 353: J"
+(test-case "p. 353: J is the matrix of the shuffle of derivatives; p. 355: without the time"
+  (define gradient (compatible-shape plane))
+  (check-equal? (simplify (s->m gradient ((D J-func) gradient) gradient)) (J-matrix 2))
   (check-equal? (J-matrix 2)
+                (matrix-by-rows '(0 0 0 0 0) '(0 0 0 1 0) '(0 0 0 0 1) '(0 -1 0 0 0) '(0 0 -1 0 0)))
+  (check-equal? (symplectic-unit 2)
                 (matrix-by-rows '(0 0 1 0) '(0 0 0 1) '(-1 0 0 0) '(0 -1 0 0)))
-  (check-equal? (symplectic-unit 3) (J-matrix 3))
-  (check-identity (symplectic-matrix? (J-matrix 3)) (no-entries 6))
-  (check-identity (symplectic-matrix? (* 2 (J-matrix 1))) (* -3 (J-matrix 1))))
+  (check-equal? (qp-submatrix (J-matrix 3)) (symplectic-unit 3))
+  (check-identity (symplectic-matrix? (symplectic-unit 3)) (no-entries 6))
+  (check-identity (symplectic-matrix? (* 2 (symplectic-unit 1))) (* -3 (symplectic-unit 1))))
+
+(test-case "p. 355: the transpose of the symplectic unit is its inverse and its negative"
+  (define J (symplectic-unit 2))
+  (check-identity (transpose J) (- J))
+  (check-identity (/ J) (- J)))
 
 (test-case "the brackets are those of the matrix product"
   (define M (m:generate 4 4 (lambda (i j) (string->symbol (format "m_~a~a" i j)))))
-  (check-identity (symplectic-matrix? M) (- (J-matrix 2) (* M (J-matrix 2) (transpose M)))))
+  (check-identity (symplectic-matrix? M) (- (symplectic-unit 2) (* M (symplectic-unit 2) (transpose M)))))
 
-(test-case "p. 354: transformations that leave the time alone"
-  (define M ((D-as-matrix C-simple-time) polar))
-  (check-prints (m:submatrix M 0 1 0 5) '(matrix-by-rows (list 1 0 0 0 0)))
-  (define residual ((symplectic? C-simple-time) polar))
-  (check-prints (m:submatrix residual 0 1 0 5) '(matrix-by-rows (list 0 0 0 0 0)))
-  (check-identity (qp-submatrix residual) ((symplectic-transform? C-simple-time) polar)))
+;; pp. 354-356: residuals as structures, and as matrices
+(define (as-matrix residual)
+  (define gradient (compatible-shape plane))
+  (simplify (s->m gradient residual gradient)))
+
+(test-case "p. 354: where the time is a function of the time alone, only q and p matter"
+  (check-prints (time (C-simple-time plane)) '(tau t))
+  (define residual (as-matrix ((canonical-transform? C-simple-time) plane)))
+  (check-prints (m:nth-row residual 0) '(down 0 0 0 0 0))
+  (check-prints (m:nth-col residual 0) '(up 0 0 0 0 0))
+  (check-equal? (as-matrix ((canonical-transform? C-simple-time) plane))
+                (simplify ((symplectic? C-simple-time) plane)))
+  (check-pred refuted? (prove-zero (m:nth-row ((symplectic? C-general) plane) 0))))
+
+(test-case "p. 356: the two conditions are one, for any transformation"
+  (check-identity (- (qp-submatrix (as-matrix ((canonical-transform? C-general) plane)))
+                     ((symplectic-transform? C-general) plane))
+                  (no-entries 4)))
+
+;; The condition written out, with the transpose of a structure that is given its neighbour.
+(test-case "p. 351: J − DC J DCᵀ"
+  (define ((canonical-condition C) s)
+    (define-values (J DC) (values ((D J-func) (compatible-shape s)) ((D C) s)))
+    (- J (* DC J (transpose DC s))))
+  (for ([C (list C-general (polar-canonical 'alpha) a-non-canonical-transform)]
+        [s (list plane line (up 't 'theta 'p))])
+    (check-equal? (simplify ((canonical-transform? C) s)) (simplify ((canonical-condition C) s)))))
 
 (test-case "the matrices of a transformation that changes the time"
   (define M ((D-as-matrix C-general) polar))
@@ -159,7 +195,7 @@
                 '(((= (expt c 2) 2)))))
 
 (test-case "matrices"
-  (check-pred proved? (verify-symplectic (J-matrix 2)))
+  (check-pred proved? (verify-symplectic (symplectic-unit 2)))
   (check-pred proved? (verify-symplectic (identity-matrix 2)))
   (check-pred refuted? (verify-symplectic (* 2 (identity-matrix 2)))))
 
@@ -200,6 +236,9 @@
   "(matrix-by-rows (list 1 0 0) (list 0 1 0) (list 0 0 1)), a 3 by 3 matrix"]
  [(J-matrix 0)
   "J-matrix: contract violation\n  expected: a number of coordinates, at least 1\n  given: 0"]
+ [(symplectic-unit 'n)
+  "symplectic-unit: contract violation\n  expected: a number of coordinates, at least 1\n"
+  "  given: 'n"]
  [((two-particle-center-of-mass 1 2) (up 't 'x 'p))
   "two-particle-center-of-mass: expected the state of two particles, (up t (up x1 x2) (down p1 p2))"
   "; given the symbol x"])

@@ -22,12 +22,12 @@ A particle in the potential energy V(r) of a centre, in rectangular coordinates.
               @defproc[(H-prime [state structure?]) scalar])]{
 
 Coordinates that move with a velocity, the Hamiltonian of a free particle, and what that is in
-the moving coordinates, with the symbols m and v.
+space, in moving coordinates, with the symbols m, v^x, v^y and v^z.
 
 @examples[#:eval session
 ((translating 'v) (up 't 'x 'p))
 ((H-free 'm) (up 't 'x 'p))
-(H-prime (up 't 'x 'p))]
+(H-prime space)]
 
 @sicm{5.1, pp. 340–341}}
 
@@ -41,19 +41,20 @@ The harmonic oscillator.
 
 @sicm{5.2, p. 345}}
 
-@deftogether[(@defproc[((rotating [n scalar]) [state structure?]) structure?]
-              @defproc[((C-rotating [n scalar]) [state structure?]) structure?]
-              @defproc[((K-rotating [n scalar]) [state structure?]) scalar])]{
+@deftogether[(@defproc[((rotating [Omega scalar]) [state structure?]) structure?]
+              @defproc[((C-rotating [Omega scalar]) [state structure?]) structure?]
+              @defproc[((K-rotating [Omega scalar]) [state structure?]) scalar])]{
 
-Coordinates in space that turn about the z axis at the rate n, the transformation of phase space
-that goes with them, and what the new Hamiltonian gets.
+From coordinates in space that turn about the z axis at the rate Ω to those at rest, the
+transformation of phase space that goes with them, and what the new Hamiltonian gets, which the
+book calls K: −Ω times the angular momentum.
 
 @examples[#:eval session
-((rotating 'n) space)
-((K-rotating 'n) space)
-((canonical-K? (C-rotating 'n) (K-rotating 'n)) space)]
+((rotating 'Omega) space)
+((K-rotating 'Omega) space)
+((canonical-K? (C-rotating 'Omega) (K-rotating 'Omega)) space)]
 
-@sicm{5.2, p. 348}}
+@sicm{5.2.1, pp. 348–349}}
 
 @defproc[(H-arbitrary [state structure?]) scalar]{
 
@@ -61,7 +62,7 @@ Any Hamiltonian of three coordinates, a literal function.
 
 @examples[#:eval session
 (H-arbitrary space)
-((canonical-H? (C-rotating 'n) H-arbitrary) space)]
+((canonical-H? (C-rotating 'Omega) H-arbitrary) space)]
 
 @sicm{5.2, p. 348}}
 
@@ -77,12 +78,13 @@ Like polar coordinates, but not canonical.
 @deftogether[(@defproc[(C-general [state structure?]) structure?]
               @defproc[(C-simple-time [state structure?]) structure?])]{
 
-Any transformation of states with two coordinates, and any one that leaves the time alone.
+Any transformation of states with two coordinates, and any one whose time depends on the time
+alone.
 
 @examples[#:eval session
 (define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
 (ref (C-general plane) 0)
-(C-simple-time plane)]
+(time (C-simple-time plane))]
 
 @sicm{5.2.2, p. 354}}
 
@@ -96,7 +98,7 @@ The symplectic form, @racket[symplectic-two-form].
 
 @deftogether[(@defproc[((H-driven-oscillator [alpha scalar] [omega scalar] [omega_0 scalar])
                         [state structure?]) scalar]
-              @defproc[((C* [alpha scalar] [omega scalar] [omega_0 scalar] [delta-t scalar])
+              @defproc[(((C* [alpha scalar] [omega scalar] [omega_0 scalar]) [delta-t scalar])
                         [state structure?]) structure?])]{
 
 An oscillator of mass 1 that is driven by a force α cos ωt, and its motion: the state a time
@@ -104,7 +106,7 @@ later.
 
 @examples[#:eval session
 ((H-driven-oscillator 'alpha 'omega 'omega_0) (up 't 'q 'p))
-(verify-canonical ((C->Cp (lambda (dt) (C* 'alpha 'omega 'omega_0 dt))) 'dt) (up 't 'q 'p))]
+(verify-canonical ((C->Cp (C* 'alpha 'omega 'omega_0)) 'dt) (up 't 'q 'p))]
 
 @sicm{6.2, p. 430}}
 
