@@ -35,7 +35,7 @@
      #:once-each
      [("--worksheet") file "The teacher's worksheet" (set! worksheet file)]
      [("--gradescope") where "A results.json for each submission" (set! gradescope where)]
-     [("--seconds") n "How long a submission may run" (set! seconds (string->number n))]
+     [("--seconds") n "What a submission may cost" (set! seconds (string->number n))]
      [("--json") "Write the judgments as JSON" (set! json? #t)]
      #:multi
      [("--report") file "A report: file.html, file.csv or file.json"

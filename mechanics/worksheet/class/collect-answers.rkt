@@ -1,19 +1,21 @@
 #lang racket/base
 ;; The answers of one submission, collected from a process of its own.
 ;;
-;; The process is given so many seconds of the processor's time, and may write so much; then it
-;; is ended, with whatever it started.  Nothing that it writes is run.
+;; The process may cost so many seconds (cost.rkt), two thirds of what a submission may, the rest
+;; being for its judgments; and it may write so much.  Then it is ended, with whatever it started.
+;; Nothing that it writes is run.
 
 (require racket/match
          racket/port
-         "answer-lines.rkt" "evaluate.rkt" "isolation.rkt"
+         "answer-lines.rkt" "cost.rkt" "evaluate.rkt" "isolation.rkt"
          "../exercise.rkt")
 
 (provide collect-answers collected-from (struct-out collected))
 
 ;; answers : hasheq of answers (answer-lines.rkt), by name
 ;; problem : why there are not more, or #f
-(struct collected (answers problem) #:transparent)
+;; spent   : seconds, what the program has cost
+(struct collected (answers problem spent) #:transparent)
 
 (define most-output 250000)
 
@@ -27,9 +29,12 @@
        (run i (request->text i exercises text))))
    (lambda () (custodian-shutdown-all custodian))))
 
+(define (seconds-to-run i) (* 2/3 (isolation-seconds i)))
+
 (define (request->text i exercises text)
   (define bare (for/list ([e (in-list exercises)]) (without-key e)))
-  (format "~s\n" (request (isolation-patience i) (isolation-megabytes i) bare text)))
+  (format "~s\n" (request (and (not (waits-known?)) (seconds-to-run i))
+                          (isolation-megabytes i) bare text)))
 
 ;; What tells how an answer is applied, and no more.
 (define (without-key e)
@@ -45,33 +50,41 @@
   (thread (lambda ()
             (with-handlers ([exn:fail? void]) (write-string request in) (close-output-port in))))
   (thread (lambda () (copy-port err (open-output-nowhere))))
-  (define-values (text end) (read-in-time out (isolation-patience i)))
-  (define status (sync/timeout 1 process))
+  (define-values (id nested?) (values (subprocess-pid process) (isolation-complete? i)))
+  (define-values (text end spent)
+    (read-within (seconds-to-run i) out (read-cost id nested?)
+                 (lambda (last) (read-on last id nested?))))
+  (define ended? (and (eq? end 'done) (sync/timeout 1 process)))
+  (define failed? (and ended? (not (eqv? 0 (subprocess-status process)))))
   (subprocess-kill process #t)
-  (define killed? (and status (not (eqv? 0 (subprocess-status process)))))
-  (collected-from text (if (and (eq? end 'done) killed?) 'ended end)))
+  (collected-from text (if failed? 'ended end) spent))
 
 ;; text : what the process wrote; how : it ended, done, ended, late or long
-(define (collected-from text how)
+(define (collected-from text how [spent 0])
   (define found (read-answer-lines text))
-  (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found how)))
+  (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found how) spent))
 
-;; -> text, and how it ended: done, late or long.  Its time begins when it says that it is
-;; loaded, and has read what it is asked.
-(define (read-in-time in seconds)
+;; start : a reading; read-on : of the last one, what it is now
+;; -> text, how it ended, done, late or long, and what it cost since it had loaded the library
+;; and read what it is asked, which it says
+(define (read-within seconds in start read-on)
   (define buffer (make-bytes 65536))
-  (define (late-after s)
-    (wrap-evt (alarm-evt (+ (current-inexact-milliseconds) (* 1000 s))) (lambda (_) 'late)))
-  (let loop ([parts '()] [size 0] [late (late-after longest-start)])
-    (define (text) (bytes->string/utf-8 (apply bytes-append (reverse parts)) #\?))
-    (define n (sync late (read-bytes-avail!-evt buffer in)))
-    (cond [(eof-object? n) (values (text) 'done)]
-          [(eq? n 'late) (values (text) 'late)]
-          [(> (+ size n) most-output) (values (text) 'long)]
-          [else (loop (cons (subbytes buffer 0 n) parts) (+ size n)
-                      (if (null? parts) (late-after seconds) late))])))
+  (let loop ([parts '()] [size 0] [start start] [now start])
+    (define cost (cost-between start now))
+    (define (ended how)
+      (values (bytes->string/utf-8 (apply bytes-append (reverse parts)) #\?) how cost))
+    (define n (sync/timeout pulse (read-bytes-avail!-evt buffer in)))
+    (cond [(eof-object? n) (ended 'done)]
+          [(> cost (if (null? parts) longest-start seconds)) (ended 'late)]
+          [(not n) (loop parts size start (read-on now))]
+          [(> (+ size n) most-output) (ended 'long)]
+          [else
+           (define later (read-on now))
+           (loop (cons (subbytes buffer 0 n) parts) (+ size n)
+                 (if (null? parts) later start) later)])))
 
 (define longest-start 60)        ; seconds
+(define pulse 1/5)               ; seconds, how often its cost is looked at
 
 ;; A program that was stopped, or did not run at all.  What is said of the program may be the
 ;; program's own invention, and of any form.

@@ -13,6 +13,7 @@
 
 (provide evaluate-request (struct-out request))
 
+;; seconds : or #f, where its cost is watched over from outside
 ;; exercises : without keys; text : the program
 (struct request (seconds megabytes exercises text) #:prefab)
 

@@ -2,12 +2,12 @@
 ;; A class: submissions are evaluated, several at a time, each in its process; what they answer
 ;; is judged here.
 ;;
-;; Whatever a submission does costs itself at most its time.  The same answer of two students
-;; is judged once, and a judgment that takes too long is left to a person.
+;; A submission costs its own time at most: what it took to evaluate it is taken off the time for
+;; its judgments.  The same answer of two students is judged once; what there was no time to judge
+;; is left to a person.
 
 (require racket/future
-         racket/sandbox
-         "collect-answers.rkt" "isolation.rkt" "submission.rkt"
+         "collect-answers.rkt" "isolation.rkt" "submission.rkt" "within-limits.rkt"
          "../exercise.rkt" "../judge.rkt" "../judgment.rkt")
 
 (provide grade-class
@@ -34,19 +34,20 @@
                      #:seconds [seconds 10] #:megabytes [megabytes 512]
                      #:namespaces? [namespaces? #t] #:tell [tell void])
   (define i (find-isolation megabytes seconds #:namespaces? namespaces?))
-  (define judge-once (make-judge seconds))
+  (define known (make-hash))
   (dynamic-wind
    void
    (lambda ()
      (class-report w (isolation-warning i)
-                   (grade-all i (exercises-of w) submissions judge-once tell)))
+                   (grade-all i (exercises-of w) submissions known tell)))
    (lambda () (close-isolation i))))
 
-(define (grade-all i exercises submissions judge-once tell)
+;; known : table of the judgments made so far
+(define (grade-all i exercises submissions known tell)
   (for/list ([next (in-list (start-all i exercises submissions))]
              [s (in-list submissions)]
              [n (in-naturals 1)])
-    (begin0 (grade-one exercises s (next) judge-once)
+    (begin0 (grade-one exercises s (next) known (isolation-seconds i))
             (tell n))))
 
 ;; ---------------------------------------------------------------------------
@@ -68,22 +69,25 @@
 (define (collect-one i exercises s)
   (with-handlers ([exn:fail? (lambda (x)
                                (collected (hasheq) (string-append "it could not be evaluated: "
-                                                                  (exn-message x))))])
+                                                                  (exn-message x))
+                                          0))])
     (if (submission-text s)
         (collect-answers i exercises (submission-text s))
-        (collected (hasheq) (submission-problem s)))))
+        (collected (hasheq) (submission-problem s) 0))))
 
 ;; ---------------------------------------------------------------------------
 ;; Judgment
 
-(define (grade-one exercises s found judge-once)
+(define (grade-one exercises s found known seconds)
   (define answers (collected-answers found))
   (define problem (collected-problem found))
   (define nothing (if problem (list 'failed problem) '(unanswered)))
-  (define judgments
-    (for/list ([e (in-list exercises)])
-      (judge-once e (hash-ref answers (exercise-name e) nothing))))
-  (graded s answers judgments problem (answered-twice exercises s)))
+  (define-values (judgments left)
+    (for/fold ([done '()] [left (- seconds (collected-spent found))]) ([e (in-list exercises)])
+      (define-values (j took)
+        (judge-once known e (hash-ref answers (exercise-name e) nothing) left))
+      (values (cons j done) (- left took))))
+  (graded s answers (reverse judgments) problem (answered-twice exercises s)))
 
 (define (answered-twice exercises s)
   (for*/list ([e (in-list exercises)]
@@ -97,14 +101,21 @@
                                                  "(?=[ \t\r\n)]))"))
                          text)))
 
-;; -> a procedure that judges, and remembers
-(define (make-judge seconds)
-  (define known (make-hash))
-  (lambda (e d)
-    (hash-ref! known (cons (exercise-name e) d) (lambda () (judge-within seconds e d)))))
+;; -> a judgment, and the seconds that it took.  One that was not made is not remembered: the next
+;; may have more time for it.
+(define (judge-once known e d seconds)
+  (define key (cons (exercise-name e) d))
+  (define found (hash-ref known key #f))
+  (cond [found (values found 0)]
+        [(not (eq? 'answer (car d))) (values (judge e d) 0)]
+        [else
+         (define-values (j took)
+           (if (> seconds 0)
+               (call-within seconds most-megabytes (lambda () (judge e d)))
+               (values #f 0)))
+         (when j (hash-set! known key j))
+         (values (or j not-made) took)]))
 
-(define (judge-within seconds e d)
-  (with-handlers ([exn:fail:resource?
-                   (lambda (x)
-                     (undecided-judgment #f "to judge it took too long, or too much memory"))])
-    (call-with-limits seconds 1000 (lambda () (judge e d)))))
+(define most-megabytes 1000)
+
+(define not-made (undecided-judgment #f "to judge it took too long, or too much memory"))

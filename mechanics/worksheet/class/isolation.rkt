@@ -19,7 +19,7 @@
          "tasks.rkt")
 
 (provide find-isolation close-isolation
-         isolation-patience isolation-megabytes isolation-complete? isolation-warning
+         isolation-seconds isolation-megabytes isolation-complete? isolation-warning
          start-isolated)
 
 ;; limits, person, spaces : lists of strings that stand before a command, each perhaps empty
@@ -27,11 +27,6 @@
 (struct isolation (megabytes seconds limits? person spaces folder))
 
 (define (isolation-complete? i) (and (isolation-folder i) #t))
-
-;; How long to wait for a process.  Where its own time is limited it may wait for others: a
-;; machine with much to do makes no answer wrong.
-(define (isolation-patience i)
-  (if (isolation-limits? i) (* 3 (isolation-seconds i)) (isolation-seconds i)))
 
 ;; What is to be told on top of a report, or #f.
 (define (isolation-warning i)
@@ -41,7 +36,8 @@
         "of their own (unshare, setpriv, prlimit; see the manual). A sandbox can be escaped from: "
         "do not run submissions of people whom you do not trust here.")))
 
-;; megabytes, seconds : of each process.  namespaces? : #f leaves them out
+;; megabytes, seconds : of each submission, what it may cost (cost.rkt).  namespaces? : #f
+;; leaves them out
 (define (find-isolation megabytes seconds #:namespaces? [namespaces? #t])
   (define person
     (if (and (find "setpriv") (root?))
@@ -96,10 +92,11 @@
           (in-namespaces i (append (list (path->string (racket-program))) (racket-options i)
                                    arguments))))
 
-;; Racket reserves more addresses than it uses.
+;; Racket reserves more addresses than it uses.  Its time is watched over from outside; this
+;; limit, which counts that of loading as well, is for what would not be seen there.
 (define (limits i)
   (define bytes (* 1048576 (+ 1024 (* 2 (isolation-megabytes i)))))
-  (define seconds (+ 1 (inexact->exact (ceiling (isolation-seconds i)))))
+  (define seconds (+ 30 (inexact->exact (ceiling (isolation-seconds i)))))
   (list (find "prlimit") (format "--as=~a" bytes) (format "--cpu=~a" seconds)
         (format "--nproc=~a" (+ 128 (tasks-of (user-of i)))) "--nofile=64" "--fsize=0" "--core=0"
         "--"))

@@ -93,7 +93,8 @@ no environment; which is not you, if you are root; in which it is limited in tim
 processes and output. In it runs a sandbox of Racket's besides (@secref["sandbox"]). What comes out
 is a list of expressions, made of names and numbers; they are read, never run, and judged in a
 process that no submission has been in. So no submission sees the key, gives itself a verdict, or
-changes that of another; one that loops costs its ten seconds.
+changes that of another; one that loops, sleeps, or answers what takes forever to be judged
+costs its ten seconds.
 
 For this the commands @exec{unshare}, @exec{setpriv} and @exec{prlimit} are needed, and a system
 that lets users have namespaces, as Debian and most others do. Elsewhere, on macOS and Windows for

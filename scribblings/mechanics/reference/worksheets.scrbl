@@ -205,10 +205,15 @@ that is no lock. It stands at the end of a student's file and is not written by 
 @exec{check} takes @exec{--worksheet FILE}, the teacher's file, which a class needs and a student
 does not; @exec{--report FILE}, as often as you like, for a report in a file that ends with
 @exec{.html}, @exec{.csv} or @exec{.json}; @exec{--gradescope FOLDER} for a
-@filepath{results.json} of each submission; @exec{--seconds N}, how long one may run, 10 if
+@filepath{results.json} of each submission; @exec{--seconds N}, what a submission may cost, 10 if
 nothing is said; and @exec{--json}, which prints what else is text as JSON. The status is 0 if all
 answers of a file are right, or a class was judged; 1 if one is not; 2 if what was typed makes no
 sense.
+
+The seconds count from when the library is loaded: two thirds of them are for the program, the rest
+for judging what it answers. Time in which a program waits for a processor is not counted, where
+Linux tells it (@filepath{/proc}), so a busy machine makes no answer wrong; time in which it sleeps
+is, and so is what it has others do. What there was no time to judge is left to the teacher.
 
 In a checkout these are @exec{make new FILE=...}, @exec{make worksheet FILE=...},
 @exec{make handout FILE=... TO=tex ANSWERS=1} and
