@@ -1,12 +1,12 @@
 #lang racket/base
 ;; The benchmarks can be run, and say in other languages what our compiler says.
 
-(require racket/flonum racket/list racket/string
+(require racket/file racket/flonum racket/list racket/string
          rackunit
          mechanics/compile/code mechanics/compile/program mechanics/generic/arithmetic
          mechanics/generic/elementary
          "bench/C.rkt" "bench/motion-systems.rkt" "bench/native.rkt" "bench/program-text.rkt"
-         "bench/task.rkt" "bench/tasks.rkt")
+         "bench/task.rkt" "bench/tasks.rkt" "bench/teaching.rkt")
 
 (test-case "tasks have names of their own, and are found by them"
   (define names (map task-name tasks))
@@ -14,6 +14,14 @@
     (check-equal? (count (lambda (n) (eq? n name)) names) 1 (format "~a" name))
     (check-eq? (task-name (find-task name)) name))
   (check-false (find-task 'unheard-of)))
+
+(test-case "a class is written, a file for each student, with no hole left"
+  (define folder (make-temporary-file "mechanics-bench~a" 'directory))
+  (write-class folder)
+  (define texts (map file->string (directory-list folder #:build? #t)))
+  (delete-directory/files folder)
+  (check-equal? (length texts) 30)
+  (for ([text (in-list texts)]) (check-false (regexp-match? #rx"unanswered\\)" text))))
 
 (define (refuse e) (raise-argument-error 'program-of "an expression of the inputs" e))
 

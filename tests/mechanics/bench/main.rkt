@@ -8,7 +8,7 @@
          racket/file
          racket/runtime-path
          "big-systems.rkt" "derivatives.rkt" "gradients.rkt" "maps.rkt" "measure.rkt" "native.rkt"
-         "peers.rkt" "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt")
+         "peers.rkt" "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt" "teaching.rkt")
 
 (define-runtime-path build "../../../build")
 
@@ -156,10 +156,12 @@
   (when (wanted? 'maps)
     (table maps-heading (maps-rows))
     (table sections-heading (sections-rows)))
+  (when (wanted? 'class30)
+    (table class-heading (class-rows)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
-(define further-tables '(growth orders gradients chains native Taylor big maps load))
+(define further-tables '(growth orders gradients chains native Taylor big maps class30 load))
 
 (define (check-names names)
   (for ([name (in-list names)])

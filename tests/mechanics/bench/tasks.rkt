@@ -7,7 +7,7 @@
          (only-in mechanics/algebra/zero/fingerprint fingerprint)
          (only-in mechanics/algebra/zero/zero-test zero-test zero-test-status)
          "canonical.rkt" "derivatives.rkt" "integrals.rkt" "matrices.rkt" "motion.rkt"
-         "pictures.rkt" "rigid.rkt" "rotations.rkt" "systems.rkt" "task.rkt" "teaching.rkt")
+         "pictures.rkt" "rigid.rkt" "rotations.rkt" "systems.rkt" "task.rkt")
 
 (provide tasks micros growths (struct-out scaling) find-task find-micro)
 
@@ -213,8 +213,7 @@
               #t fingerprint)
    (zero-task 'Z3 "zero test of the same, a proof"
               #t (lambda (e) (zero-test-status (zero-test e))))
-   (append motion-tasks rigid-tasks canonical-tasks integral-tasks matrix-tasks picture-tasks
-           teaching-tasks)))
+   (append motion-tasks rigid-tasks canonical-tasks integral-tasks matrix-tasks picture-tasks)))
 
 ;; ---------------------------------------------------------------------------
 ;; Growth
