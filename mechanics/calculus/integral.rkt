@@ -10,12 +10,13 @@
 ;; An integrand that jumps or bends at a place that moves with ε is integrated in pieces,
 ;; whose ends move (moving-places.rkt).
 
-(require "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "jet.rkt" "number.rkt" "perturbed.rkt"
+(require racket/list
+         "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "jet.rkt" "number.rkt" "perturbed.rkt"
          "moving-places.rkt" "recorded.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt" "../generic/elementary.rkt"
          "../numeric/quadrature/improper.rkt")
 
-(provide integrate)
+(provide integrate integral-by-components)
 
 ;; What one integral is asked, and what it has cost so far.
 ;; compile : f x -> f as a function from flonum to flonum, or #f; x is an example
@@ -39,8 +40,13 @@
   (when around (set-box! around #t))
   (define t (task who tolerance compile (lambda () (not (unbox iterated?))) 0.0 0))
   (define value
-    (parameterize ([current-integral iterated?]) (integral t f low high)))
+    (parameterize ([current-integral iterated?]) (integral-not-heard t f low high)))
   (report value (task-bound t) (task-count t)))
+
+;; Who listens to branches is told of those at the ends, and of nothing else.
+(define (integral-not-heard t f low high)
+  (tell-choices-at-ends f (innermost low) (innermost high))
+  (parameterize ([current-branches #f]) (integral t f low high)))
 
 (define (integral t f low high)
   (define (end x) (number (task-who t) x))
@@ -76,26 +82,32 @@
             (whole-piece void)
             (sum-of-pieces t f (append (list low) places (list high)))))))
 
+;; A short piece is done less precisely, as that is enough; for where it begins is rounded.
 (define (sum-of-pieces t f ends)
+  (define whole (abs (- (innermost (last ends)) (innermost (first ends)))))
   (for/fold ([sum 0]) ([from (in-list ends)] [to (in-list (cdr ends))])
     (define-values (a b) (values (innermost from) (innermost to)))
-    (define aside (* 1e-13 (+ 1.0 (min (size a) (size b)))))
-    (define inside (if (< a b) aside (- aside)))
-    (g:+ sum (moving-piece t f from to inside))))
+    (define part (/ (abs (- b a)) whole))
+    (define tolerance
+      (if (< 0.0 part 1.0)
+          (min 1.0 (/ (task-tolerance t) part))
+          (task-tolerance t)))
+    (g:+ sum (moving-piece t f from to (max tolerance (task-tolerance t))))))
 
-(define (size x) (if (rational? x) (abs x) +inf.0))
+(define (moving-piece t f low high tolerance)
+  (define-values (a b) (values (innermost low) (innermost high)))
+  (let piece ([low low] [high high])
+    (cond
+      [(perturbed? low) (g:- (piece (base low) high) (edge f low (aside f a b)))]
+      [(perturbed? high) (g:+ (piece low (base high)) (edge f high (aside f b a)))]
+      [(< (abs (- b a)) (* negligible (+ 1.0 (min (abs a) (abs b))))) 0]
+      [else (piece-between t f low high void tolerance)])))
 
-(define (moving-piece t f low high inside)
-  (cond
-    [(perturbed? low)
-     (g:- (moving-piece t f (base low) high inside) (edge f low inside))]
-    [(perturbed? high)
-     (g:+ (moving-piece t f low (base high) inside) (edge f high (- inside)))]
-    [else (piece-between t f low high void)]))
+(define negligible 1e-13)
 
 ;; note : called with the branches that f takes by perturbed values
-(define (piece-between t f low high note)
-  (define (integral-of g) (piece-between t g low high note))
+(define (piece-between t f low high note [tolerance (task-tolerance t)])
+  (define (integral-of g) (piece-between t g low high note tolerance))
   (define result
     (let/ec stop
       (define (sample x)
@@ -107,14 +119,10 @@
         (parameterize ([current-branches note])
           (improper-quadrature (counted t (impatient t f sample)) low high
                                #:search? (task-search? t)
-                               #:tolerance (task-tolerance t) #:name (task-who t))))
+                               #:tolerance tolerance #:name (task-who t))))
       (set-task-bound! t (+ bound (task-bound t)))
       value))
-  (cond [(recorded? result) (integral-recorded integral-of f (recorded-tape result))]
-        [(perturbed? result)
-         (integral-by-parts integral-of f (perturbed-tag result)
-                            (and (jet? result) (jet-order result)))]
-        [else result]))
+  (if (perturbed? result) (integral-by-components integral-of f result) result))
 
 (define ((counted t f) x)
   (set-task-count! t (+ 1 (task-count t)))
@@ -134,6 +142,12 @@
     (when (= evaluations patience) (set! fast ((task-compile t) f x)))
     (define y (and fast (fast x)))
     (if (and y (< -inf.0 y +inf.0)) y (sample x))))
+
+;; The integral of f from those of its components, where f is perturbed as its value y is.
+(define (integral-by-components integral f y)
+  (if (recorded? y)
+      (integral-recorded integral f (recorded-tape y))
+      (integral-by-parts integral f (perturbed-tag y) (and (jet? y) (jet-order y)))))
 
 ;; The derivatives by all variables of the tape come from the same runs of f.
 (define (integral-recorded integral f tape)

@@ -8,81 +8,48 @@
 ;; integrands, and moving ends; so |x − a| is right to any order, too.
 ;;
 ;; Places are found from the choices made at points in between (generic/branches.rkt), by
-;; halving; and c as a perturbed value from the number s that is chosen by, which is 0 there,
+;; halving (turning-points.rkt says how two between the same points are); and c as a perturbed
+;; value from the number s that is chosen by, which is 0 there,
 ;;
 ;;     c ← c − s(c, a)/s',
 ;;
 ;; in the arithmetic of perturbed values, where s' from differences will do: repeated often
 ;; enough, the steps make right what it lacks.
+;;
+;; Of an integral within the integrand of another, s(x, y, a) = 0 may leave the range of y as x
+;; goes on.  So the choices at the ends of its range are told to the one around it.
 
-(require "perturbed.rkt"
+(require "choices.rkt" "perturbed.rkt" "turning-points.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt")
 
-(provide moving-places)
-
-;; a value that was chosen by, the choice, and the number between two choices
-(struct choice (value made between) #:authentic)
+(provide moving-places aside tell-choices-at-ends)
 
 ;; The places between two numbers where f changes its choices, in order.
 (define (moving-places who f low high)
-  (define points (points-between low high))
-  (define made (map (lambda (x) (choices f x)) points))
-  (for/list ([x (in-list points)] [cs (in-list made)]
-             [y (in-list (cdr points))] [ds (in-list (cdr made))]
-             #:unless (alike? cs ds))
-    (place who f x cs y ds)))
+  (define samples (with-turning-points f (samples-between f low high)))
+  (for/list ([p (in-list samples)] [q (in-list (cdr samples))]
+             #:unless (alike? (choice-sample-made p) (choice-sample-made q)))
+    (place who f p q)))
 
-(define points-wanted 101)
-
-(define (points-between low high)
-  (define (at t)
-    (cond [(and (rational? low) (rational? high)) (+ low (* t (- high low)))]
-          [(rational? low) (+ low (/ t (- 1.0 t)))]
-          [(rational? high) (- high (/ (- 1.0 t) t))]
-          [else (/ (- (* 2.0 t) 1.0) (* t (- 1.0 t)))]))
-  (for/list ([k (in-range points-wanted)])
-    (exact->inexact (at (/ (+ k 0.5127) points-wanted)))))
-
-;; All choices at x, in order; up to where f fails, as |u|' does at 0
-(define (choices f x)
-  (define made '())
-  (define (note! value choice-made between)
-    (set! made (cons (choice value choice-made between) made)))
-  (with-handlers ([no-value? void])
-    (parameterize ([current-branches note!]) (f x)))
-  (reverse made))
-
-(define (alike? cs ds) (not (first-difference cs ds)))
-
-;; Which choice differs first, or #f; 0 is no choice of its own.
-(define (first-difference cs ds)
-  (for/first ([c (in-list cs)] [d (in-list ds)] [k (in-naturals)]
-              #:unless (equal? (choice-made c) (choice-made d)))
-    k))
-
-(define (place who f x cs y ds)
+(define (place who f p q)
+  (define-values (x y) (values (choice-sample-x p) (choice-sample-x q)))
   (define middle (* 0.5 (+ x y)))
-  (cond [(or (<= middle x) (>= middle y)) (moving-root who f x y cs ds)]
+  (cond [(or (<= middle x) (>= middle y)) (moving-root who f p q)]
         [else
-         (define es (choices f middle))
-         (if (alike? cs es)
-             (place who f middle es y ds)
-             (place who f x cs middle es))]))
+         (define m (sample-choices f middle))
+         (if (alike? (choice-sample-made p) (choice-sample-made m))
+             (place who f m q)
+             (place who f p m))]))
 
-;; x, y : next to each other
-(define (moving-root who f x y cs ds)
+;; p, q : next to each other
+(define (moving-root who f p q)
+  (define x (choice-sample-x p))
+  (define-values (cs ds) (values (choice-sample-made p) (choice-sample-made q)))
   (define k (first-difference cs ds))
   (define (nth choices) (list-ref choices k))
   (define middle ((choice-between (nth cs)) (choice-made (nth cs)) (choice-made (nth ds))))
-  (define (s x)
-    (let/ec return
-      (define left k)
-      (define (note! value made between)
-        (when (= left 0) (return (g:- value middle)))
-        (set! left (- left 1)))
-      (parameterize ([current-branches note!]) (f x))
-      (raise-unclear who x)))
+  (define (s x) (g:- (or (chosen-by f x k) (raise-unclear who (innermost x))) middle))
   (define h (* 1e-6 (+ 1.0 (abs x))))
   (define slope (/ (- (innermost (s (+ x h))) (innermost (s (- x h)))) (* 2.0 h)))
   (when (or (not (rational? slope)) (= slope 0.0)) (raise-unclear who x))
@@ -95,3 +62,24 @@
                   (string-append "the integral has no derivative found: how the place moves where "
                                  "the integrand takes another branch is not clear")
                   x "at" x))
+
+;; What is to be added to an end of a piece so that f takes the branch of the piece there: more
+;; than rounding, and as much as it takes.
+(define (aside f end other)
+  (define direction (if (< end other) 1.0 -1.0))
+  (define far (if (rational? other) (* 0.5 (abs (- other end))) 1.0))
+  (define (choices-at distance)
+    (choice-sample-made (sample-choices f (+ end (* direction distance)))))
+  (define inside (choices-at far))
+  (let loop ([distance (* 1e-13 (+ 1.0 (abs end)))])
+    (cond [(>= distance far) (* direction far)]
+          [(alike? inside (choices-at distance)) (* direction distance)]
+          [else (loop (* 4.0 distance))])))
+
+;; ---------------------------------------------------------------------------
+
+;; While somebody listens to the branches of an integral over f: those at its ends.
+(define (tell-choices-at-ends f low high)
+  (when (current-branches)
+    (for ([end (list low high)] #:when (rational? end))
+      (with-handlers ([no-value? void]) (f end)))))

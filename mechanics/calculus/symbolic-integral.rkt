@@ -7,7 +7,7 @@
 ;; where F or the integrand has a logarithm, a quotient or a root that the variable is in, the
 ;; condition is that it keeps a value between the ends, and is said in a note.
 
-(require "antiderivative.rkt" "expression-function.rkt" "perturbed.rkt"
+(require "antiderivative.rkt" "expression-function.rkt" "integral.rkt" "perturbed.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/simplify/simplify-expression.rkt"
@@ -17,19 +17,23 @@
 
 (provide symbolic-integral)
 
-;; Within a derivative an end may be perturbed: the formula is one of symbols first.
+;; Within a derivative an end may be perturbed: the formula is one of symbols first.  Where the
+;; integrand is, each of its components has a formula.
 (define (symbolic-integral who f low high)
   (define (name end) (if (perturbed? end) (string->uninterned-symbol "end") end))
   (define-values (from to) (values (name low) (name high)))
-  (define formula (between-expressions who f from to))
-  (if (or (perturbed? low) (perturbed? high))
-      (evaluate-generically formula (list (cons from low) (cons to high)))
-      formula))
-
-(define (between-expressions who f low high)
   (define x (string->uninterned-symbol "x"))
+  (let integral ([f f])
+    (define y (f x))
+    (cond [(perturbed? y) (integral-by-components integral f y)]
+          [(or (perturbed? low) (perturbed? high))
+           (evaluate-generically (between-expressions who x y from to)
+                                 (list (cons from low) (cons to high)))]
+          [else (between-expressions who x y from to)])))
+
+;; y : the integrand at x
+(define (between-expressions who x y low high)
   (define A (assumptions-in-force))
-  (define y (f x))
   (define e
     (cond [(expression? y) (simplify-expression y A)]
           [else (complain who "expected a function that gives an expression or a number; given ~a"

@@ -2,9 +2,10 @@
 ;; Definite integrals between numbers, of functions that may be infinite at some points.
 ;;
 ;; A function that is infinite at an end is integrated towards it: in the logarithm of the
-;; distance (logarithmic-end.rkt), as a sum of powers (singular-end.rkt), as a wave that becomes ever shorter (oscillating.rkt), as a power or
-;; logarithm that is barely integrable (tail.rkt).  Where it is infinite between the ends,
-;; halving finds the point to within rounding; there the interval is divided.
+;; distance (logarithmic-end.rkt), as a sum of powers (singular-end.rkt), as a wave that
+;; becomes ever shorter (oscillating.rkt), as a power or logarithm that is barely integrable
+;; (tail.rkt).  Where it is infinite between the ends, halving finds the point to within
+;; rounding; there the interval is divided.
 
 (require "gauss-kronrod.rkt" "logarithmic-end.rkt" "oscillating.rkt" "singular-end.rkt" "tail.rkt"
          "../../error/failure.rkt")

@@ -37,7 +37,7 @@
             (if (fl< low 0.0 high)
                 (append (closing-in 0.0 high seen?) (closing-in 0.0 low seen?))
                 '())))
-  (probes-at f (filter (lambda (x) (fl<= low x high)) (sort points fl<))))
+  (probes-at f (filter (lambda (x) (fl< low x high)) (sort points fl<))))
 
 ;; One handler for all points: a new one for each takes longer than most functions.
 (define (probes-at f points)
@@ -71,10 +71,10 @@
   (define x (fl* 0.6180339887498949 (->fl k)))
   (fl- x (flfloor x)))
 
-;; The end itself, and points that come nearer to it
+;; Points that come nearer to it; to 0, one that is almost there
 (define (closing-in end width seen?)
   (define (at k) (fl+ end (fl* width (flexpt 0.5 (->fl k)))))
-  (cons end (for/list ([k (if seen? (in-range 10 55 4) (in-range 12 900 12))]) (at k))))
+  (cons (at 990) (for/list ([k (if seen? (in-range 10 55 4) (in-range 12 900 12))]) (at k))))
 
 ;; ---------------------------------------------------------------------------
 

@@ -32,7 +32,8 @@
   (for ([example (in-list classic-integrals)])
     (test-case (format "~a to ~a" (entry-name example) tolerance) (judge example tolerance))))
 
-(for* ([tolerance (in-list '(1e-6 1e-10))] [example (in-list (append hard-integrals hostile-integrals))])
+(for* ([tolerance (in-list '(1e-6 1e-10))]
+       [example (in-list (append hard-integrals hostile-integrals))])
   (test-case (format "~a to ~a" (entry-name example) tolerance) (judge example tolerance)))
 
 ;; π is no flonum: near it rounding hides the last digits of the distance.
