@@ -12,7 +12,7 @@ export RACKET
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl run show tex test test-export attack lint \
+.PHONY: help demo repl run show tex export test test-export attack lint \
         elsewhere bench peers docs pictures clean \
         racket libraries editing compile begin-tests
 
@@ -22,6 +22,7 @@ help:
 	@echo 'make run     run a file            (FILE=my-system.rkt, ARGS="..." for what it is told)'
 	@echo 'make show    a file with its results as a page  (FILE=my-system.rkt, OUT=page.html)'
 	@echo 'make tex     the same for LaTeX    (FILE=my-system.rkt, OUT=file.tex)'
+	@echo 'make export  its systems in C, Python or JAX  (FILE=my-system.rkt, TO=c|python|jax, OUT=folder)'
 	@echo 'make new     a worksheet to begin with       (FILE=my-worksheet.rkt)'
 	@echo 'make worksheet   its file for students, and the page to hand out (FILE=my-worksheet.rkt)'
 	@echo 'make handout the page alone        (FILE=my-worksheet.rkt, TO=html|tex, ANSWERS=1, OUT=...)'
@@ -56,6 +57,15 @@ show tex: compile
 	@$(RACKET) -l- $(COMMAND)/raco $@ $(if $(OUT),-o "$(OUT)") "$(FILE)"
 
 RUN_COMMAND = $(RACKET) -l- $(COMMAND)/raco
+
+export: compile
+	@if [ -z "$(FILE)" ]; then \
+	    echo '$@: which file? as in  make $@ FILE=my-system.rkt TO=c' >&2; exit 2; \
+	fi
+	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/export-program.rkt
+	@$(RUN_COMMAND) export $(if $(TO),--to "$(TO)") $(if $(OUT),-o "$(OUT)") \
+	    $(foreach s,$(SYSTEM),--system "$(s)") $(if $(ALL),--all) $(if $(LIST),--list) \
+	    $(if $(DERIVATIVES),--derivatives) $(if $(REPLACE),--replace) "$(FILE)"
 
 new worksheet handout check: compile
 	@if [ -z "$(FILE)" ]; then echo 'make $@ FILE=... ; make help says more' >&2; exit 2; fi

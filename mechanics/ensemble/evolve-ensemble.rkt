@@ -12,7 +12,7 @@
          "../error/complain.rkt" "../error/failure.rkt" "../error/once.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/value-struct.rkt"
-         "../motion/check.rkt" "../motion/choice.rkt"
+         "../motion/check.rkt" "../motion/choice.rkt" "../motion/followed.rkt"
          (only-in "../motion/system.rkt" derivative-for)
          "../numeric/progress.rkt"
          "../value/shape.rkt")
@@ -48,6 +48,7 @@
   (define-values (example ps) (first-row rows))
   (check-maker who maker ps)
   (check-first maker ps example)
+  (note-followed maker ps example)
   (define (make how) (how who maker example ps collect (number end) (number tolerance) method))
   (define-values (t shape) (make make-task))
   (define-values (add! result)

@@ -12,7 +12,9 @@
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt")
 
-(provide export-system)
+(provide export-system
+         ;; for a system that is ready
+         write-exported)
 
 (define who 'export-system)
 
@@ -28,10 +30,16 @@
   (define files-of (files-for target))
   (define text (checked-name name))
   (check-order parameters)
-  (define to (checked-folder folder replace?))
+  (define to (checked-folder who folder replace? "#:replace? #t"))
   (define s (make-exported who derivative example text parameters derivatives?))
-  (write-folder to (files-of who s))
+  (write-folder who to (files-of who s))
   (path->string to))
+
+;; s : exported; again : what is to be typed to write over an export -> the folder
+(define (write-exported who s target folder replace? again)
+  (define to (checked-folder who folder replace? again))
+  (write-folder who to ((files-for target) who s))
+  to)
 
 (define targets (list (cons 'C C-files) (cons 'python python-files) (cons 'JAX JAX-files)))
 
@@ -58,16 +66,16 @@
     (complain who "expected the parameters as a list of symbols, such as '(m l g)\n  given: ~a"
               (value->text parameters))))
 
-(define (checked-folder folder replace?)
+(define (checked-folder who folder replace? again)
   (unless (path-string? folder)
     (complain who "expected the name of a folder\n  given: ~a" (value->text folder)))
   (define to (simple-form-path folder))
   (when (file-exists? to) (complain who "there is a file of that name\n  folder: ~a" folder))
-  (when (and (directory-exists? to) (pair? (directory-list to))) (check-old to folder replace?))
+  (when (and (directory-exists? to) (pair? (directory-list to))) (check-old who to folder replace? again))
   to)
 
 ;; Only what an export has written is written over.
-(define (check-old to folder replace?)
+(define (check-old who to folder replace? again)
   (cond [(not (file-exists? (build-path to list-file)))
          (complain who
                    (string-append "the folder holds something else than an exported system; it is"
@@ -75,24 +83,24 @@
                    folder)]
         [(not replace?)
          (complain who "the folder is there already\n  folder: ~a\n  to write it anew: ~a"
-                   folder "#:replace? #t")]))
+                   folder again)]))
 
 ;; In each exported folder: the names of the files that were written.
 (define list-file ".exported")
 
 ;; files : alist of names and texts
-(define (write-folder to files)
+(define (write-folder who to files)
   (define all (append files (list (cons list-file (names->text (map car files))))))
   (if (directory-exists? to)
       (write-over to all)
-      (write-whole to all)))
+      (write-whole who to all)))
 
 (define (names->text names)
   (apply string-append (for/list ([n (in-list names)]) (string-append n "\n"))))
 
 ;; All or nothing: beside its place first, then moved there.
-(define (write-whole to files)
-  (define beside (make-temporary-file ".export~a" 'directory (parent-of to)))
+(define (write-whole who to files)
+  (define beside (make-temporary-file ".export~a" 'directory (parent-of who to)))
   (with-handlers ([void (lambda (e)
                           (delete-directory/files beside #:must-exist? #f)
                           (raise e))])
@@ -115,7 +123,7 @@
     (call-with-atomic-output-file
      file (lambda (port path) (void (write-string (cdr f) port))))))
 
-(define (parent-of folder)
+(define (parent-of who folder)
   (define parent (path-only folder))
   (unless (and parent (directory-exists? parent))
     (complain who "there is no such folder\n  folder: ~a" parent))

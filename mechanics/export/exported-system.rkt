@@ -5,6 +5,7 @@
 ;; symbols left in it are parameters of the code; those of the example name the variables.
 
 (require racket/list
+         "suggested-names.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../compile/tangent-program.rkt" "../compile/trace.rkt"
          "../error/complain.rkt"
@@ -26,37 +27,73 @@
 (define (exported-size s) (length (exported-variables s)))
 (define (exported-parameter-count s) (length (exported-parameters s)))
 
-;; order : symbols, the parameters as they are wanted; or #f
-(define (make-exported who derivative example name order derivatives?)
+;; order : symbols, the parameters as they are wanted; or #f.  names : of the variables, symbols or
+;; #f for each; those of the example go first.  otherwise : called, not to return, with the reason
+;; why the derivative has no code
+(define (make-exported who derivative example name order derivatives?
+                       #:names [names #f] #:definition [definition (value->text derivative)]
+                       #:otherwise [otherwise #f])
   (unless (and (procedure? derivative) (accepts? derivative 1))
     (complain who "expected a state derivative, a function of one state\n  given: ~a"
               (describe-with-value derivative)))
-  (define variables (variables-of who example))
-  (define (parameters-in es) (check-parameters who order (free-symbols es) variables))
+  (define given (given-names who example))
+  (define (parameters-in es) (check-parameters who order (free-symbols es) given))
   (define-values (p value)
-    (trace who derivative example #:further-inputs parameters-in #:names variables))
-  (when (string? p) (raise-no-code who derivative p))
+    (trace who derivative example #:further-inputs parameters-in
+           #:names (for/list ([x (in-list given)] [k (in-naturals)])
+                     (or x (string->symbol (format "x~a" k))))
+           #:unknown (if otherwise (unknown-for otherwise) raise-no-value)))
+  (when (string? p) ((or otherwise (no-code who derivative)) p))
   (check-rates who derivative example value)
-  (exported name (value->text derivative) variables (parameters-in (scalars value))
-            (eqv? 1 (car (scalars value)))
-            p
+  (define parameters (parameters-in (scalars value)))
+  (define clock? (eqv? 1 (car (scalars value))))
+  (exported name definition
+            (all-named given (or names '()) (suggested-names derivative example clock?) parameters)
+            parameters clock? p
             (and derivatives? (tangent-program p))))
 
-;; Symbols of the example, and x0, x1 ... where it holds numbers.
-(define (variables-of who example)
+(define ((unknown-for otherwise) who e)
+  (otherwise (format "~a has no numeric value" (value->text e))))
+
+(define ((no-code who derivative) reason)
+  (complain who
+            (string-append "this state derivative has no code in other languages\n  of: ~a"
+                           "\n  reason: ~a")
+            (value->text derivative) reason))
+
+;; ---------------------------------------------------------------------------
+;; Variables
+
+;; Symbols of the example, and #f where it holds numbers.
+(define (given-names who example)
   (define names
-    (for/list ([x (in-list (scalars example))] [k (in-naturals)])
+    (for/list ([x (in-list (scalars example))])
       (cond [(free-symbol? x) x]
-            [(real? x) (string->symbol (format "x~a" k))]
+            [(real? x) #f]
             [else (complain who
                             (string-append "the example is a state of numbers, or of symbols"
                                            " that name its variables\n  given: ~a")
                             (value->text example))])))
-  (define twice (check-duplicates names eq?))
+  (define twice (check-duplicates (filter values names) eq?))
   (when twice
     (complain who "two variables of the state have one name\n  name: ~a\n  given: ~a"
               twice (value->text example)))
   names)
+
+;; What nobody named, named: no two alike, and none like a parameter.
+(define (all-named given wanted suggested parameters)
+  (define (free name taken)
+    (if (memq name taken) (free (string->symbol (format "~a_" name)) taken) name))
+  (define-values (names taken)
+    (for/fold ([names '()] [taken (append parameters (filter values given))])
+              ([x (in-list given)] [other (in-list suggested)] [k (in-naturals)])
+      (define name
+        (or x (free (or (and (< k (length wanted)) (list-ref wanted k)) other) taken)))
+      (values (cons name names) (cons name taken))))
+  (reverse names))
+
+;; ---------------------------------------------------------------------------
+;; Parameters
 
 (define (free-symbols es)
   (sort (remove-duplicates
@@ -66,7 +103,7 @@
          eq?)
         symbol<?))
 
-;; -> the parameters found, in the order wanted
+;; variables : names given by the user, or #f -> the parameters found, in the order wanted
 (define (check-parameters who order found variables)
   (define both (for/first ([s (in-list found)] #:when (memq s variables)) s))
   (when both
@@ -82,9 +119,3 @@
               "the state derivative holds a symbol that is not among the parameters\n  ~a: ~a\n  ~a: ~a"
               "symbol" missing "parameters" order))
   (or order found))
-
-(define (raise-no-code who derivative reason)
-  (complain who
-            (string-append "this state derivative has no code in other languages\n  of: ~a"
-                           "\n  reason: ~a")
-            (value->text derivative) reason))

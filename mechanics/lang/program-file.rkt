@@ -4,12 +4,13 @@
 
 (require (only-in racket/file file->bytes)
          racket/list
+         racket/path
          racket/string
          "mistake/spelling.rkt" "mistake/unreadable.rkt"
          "../error/machine.rkt")
 
 (provide check-program raise-unreadable
-         marked? call-with-program read-program language-without-us about-language)
+         marked? call-with-program read-program read-whole-program language-without-us about-language)
 
 ;; ---------------------------------------------------------------------------
 ;; The file
@@ -118,6 +119,12 @@
   (port-count-lines! port)
   (parameterize ([read-accept-reader #t] [read-accept-lang #t])
     (read-syntax file port)))
+
+;; The same of a program whose errors are told.
+(define (read-whole-program who name file port)
+  (with-handlers ([exn:fail:read? (lambda (e) (raise-unreadable who name e))])
+    (parameterize ([current-load-relative-directory (path-only file)])
+      (read-program file port))))
 
 ;; Its parentheses do not match.
 (define (raise-unreadable who name e)

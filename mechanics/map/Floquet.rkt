@@ -7,7 +7,8 @@
          "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt"
-         "../motion/check.rkt" "../motion/evolution.rkt" "../motion/linearized-flow.rkt"
+         "../motion/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
+         "../motion/linearized-flow.rkt"
          "../numeric/linear/general-eigenvalues.rkt" "../numeric/whole-turns.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
 
@@ -35,10 +36,11 @@
 
 ;; -> where the state goes, and where the unit displacements from scalar number `first` on go
 (define (displaced derivative state first duration tolerance)
-  (define end
-    (structure->list
-     ((state-advancer (lambda () (with-displacements derivative)))
-      (apply up state (unit-displacements state first)) duration tolerance)))
+  (note-followed derivative '() state)
+  (define start (apply up state (unit-displacements state first)))
+  (define (advance)
+    ((state-advancer (lambda () (with-displacements derivative))) start duration tolerance))
+  (define end (structure->list (call-unwatched advance)))
   (values (car end) (map scalars (cdr end))))
 
 ;; Is the first scalar of the state the time?

@@ -14,7 +14,8 @@
          "Floquet.rkt" "compiled-map.rkt" "jacobian.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../motion/check.rkt" "../motion/evolution.rkt" "../motion/linearized-flow.rkt"
+         "../motion/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
+         "../motion/linearized-flow.rkt"
          "../numeric/flvector.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
 
@@ -81,7 +82,9 @@
     (define both (apply up x (map (shaped state) vs)))
     (define end (structure->list (advance both (/ T steps) tolerance)))
     (values (car end) (for/list ([v (in-list (cdr end))]) (row v))))
-  (collect step state (map row (scattered all n)) (fl/ T (->fl steps)) steps))
+  (note-followed f '() state)
+  (call-unwatched
+   (lambda () (collect step state (map row (scattered all n)) (fl/ T (->fl steps)) steps))))
 
 (define (exact-round x) (inexact->exact (round x)))
 (define (row v) (for/flvector ([x (in-list (scalars v))]) (real->double-flonum x)))

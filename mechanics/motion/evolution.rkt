@@ -2,8 +2,8 @@
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
 (require racket/flonum
-         "check.rkt" "choice.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt" "stuck.rkt"
-         "suited.rkt" "system.rkt"
+         "check.rkt" "choice.rkt" "followed.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt"
+         "stuck.rkt" "suited.rkt" "system.rkt"
          "../calculus/perturbed.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
@@ -25,6 +25,7 @@
   (define datum (made-by 'state-advancer derivative-maker parameters))
   (define (advance plan-with state duration [tolerance #f] [continue state-alone])
     (define p (plan-with tolerance))
+    (note-followed derivative-maker parameters state)
     (cond
       [(varied? parameters state duration)
        (continue
@@ -59,9 +60,12 @@
 
 ;; What p says, of another system.
 (define ((advancing p) maker parameters state duration)
-  ((apply state-advancer maker parameters) state duration (plan-tolerance p)
-   #:method (plan-method p) #:precision (plan-bits p)
-   #:longest-step (plan-longest p) #:most-steps (plan-most p) #:progress (plan-progress? p)))
+  (call-unwatched
+   (lambda ()
+     ((apply state-advancer maker parameters) state duration (plan-tolerance p)
+      #:method (plan-method p) #:precision (plan-bits p)
+      #:longest-step (plan-longest p) #:most-steps (plan-most p)
+      #:progress (plan-progress? p)))))
 
 ;; (linearized-flow sysder p ...) : state, duration, tolerance -> the derivative, by the state
 ;; and, if that is asked for, the parameters, of the state that is reached
@@ -69,6 +73,7 @@
   (check-maker 'linearized-flow derivative-maker parameters)
   (define datum (made-by 'linearized-flow derivative-maker parameters))
   (define (derivative p parameters? state duration)
+    (note-followed derivative-maker parameters state)
     (flow-derivative (advancing p) derivative-maker parameters state duration parameters?))
   (define (derivative/keywords #:by-parameters? [parameters? #f] #:method [method #f]
                                #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
@@ -100,6 +105,7 @@
   (define datum (made-by 'evolve derivative-maker parameters))
   (define (follow plan-with state monitor step final [tolerance #f])
     (define p (plan-with tolerance))
+    (note-followed derivative-maker parameters state)
     (define shown (checked-monitor 'evolve monitor))
     (check-positive 'evolve "time step" step
                     "\n  the final time says whether to go forwards or back")
@@ -196,5 +202,6 @@
   (lambda (state)
     (or (for/first ([s (in-list known)] #:when (same-shape? (system-shape s) state)) s)
         (let ([s (make-parametric-system who derivative-maker parameters state)])
+          (note-followed derivative-maker parameters state)
           (set! known (cons s known))
           s))))

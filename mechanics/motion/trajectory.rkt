@@ -7,8 +7,8 @@
 
 (require racket/flonum
          racket/list
-         "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "plan.rkt" "recording.rkt"
-         "so-far.rkt" "suited.rkt" "system.rkt"
+         "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "followed.rkt" "plan.rkt"
+         "recording.rkt" "so-far.rkt" "suited.rkt" "system.rkt"
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
@@ -103,6 +103,7 @@
     (make-plan 'evolve-trajectory tolerance method longest most
                #:precision bits #:progress progress?))
   (define all-events (check-events events))
+  (note-followed derivative '() state)
   (if bits
       (precise-trajectory p derivative state (real-number end) all-events)
       (flonum-trajectory p derivative state (real->double-flonum (real-number end)) all-events)))

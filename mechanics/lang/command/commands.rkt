@@ -7,6 +7,7 @@
 (require-on-demand ["show-program.rkt" show-command TeX-command]
                    ["worksheet-files.rkt" worksheet-command handout-command new-command]
                    ["check-answers-of.rkt" check-command]
+                   ["export-program.rkt" export-command]
                    ["repl.rkt" repl-command]
                    ["raco-help.rkt" help-command])
 
@@ -32,6 +33,10 @@
                                    "[--gradescope FOLDER] [--seconds N] [--json]")
             "the answers of a student, or of a class"
             (lambda (arguments) (check-command arguments)))
+   (command "export" (string-append "FILE [--to c|python|jax] [-o FOLDER] [--system NAME] ... "
+                                    "[--all] [--list] [--derivatives] [--replace]")
+            "the systems that a program follows, as programs in C, in Python or for JAX"
+            (lambda (arguments) (export-command arguments)))
    (command "repl" "" "a prompt with history, completion and help"
             (lambda (arguments) (repl-command arguments)))
    (command "help" "[NAME]" "this list; what a command does; what is known of a name"

@@ -16,10 +16,7 @@
 (define (program-document who file [name (path->string (file-name-from-path file))])
   (check-program who name file)
   (define text (program-text file))
-  (define stx
-    (with-handlers ([exn:fail:read? (lambda (e) (raise-unreadable who name e))])
-      (parameterize ([current-load-relative-directory (path-only file)])
-        (read-program file (open-input-string text)))))
+  (define stx (read-whole-program who name file (open-input-string text)))
   (define o (run-program stx file))
   (define end (outcome-end o))
   (define pieces

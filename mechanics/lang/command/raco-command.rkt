@@ -15,8 +15,8 @@
   (printf "raco mechanics COMMAND ...\n\n")
   (for ([c (in-list commands)]) (printf "  ~a\n      ~a\n" (usage c) (command-sentence c)))
   (printf "\nIn a checkout, where raco knows no such command: make show FILE=... [OUT=...],\n")
-  (printf "make tex FILE=... [OUT=...], make repl; make new, worksheet, handout FILE=...; and\n")
-  (printf "make check FILE=... [WORKSHEET=... REPORT=report.html].\n"))
+  (printf "make tex FILE=... [OUT=...], make export FILE=... [TO=...], make repl; make new,\n")
+  (printf "worksheet, handout FILE=...; and make check FILE=... [WORKSHEET=... REPORT=...].\n"))
 
 (define (print-command c)
   (printf "raco mechanics ~a\n    ~a\n" (usage c) (command-sentence c)))

@@ -23,14 +23,15 @@
 (struct early-end (number running? message))
 
 ;; stx : of a module; file : where it was read -> outcome
-(define (run-program stx file)
+;; look : called with the namespace of the program's definitions once it has run
+(define (run-program stx file #:look [look #f])
   (define custodian (make-custodian))
   (define o #f)
   (dynamic-wind
    void
    (lambda ()
      (parameterize ([current-custodian custodian])
-       (sync (thread (lambda () (set! o (run stx file)))))))
+       (sync (thread (lambda () (set! o (run stx file look)))))))
    (lambda () (custodian-shutdown-all custodian)))
   o)
 
@@ -40,7 +41,7 @@
 ;; number : of the form that runs, or #f; items : what came of it, latest first
 (struct recorder (found printed [number #:mutable] [items #:mutable]) #:authentic)
 
-(define (run stx file)
+(define (run stx file look)
   (define r (recorder (make-vector (length (module-forms stx)) '()) (open-output-string) #f '()))
   (define ended
     (let/ec stop
@@ -49,12 +50,12 @@
                          (lambda (e)
                            (define running? (and (recorder-number r) #t))
                            (early-end (place-of e stx r) running? (message e)))])
-          (evaluate stx file r)
+          (evaluate stx file r look)
           #f))))
   (finish-form! r)
   (outcome (recorder-found r) ended))
 
-(define (evaluate stx file r)
+(define (evaluate stx file r look)
   (define printed (recorder-printed r))
   (define (receive x)
     (unless (void? x)
@@ -75,7 +76,9 @@
     (parameterize ([current-module-declare-name (make-resolved-module-path name)]
                    [current-module-declare-source file])
       (eval (with-watched-forms stx begins)))
-    (dynamic-require (make-resolved-module-path name) #f)))
+    (define module (make-resolved-module-path name))
+    (dynamic-require module #f)
+    (when look (look (module->namespace module)))))
 
 ;; The program shares the library with those who show its results.
 (define-namespace-anchor here)

@@ -1,0 +1,151 @@
+#lang racket/base
+;; A system that a program follows, as a system for export: named after what the program and the
+;; book call it, with its parameters as such where the program gives them to what makes the state
+;; derivative.
+
+(require racket/list
+         racket/path
+         racket/string
+         "definition-heads.rkt"
+         "../../error/once.rkt"
+         "../../export/exported-system.rkt" "../../export/names.rkt"
+         "../../generic/describe.rkt"
+         (only-in "../../motion/system.rkt" derivative-for)
+         "../../value/shape.rkt")
+
+(provide (struct-out followed) (struct-out found)
+         make-knowledge state-by-pattern systems-of)
+
+;; maker : a state derivative; or, with parameters, what makes one of them
+(struct followed (maker parameters state) #:authentic)
+
+;; name   : string, for the command line, files and functions
+;; start, values : lists of numbers, of the program's own motion; or #f
+;; system : exported, or a string that says why there is none
+(struct found (name start values definition system) #:authentic)
+
+;; heads : list of (-> hasheq), of the program and of the book; defined : alist of names and
+;; procedures; file : where the program is
+(struct knowledge (heads defined file) #:authentic)
+
+(define (make-knowledge stx defined file)
+  (knowledge (list (once (lambda () (program-heads stx))) (once book-heads)) defined file))
+
+;; -> found ones; what comes to the same is there once
+(define (systems-of all k derivatives?)
+  (for/fold ([done '()] #:result (reverse done)) ([f (in-list all)])
+    (define name (fresh (system-name f k) (map found-name done)))
+    (define s (followed->found f k name derivatives?))
+    (if (ormap (lambda (other) (same-system? s other)) done) done (cons s done))))
+
+(define (same-system? a b)
+  (define-values (x y) (values (found-system a) (found-system b)))
+  (and (exported? x) (exported? y)
+       (equal? (exported-slope x) (exported-slope y))
+       (equal? (exported-variables x) (exported-variables y))))
+
+;; ---------------------------------------------------------------------------
+;; Names
+
+;; The names that the value prints with, and the one that it has in the program.
+(define (names-in x k)
+  (define defined
+    (for/list ([d (in-list (knowledge-defined k))] #:when (eq? x (cdr d))) (car d)))
+  (append defined (filter symbol? (flatten (value->datum x)))))
+
+;; look : heads name -> what is looked for or #f
+(define (look-up k x look)
+  (define names (names-in x k))
+  (for*/or ([heads (in-list (knowledge-heads k))] [name (in-list names)]) (look (heads) name)))
+
+(define (system-name f k)
+  (define maker (followed-maker f))
+  (define name
+    (or (for/first ([d (in-list (knowledge-defined k))] #:when (eq? maker (cdr d))) (car d))
+        (look-up k maker telling-name)
+        (path->string (file-name-from-path (path-replace-extension (knowledge-file k) #"")))))
+  (identifier-of
+   (regexp-replaces (format "~a" name)
+                    '([#rx"^[LHT]-" ""] [#rx"(-state|-system)?-(derivative|sysder)$" ""]))))
+
+;; One that is a letter, as L, says nothing.
+(define (telling-name heads name)
+  (and (hash-ref heads name #f) (< 1 (string-length (symbol->string name))) name))
+
+(define (identifier-of text)
+  (define plain (car (identifiers (list (string->symbol text)) '())))
+  (if (identifier? plain) plain (string-append plain "_system")))
+
+(define (fresh name taken [k 2])
+  (define other (format "~a_~a" name k))
+  (cond [(not (member name taken)) name]
+        [(member other taken) (fresh name taken (+ k 1))]
+        [else other]))
+
+;; A state of zeros, of the shape that the arguments of the Lagrangian show; or #f
+(define (state-by-pattern derivative k)
+  (look-up k derivative pattern-state))
+
+;; ---------------------------------------------------------------------------
+;; Parameters
+
+(define (followed->found f k name derivatives?)
+  (define ps (followed-parameters f))
+  (define symbols (and (pair? ps) (parameter-symbols f k)))
+  (define (attempt symbols) (exported-or-reason f k name symbols derivatives?))
+  (define general (and symbols (attempt symbols)))
+  (define s (if (exported? general) general (attempt #f)))
+  (found name (numbers-of (followed-state f))
+         (if (eq? s general) (append* (map numbers-of (filter numeric? ps))) '())
+         (definition-of f k symbols) s))
+
+(define (numbers-of x)
+  (define all (scalars x))
+  (and (andmap real? all) (map real->double-flonum all)))
+
+(define (numeric? p) (andmap real? (scalars p)))
+
+;; In place of each numeric parameter symbols of its shape; others stay.
+(define (parameter-symbols f k)
+  (define ps (followed-parameters f))
+  (define names
+    (or (look-up k (followed-maker f)
+                 (lambda (heads name) (parameter-names heads name (length ps))))
+        (for/list ([i (in-range (length ps))]) (string->symbol (format "p~a" i)))))
+  (for/list ([p (in-list ps)] [name (in-list names)])
+    (cond [(not (numeric? p)) p]
+          [(= 1 (shape-length p)) (scalars->structure p (lambda (_) name))]
+          [else (scalars->structure p (lambda (j) (string->symbol (format "~a~a" name j))))])))
+
+;; symbols : in place of the parameters, or #f -> exported, or a string
+(define (exported-or-reason f k name symbols derivatives?)
+  (define-values (maker state) (values (followed-maker f) (followed-state f)))
+  (define ps (or symbols (followed-parameters f)))
+  (define order (and symbols (filter symbol? (append-map scalars symbols))))
+  (let/ec return
+    (make-exported 'export
+                   (if (null? ps) maker (lambda (s) ((derivative-for maker ps) s)))
+                   (placeholder-state state) name order derivatives?
+                   #:names (variable-names maker state k)
+                   #:definition (definition-of f k symbols)
+                   #:otherwise return)))
+
+;; A Lagrangian's own momenta are not what it calls its velocities.
+(define (variable-names maker state k)
+  (define names (look-up k maker (lambda (heads name) (state-names heads name state))))
+  (define n (and names (quotient (length names) 2)))
+  (if (and names (odd? (length names)) (memq 'Lagrangian->Hamiltonian (names-in maker k)))
+      (append (take names (+ n 1))
+              (for/list ([q (in-list (take (cdr names) n))])
+                (and q (string->symbol (format "p_~a" q)))))
+      names))
+
+;; Of a state that was being differentiated only the shape is needed.
+(define (placeholder-state state) (scalars->structure state (lambda (_) 0)))
+
+(define (definition-of f k symbols)
+  (define maker (value->text (followed-maker f)))
+  (define ps (or symbols (followed-parameters f)))
+  (format "~a, of ~a"
+          (if (null? ps) maker (format "(~a ~a)" maker (string-join (map value->text ps) " ")))
+          (file-name-from-path (knowledge-file k))))

@@ -1,0 +1,106 @@
+#lang racket/base
+;; `raco mechanics export`: which systems of a program are found, how they are named, what is
+;; written and what is said where there is nothing to write.
+
+(require racket/file
+         rackunit
+         "../../../../mechanics/lang/command/run-command.rkt")
+
+;; for-label: compiled with this file.
+(require (for-label "../../../../mechanics/lang/command/export-program.rkt"))
+
+(define folder (make-temporary-file "export~a" 'directory))
+
+(define (answer . arguments)
+  (define out (open-output-string))
+  (define status
+    (parameterize ([current-output-port out] [current-error-port out]
+                   [current-directory folder])
+      (run-command-line (cons "export" arguments))))
+  (list status (get-output-string out)))
+
+(define (program name . lines)
+  (display-lines-to-file (cons "#lang mechanics" lines) (build-path folder name)
+                         #:exists 'truncate)
+  name)
+
+(define (wrote? . parts) (file-exists? (apply build-path folder parts)))
+(define (text . parts) (file->string (apply build-path folder parts)))
+
+(test-case "one system: its folder, with the names of the program's own Lagrangian"
+  (program "swing.rkt"
+           "(define ((L-swing m l) (up t θ θdot))"
+           "  (+ (* 1/2 m (square l) (square θdot)) (* m 9.8 l (cos θ))))"
+           "(define (maker m l) (Lagrangian->state-derivative (L-swing m l)))"
+           "((state-advancer maker 1.0 2.0) (up 0 1 0) 3)")
+  (check-equal? (answer "swing.rkt")
+                (list 0 (string-append
+                         "maker-C\n  maker: (maker m l), of swing.rkt\n"
+                         "      variables t q v; parameters m l\n"
+                         "  cd maker-C && make && echo \"0.0 1.0 0.0 1.0 2.0\" | ./maker 10\n")))
+  (check-true (wrote? "maker-C" "maker.c"))
+  (check-regexp-match #rx"const double l = p\\[1\\]" (text "maker-C" "maker.c"))
+  (check-equal? (answer "swing.rkt")
+                '(2 "export: the folder is there already\n  folder: maker-C\n  to write it anew: --replace\n"))
+  (check-equal? (car (answer "swing.rkt" "--replace" "--to" "jax" "-o" "maker-C")) 0)
+  (check-false (wrote? "maker-C" "maker.c"))
+  (check-true (wrote? "maker-C" "maker.py")))
+
+(test-case "several: they are told, and one is chosen, or all"
+  (program "two.rkt"
+           "(define ((L-fall g) (up t (up x y) (up vx vy)))"
+           "  (- (* 1/2 (+ (square vx) (square vy))) (* g y)))"
+           "(define fall (Lagrangian->state-derivative (L-fall 'g)))"
+           "(define (turn s) (up 1 (up (ref s 1 1) (- (ref s 1 0)))))"
+           "(define tr (evolve-trajectory turn (up 0 (up 1.0 0.0)) 1))"
+           "(define again (evolve-trajectory turn (up 0 (up 2.0 0.0)) 1))"
+           "(define (jump s) (up 1 (if (> (ref s 1) 0) -1.0 1.0)))"
+           "(define up-and-down (evolve-trajectory jump (up 0 1.0) 0.5))")
+  (define told
+    (string-append
+     "  turn: turn, of two.rkt\n      variables t x1_0 x1_1; parameters none\n"
+     "  jump: jump, of two.rkt\n      cannot be exported: it takes a decision by `>`\n"
+     "  fall: (Lagrangian->state-derivative L-fall), of two.rkt\n"
+     "      variables t x y vx vy; parameters g\n"))
+  (check-equal? (answer "two.rkt" "--list") (list 0 told))
+  (check-equal? (answer "two.rkt")
+                (list 2 (string-append
+                         "export: two.rkt has several systems; say which by --system NAME, or --all\n"
+                         told)))
+  (check-equal? (answer "two.rkt" "--system" "tune")
+                (list 2 (string-append "export: two.rkt has no such system\n  given: tune\n"
+                                       "  its systems: turn, jump, fall\n")))
+  (check-equal? (answer "two.rkt" "--all" "-o" "x")
+                (list 2 (string-append "export: -o names one folder, and there are 3 systems\n"
+                                       "  systems: turn, jump, fall\n")))
+  (define all (answer "two.rkt" "--all" "--to" "jax"))
+  (check-equal? (car all) 1)
+  (check-regexp-match #rx"^export: jump cannot be exported: it takes a decision by `>`\n  of: jump"
+                      (cadr all))
+  (check-true (and (wrote? "turn-JAX" "turn.py") (wrote? "fall-JAX" "fall.py")))
+  (check-equal? (car (answer "two.rkt" "--system" "fall" "-o" "one")) 0)
+  (check-true (wrote? "one" "fall.c")))
+
+(test-case "nothing to write is told, and why"
+  (program "none.rkt" "(+ 'a 'b)")
+  (check-equal? (answer "none.rkt")
+                (list 1 (string-append
+                         "export: none.rkt follows no motion and defines no state derivative\n"
+                         "  one is made by (define motion (Lagrangian->state-derivative L));\n"
+                         "  submodules, as main and test, are not run\n")))
+  (program "shapeless.rkt" "(define f (Lagrangian->state-derivative (lambda (s) (square (ref s 2)))))")
+  (check-equal? (answer "shapeless.rkt")
+                (list 1 (string-append
+                         "export: shapeless.rkt follows no motion; of what it defines no state is"
+                         " known: f\n  take its arguments as (up t q v), follow a motion, or call"
+                         " export-system with a state\n")))
+  (program "broken.rkt" "(define x (car '()))")
+  (define broken (answer "broken.rkt"))
+  (check-equal? (car broken) 1)
+  (check-regexp-match #rx"broken.rkt did not run to its end, nothing is written:\n.*car" (cadr broken))
+  (check-equal? (answer "none.rkt" "--to" "fortran")
+                (list 2 (string-append "export: it can be exported --to c, --to python or --to jax\n"
+                                       "  given: fortran\n")))
+  (check-regexp-match #rx"there is no file nine.rkt; did you mean none.rkt" (cadr (answer "nine.rkt"))))
+
+(delete-directory/files folder)
