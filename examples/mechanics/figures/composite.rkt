@@ -1,7 +1,7 @@
 #lang mechanics
 ;; A section put together of the perturbative solutions of three resonances, left, and the section
-;; of the driven pendulum itself, right, for figures 7.10 and 7.11.  Each start on the left is told by
-;; the theory of the resonance that is nearest; those of ω, 0 and −ω are blue, black and red.
+;; of the driven pendulum itself, right, for figures 7.10 and 7.11.  Each start on the left is told
+;; by the theory of the resonance that is nearest; those of ω, 0 and −ω are blue, black and red.
 
 (require mechanics/plot "resonances.rkt")
 

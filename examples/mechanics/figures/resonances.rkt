@@ -10,7 +10,7 @@
 
 (provide alpha beta omega rotor-and-clock waves angles-and-momenta
          middle half-width resonant-motion edges
-         driven-map island-edges section-frame draw-section draw-theory)
+         driven-map goes-along? boundary island-edges section-frame draw-section draw-theory)
 
 (define-values (alpha beta omega) (values 1 1 5))
 (define angles-and-momenta (up 's (up 'phi 'theta) (down 'P 'p)))
@@ -96,22 +96,28 @@
     (define s (later (up 0. theta p)))
     (return (coordinate s) (momentum s))))
 
-;; The same edges, as they are: where orbits that start at that angle, below the middle and above
-;; it, cease to go along with σ.  It swings about the start, for n periods, by less than half a turn.
-(define (island-edges gamma k theta p [n 300])
+;; Does an orbit go along with σ = k·(φ, θ): does that swing about where it starts by less than half
+;; a turn, for n periods?
+(define (goes-along? gamma k theta p [n 300])
   (define T (driven-map gamma))
-  (define (along? p0)
-    (let loop ([theta-j theta] [p p0] [j 0])
-      (define sigma (+ (* (cadr k) (- theta-j theta)) (* (car k) :2pi j)))
-      (cond [(> (abs sigma) pi) #f]
-            [(= j n) #t]
-            [else (T theta-j p (lambda (theta p) (loop theta p (+ j 1))) void)])))
-  (for/list ([side '(-1 1)])
-    (let halve ([in 0.] [out 4.])
-      (define half (* 1/2 (+ in out)))
-      (cond [(< (- out in) 1e-3) (+ p (* side half))]
-            [(along? (+ p (* side half))) (halve half out)]
-            [else (halve in half)]))))
+  (let loop ([theta-j theta] [p p] [j 0])
+    (define sigma (+ (* (cadr k) (- theta-j theta)) (* (car k) :2pi j)))
+    (cond [(> (abs sigma) pi) #f]
+          [(= j n) #t]
+          [else (T theta-j p (lambda (theta p) (loop theta p (+ j 1))) void)])))
+
+;; The same edges, as they are: where orbits that start at that angle, below the middle and above
+;; it, cease to go along.
+(define (island-edges gamma k theta p)
+  (define (inside? p) (goes-along? gamma k theta p))
+  (list (boundary inside? p (- p 4.)) (boundary inside? p (+ p 4.))))
+
+;; Where between two numbers it ceases to be so.
+(define (boundary so? in out)
+  (define half (* 1/2 (+ in out)))
+  (cond [(< (abs (- out in)) 1e-3) half]
+        [(so? half) (boundary so? half out)]
+        [else (boundary so? in half)]))
 
 (define (section-frame) (frame :-pi :pi -8. 8. #:width 400 #:height 500
                                #:x-label "θ" #:y-label "p"))
@@ -122,7 +128,8 @@
   (define (wrapped theta p return fail)
     (T theta p (lambda (theta p) (return (+ shift (angle theta)) p)) fail))
   (explore-map picture wrapped n
-               #:from (for/list ([start starts]) (up (+ shift (car start)) (cadr start)))))
+               #:from (for/list ([start starts]) (up (+ shift (car start)) (cadr start))))
+  (void))
 
 (define (draw-theory picture gamma k starts n #:order [order 1] #:color [color 'black])
   (define motion (resonant-motion gamma k #:order order))
