@@ -59,6 +59,8 @@
  linear-interpolants Lagrange-interpolation-function
  ;; integrals, minima and roots
  definite-integral definite-integral-with-tolerance
+ find-minimum minimum? minimum-argument minimum-value minimum-kind
+ minimum-gradient minimum-curvature minimum-evaluations
  minimize brent-min golden-section-min multidimensional-minimize nelder-mead
  find-root newton-search bisect zbrent
  D-numeric richardson-derivative

@@ -8,7 +8,7 @@
 ;; error, where what the formula and what rounding do wrong balance.
 
 (require racket/flonum
-         "implicit.rkt"
+         "implicit.rkt" "steady.rkt"
          "../calculus/derivative.rkt" "../calculus/number.rkt" "../calculus/perturbed.rkt"
          "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt"
@@ -65,8 +65,8 @@
   (define-values (x error count)
     (method value (end low) (end high) #:tolerance tolerance #:observe observe #:name who))
   (define (values-at v) (flvector (value (flvector-ref v 0))))
-  (define (slope) (jacobian-at f values-at x (flvector x)))
-  (report (varying-root who f x slope) error count))
+  (define (slopes v) (jacobian-at f values-at (flvector-ref v 0) v))
+  (report (varying who f x slopes (flvector x) values-at) error count))
 
 (define (root-near who f start tolerance observe report)
   (define (check-number x) (number who x))
@@ -84,7 +84,14 @@
   (define-values (root error)
     (newton value jacobian x
             #:tolerance tolerance #:observe observe #:argument argument #:name who))
-  (report (varying-root who f (argument root) (lambda () (jacobian root))) error evaluations))
+  (report (varying who f (argument root) jacobian root value) error evaluations))
+
+;; The root x, at the flvector v, as it varies with what f depends on
+(define (varying who f x jacobian v value)
+  (define (slopes)
+    (unless (steady? jacobian v (value v)) (raise-no-derivative who x))
+    (jacobian v))
+  (varying-root who f x slopes))
 
 (define (check-count who start y)
   (define n (shape-length start))

@@ -16,7 +16,7 @@
          "../numeric/linear/flonum-systems.rkt" "../numeric/linear/rows.rkt"
          "../value/shape.rkt")
 
-(provide plain varying-root)
+(provide plain varying-root raise-no-derivative total-order)
 
 ;; y with numbers in place of perturbed values
 (define (plain y)
@@ -24,11 +24,11 @@
   (scalars->structure y (lambda (k) (vector-ref xs k))))
 
 ;; x : a root of (compose plain f); (jacobian) -> its derivatives there, a vector of rows
-(define (varying-root who f x jacobian)
+(define (varying-root who f x jacobian #:what [what no-inverse])
   (define order (total-order (scalars (f x))))
   (if (eqv? order 0)
       x
-      (let ([inverse (inverse-rows who (jacobian) x)])
+      (let ([inverse (inverse-rows who what (jacobian) x)])
         (for/fold ([x x]) ([_ (in-range order)]) (step f x inverse)))))
 
 (define (step f x inverse)
@@ -38,14 +38,19 @@
       (for/fold ([x x]) ([a (in-vector row)] [y (in-list ys)]) (g:- x (g:* a y)))))
   (scalars->structure x (lambda (k) (vector-ref xs k))))
 
-(define (inverse-rows who rows x)
+(define no-inverse
+  "the root has no derivative: those of the function have no inverse there")
+
+(define (inverse-rows who what rows x)
   (define n (vector-length rows))
   (define inverse
     (and (all-entries? rational? rows) (floating-solutions rows (unit-rows n 1.0 0.0))))
   (if (vector? inverse)
       inverse
-      (raise-singular who "the root has no derivative: those of the function have no inverse there"
-                      x "at" x)))
+      (raise-no-derivative who x what)))
+
+(define (raise-no-derivative who x [what no-inverse])
+  (raise-singular who what x "at" x))
 
 ;; The sum of the orders of all ε in these values.
 (define (total-order xs)

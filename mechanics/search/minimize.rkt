@@ -1,57 +1,77 @@
 #lang racket/base
 ;; Minima of functions made by the generic arithmetic (SICM pp. 19 and 22).
+;;
+;; `find-minimum` says what it found, and of which kind; the others give what the book's
+;; procedures of their names give.  All can be differentiated by what the function depends on.
 
-(require racket/flonum
-         "../calculus/gradient.rkt" "../calculus/number.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
+(require "least-between.rkt" "minimum.rkt" "minimum-near.rkt" "target.rkt" "varying-minimum.rkt"
+         "../calculus/number.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
-         "../numeric/flvector.rkt" "../numeric/progress.rkt" "../numeric/sample.rkt"
+         "../generic/wrong-argument.rkt"
+         "../numeric/progress.rkt" "../numeric/sample.rkt"
          (prefix-in numeric: "../numeric/search/brent-minimum.rkt")
          "../numeric/search/golden-section.rkt"
-         (prefix-in numeric: "../numeric/search/nelder-mead.rkt")
-         "../numeric/search/quasi-newton.rkt"
-         "../value/shape.rkt")
+         (prefix-in numeric: "../numeric/search/nelder-mead.rkt"))
 
-(provide minimize brent-min golden-section-min
+(provide find-minimum minimize brent-min golden-section-min
          multidimensional-minimize nelder-mead)
+
+;; ---------------------------------------------------------------------------
+;; What is found, and its kind
+
+;; (find-minimum f low high), of a function of a number, or (find-minimum f start) for a start
+;; of any shape.  With #:all? a list of those between low and high.
+(define-plain (find-minimum f start [high #f]
+                            #:tolerance [tolerance 1e-8] #:all? [all? #f] #:method [method #f]
+                            #:observe [observe void] #:progress [progress? (report-progress)])
+  (define who 'find-minimum)
+  (check-function-of-one-variable who f)
+  (check-tolerance who tolerance)
+  (check-method who method)
+  (when (and all? (not high))
+    (complain who "all minima are looked for between two numbers\n  given: ~a alone"
+              (describe-with-value start)))
+  (define search (if all? all-between least-between))
+  (if high
+      (search who f start high (brent who tolerance observe) progress? #:judge? #t)
+      (least-near who f start method tolerance observe progress?)))
 
 ;; ---------------------------------------------------------------------------
 ;; In one variable: (argument value steps) of a minimum of f between low and high
 
-(define-plain (minimize f low high #:tolerance [tolerance 1e-8] #:observe [observe void]
-                        #:progress [progress? (report-progress)])
-  (minimum-between 'minimize f low high tolerance observe progress?))
+(define-plain (minimize f low high #:tolerance [tolerance 1e-8] #:all? [all? #f]
+                        #:observe [observe void] #:progress [progress? (report-progress)])
+  (triples-between 'minimize f low high (brent 'minimize tolerance observe) progress? all?))
 
 (define-plain (brent-min f low high [tolerance 1e-8] #:observe [observe void]
                          #:progress [progress? (report-progress)])
-  (minimum-between 'brent-min f low high tolerance observe progress?))
-
-(define (minimum-between who f low high tolerance observe progress?)
-  (check-function-of-one-variable who f)
-  (define a (number who low))
-  (define b (number who high))
-  (call-with-progress
-   progress?
-   (lambda (note!)
-     (numeric:minimize (counted-values note! who (lambda (x) (number who (f x)))) a b
-                       #:tolerance tolerance #:observe observe #:name who))))
+  (triples-between 'brent-min f low high (brent 'brent-min tolerance observe) progress?))
 
 ;; done? : a tolerance, or a predicate of low, best and high argument, the values there
 ;; and the count of steps
 (define-plain (golden-section-min f low high [done? 1e-8] #:observe [observe void]
                                   #:progress [progress? (report-progress)])
   (define who 'golden-section-min)
-  (check-function-of-one-variable who f)
   (if (procedure? done?) (check-predicate who done?) (check-tolerance who done?))
-  (define a (number who low))
-  (define b (number who high))
-  (call-with-progress
-   progress?
-   (lambda (note!)
-     (golden-section (counted-values note! who (lambda (x) (number who (f x)))) a b
-                     #:done? (if (procedure? done?) done? (width-at-most done?))
-                     #:observe observe))))
+  (define (method f low high)
+    (golden-section f low high
+                    #:done? (if (procedure? done?) done? (width-at-most done?))
+                    #:observe observe))
+  (triples-between who f low high method progress?))
+
+(define (triples-between who f low high method progress? [all? #f])
+  (check-function-of-one-variable who f)
+  (define ((search least) judge?) (least who f low high method progress? #:judge? judge?))
+  (define (triple m) (minimum->triple m (minimum-evaluations m)))
+  (cond [all? (map triple ((search all-between) #f))]
+        [else
+         (define m ((search least-between) #f))
+         (note-kind who m)
+         (triple m)]))
+
+(define ((brent who tolerance observe) f low high)
+  (numeric:minimize f low high #:tolerance tolerance #:observe observe #:name who))
 
 (define (check-predicate who done?)
   (unless (accepts? done? 7)
@@ -76,35 +96,18 @@
   (check-function-of-one-variable who f)
   (check-tolerance who tolerance)
   (check-method who method)
-  (define-values (x argument) (point-and-argument who start))
-  (define (search note!)
-    (define watch (counting-search note! who (lambda (x y) (observe (argument x) y))))
-    (search-by method who f x argument tolerance watch))
-  (call-with-values (lambda () (call-with-progress progress? search)) report))
+  (define m (least-near who f start method tolerance observe progress?))
+  (when (eq? (minimum-kind m) 'saddle) (raise-saddle who m))
+  (note-kind who m)
+  (report (minimum-argument m) (minimum-value m) (minimum-gradient m) (minimum-evaluations m)))
 
-;; -> argument, value, size of the gradient or #f, evaluations
-(define (search-by method who f x argument tolerance watch)
-  (define (from-gradient [stuck void])
-    (define-values (found y slope count)
-      (quasi-newton (value-and-gradient who f argument) x #:tolerance tolerance #:name who
-                    #:observe watch #:argument argument #:stuck stuck))
-    (values (argument found) y (norm slope) count))
-  (define (from-values x)
-    (define-values (found y count)
-      (numeric:nelder-mead (value-at who f argument) x #:tolerance tolerance #:name who
-                           #:observe watch #:argument argument))
-    (values (argument found) y #f count))
-  (define (from-either)
-    (let/ec return
-      (define stuck-at
-        (with-handlers ([exn:fail:mechanics:singular? (lambda (e) x)])
-          (let/ec stuck
-            (call-with-values (lambda () (from-gradient stuck)) return))))
-      (from-values stuck-at)))
-  (case method
-    [(quasi-newton) (from-gradient)]
-    [(nelder-mead) (from-values x)]
-    [else (if (slopes? (value-and-gradient who f argument) x) (from-either) (from-values x))]))
+(define (least-near who f start method tolerance observe progress?)
+  (define t (make-target who f start))
+  (define (search note!)
+    (define (show x y) (observe (target-argument t x) y))
+    (minimum-near t method tolerance (counting-search note! who show)))
+  (define-values (m x) (call-with-progress progress? search))
+  (varying-minimum t m x))
 
 ;; (argument value evaluations); at the limit, of the best argument so far
 (define-plain (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000]
@@ -116,15 +119,17 @@
   (check-tolerance who tolerance)
   (unless (exact-positive-integer? limit)
     (complain-of-argument who "a number of evaluations, a positive integer" limit))
-  (define-values (x argument) (point-and-argument who start))
+  (define t (make-target who f start))
+  (define (argument x) (target-argument t x))
   (define (search note!)
     (define watch (counting-search note! who (lambda (x y) (observe (argument x) y))))
-    (numeric:nelder-mead (value-at who f argument) x
+    (numeric:nelder-mead (lambda (x) (target-value t x)) (target-start t)
                          #:step step #:tolerance tolerance #:limit limit #:name who
                          #:stop-at-limit? #t
                          #:observe watch #:argument argument))
-  (define-values (found y count) (call-with-progress progress? search))
-  (list (argument found) y count))
+  (define-values (x y count) (call-with-progress progress? search))
+  (define m (if-varying t x (lambda () (judged-minimum t x y count))))
+  (if m (minimum->triple m count) (list (argument x) y count)))
 
 (define (check-method who m)
   (unless (memq m '(quasi-newton nelder-mead #f))
@@ -134,45 +139,20 @@
   (unless (and (real? step) (< 0 step +inf.0))
     (complain-of-argument who "a positive step" step)))
 
-;; Can the function be differentiated at x, and does it fall from there?  Where the
-;; gradient vanishes may be a maximum.
-(define (slopes? value-and-gradient x)
-  (define slope
-    (with-handlers ([refusal? (lambda (e) #f)])
-      (define-values (y slope) (value-and-gradient x))
-      slope))
-  (and slope (for/or ([g (in-flvector slope)]) (not (fl= g 0.0)))))
+;; ---------------------------------------------------------------------------
+;; What a list or an argument alone would not say
 
-;; Where to start, as an flvector, and what an flvector is to the user.
-(define (point-and-argument who start)
-  (define s (list->tuple who start))
-  (values (structure->flvector s (lambda (x) (number who x)))
-          (lambda (x) (tuple-like start (flvector->structure s x)))))
+(define (note-kind who m)
+  (define at (value->text (minimum-argument m)))
+  (case (minimum-kind m)
+    [(end) (note-once (format "~a: least at the end of the interval, ~a" who at))]
+    [(flat) (note-once (format "~a: the function is flat around ~a, and nothing lower was found"
+                               who at))]
+    [else (void)]))
 
-;; flvector -> value and gradient
-(define ((value-and-gradient who f argument) x)
-  (define s (argument x))
-  (define-values (y slopes)
-    (value-and-derivatives-at who (lambda (t) (f (tuple-like s t))) (list->tuple who s)))
-  (values (value-or-nan who y)
-          (for/flvector #:length (flvector-length x) ([slope (in-vector slopes)])
-            (value-or-nan who slope))))
-
-(define ((value-at who f argument) x) (value-or-nan who (f (argument x))))
-
-;; Outside of its domain a function may be complex.
-(define (value-or-nan who y)
-  (if (and (number? y) (not (real? y))) +nan.0 (real->double-flonum (number who y))))
-
-;; A list, as the book gives coordinates at several times, is a tuple meanwhile.
-(define (list->tuple who x)
-  (cond [(list? x) (apply up (for/list ([y (in-list x)]) (list->tuple who y)))]
-        [(or (tuple? x) (real? x)) x]
-        [else
-         (complain who "expected real numbers to start from, in a list or a tuple; given ~a"
-                   (describe-with-value x))]))
-
-(define (tuple-like given s)
-  (if (list? given)
-      (for/list ([x (in-list given)] [y (in-vector (structure-elements s))]) (tuple-like x y))
-      s))
+(define (raise-saddle who m)
+  (raise-not-convergent who "no minimum found: the search ended at a saddle"
+                        (minimum-argument m) #f #:show? #f
+                        "at" (minimum-argument m)
+                        "size of the gradient there" (minimum-gradient m)
+                        "least curvature there" (minimum-curvature m)))

@@ -4,6 +4,9 @@
 (require "../generic/on-demand.rkt")
 
 (provide-on-demand
- ["minimize.rkt" minimize brent-min golden-section-min multidimensional-minimize nelder-mead]
+ ["minimum.rkt" minimum? minimum-argument minimum-value minimum-kind minimum-gradient
+                minimum-curvature minimum-evaluations]
+ ["minimize.rkt" find-minimum minimize brent-min golden-section-min multidimensional-minimize
+                 nelder-mead]
  ["numeric-derivative.rkt" D-numeric richardson-derivative]
  ["find-root.rkt" find-root newton-search bisect zbrent])

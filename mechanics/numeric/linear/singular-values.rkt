@@ -8,9 +8,16 @@
 
 (require racket/flonum
          racket/list
+         "rows.rkt"
          "../constants.rkt" "../flvector.rkt")
 
-(provide singular-values)
+(provide singular-values columns-of)
+
+;; Of a matrix given as a vector of rows of real numbers
+(define (columns-of rows)
+  (for/list ([column (in-vector (rows-transpose rows))])
+    (for/flvector #:length (vector-length column) ([x (in-vector column)])
+      (real->double-flonum x))))
 
 ;; columns : a list of flvectors, no more of them than entries in each
 ;; -> lists, by falling singular value, of columns of U, values, and columns of V

@@ -21,7 +21,7 @@
 ;; function; unless what is left to gain, p·g/2, is itself no more than rounding.
 
 (require racket/flonum
-         "../finite.rkt" "../flvector.rkt"
+         "../constants.rkt" "../finite.rkt" "../flvector.rkt"
          "../../error/failure.rkt")
 
 (provide quasi-newton)
@@ -30,18 +30,19 @@
 ;; observe            : called with each point reached and the value there
 ;; argument           : what a point is to the user
 ;; stuck              : called with such a point, to return one or to raise
+;; metric             : what H is at first, a vector of rows, or #f where nothing is known
 ;; -> point, value, gradient, evaluations
 (define (quasi-newton value-and-gradient start
                       #:tolerance [tolerance 1e-8]
                       #:limit [limit 1000]
                       #:observe [observe void]
                       #:argument [argument flvector->list]
-                      #:stuck [stuck void]
+                      #:stuck [stuck void] #:metric [metric #f]
                       #:name [who 'minimize])
   (define I (unit (flvector-length start)))
   (define-values (at evaluations) (counted value-and-gradient))
   (define-values (f0 g0) (at start))
-  (let loop ([x start] [f f0] [g g0] [H I] [scale (flabs f0)] [steps 0] [gain +inf.0])
+  (let loop ([x start] [f f0] [g g0] [H (or metric I)] [scale (flabs f0)] [steps 0] [gain +inf.0])
     (observe x f)
     (define p (negative-product H g))
     (define slope (dot g p))
@@ -56,7 +57,7 @@
       [else
        (define-values (next f* g*) (line-search at x f g p (noise f scale)))
        (cond
-         [next (loop next f* g* (corrected H (difference next x) (difference g* g) (= steps 0))
+         [next (loop next f* g* (corrected H (difference next x) (difference g* g) (eq? H I))
                      (max scale (flabs f*)) (+ steps 1) +inf.0)]
          [(not (unit? H)) (loop x f g I scale (+ steps 1) (* -0.5 slope))] ; it may be wrong
          [(<= (min gain (* -0.5 slope)) (* 1e-14 (+ scale (flabs f)))) (found)]
@@ -91,8 +92,9 @@
   (define (lower? a f* g*) (<= f* (+ f (* fair-part a slope))))
   (define (flatter? a f* g*)
     (and (<= f* (+ f noise)) (<= (flabs (dot g* p)) (* 0.9 (flabs slope)))))
+  (define hidden? (<= (- slope) (* epsilon (flabs f))))        ; what it promises, by rounding
   (if (< slope 0.0)
-      (let-values ([(next f* g*) (first-part at x p lower?)])
+      (let-values ([(next f* g*) (if hidden? (values #f #f #f) (first-part at x p lower?))])
         (if next (values next f* g*) (first-part at x p flatter?)))
       (values #f #f #f)))
 

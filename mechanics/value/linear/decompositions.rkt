@@ -70,11 +70,6 @@
 
 (define (values-in-order swapped? u v) (if swapped? (values v u) (values u v)))
 
-(define (columns-of rows)
-  (for/list ([column (in-vector (rows-transpose rows))])
-    (for/flvector #:length (vector-length column) ([x (in-vector column)])
-      (real->double-flonum x))))
-
 (define (matrix-of-columns columns) (apply matrix-by-columns (map flvector->list columns)))
 
 (define (raise-no-matrix who m)

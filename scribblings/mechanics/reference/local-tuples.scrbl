@@ -232,19 +232,104 @@ As @racket[definite-integral], with a tolerance that must be given.
 @examples[#:eval session
 (definite-integral-with-tolerance exp 0 1 1e-14 #:report list)]}
 
+@defproc[(find-minimum [f procedure?] [start (or/c value list?)] [high real? _none]
+                       [#:tolerance tolerance real? 1e-8]
+                       [#:all? all? any/c #f]
+                       [#:method method (or/c 'quasi-newton 'nelder-mead #f) #f]
+                       [#:observe observe (-> any/c real? any) void]
+                       [#:progress progress? any/c (report-progress)])
+         (or/c minimum? (listof minimum?))]{
+
+A minimum of f and what is known of it: between two numbers, found as by @racket[minimize], or
+near a start of any shape, as by @racket[multidimensional-minimize]. Where a search ends, the
+gradient and the second derivatives of f are looked at, which are exact if f can be
+differentiated and differences of values if not. From a saddle point, or from a plateau with a
+way down, the search goes on; what looks like a minimum gets some steps of Newton's method.
+
+@examples[#:eval session
+(find-minimum (lambda (x) (- (* x x) (* 2 x))) 0 5)
+(find-minimum (lambda (v) (+ (square (ref v 0)) (- (square (ref v 1))) (expt (ref v 1) 4)))
+              (up 1 0))]
+
+If @racket[all?] is true, a list of all minima that are found between two numbers, from left
+to right: f is sampled at 64 points, 128, 256 and so on, at most 4096, until twice in a row no
+more come up. A minimum narrower than the distance of the last samples may be missed, and at
+the prompt and in programs a note says what this was.
+
+@examples[#:eval session
+(map minimum-argument (find-minimum (lambda (x) (* x (sin (* 5 x)))) 0.5 4 #:all? #t))]
+
+The result can be differentiated by what f depends on. The errors are those of
+@racket[minimize] and @racket[multidimensional-minimize]; @racket[all?] without a second number
+is a mistake.}
+
+@deftogether[(@defproc[(minimum? [x any/c]) boolean?]
+              @defproc[(minimum-argument [m minimum?]) value]
+              @defproc[(minimum-value [m minimum?]) real?]
+              @defproc[(minimum-kind [m minimum?])
+                       (or/c 'minimum 'degenerate 'flat 'end 'kink 'saddle)]
+              @defproc[(minimum-gradient [m minimum?]) (or/c real? #f)]
+              @defproc[(minimum-curvature [m minimum?]) (or/c real? #f)]
+              @defproc[(minimum-evaluations [m minimum?]) exact-nonnegative-integer?])]{
+
+What @racket[find-minimum] found: the argument, the value there, the size of the gradient, the
+least eigenvalue of the matrix of second derivatives, and how many values of f, with or
+without gradient, the search took. The gradient is @racket[#f] where f has none, and the
+curvature where it has no second derivatives. The kind is
+
+@itemlist[
+@item{@racket['minimum]: the gradient vanishes, and all curvatures are positive;}
+@item{@racket['degenerate]: a curvature vanishes, too, within what the place is uncertain by;
+nothing lower was found near;}
+@item{@racket['flat]: in some direction f does not change, on both sides;}
+@item{@racket['end]: an end of the interval;}
+@item{@racket['kink]: the gradient jumps there, or f has none;}
+@item{@racket['saddle]: a curvature is negative, yet no lower value was found.}]
+
+If no minimum is found, @racket[exn:fail:mechanics:not-convergent] carries the best point.
+
+@examples[#:eval session
+(define m (find-minimum (lambda (x) (expt (- x 1) 4)) 0))
+(list (minimum? m) (minimum-kind m) (minimum-argument m) (minimum-value m))
+(list (minimum-gradient m) (minimum-curvature m) (minimum-evaluations m))
+(minimum-kind (find-minimum abs -1 2))
+(minimum-kind (find-minimum exp 0 1))
+(eval:error (minimum-kind 3))]}
+
 @defproc[(minimize [f procedure?] [low real?] [high real?]
                    [#:tolerance tolerance real? 1e-8]
+                   [#:all? all? any/c #f]
                    [#:observe observe (-> real? real? any) void]
                    [#:progress progress? any/c (report-progress)])
          list?]{
 
 A list of the argument at which f is least between @racket[low] and @racket[high],
 its value there, and the number of steps taken, by Brent's method. f should have one
-minimum between the two. @racket[observe] is called with each argument tried and the value
-there.
+minimum between the two; if @racket[all?] is true, the result is a list of such lists, for all
+minima that are found (@racket[find-minimum] says how). If f is least at an end of the interval,
+that end is the argument. If all its values are the same, samples are tried for a lower one. A
+note says so in both cases, at the prompt and in programs.
+@racket[observe] is called with each argument tried and the value there.
 
 @examples[#:eval session
-(minimize (lambda (x) (+ 1 (square (- x 2)))) 0 5)]
+(minimize (lambda (x) (+ 1 (square (- x 2)))) 0 5)
+(minimize cos 0 20 #:all? #t)]
+
+Argument and value can be differentiated by what f depends on, as often as one likes: the
+gradient vanishes at the argument, which moves as @racket[find-root] has its roots move; an end
+moves as it is given. How the place of the least value of x⁴ + a x changes with a, which is
+−1/(12 x²):
+
+@examples[#:eval session
+(define (place a) (car (minimize (lambda (x) (+ (expt x 4) (* a x))) -3 1)))
+((D place) 2)
+(/ -1 (* 12 (square (place 2))))]
+
+At a kink, at an end where f is level, and where a second derivative vanishes there is no such
+derivative; @racket[exn:fail:mechanics:singular] says which it is.
+
+@examples[#:eval session
+(eval:error ((D (lambda (a) (car (minimize (lambda (x) (abs (- x a))) -3 1)))) 1/2))]
 
 @sicm{1.4, p. 19}}
 
@@ -289,7 +374,8 @@ function of a number, a tuple, or a list of these, with real values.
 @racket['quasi-newton], the method of Broyden, Fletcher, Goldfarb and Shanno, uses the
 gradient of f; @racket['nelder-mead], the downhill simplex method, its values alone.
 Unless told, the first one is used if f can be differentiated at @racket[start], and the
-second one from where the first one meets a kink. The tolerance is that of the last step,
+second one from where the first one meets a kink. A saddle point is left along a direction in
+which the function falls, and if none is found it is an error. The tolerance is that of the last step,
 relative to 1 plus the size of the argument.
 @racket[observe] is called with each point reached and the value there.
 

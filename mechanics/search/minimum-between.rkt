@@ -1,0 +1,154 @@
+#lang racket/base
+;; Minima of a function of one number between two ends.
+;;
+;; Brent's method finds one in a bracket.  It never asks for the ends, so these are compared
+;; with what was found near them.  Where all values were the same, on a plateau, or where all
+;; minima are wanted, the interval is sampled: each sample that is lower than its neighbours
+;; brackets a minimum.  Samples are doubled until twice in a row no more minima come up; a
+;; narrower one than their distance may still hide.
+
+(require racket/list
+         "../error/note.rkt" "../error/refusal.rkt"
+         "../numeric/constants.rkt" "../numeric/sample.rkt")
+
+(provide minimum-between minima-between (struct-out found))
+
+;; kind : 'inside, 'flat, 'low or 'high, the end where it is; steps : of the method
+;; evaluations : of the function, but for samples where all minima are looked for
+(struct found (x y kind steps evaluations) #:authentic)
+
+;; method : f low high -> (list argument value steps)
+;; f : flonum -> real; low, high : real numbers
+(define (minimum-between who f low high method)
+  (check-interval who low high)
+  (define s (make-survey who f))
+  (define x+y+steps (method (survey-function s) low high))
+  (define at (first x+y+steps))
+  (define from (and (survey-level? s) (lower-sample s low high (second x+y+steps))))
+  (cond
+    [from
+     (define again (method (survey-function s) (first from) (second from)))
+     (at-end-or-inside s (first again) (second again) (third again) low high)]
+    [(survey-level? s) (found at (second x+y+steps) 'flat (third x+y+steps) (survey-count s))]
+    [else (at-end-or-inside s at (second x+y+steps) (third x+y+steps) low high)]))
+
+;; ---------------------------------------------------------------------------
+;; The values there were
+
+;; least, greatest : of the values, or #f
+(struct survey (who f [least #:mutable] [greatest #:mutable] [count #:mutable]) #:authentic)
+
+(define (make-survey who f) (survey who f #f #f 0))
+
+(define ((survey-function s) x)
+  (define y ((survey-f s) x))
+  (set-survey-count! s (+ 1 (survey-count s)))
+  (when (real? y)
+    (set-survey-least! s (min y (or (survey-least s) y)))
+    (set-survey-greatest! s (max y (or (survey-greatest s) y))))
+  y)
+
+(define (survey-level? s) (eqv? (survey-least s) (survey-greatest s)))
+
+;; The value at a place that Brent's method would not have asked about, +inf.0 where there is
+;; none
+(define (value-there s x)
+  (define y (with-handlers ([refusal? (lambda (e) +nan.0)]) ((survey-function s) x)))
+  (if (rational? y) (real->double-flonum y) +inf.0))
+
+;; ---------------------------------------------------------------------------
+;; Ends
+
+;; Is it the end that x is next to?
+(define (at-end-or-inside s x y steps low high)
+  (define (near? end)
+    (<= (abs (- x end)) (* 1e-5 (max (abs x) (* 1e-2 (abs (- high low)))))))
+  (define (the-end end kind)
+    (define there (and (near? end) (value-there s (real->double-flonum end))))
+    (and there (<= there y)
+         (found (real->double-flonum end) there kind steps (survey-count s))))
+  (or (the-end low 'low) (the-end high 'high) (found x y 'inside steps (survey-count s))))
+
+;; ---------------------------------------------------------------------------
+;; Samples
+
+(struct sampled (x y) #:authentic)
+
+;; n + 1 of them from end to end; they keep out of step with what is periodic.
+(define (samples s low high n)
+  (define step (/ (- high low) (->double n)))
+  (for/list ([k (in-range (+ n 1))])
+    (define shift (if (< 0 k n) (* 0.4 (- (fraction (* k golden-fraction)) 0.5)) 0.0))
+    (define x (if (= k n) (real->double-flonum high) (+ low (* step (+ k shift)))))
+    (sampled x (value-there s x))))
+
+(define (->double n) (real->double-flonum n))
+(define (fraction x) (- x (floor x)))
+
+(define plateau-samples 64)
+
+;; The neighbours of the lowest sample, if it is lower than y; or #f
+(define (lower-sample s low high y)
+  (define all (samples s (min low high) (max low high) plateau-samples))
+  (define best (argmin sampled-y all))
+  (and (< (sampled-y best) y)
+       (let ([k (index-of all best eq?)])
+         (list (sampled-x (list-ref all (max 0 (- k 1))))
+               (sampled-x (list-ref all (min plateau-samples (+ k 1))))))))
+
+(define fewest-samples 64)
+(define most-samples 4096)
+
+;; All that are found, from left to right.
+(define (minima-between who f low high method)
+  (check-interval who low high)
+  (define s (make-survey who f))
+  (define-values (a b) (values (real->double-flonum (min low high))
+                               (real->double-flonum (max low high))))
+  (let loop ([n fewest-samples] [before #f] [again? #f])
+    (define brackets (brackets-of (samples s a b n)))
+    (define same? (eqv? before (length brackets)))
+    (cond
+      [(or (and same? again?) (>= n most-samples))
+       (define all (filter values (for/list ([c (in-list brackets)]) (bracketed s c a b method))))
+       (note-more who (length all) (/ (- b a) n))
+       all]
+      [else (loop (* 2 n) (length brackets) same?)])))
+
+;; first, lowest, last : samples.  Of equal ones side by side the first stands for all.
+(struct bracket (first lowest last) #:authentic)
+
+(define (brackets-of all)
+  (define distinct
+    (let loop ([all all])
+      (cond [(or (null? all) (null? (cdr all))) all]
+            [(= (sampled-y (first all)) (sampled-y (second all)))
+             (loop (cons (first all) (cddr all)))]
+            [else (cons (first all) (loop (cdr all)))])))
+  (for/list ([p (in-list (cons #f distinct))] [q (in-list distinct)]
+             [r (in-list (append (cdr distinct) (list #f)))]
+             #:when (and (or (not p) (< (sampled-y q) (sampled-y p)))
+                         (or (not r) (< (sampled-y q) (sampled-y r)))
+                         (< (sampled-y q) +inf.0)))
+    (bracket (or p q) q (or r q))))
+
+;; Its minimum; #f where that is not lower than the ends of the bracket, which are no ends of
+;; the interval.
+(define (bracketed s c low high method)
+  (define-values (a b) (values (sampled-x (bracket-first c)) (sampled-x (bracket-last c))))
+  (define lowest (bracket-lowest c))
+  (cond
+    [(= a b) (found a (sampled-y lowest) 'flat 0 (survey-count s))]
+    [else
+     (set-survey-count! s 0)
+     (define x+y+steps (method (survey-function s) a b))
+     (define-values (x y) (if (<= (second x+y+steps) (sampled-y lowest))
+                              (values (first x+y+steps) (second x+y+steps))
+                              (values (sampled-x lowest) (sampled-y lowest))))
+     (at-end-or-inside s x y (third x+y+steps) low high)]))
+
+(define (note-more who count distance)
+  (note-once
+   (format "~a: ~a found; the samples it went by are ~a apart, a narrower one may be missed"
+           who (if (= count 1) "one minimum" (format "~a minima" count))
+           (/ (round (* 1e3 distance)) 1e3))))

@@ -1,0 +1,106 @@
+#lang racket/base
+;; A minimum near a point, in any number of variables, and what kind of one it is.
+;;
+;; A search goes by the gradient, or, of a function that has none everywhere, by values alone.
+;; Where it ends the point is looked at (outlook.rkt): from a saddle, or a plateau with a way
+;; down, the search goes on; what looks like a minimum gets some steps of Newton's.
+
+(require "minimum.rkt" "outlook.rkt" "target.rkt"
+         "../error/failure.rkt"
+         "../numeric/flvector.rkt"
+         "../numeric/search/curvature.rkt"
+         (prefix-in numeric: "../numeric/search/nelder-mead.rkt")
+         "../numeric/search/quasi-newton.rkt")
+
+(provide minimum-near judged-minimum)
+
+;; Where a search ended
+(struct end (x y count) #:authentic)
+
+(define most-rounds 20)
+
+;; method : 'quasi-newton, 'nelder-mead or #f; watch : called with each point reached and the
+;; value there -> minimum, and the same point as flvector
+(define (minimum-near t method tolerance watch)
+  (let loop ([x (target-start t)] [method* method] [metric #f] [best #f] [count 0] [round 0])
+    (define e (search t x method* tolerance watch metric))
+    (define all (+ count (end-count e)))
+    (define better? (or (not best) (< (end-y e) (end-y best))))
+    (define e* (if better? e best))
+    (define o (look t (end-x e*) (end-y e*)))
+    (define (again x method* metric) (loop x method* metric e* all (+ round 1)))
+    (cond
+      [(or (not better?) (= round most-rounds)) (judged t e* o all)]
+      [(outlook-lower o) => (lambda (lower) (again lower method #f))]
+      [(and (eq? (outlook-kind o) 'unsettled) (not (eq? method 'nelder-mead)))
+       (again (end-x e) method (metric-of o))]
+      [(and (or (plateau? o) (eq? (outlook-kind o) 'saddle)) (not method*))
+       (again (end-x e) 'nelder-mead #f)]
+      [else (judged t e* o all)])))
+
+(define (metric-of o) (metric (outlook-curvatures o)))
+
+;; The same for a point that another search found, as well as it cared to
+(define (judged-minimum t x y count)
+  (define o (look t x y))
+  (cond [(eq? (outlook-kind o) 'unsettled)
+         (define-values (x* y* g) (polished t x y (outlook-gradient o) (outlook-curvatures o)))
+         (judged t (end x* y* count) (look t x* y*) count)]
+        [else (judged t (end x y count) o count)]))
+
+(define (judged t e o count)
+  (define kind (case (outlook-kind o) [(unsettled) 'degenerate] [else (outlook-kind o)]))
+  (define-values (x y g)
+    (if (and (eq? kind 'minimum) (outlook-gradient o))
+        (polished t (end-x e) (end-y e) (outlook-gradient o) (outlook-curvatures o))
+        (values (end-x e) (end-y e) (outlook-gradient o))))
+  (define c (outlook-curvatures o))
+  (values (minimum (target-argument t x) y kind
+                   (and g (not (eq? kind 'kink)) (norm g))
+                   (and c (not (eq? kind 'kink)) (least-curvature c))
+                   count)
+          x))
+
+;; Newton's steps, with the second derivatives there were, as long as the gradient shrinks.
+(define (polished t x y g c [left 3])
+  (define next (along x 1.0 (downward-step c g)))
+  (define-values (y* g*) (target-value-and-gradient t next))
+  (if (and (> left 0) (< (norm g*) (norm g)) (<= y* (+ y (* 1e-12 (abs y)))))
+      (polished t next y* g* c (- left 1))
+      (values x y g)))
+
+;; ---------------------------------------------------------------------------
+
+(define (search t x method tolerance watch metric)
+  (case method
+    [(quasi-newton) (by-gradient t x tolerance watch metric void)]
+    [(nelder-mead) (by-values t x tolerance watch)]
+    [else (if (target-gradient t x)
+              (by-either t x tolerance watch metric)
+              (by-values t x tolerance watch))]))
+
+;; Below this it takes Newton's method.
+(define finest 1e-10)
+
+(define (by-gradient t x tolerance watch metric stuck)
+  (define-values (found y slope count)
+    (quasi-newton (lambda (x) (target-value-and-gradient t x)) x
+                  #:tolerance (max tolerance finest) #:name (target-who t) #:observe watch
+                  #:argument (lambda (x) (target-argument t x)) #:stuck stuck #:metric metric))
+  (end found y count))
+
+(define (by-values t x tolerance watch)
+  (define-values (found y count)
+    (numeric:nelder-mead (lambda (x) (target-value t x)) x
+                         #:tolerance tolerance #:name (target-who t) #:observe watch
+                         #:argument (lambda (x) (target-argument t x))))
+  (end found y count))
+
+;; By values from where the gradient leads no further
+(define (by-either t x tolerance watch metric)
+  (let/ec return
+    (define stuck-at
+      (with-handlers ([exn:fail:mechanics:singular? (lambda (e) x)])
+        (let/ec stuck
+          (return (by-gradient t x tolerance watch metric stuck)))))
+    (by-values t stuck-at tolerance watch)))

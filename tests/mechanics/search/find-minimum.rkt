@@ -1,0 +1,149 @@
+#lang racket/base
+;; What find-minimum says of what it found.
+
+(require rackunit
+         mechanics/error/failure
+         mechanics/generic/arithmetic
+         mechanics/generic/elementary
+         mechanics/search/minimize
+         mechanics/search/minimum
+         mechanics/value/structure)
+
+(define (kind f . where) (minimum-kind (apply find-minimum f where)))
+(define (place f . where) (minimum-argument (apply find-minimum f where)))
+
+;; As a measurement: it takes flonums alone.
+(define ((measured f) x) (f (if (flonum? x) x (raise-argument-error 'f "flonum?" x))))
+
+(define (quartic x) (g:expt (g:- x 1) 4))
+(define (saddle v)
+  (g:+ (g:square (ref v 0)) (g:* -1 (g:square (ref v 1))) (g:expt (ref v 1) 4)))
+(define (monkey-saddle v)
+  (g:- (g:expt (ref v 0) 3) (g:* 3 (ref v 0) (g:square (ref v 1)))))
+(define (well x) (g:- (g:exp (g:- (g:square (g:- x 10))))))
+
+(test-case "in one variable: each kind"
+  (for ([f (list (lambda (x) (g:square (g:- x 1))) quartic (lambda (x) 3)
+                 (lambda (x) (g:abs (g:- x 1))) values
+                 (measured (lambda (x) (* x x))) (measured abs))]
+        [expected '(minimum degenerate flat kink end minimum kink)])
+    (check-equal? (kind f -1 2.5) expected)))
+
+(test-case "near a start: each kind"
+  (for ([f (list g:cos quartic (lambda (x) 3) (lambda (x) (g:abs (g:- x 1)))
+                 (measured (lambda (x) (* x x))) (measured abs))]
+        [expected '(minimum degenerate flat kink minimum kink)])
+    (check-equal? (kind f 0.5) expected))
+  (check-equal? (kind (lambda (v) (g:square (ref v 0))) (up 1 5)) 'flat))
+
+(test-case "the size of the gradient, the least curvature, the evaluations"
+  (define m (find-minimum (lambda (v) (g:+ (g:square (ref v 0)) (g:* 3 (g:square (ref v 1)))))
+                          (up 1 2)))
+  (check-= (minimum-gradient m) 0 1e-12)
+  (check-= (minimum-curvature m) 2 1e-12)
+  (check-true (< 2 (minimum-evaluations m) 12))
+  (define end (find-minimum g:exp 0 1))
+  (check-equal? (minimum-argument end) 0.0)
+  (check-equal? (minimum-gradient end) 1.0)
+  (check-false (minimum-curvature end))
+  (check-false (minimum-gradient (find-minimum g:abs -1 2))))
+
+(test-case "it prints as what it is"
+  (check-equal? (format "~a" (find-minimum (lambda (x) (g:square (g:- x 1))) 0))
+                (string-append "minimum at 1.0, where the value is 0.0\n"
+                               "  size of the gradient: 0.0\n  least curvature: 2.0\n"
+                               "  evaluations: 3"))
+  (for ([f (list quartic (lambda (x) (g:abs (g:- x 1))) g:exp (lambda (x) 3))]
+        [title '("degenerate minimum at" "minimum at a kink" "least at the end" "flat, and")])
+    (check-regexp-match (string-append "^" title) (format "~a" (find-minimum f 0 3)))))
+
+(test-case "a smooth minimum is right to rounding"
+  (check-= (place g:cos 2 4) (acos -1.0) 1e-15)
+  (check-= (place g:cos 0.1) (acos -1.0) 1e-15))
+
+(test-case "a saddle is left"
+  (for ([start (list (up 1 0) (up 0 0))])
+    (define m (find-minimum saddle start))
+    (check-eq? (minimum-kind m) 'minimum)
+    (check-= (abs (ref (minimum-argument m) 1)) (sqrt 1/2) 1e-12)
+    (check-= (minimum-value m) -1/4 1e-15))
+  ;; where all second derivatives vanish, and the function falls without end
+  (for ([f (list monkey-saddle (lambda (v) (g:expt (ref v 0) 3)))])
+    (check-exn exn:fail:mechanics:not-convergent? (lambda () (find-minimum f (up 0 0))))
+    (check-exn exn:fail:mechanics:not-convergent?
+               (lambda () (multidimensional-minimize f (up 0 0))))))
+
+(test-case "a slope that is hardly any is followed"
+  ;; at 0 the gradient is 7e-43
+  (check-= (place well 0) 10 1e-12)
+  (check-= (multidimensional-minimize well 0) 10 1e-7)
+  (define v (place (lambda (v) (g:* (well (ref v 0)) (g:exp (g:- (g:square (ref v 1)))))) (up 0 1)))
+  (check-= (ref v 0) 10 1e-9)
+  (check-= (ref v 1) 0 1e-9))
+
+(test-case "a plateau is left where samples are lower"
+  (define (narrow x) (g:- (g:exp (g:* -50 (g:square (g:- x 9))))))
+  (check-= (place narrow 0 100) 9 1e-9)
+  (check-= (car (minimize narrow 0 100)) 9 1e-7)
+  ;; a step down elsewhere, and level on both sides
+  (define (step x) (if (> x 4) -1.0 0.0))
+  (check-true (> (place step 0 5) 4)))
+
+(test-case "the ends, as they are given"
+  (check-equal? (car (minimize g:exp 1 2)) 1.0)
+  (check-equal? (car (minimize (g:* -1 g:exp) 1 2)) 2.0)
+  (check-equal? (car (minimize g:exp 2 1)) 1.0)
+  ;; at an end without a value the nearest point is taken
+  (check-= (car (minimize g:log 0 1)) 0 1e-6))
+
+;; ---------------------------------------------------------------------------
+;; All of them
+
+(define (places f low high) (map minimum-argument (find-minimum f low high #:all? #t)))
+
+(define (check-places found expected)
+  (check-equal? (length found) (length expected) (format "~a" found))
+  (for ([x found] [y expected]) (check-= x y 1e-7)))
+
+(test-case "all minima, from left to right, ends among them"
+  (define pi (acos -1.0))
+  (check-places (places g:cos 0 20) (list pi (* 3 pi) (* 5 pi) 20))
+  (check-places (places (lambda (x) (g:square (g:- (g:square x) 1))) -2 2) '(-1 1))
+  (check-places (places g:abs -1 2) '(0))
+  (check-equal? (length (places (lambda (x) (g:sin (g:* 100 x))) 0 (* 2 pi))) 101)
+  (check-equal? (map caddr (minimize (lambda (x) (g:square x)) -1 2 #:all? #t)) '(5)))
+
+(test-case "no grid hides what is in step with it"
+  (define pi (acos -1.0))
+  (check-equal? (length (places (lambda (x) (g:cos (g:* 128 pi x))) 0.001 0.999)) 64))
+
+(test-case "a plateau is one of them, once"
+  (define (basin x) (if (< 1 x 2) 0.0 1.0))
+  (check-equal? (length (places basin 0 3)) 1)
+  (check-equal? (length (places (lambda (x) 1.0) 0 3)) 1))
+
+;; ---------------------------------------------------------------------------
+;; Mistakes
+
+(test-case "what is no question is refused"
+  (check-exn #rx"^find-minimum: all minima are looked for between two numbers\n  given: the numb"
+             (lambda () (find-minimum g:cos 1 #:all? #t)))
+  (check-exn #rx"^find-minimum: expected a function of one variable"
+             (lambda () (find-minimum 3 1)))
+  (check-exn #rx"^find-minimum: expected a positive tolerance"
+             (lambda () (find-minimum g:cos 1 #:tolerance 0)))
+  (check-exn #rx"^find-minimum: expected 'quasi-newton or 'nelder-mead"
+             (lambda () (find-minimum g:cos 1 #:method 'newton)))
+  (check-exn #rx"^find-minimum: expected a real number; given \"no\", a string"
+             (lambda () (find-minimum (lambda (x) "no") 1 2)))
+  (check-exn #rx"^find-minimum: expected real numbers to start from.*the symbol x"
+             (lambda () (find-minimum g:cos 'x)))
+  (check-exn #rx"^find-minimum: expected a finite real number as end"
+             (lambda () (find-minimum g:cos 0 +inf.0 #:all? #t)))
+  (check-exn #rx"^minimum-kind: expected a minimum, such as find-minimum gives\n  given: "
+             (lambda () (minimum-kind 3))))
+
+(test-case "an error of the function's own, beside what is asked about, is the user's to see"
+  (define (f x) (if (and (real? x) (> x 1.2)) (error 'f "no value beyond") (g:square x)))
+  (check-exn #rx"^f: no value beyond$" (lambda () (find-minimum f 0 2)))
+  (check-exn #rx"^f: no value beyond$" (lambda () (find-minimum f -1 2 #:all? #t))))
