@@ -63,11 +63,20 @@
 (define (edge f limit aside)
   (define b (base limit))
   (define δ (g:- limit b))
-  (define slopes
-    (derivatives-at f (g:+ b aside) (if (jet? limit) (sub1 (jet-order limit)) 0)))
+  (define slopes (slopes-beside f b aside (if (jet? limit) (sub1 (jet-order limit)) 0)))
   (for/fold ([sum 0] [term 1] #:result sum) ([slope (in-list slopes)] [m (in-naturals 1)])
     (define next (g:/ (g:* term δ) m))
     (values (g:+ sum (g:* slope next)) next)))
+
+;; f and its derivatives at b, from beside it: where f goes as a + c √|x − b|, as an integral
+;; does from whose range a curve leaves, a is twice its value there less that at four times the
+;; distance.
+(define (slopes-beside f b aside order)
+  (define (at distance) (derivatives-at f (g:+ b distance) order))
+  (if (= aside 0.0)
+      (at aside)
+      (for/list ([near (in-list (at aside))] [far (in-list (at (* 4.0 aside)))])
+        (g:- (g:* 2 near) far))))
 
 ;; Between numbers.  Where f turns out to be perturbed, or to choose a branch by what is,
 ;; its parts are integrated one after the other, in pieces.

@@ -4,7 +4,8 @@
 
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/failure.rkt"
-         "../generic/branches.rkt" "../generic/function.rkt" "../generic/kind.rkt" "../generic/on-demand.rkt")
+         "../generic/branches.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../generic/on-demand.rkt")
 
 (require-on-demand
  ["one-variable.rkt" compile-scalar]
