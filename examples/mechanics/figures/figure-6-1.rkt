@@ -18,8 +18,8 @@
 (define R (compose (moved-by Delta) R-prime))
 
 ;; Times along one axis, coordinates and momenta across it
-(define (in-space state) (up (* 2 (coordinate state)) (* 1.6 (time state)) (momentum state)))
-(define picture (frame -1.5 5 -1.5 3.5 #:width 500 #:height 400))
+(define (in-space state) (up (coordinate state) (* 2.5 (time state)) (momentum state)))
+(define picture (frame -1 3.5 -2 2 #:width 500 #:height 400))
 (define (draw curve from to color)
   (draw-curve picture (compose in-space curve) from to #:color color))
 (draw R-prime 0. :2pi 'red)
