@@ -8,6 +8,7 @@
          "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt"
          "book/section-3-6.rkt" "book/section-3-9.rkt"
          "book/section-5-1.rkt" "book/section-5-2.rkt" "book/section-5-3.rkt"
+         "book/section-5-4.rkt" "book/section-5-5.rkt"
          "book/section-6-2.rkt" "book/section-6-4.rkt"
          "book/section-7-2.rkt")
 
@@ -50,6 +51,10 @@
  a-non-canonical-transform C-general C-simple-time
  ;; 5.3
  omega
+ ;; 5.4
+ F1-flip F2-identity F1-polar-canonical
+ ;; 5.5
+ H-restricted-three-body rotating-polar
  ;; 6.2
  H-driven-oscillator C*
  ;; 6.4

@@ -1,26 +1,21 @@
 #lang racket/base
-;; From a transformation back to what generates it (SICM 5.5–5.7).
+;; From a transformation back to what generates it (SICM 5.4.2).
 ;;
 ;; In the variables x, y of a generating function, one old and one new, the other two are
 ;; functions a(x, y), b(x, y), found from C; if C is canonical, a dx + b dy is closed, and F is
-;; the function of which it is the differential.  It is integrated one variable after another:
-;; what is left of each coefficient depends on those not yet integrated alone.
+;; the function of which it is the differential (closed-form.rkt).
 
-(require "mixed-variables.rkt" "generating-function.rkt" "transformation.rkt"
-         "../algebra/expression/expression.rkt"
+(require "closed-form.rkt" "mixed-variables.rkt" "generating-function.rkt" "transformation.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         "../value/symbols-like.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt" "../value/symbols-like.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
-(require-on-demand
- ["../calculus/antiderivative.rkt" antiderivative]
- ["../calculus/expression-function.rkt" evaluate-generically expression-derivative])
+(require-on-demand ["../calculus/expression-function.rkt" evaluate-generically])
 
 (provide generating-function verify-generating-function)
 
@@ -73,7 +68,7 @@
   (define-values (a b) (coefficients who k C state t x y))
   (define variables (append (scalars x) (scalars y)))
   (define form (map simplify (append (scalars a) (scalars b))))
-  (check-closed who C k form variables)
+  (check-closed who C form variables)
   (define e (integrated who form variables))
   (define F
     (make-function
@@ -111,24 +106,9 @@
 (define (tuple-part x i) (vector-ref (tuple-elements x) i))
 
 ;; ∂aᵢ/∂uⱼ = ∂aⱼ/∂uᵢ
-(define (check-closed who C k form variables)
-  (for* ([(a i) (in-parallel form (in-naturals))] [(b j) (in-parallel form (in-naturals))]
-         #:when (< i j))
-    (define excess
-      (g:- (derivative-of a (list-ref variables j)) (derivative-of b (list-ref variables i))))
-    (when (refuted? (prove-zero excess))
-      (complain who
-                (string-append "~a has no generating function: it is not canonical"
-                               "\n  for what it misses: (verify-canonical C state)")
-                (value->text C)))))
-
-(define (derivative-of e x) (if (expression? e) (expression-derivative e x) 0))
-
-(define (integrated who form variables)
-  (for/fold ([F 0]) ([a (in-list form)] [u (in-list variables)])
-    (define rest (simplify (g:- a (derivative-of F u))))
-    (define integral (antiderivative rest u (assumptions-in-force)))
-    (unless integral
-      (raise-no-answer who "no antiderivative was found\n  of: ~a\n  by: ~a"
-                       (value->text rest) u))
-    (simplify (g:+ F integral))))
+(define (check-closed who C form variables)
+  (unless (closed? form variables)
+    (complain who
+              (string-append "~a has no generating function: it is not canonical"
+                             "\n  for what it misses: (verify-canonical C state)")
+              (value->text C))))

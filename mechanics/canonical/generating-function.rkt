@@ -1,5 +1,5 @@
 #lang racket/base
-;; Generating functions (SICM 5.4–5.6).
+;; Generating functions (SICM 5.4).
 ;;
 ;; A canonical transformation has p dq − H dt = p' dq' − H' dt + dF, so that, F being written in
 ;; one old and one new variable, its derivatives give the other two:

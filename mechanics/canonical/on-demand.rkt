@@ -16,6 +16,7 @@
  ["generating-function.rkt" F1->C F2->C F3->C F4->C F1->C-inv F2->C-inv F3->C-inv F4->C-inv
                             F1->K F2->K F3->K F4->K]
  ["generated.rkt" generating-function verify-generating-function]
+ ["correction.rkt" C->K]
  ["time-evolution.rkt" shift-t C->Cp H->Hp]
  ["Lie-derivative.rkt" Lie-derivative flow-derivative]
  ["Lie-series.rkt" Lie-transform flow-transform Lie-transformation]
@@ -46,8 +47,6 @@
                        pendulum-circulating-aa-state-to-state
                        pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state]
  ["pendulum-motion.rkt" pendulum-advance pendulum-integration pendulum-solution-series]
- ["extended-phase-space.rkt" extended-Hamiltonian extended-state reduced-state
-                             periodic-extension]
  ["integral-invariants.rkt" loop-integral loop-integrand]
  ["resonance-width.rkt" resonance-width resonance-center]
  ["action-angle.rkt" action-of-orbit frequency-of-orbit state->action-angle

@@ -57,6 +57,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/equations.scrbl"]
 @include-section["reference/hamiltonians.scrbl"]
 @include-section["reference/canonical.scrbl"]
+@include-section["reference/reductions.scrbl"]
 @include-section["reference/pendulum.scrbl"]
 @include-section["reference/forces.scrbl"]
 @include-section["reference/constraints.scrbl"]

@@ -1,5 +1,5 @@
 #lang mechanics
-;; Exercise 5.15 (SICM 5.6): a generating function of the standard map
+;; Exercise 5.15 (SICM 5.4.5): a generating function of the standard map
 ;; Checked: F(θ, θ') against the map
 ;; How: the transformation it generates, and a verdict on its derivatives
 

@@ -1,19 +1,27 @@
 #lang mechanics
-;; Exercise 5.6 (SICM 5.2): symplectic matrices
-;; Checked: that transposes, inverses and determinants are as they should be
-;; How: verdicts for matrices of two rows of unknowns, with their condition
+;; Exercise 5.6 (SICM 5.2.2): transposes and inverses of symplectic matrices
+;; Checked: that both are symplectic
+;; How: by what a matrix of unknowns misses, R = J − A J Aᵀ, from which theirs follow
 
-;; A matrix of two rows and columns is symplectic if its determinant is 1.
+;; If R is 0, so is what the transpose misses, for A J (J − Aᵀ J A) = R J A; and what the
+;; inverse misses, for A (J − A⁻¹ J A⁻ᵀ) Aᵀ = −R.
 
-(define M (matrix-by-rows '(a b) '(c d)))
-(define plain (verify-symplectic M))
-plain
-(define right (verify-equal (symplectic-matrix? M) (* (- 1 (determinant M)) (symplectic-unit 1))))
+(define J (symplectic-unit 2))
+(define A (m:generate 4 4 (lambda (i j) (string->symbol (format "a_~a~a" i j)))))
+(define R (symplectic-matrix? A))
+
+(define right (verify-equal (* A J (symplectic-matrix? (transpose A))) (* R J A)))
 right
 
-;; Its transpose misses J by the same.
-(define transposed (verify-equal (symplectic-matrix? M) (symplectic-matrix? (transpose M))))
-transposed
+;; Of the inverse: with B for it, A B = 1. Of two rows it is written out.
+(define B (matrix-by-rows '(a b) '(c d)))
+(define inverse
+  (verify-equal (* B (symplectic-matrix? (/ B)) (transpose B)) (- (symplectic-matrix? B))))
+inverse
+
+;; Of two rows the determinant decides.
+(define of-two (verify-equal (symplectic-matrix? B) (* (- 1 (determinant B)) (symplectic-unit 1))))
+of-two
 
 ;; The slip: of four rows a determinant of 1 is not enough.
 (define stretch (matrix-by-rows '(2 0 0 0) '(0 1 0 0) '(0 0 1 0) '(0 0 0 1/2)))
@@ -22,9 +30,8 @@ transposed
 
 (module+ test
   (require rackunit)
-  (test-case "of two rows"
-    (for ([v (list right transposed)]) (check-pred proved? v))
-    (check-pred refuted? plain))
-  (test-case "of four"
+  (test-case "transposes and inverses miss what the matrix misses"
+    (for ([v (list right inverse of-two)]) (check-pred proved? v)))
+  (test-case "of four rows"
     (check-equal? (determinant stretch) 1)
     (check-pred refuted? slip)))

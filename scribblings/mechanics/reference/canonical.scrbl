@@ -296,7 +296,7 @@ mixed second derivatives have the determinant 0 generates nothing: that is an
 ((F2->C (lambda (t q p) (+ (* q p) (* 0.1 (sin q) (square p))))) (up 0 1.0 2.0))
 (eval:error ((F2->C (lambda (t q p) (+ q p))) (up 't 'q 'p)))]
 
-@sicm{5.6, pp. 366–378}}
+@sicm{5.4.1 and 5.4.3, pp. 366–374}}
 
 @deftogether[(@defproc[((F1->K [F procedure?]) [state structure?]) scalar]
               @defproc[((F2->K [F procedure?]) [state structure?]) scalar]
@@ -327,7 +327,7 @@ else, @racket[verify-generating-function] says.
 ((generating-function (F->CH p->r) polar #:type 3) 't (down 'p_x 'p_y) (up 'r 'phi))
 (eval:error (generating-function not-canonical (up 't 'theta 'p)))]
 
-@sicm{5.7, pp. 378–382}}
+@sicm{5.4.2, pp. 368–373}}
 
 @defproc[(verify-generating-function [F procedure?] [C procedure?] [state structure?]
                                      [#:type type (or/c 1 2 3 4) 1])
@@ -339,6 +339,23 @@ Does F generate C: do its derivatives at the old and the new state give the othe
 (verify-generating-function F (polar-canonical 'alpha) line)
 (verdict-status
  (verify-generating-function (lambda (t x theta) (* x theta)) (polar-canonical 'alpha) line))]}
+
+@defproc[(C->K [C procedure?] [state structure?]) procedure?]{
+
+What the Hamiltonian gets from a canonical transformation that depends on the time: the K with
+H' = H∘C + K, found by integrating its gradient, which C alone determines, and shown to pass
+@racket[canonical-K?]. The state is made of symbols and says of what shape states are. K is found
+but for a function of the time. A transformation that is not canonical, or changes the time, is an
+error; one whose gradient has no antiderivative that was found is an
+@racket[exn:fail:mechanics].
+
+@examples[#:eval session
+(define (falling state) (+ (coordinate state) (* 1/2 'g (square (time state)))))
+((C->K (F->CH falling) (up 't 'q 'p)) (up 't 'q 'p))
+((C->K (F->CH (turning 'n)) plane) plane)
+(eval:error (C->K not-canonical (up 't 'theta 'p)))]
+
+@sicm{5.2.1, p. 348, (5.42)}}
 
 @section{Hamilton and Jacobi}
 
@@ -391,7 +408,7 @@ The action ∮ p dq/2π of the motion through a state, and its angular frequency
 (frequency-of-orbit quartic (up 0 1 0))
 (frequency-of-orbit (Hpendulum 1 9.8) (up 0 0 9) #:turn (* 2 pi))]
 
-@sicm{5.8; 6.1}}
+H. Goldstein 1980, 10-5.}
 
 @deftogether[(@defproc[((state->action-angle [H procedure?] [#:center center real? 0]
                                              [#:turn turn (or/c real? #f) #f]
@@ -409,34 +426,7 @@ From a state to (up t angle action), with the angle counted from where the coord
 ((state->action-angle quartic) (up 0 0.5 -0.25))
 ((action-angle->state quartic) ((state->action-angle quartic) (up 0 0.5 -0.25)))]}
 
-@section{Extended phase space and integral invariants}
-
-@deftogether[(@defproc[((extended-Hamiltonian [H procedure?]) [state structure?]) scalar]
-              @defproc[((periodic-extension [H procedure?] [omega scalar]) [state structure?])
-                       scalar])]{
-
-The Hamiltonian p@subscript{t} + H(t, q, p) of states @racket[(up s (up t q) (down p_t p))], in
-which the time is a coordinate; and, of one that is periodic in the time, ω P + H(φ/ω, q, p), in
-which it is an angle, as @racket[perturbation-series] wants it.
-
-@examples[#:eval session
-(define (driven (up t q p)) (- (/ (square p) 2) (* 'A q (cos (* 'omega t)))))
-((extended-Hamiltonian driven) (up 's (up 't 'q) (down 'p_t 'p)))
-((periodic-extension driven 'omega) (up 's (up 'phi 'q) (down 'P 'p)))]
-
-@sicm{5.5}}
-
-@deftogether[(@defproc[(extended-state [state structure?] [p_t (or/c scalar? procedure?)])
-                       structure?]
-              @defproc[(reduced-state [state structure?]) structure?])]{
-
-A state with its time as a coordinate, and without. In place of the momentum a Hamiltonian may be
-given, of which the extended one is then 0.
-
-@examples[#:eval session
-(extended-state (up 't 'q 'p) 'p_t)
-((extended-Hamiltonian driven) (extended-state (up 't 'q 'p) driven))
-(reduced-state (up 's (up 't 'q) (down 'p_t 'p)))]}
+@section{Integral invariants}
 
 @defproc[(loop-integral [loop procedure?] [low real?] [high real?]
                         [#:Hamiltonian H (or/c procedure? #f) #f]
@@ -452,7 +442,7 @@ times of the states.
 (loop-integral loop 0 (* 2 pi))
 (loop-integral (compose (polar-canonical 2.0) loop) 0 (* 2 pi))]
 
-@sicm{5.3, pp. 360–364}}
+@sicm{5.3, pp. 362–364; 5.5.1, p. 402}}
 
 @defproc[((loop-integrand [loop procedure?]) [x scalar]) scalar]{
 

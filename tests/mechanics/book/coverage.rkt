@@ -104,7 +104,14 @@
     ("5.3 Invariants of canonical transformations (pp. 357-364)"
      omega symplectic-two-form)
     ("5.4 Generating functions (pp. 364-394)"
-     F2->C-inv s:inverse)
+     F1->C F2->C F3->C F4->C F2->C-inv F1-flip F2-identity F1-polar-canonical s:inverse)
+    ("5.5 Extended phase space (pp. 394-402)"
+     extended-Hamiltonian extended-transformation extended-state reduced-state
+     H-restricted-three-body rotating-polar loop-integral)
+    ("5.6 Reduced phase space (pp. 402-407)"
+     reduced-Hamiltonian state->reduced-state)
+    ("5.8 Projects (pp. 408-410)"
+     linked-canonical linked-masses Jacobi-links heliocentric-canonical)
     ("6.2 Time evolution is canonical (pp. 426-437)"
      C->Cp shift-t H->Hp C*)
     ("6.4-6.5 Lie series, exponential identities (pp. 443-453)"

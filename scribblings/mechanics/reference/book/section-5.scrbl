@@ -96,6 +96,41 @@ The symplectic form, @racket[symplectic-two-form].
 
 @sicm{5.3, p. 361}}
 
+@deftogether[(@defproc[(F1-flip [t scalar] [q value] [q-prime value]) scalar]
+              @defproc[(F2-identity [t scalar] [q value] [p-prime value]) scalar]
+              @defproc[((F1-polar-canonical [alpha scalar]) [t scalar] [x scalar] [theta scalar])
+                       scalar])]{
+
+Generating functions: of the exchange of coordinates and momenta, of the identity, and of
+@racket[polar-canonical].
+
+@examples[#:eval session
+((F1->C F1-flip) (up 't 'q 'p))
+((F2->C F2-identity) (up 't 'q 'p))
+((F1-polar-canonical 'alpha) 't 'x 'theta)
+((F1->C (F1-polar-canonical 'alpha)) (up 't 'theta 'I))]
+
+@sicm{5.4, p. 366}}
+
+@deftogether[(@defproc[((H-restricted-three-body [m scalar] [G scalar] [m_1 scalar] [m_2 scalar]
+                                                 [a scalar])
+                        [state structure?]) scalar]
+              @defproc[((rotating-polar [Omega scalar]) [state structure?]) structure?])]{
+
+The restricted three-body problem in polar coordinates at rest, and the transformation from those
+that turn. In turning coordinates the Hamiltonian with its correction does not depend on the time:
+it is Jacobi's constant.
+
+@examples[#:eval session
+(define two-angles (up 't (up 'r 'theta) (down 'p_r 'p_theta)))
+((rotating-polar 'Omega) two-angles)
+(define F (rotating-polar (sqrt (/ (* 'G (+ 'm_1 'm_2)) (cube 'a)))))
+(define Jacobi
+  (+ (compose (H-restricted-three-body 'm 'G 'm_1 'm_2 'a) (F->CH F)) (F->K F)))
+(simplify (((partial 0) Jacobi) two-angles))]
+
+@sicm{5.5, pp. 399–401}}
+
 @deftogether[(@defproc[((H-driven-oscillator [alpha scalar] [omega scalar] [omega_0 scalar])
                         [state structure?]) scalar]
               @defproc[(((C* [alpha scalar] [omega scalar] [omega_0 scalar]) [delta-t scalar])

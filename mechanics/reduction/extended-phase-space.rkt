@@ -1,21 +1,26 @@
 #lang racket/base
-;; The time as a coordinate (SICM 5.5, pp. 382–394).
+;; The time as a coordinate (SICM 5.5, pp. 394–402).
 ;;
 ;; With the time q⁰ = t as a coordinate and a momentum p₀ for it, H' = p₀ + H(t, q, p) moves q and
 ;; p as H does, ∂H'/∂p₀ = 1, and does not depend on the new time: what H depends on explicitly is
 ;; one coordinate more.  Along a motion p₀ + H is conserved.
 ;;
+;; A transformation C with its correction K, H' = H∘C + K, is one without explicit time there:
+;; p₀' + H' = p₀ + H∘C gives p₀ = p₀' + K, and K is right if that is symplectic (exercise 5.19).
+;;
 ;; A Hamiltonian that is periodic with the frequency ω has an angle φ = ω t instead, with the
 ;; momentum P: H' = ω P + H(φ/ω, q, p).
 
-(require "../error/complain.rkt"
+(require "../canonical/transformation.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")
 
-(provide extended-Hamiltonian extended-state reduced-state periodic-extension)
+(provide extended-Hamiltonian extended-transformation extended-state reduced-state
+         periodic-extension)
 
 ;; ((extended-Hamiltonian H) (up s (up t q) (down p_t p))) = p_t + H(t, q, p)
 (define (extended-Hamiltonian H)
@@ -23,6 +28,18 @@
   (unary-function (lambda () (list 'extended-Hamiltonian (value->datum H))) (state)
     (define inner (reduced 'extended-Hamiltonian state))
     (g:+ (s:ref (momentum state) 0) (H inner))))
+
+;; (s, (t, q'), (p_t', p')) ↦ (s, (t, q), (p_t' + K(t, q', p'), p))
+(define (extended-transformation C K)
+  (define who 'extended-transformation)
+  (check-transformation who C)
+  (check-Hamiltonian who K)
+  (unary-function (lambda () (list who (value->datum C) (value->datum K))) (state)
+    (define inner (reduced who state))
+    (define old (transformed who C inner))
+    (up (time state)
+        (up (time old) (coordinate old))
+        (down (g:+ (s:ref (momentum state) 0) (K inner)) (momentum old)))))
 
 ;; ((periodic-extension H ω) (up s (up φ q) (down P p))) = ω P + H(φ/ω, q, p)
 (define (periodic-extension H omega)
