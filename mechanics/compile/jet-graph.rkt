@@ -45,9 +45,10 @@
 ;; inputs may; fail : operation -> does not return
 (struct builder (ids nodes still varying fail) #:authentic)
 
-;; The first `varying` inputs are functions of time, the others constants.
+;; The first `varying` inputs are functions of time, the others constants, of the values in the
+;; list if there are any.
 ;; -> graph, or a string that says why there is none
-(define (program->graph p varying)
+(define (program->graph p varying [constants '()])
   (let/ec return
     (define (fail name) (return (format "the operation `~a` has no Taylor recurrence" name)))
     (define b (builder (make-hash) (make-hasheqv) (make-hasheqv) varying fail))
@@ -56,6 +57,8 @@
     (define uses (count-uses p))
     (define (operand x) (if (place? x) (vector-ref places (place-index x)) (number-form x)))
     (for ([i (in-range n)]) (vector-set! places i (node-form (node! b (list 'input i)))))
+    (for ([c (in-list constants)] [i (in-naturals varying)])
+      (vector-set! places i (number-form (exact-if-whole c))))
     (for ([i (in-vector (program-instructions p))] [k (in-naturals n)])
       (define (shared? k) (> (vector-ref uses k) 1))
       (vector-set! places k (instruction->form b i k operand shared?)))
@@ -64,6 +67,10 @@
         (define f (operand o))
         (if (form? f) (whole! b f) (fail 'solve))))
     (pruned b outputs n)))
+
+;; Exact numbers are what exponents are told by, and factors that are nothing or 1.
+(define (exact-if-whole c)
+  (if (and (integer? c) (not (zero? c))) (inexact->exact c) c))
 
 (define (count-uses p)
   (define uses (make-vector (+ (program-inputs p) (program-length p)) 0))

@@ -11,21 +11,33 @@
 (require racket/flonum
          racket/list
          "flonum-functions.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-rows.rkt"
+         "jet-work.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/kernels.rkt"
          "../numeric/jet/linear-system.rkt")
 
-(provide program->expansion-maker)
+(provide program->expansion-maker maker->expander)
 
 ;; p : a program of the rates of as many inputs as it has outputs, the first ones; or, with
-;; #:follow?, of any functions of the first `varying` inputs
-;; -> (order flvector -> expansion), given the values of all inputs, of which those beyond
-;; stay; or a string that says why there is none
-(define (program->expansion-maker p varying #:follow? [follow? #f])
-  (define g (program->graph p varying))
+;; #:follow?, of any functions of the first `varying` inputs; constants : the values of those
+;; beyond, if they are known by now
+;; -> expansion-maker, or a string that says why there is none
+(define (program->expansion-maker p varying #:follow? [follow? #f] #:constants [constants '()])
+  (define g (program->graph p varying constants))
   (cond [(string? g) g]
         [else
          (define degrees (if follow? (node-degrees g #f) (node-degrees g (graph-outputs g))))
-         (lambda (order inputs) (make-expansion g degrees order inputs))]))
+         (expansion-maker (lambda (order inputs) (make-expansion g degrees order inputs))
+                          (graph-work g degrees))]))
+
+;; make : order flvector -> expansion, given the values of all inputs, of which those beyond
+;; stay; work : what it takes
+(struct expansion-maker (make work)
+  #:authentic
+  #:property prop:procedure 0)
+
+;; With these inputs.
+(define (maker->expander m inputs)
+  (expander (lambda (order) (m order inputs)) (expansion-maker-work m)))
 
 (define (make-expansion g degrees order inputs)
   (define nodes (graph-nodes g))

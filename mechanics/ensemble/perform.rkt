@@ -51,8 +51,8 @@
             (lambda () (fixed (slope-maker) n parameters))
             (lambda () (and (jacobian-maker) (fixed ((jacobian-maker)) n parameters)))
             (program-length (task-slope t))
-            (once (lambda () (expander (expansions) n parameters)))
-            #f (box '()) (box #f))))
+            (once (lambda () (expander-with (expansions) n parameters)))
+            #f (box '()) (box #f) #f)))
 
 (define (failed e)
   (define where
@@ -74,8 +74,8 @@
   (for ([p (in-flvector parameters)] [k (in-naturals n)]) (flvector-set! inputs k p))
   inputs)
 
-(define (expander make n parameters)
-  (if (string? make) make (lambda (order) (make order (with-parameters n parameters)))))
+(define (expander-with make n parameters)
+  (if (string? make) make (maker->expander make (with-parameters n parameters))))
 
 ;; -> (last state -> what is wanted of it), flvectors
 (define (collector t)

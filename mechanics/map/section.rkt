@@ -83,7 +83,7 @@
       (set! found (fl+ (fl- from start) (fl* (crossing-at c) (fl- to from))))
       (at (crossing-at c) there))
     (and (not c) (< steps most)))
-  (call-with-spares s (lambda (s) (run-system p s y start +inf.0 visit)))
+  (call-for-passage s (lambda (s) (run-system p s y start +inf.0 visit)))
   (unless found (raise-never e state steps))
   (when (system-clock? s) (flvector-set! there 0 (fl+ start found)))
   (values found (system-state s there)))

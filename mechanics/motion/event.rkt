@@ -200,10 +200,18 @@
           [else
            (define b (place k places))
            (define gb (g b))
-           (define (rest) (loop b gb (+ k 1)))
+           (define (rest) (loop (if (fl= gb gb) b (last-value g a b)) gb (+ k 1)))
            (define zero
              (and (crosses? ga gb (event-direction e)) (zero-between g a ga b gb)))
            (if zero (cons (crossing zero e #f) (rest)) (rest))])))
+
+;; Where g, which has a value at a and none at b, ceases to have one.
+(define (last-value g a b)
+  (let loop ([a a] [b b])
+    (define middle (fl* 0.5 (fl+ a b)))
+    (cond [(fl<= (fl- b a) 1e-12) b]
+          [(let ([gm (g middle)]) (fl= gm gm)) (loop middle b)]
+          [else (loop a middle)])))
 
 ;; From a sign to the other or to zero; from zero to a sign is no crossing.
 (define (crosses? ga gb direction)

@@ -96,7 +96,7 @@
     (set! longest (flmax longest (flabs (fl- to from))))
     #t)
   (define last
-    (call-with-spares s (lambda (s) (run-system p s y start (fl+ start duration) visit))))
+    (call-for-passage s (lambda (s) (run-system p s y start (fl+ start duration) visit))))
   (values last longest))
 
 ;; (evolve sysder p ...) : state, monitor, time step, final time, tolerance -> state
@@ -133,7 +133,9 @@
   (define (show y) (monitor (system-state s y)))
   (show y)
   (define last
-    (run-system p s y start end (sampler start end step (flvector-length y) show)))
+    (call-for-passage
+     s (lambda (s)
+         (run-system p s y start end (sampler start end step (flvector-length y) show)))))
   (unless (fl= start end) (monitor last))
   last)
 

@@ -9,7 +9,7 @@
 (require "method.rkt" "plan.rkt" "system.rkt"
          "../error/complain.rkt"
          "../numeric/ode/bridged.rkt" "../numeric/ode/dormand-prince-853.rkt"
-         "../numeric/ode/expandable.rkt"
+         "../numeric/ode/integrate.rkt"
          "../numeric/ode/taylor.rkt")
 
 (provide suited)
@@ -37,7 +37,7 @@
 (define (reason-against p s y)
   (define expand (system-expand s))
   (cond [(string? expand) expand]
-        [(expands-from? (expandable ((system-make-slope! s)) expand) y (plan-tolerance p)) #f]
+        [(expands-from? (system-right-hand-side s taylor) y (step-tolerance (plan-tolerance p))) #f]
         [else "its coefficients are not finite at the start"]))
 
 (define (raise-not-suited who reason)

@@ -19,7 +19,7 @@
 
 (provide (struct-out system) make-system make-parametric-system
          system-right-hand-side system-method system-state system-size system-expand check-start
-         call-with-spares
+         for-one-integration call-for-passage
          derivative-for constant-rate? raise-rate-varies)
 
 ;; shape : a state; clock? : is its first scalar the time, with derivative 1?
@@ -28,24 +28,25 @@
 ;; make-jacobian! : -> (y J -> void), for one integration, or #f if the derivative
 ;;                  cannot be differentiated; compiled when first asked for
 ;; operations     : how many flonum operations its rates take, or #f
-;; expander       : -> (order -> expansion), for Taylor coefficients, or a string that says why
-;;                  there are none; found out when first asked for
+;; expander       : -> expander (numeric/jet/expansion.rkt), or a string that says why there
+;;                  is none; found out when first asked for
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
-;; spares         : a box of (cons order expansion) that no integration uses any more
+;; spares         : a box of right-hand sides that no integration uses any more
 ;; separable      : a box: was that found out (separable.rkt)?
+;; own            : its right-hand side in one integration, or #f
 (struct system (shape clock? derivative make-slope! make-jacobian! operations expander corrections
-                spares separable)
+                spares separable own)
   #:authentic)
 
 ;; What a method integrates.
 (define (system-right-hand-side s m)
-  (define slope! ((system-make-slope! s)))
-  (case (method-asks m)
-    [(jacobian)
-     (define jacobian! ((system-make-jacobian! s)))
-     (if jacobian! (differentiated slope! jacobian!) slope!)]
-    [(expansion) (expandable slope! (system-expand s))]
-    [else slope!]))
+  (cond [(eq? 'jacobian (method-asks m))
+         (define slope! ((system-make-slope! s)))
+         (define jacobian! ((system-make-jacobian! s)))
+         (if jacobian! (differentiated slope! jacobian!) slope!)]
+        [else (or (system-own s) (new-right-hand-side s))]))
+
+(define (new-right-hand-side s) (expandable ((system-make-slope! s)) (system-expand s)))
 
 ;; What makes Taylor coefficients of motions, or a string that says why there are none.
 (define (system-expand s) ((system-expander s)))
@@ -53,36 +54,31 @@
 ;; What integrates it by a method.
 (define (system-method s m) (method-on m (system-corrections s) (system-size s)))
 
-;; (use s'), s' being s for one integration of which no interpolant is kept: what it needs for
-;; Taylor coefficients, which takes longer to make than a few steps, is left to the next.
-(define (call-with-spares s use)
-  (define expand (system-expand s))
-  (define lent '())
-  (define (lend order)
-    (define e (or (take-spare! (system-spares s) order) (cons order (expand order))))
-    (set! lent (cons e lent))
-    (cdr e))
-  (if (string? expand)
-      (use s)
-      (begin0 (use (with-expander s (lambda () lend)))
-              (give-back! (system-spares s) lent))))
+;; s for one integration: a method that is tried goes on with what it worked out.
+(define (for-one-integration s) (with-own s (new-right-hand-side s)))
 
-(define (take-spare! spares order)
+;; (use s'), s' being s for one integration of which no interpolant is kept: what it works with,
+;; which takes longer to make than a few steps, is left to the next.
+(define (call-for-passage s use)
+  (define spares (system-spares s))
+  (define f! (or (take-spare! spares) (new-right-hand-side s)))
+  (begin0 (use (with-own s f!))
+          (rest! f!)
+          (give-back! spares f!)))
+
+(define (take-spare! spares)
   (define all (unbox spares))
-  (define found (assv order all))
-  (cond [(not found) #f]
-        [(box-cas! spares all (remq found all)) found]
-        [else (take-spare! spares order)]))
+  (cond [(null? all) #f]
+        [(box-cas! spares all (cdr all)) (car all)]
+        [else (take-spare! spares)]))
 
 ;; Those of one integration are kept, a few.
-(define (give-back! spares lent)
+(define (give-back! spares f!)
   (define all (unbox spares))
-  (when (< (length all) 8) (box-cas! spares all (append lent all))))
+  (when (< (length all) 8) (box-cas! spares all (cons f! all))))
 
-(define (with-expander s expander)
-  (system (system-shape s) (system-clock? s) (system-derivative s) (system-make-slope! s)
-          (system-make-jacobian! s) (system-operations s) expander (system-corrections s)
-          (system-spares s) (system-separable s)))
+(define (with-own s f!)
+  (struct-copy system s [own f!]))
 
 ;; Does a motion begin where it can?
 (define (check-start who s y) (check-on who (system-corrections s) y (system-state s y)))
@@ -122,15 +118,18 @@
           (lambda () (let ([c (jacobian)]) (and c (compiled-function-runner c))))
           (compiled-function-operations code)
           (once (lambda () (expander-of code (shape-length state) (flvector))))
-          corrections (box '()) (box #f)))
+          corrections (box '()) (box #f) #f))
 
 ;; n : how many scalars a state has; ps : the values of the parameters
 (define (expander-of code n ps)
   (define p (compiled-function-program code))
-  (define make (if p (program->expansion-maker p n) (compiled-function-reason code)))
+  (define make
+    (if p
+        (program->expansion-maker p n #:constants (flvector->list ps))
+        (compiled-function-reason code)))
   (define inputs (make-flvector (compiled-function-inputs code)))
   (for ([p (in-flvector ps)] [k (in-naturals n)]) (flvector-set! inputs k p))
-  (if (string? make) make (lambda (order) (make order inputs))))
+  (if (string? make) make (maker->expander make inputs)))
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
@@ -169,7 +168,7 @@
                (lambda () (with-parameters (jacobian)))
                (compiled-function-operations code)
                (once (lambda () (expander-of code n ps)))
-               #f (box '()) (box #f))))
+               #f (box '()) (box #f) #f)))
 
 ;; Masses may be given as a tuple.
 (define (numeric? parameter) (andmap real? (scalars parameter)))

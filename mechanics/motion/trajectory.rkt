@@ -118,7 +118,7 @@
   (follow-precise-trajectory p derivative state end events make))
 
 (define (flonum-trajectory given derivative state end events)
-  (define s (make-system 'evolve-trajectory derivative state))
+  (define s (for-one-integration (make-system 'evolve-trajectory derivative state)))
   (define y (state-vector 'evolve-trajectory state))
   (define p (suited given s y))
   (define events-in

@@ -14,7 +14,7 @@
          (only-in "../constants.rkt" rounding) "../flvector.rkt"
          "../../error/failure.rkt")
 
-(provide integrate integrate-step)
+(provide integrate integrate-step step-tolerance)
 
 ;; f!    : y dy -> void; stores f(y) in dy
 ;; visit : called after each step with the times before and after it and with a

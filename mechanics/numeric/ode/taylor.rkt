@@ -2,16 +2,20 @@
 ;; The Taylor method: y(t + h) = Σ y_k h^k (À. Jorba and M. Zou, Experimental Mathematics 14,
 ;; 2005; F. Biscani and D. Izzo, Monthly Notices of the RAS 504, 2021).
 ;;
-;; The order follows from the tolerance ε alone, n = ⌈1 − ½ ln ε⌉, and the step from the last
-;; two coefficients: with ρ_k = ‖y_k‖^(−1/k), near the radius of convergence, it is
+;; The step follows from the last two coefficients: with ρ_k = ‖y_k‖^(−1/k), near the radius of
+;; convergence, it is
 ;;
-;;     h = min(ρ_{n−1}, ρ_n) e^(−2 − 0.7/(n−1)),
+;;     h = q min(ρ_{n−1}, ρ_n),   where q^(n+1)/(1 − q) = ε/200,
 ;;
-;; so that the last term is about ε, and the work for a unit of time least.  ‖y_k‖ is the
-;; greatest component relative to 1 + |y|; and the last terms must not grow.  The step is known
-;; before it is taken, and is taken once.  Only where it grows much, as the first one does from
-;; nothing, is it asked whether y' = f(y) holds at its end: terms beyond the order may be the
-;; first that are not 0.
+;; as all terms left out are then.  Theirs are twice as much: they take n = ⌈1 − ½ ln ε⌉ and q
+;; near e⁻², so that the work for a unit of time is least if an expansion takes n² operations.
+;; But it takes a + b n + c n², and the smaller the system, the more of that are a and b; so n is
+;; the one for which (a + b n + c n²)/q is least.  ‖y_k‖ is the greatest component relative to
+;; 1 + |y|; and the last terms must not grow.
+;;
+;; The step is known before it is taken, and is taken once.  Only where it grows much, as the
+;; first one does from nothing, is it asked whether y' = f(y) holds at its end: terms beyond the
+;; order may be the first that are not 0.
 ;;
 ;; The state is kept with what rounding loses of it at each step, so that the error of a long
 ;; run grows as the root of the number of steps.  Within a step the polynomial itself is the
@@ -19,6 +23,7 @@
 ;; computed again when it is looked at later.
 
 (require racket/flonum
+         racket/list
          racket/unsafe/ops
          "expandable.rkt" "stepper.rkt" "vectors.rkt"
          (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt"
@@ -28,7 +33,7 @@
          taylor-piece? taylor-piece-span call-with-coefficients)
 
 ;; f!, n     : the right-hand side, of how many variables; e : its expansion
-;; tolerance : of the error of a step; order : of the expansion
+;; tolerance : of the error of a step; order : of the expansion; share : ln q
 ;; y, lost   : the present state, and what rounding has lost of it
 ;; z, rest   : those that the step tried last leads to; from : where the last one began;
 ;; slope     : room
@@ -38,18 +43,25 @@
 ;; piece     : the step whose coefficients are in e, or #f
 ;; reader    : an expansion for reading pieces later, made then; read : the piece in it; lock :
 ;;             for one reader at a time
-(struct run (f! n e tolerance order y lost z rest from slope
+(struct run (f! n e tolerance order share y lost z rest from slope
              [unit #:mutable] [limit #:mutable] [last #:mutable] [tried #:mutable]
              [piece #:mutable] [reader #:mutable] [read #:mutable] lock)
   #:authentic)
 
-(define (order-for tolerance) (max 4 (fl->exact-integer (ceiling (- 1.0 (* 0.5 (log tolerance)))))))
+(define (order-for tolerance w)
+  (define least (max 4 (fl->exact-integer (ceiling (- 1.0 (* 0.5 (log tolerance)))))))
+  (argmin (lambda (n) (/ (work-of-order w n) (exp (log-share n tolerance))))
+          (range least (* 2 least))))
 
-;; tolerated : a tenth of the tolerance (integrate.rkt), which the terms left out do not need;
-;; or no more than rounding, and then these are to be nothing beside rounding
+;; ln q, by repetition.
+(define (log-share n tolerance)
+  (for/fold ([l -2.0]) ([_ (in-range 8)])
+    (/ (+ (log (* 0.005 tolerance)) (log (- 1.0 (exp l)))) (+ n 1.0))))
+
+;; tolerated : a tenth of the tolerance (integrate.rkt)
 (define (start f! y0 tolerated)
-  (define r (make-run f! y0 (if (fl<= tolerated rounding) least-term (fl* 10.0 tolerated))))
-  (define-fields run r n y slope)
+  (define r (run-from-start f! y0 tolerated))
+  (define-fields run r y slope)
   (foreseeing-stepper y
                       (lambda () (f! y slope) slope)
                       (lambda (h) (try! r h))
@@ -58,22 +70,45 @@
                       (lambda () (limit-of r))
                       (lambda () (forget! r))))
 
-(define (make-run f! y0 tolerance)
-  (define n (flvector-length y0))
-  (define y (flvector-copy y0))
-  (define-vectors n lost z rest from slope)
-  (define order (order-for tolerance))
-  (define e ((expandable-expand f!) order))
-  (run f! n e tolerance order y lost z rest from slope
-       (first-unit f! y slope) #f 0.0 0.0 #f #f #f (make-semaphore 1)))
+;; The one that f! has worked with before, if that will do, or a new one.
+(define (run-from-start f! y0 tolerated)
+  (define tolerance (term-tolerance tolerated))
+  (define r (take-work! f! (lambda (r) (fl= tolerance (run-tolerance r)))
+                        (lambda () (make-run f! (flvector-length y0) tolerance))))
+  (begin-at! r y0)
+  r)
+
+;; Of the terms left out, which do not need a tenth; or if that is no more than rounding, they
+;; are to be nothing beside rounding.
+(define (term-tolerance tolerated)
+  (if (fl<= tolerated rounding) least-term (fl* 10.0 tolerated)))
 
 (define least-term 1e-17)
 
+(define (make-run f! n tolerance)
+  (define-vectors n y lost z rest from slope)
+  (define expand (expandable-expand f!))
+  (define order (order-for tolerance (expander-work expand)))
+  (define e (expand order))
+  (run f! n e tolerance order (log-share order tolerance) y lost z rest from slope
+       #f #f 0.0 0.0 #f #f #f (make-semaphore 1)))
+
+;; Nothing to do where it has just been tried (expands-from?).
+(define (begin-at! r y0)
+  (define-fields run r f! y slope)
+  (unless (and (run-limit r) (fl= (run-last r) 0.0) (equal? y y0))
+    (flvector-copy! y y0)
+    (set-run-unit! r (first-unit f! y slope))
+    (set-run-piece! r #f)
+    (forget! r)))
+
 (define taylor (adaptive-method 'Taylor #f start #:asks 'expansion))
 
-;; Are there coefficients at y0?
-(define (expands-from? f! y0 tolerance)
-  (fl> (limit-of (make-run f! y0 tolerance)) 0.0))
+;; Are there coefficients at y0?  An integration from there by f! begins with them.
+(define (expands-from? f! y0 tolerated)
+  (define limit (limit-of (run-from-start f! y0 tolerated)))
+  (rest! f!)
+  (fl> limit 0.0))
 
 ;; ---------------------------------------------------------------------------
 ;; Coefficients, in a unit of time near the length of the step
@@ -122,11 +157,11 @@
   (if (fl< 0.0 rate +inf.0) (power-of-2 (fl/ 0.1 rate)) 1.0))
 
 (define (length-in-units r)
-  (define-fields run r n e y order)
+  (define-fields run r n e y order share)
   (define a (size e y n order))
   (define b (size e y n (- order 1)))
   (cond [(and (fl< a +inf.0) (fl< b +inf.0))
-         (flmin (flexp (fl- (safety order)
+         (flmin (flexp (fl- share
                             (flmax (fl/ (fllog a) (->fl order))
                                    (fl/ (fllog b) (->fl (- order 1))))))
                 (flmax (falling (size e y n (- order 2)) a) (falling (size e y n (- order 3)) b)))]
@@ -136,8 +171,6 @@
 ;; two of them, of orders that differ by 2, are equal.
 (define (falling earlier later)
   (if (or (fl= later 0.0) (fl= earlier 0.0)) +inf.0 (fl* 0.5 (flsqrt (fl/ earlier later)))))
-
-(define (safety order) (fl- -2.0 (fl/ 0.7 (->fl (- order 1)))))
 
 ;; ‖y_k‖; not less than infinite if one is not a number
 (define (size e y n k)
