@@ -647,6 +647,42 @@ problem is made of them.
 (bessj 2 1)
 (eval:error (bessj 1/2 1))]}
 
+@deftogether[(@defproc[(Bessel-J [order real?] [x real?]) real?]
+              @defproc[(Bessel-Y [order real?] [x real?]) real?])]{
+
+The Bessel functions of the first and second kind, of any real order below 100000 in size, to
+some 13 digits of their common size. They solve x²f'' + xf' + (x² − ν²)f = 0. J is real for
+x ≥ 0, of whole orders for any x; Y for x > 0. They can be differentiated by x.
+
+@examples[#:eval session
+(Bessel-J 0 1)
+(Bessel-Y 1/3 2)
+(find-root (lambda (x) (Bessel-J 0 x)) 2.4)
+((D (lambda (x) (Bessel-J 1/2 x))) 1)
+(eval:error (Bessel-J 1/2 -1))]}
+
+@deftogether[(@defproc[(Bessel-I [order real?] [x real?]) real?]
+              @defproc[(Bessel-K [order real?] [x real?]) real?])]{
+
+The modified Bessel functions, which grow and fall as e^x and e^(−x) do: solutions of
+x²f'' + xf' − (x² + ν²)f = 0.
+
+@examples[#:eval session
+(Bessel-I 0 1)
+(Bessel-K 1/3 2)
+((D (lambda (x) (Bessel-K 0 x))) 1)
+(eval:error (Bessel-K 0 0))]}
+
+@deftogether[(@defproc[(spherical-Bessel-j [n exact-nonnegative-integer?] [x real?]) real?]
+              @defproc[(spherical-Bessel-y [n exact-nonnegative-integer?] [x real?]) real?])]{
+
+The spherical ones, √(π/2x) times J and Y of order n + 1/2.
+
+@examples[#:eval session
+(spherical-Bessel-j 0 1)
+(- (spherical-Bessel-j 0 1) (sin 1.0))
+(spherical-Bessel-y 1 2)]}
+
 @section{Paths to try}
 
 @defproc[(make-eta [nu procedure?] [t1 scalar] [t2 scalar]) procedure?]{

@@ -1,0 +1,156 @@
+#lang racket/base
+;; Bessel functions of real order and argument, and what is differentiated of them.
+;;
+;; Of negative orders (Abramowitz and Stegun, 9.1.2, 9.6.2, 9.6.6)
+;;
+;;     J₋ᵥ = cos νπ Jᵥ − sin νπ Yᵥ,    Y₋ᵥ = sin νπ Jᵥ + cos νπ Yᵥ,
+;;     I₋ᵥ = Iᵥ + (2/π) sin νπ Kᵥ,     K₋ᵥ = Kᵥ;
+;;
+;; J and I of whole order are even or odd, of other orders they are real for x ≥ 0 alone, as Y
+;; and K are for x > 0.  The derivatives are of the orders next to it (9.1.27, 9.6.26).
+
+(require (only-in racket/math nan? infinite?)
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
+         "../generic/elementary.rkt" "../generic/kind.rkt"
+         "../numeric/Bessel-modified.rkt" "../numeric/Bessel-waves.rkt" "../numeric/constants.rkt")
+
+(provide Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y)
+
+;; ---------------------------------------------------------------------------
+;; Of numbers, and of what is being differentiated
+
+;; numeric : who order flonum -> flonum; slope : order x -> value
+(define-syntax-rule (define-Bessel name numeric slope)
+  (define (name order x)
+    (check-order 'name order)
+    (define (value x)
+      (cond [(has-kind? x) (dispatch-unary op x)]
+            [else
+             (check-argument 'name x)
+             (check-size 'name order x (numeric 'name order (real->double-flonum x)))]))
+    (define op
+      (generic-op 'name #f value (list (lambda (x value) (slope order x))) #f '((0.3 0.9))))
+    (value x)))
+
+(define-syntax-rule (half-difference f n x) (g:* 1/2 (g:- (f (- n 1) x) (f (+ n 1) x))))
+(define-syntax-rule (half-sum f n x) (g:* 1/2 (g:+ (f (- n 1) x) (f (+ n 1) x))))
+
+(define-Bessel Bessel-J J (lambda (n x) (half-difference Bessel-J n x)))
+(define-Bessel Bessel-Y Y (lambda (n x) (half-difference Bessel-Y n x)))
+(define-Bessel Bessel-I I (lambda (n x) (half-sum Bessel-I n x)))
+(define-Bessel Bessel-K K (lambda (n x) (g:- 0 (half-sum Bessel-K n x))))
+
+;; n/x f(n) − f(n + 1); at x = 0 that of (f(n − 1) n − f(n + 1) (n + 1))/(2n + 1), in which
+;; nothing is divided by x
+(define-syntax-rule (spherical-slope f n x)
+  (g:/ (g:- (if (eqv? n 0) 0 (g:* n (f (- n 1) x))) (g:* (+ n 1) (f (+ n 1) x)))
+       (+ (* 2 n) 1)))
+
+(define-Bessel spherical-Bessel-j spherical-j
+  (lambda (n x) (spherical-slope spherical-Bessel-j n x)))
+(define-Bessel spherical-Bessel-y spherical-y
+  (lambda (n x) (spherical-slope spherical-Bessel-y n x)))
+
+;; ---------------------------------------------------------------------------
+;; Numbers
+
+(define (J who order x)
+  (cond [(and (= x 0.0) (or (>= order 0) (integer? order))) (if (= order 0) 1.0 0.0)]
+        [(< x 0.0) (check-whole who order x) (* (parity order) (J who order (- x)))]
+        [else
+         (check-positive who x)
+         (reflected order x Bessel-J+Y (lambda (c s J Y) (- (times c J) (times s Y))))]))
+
+(define (Y who order x)
+  (check-positive who x)
+  (reflected order x Bessel-J+Y (lambda (c s J Y) (+ (times s J) (times c Y)))))
+
+(define (I who order x)
+  (cond [(and (= x 0.0) (or (>= order 0) (integer? order))) (if (= order 0) 1.0 0.0)]
+        [(< x 0.0) (check-whole who order x) (* (parity order) (I who order (- x)))]
+        [else
+         (check-positive who x)
+         (reflected order x modified (lambda (c s I K) (+ I (times s (* (/ 2.0 pi) K)))))]))
+
+(define (K who order x)
+  (check-positive who x)
+  (define-values (I K) (modified (abs (real->double-flonum order)) x))
+  K)
+
+;; What is beyond flonums is not computed.
+(define (modified order x)
+  (if (> x (+ 1500.0 (* 10.0 order)))
+      (values +inf.0 0.0)
+      (Bessel-I+K order x)))
+
+;; both : |ν| x -> two functions; combine : cos πν, sin πν and these
+;; numbers for order −ν; 1, 0 and them for ν
+(define (reflected order x both combine)
+  (define n (abs (real->double-flonum order)))
+  (define-values (one other) (both n x))
+  (define-values (c s) (if (< order 0) (direction n) (values 1.0 0.0)))
+  (combine c s one other))
+
+;; 0 · ∞ is 0 here: what is not asked for may be too great.
+(define (times a b) (if (= a 0.0) 0.0 (* a b)))
+
+(define (spherical-j who n x)
+  (check-natural who n)
+  (cond [(= x 0.0) (if (eqv? n 0) 1.0 0.0)]
+        [else
+         (define-values (J Y) (Bessel-J+Y (+ n 0.5) (abs x)))
+         (* (if (< x 0.0) (parity n) 1.0) (sqrt (/ pi (* 2.0 (abs x)))) J)]))
+
+(define (spherical-y who n x)
+  (check-natural who n)
+  (when (= x 0.0) (check-positive who x))
+  (define-values (J Y) (Bessel-J+Y (+ n 0.5) (abs x)))
+  (* (if (< x 0.0) (- (parity n)) 1.0) (sqrt (/ pi (* 2.0 (abs x)))) Y))
+
+(define (parity n) (if (even? (inexact->exact n)) 1.0 -1.0))
+
+;; cos πν and sin πν, exactly where ν is whole or half of a whole number
+(define (direction n)
+  (define r (- n (* 2.0 (floor (/ n 2.0)))))
+  (cond [(= r 0.0) (values 1.0 0.0)]
+        [(= r 0.5) (values 0.0 1.0)]
+        [(= r 1.0) (values -1.0 0.0)]
+        [(= r 1.5) (values 0.0 -1.0)]
+        [else (values (cos (* pi r)) (sin (* pi r)))]))
+
+;; ---------------------------------------------------------------------------
+;; Complaints
+
+(define most-order 1e5)
+
+(define (check-order who order)
+  (when (has-kind? order)
+    (complain who "has no derivative by its order; given ~a" (describe-with-value order)))
+  (unless (and (real? order) (< (abs order) most-order))
+    (complain who "expected a real number below ~a in size as order; given ~a"
+              100000 (describe-with-value order))))
+
+(define (check-argument who x)
+  (unless (and (real? x) (not (nan? (real->double-flonum x)))
+               (not (infinite? (real->double-flonum x))))
+    (complain who "expected a finite real number; given ~a" (describe-with-value x))))
+
+(define (check-natural who n)
+  (unless (exact-nonnegative-integer? n)
+    (complain who "expected a natural number as order; given ~a" (describe-with-value n))))
+
+(define (check-positive who x)
+  (unless (> x 0.0)
+    (complain who "expected a positive number, for it is infinite or not real at others; given ~a"
+              x)))
+
+(define (check-whole who order x)
+  (unless (integer? order)
+    (complain who "of a negative number it is real for whole orders alone; given the order ~a and ~a"
+              order x)))
+
+(define (check-size who order x y)
+  (when (or (nan? y) (infinite? y))
+    (complain who "the value at ~a, of order ~a, is too great for a floating-point number" x order))
+  y)
