@@ -66,7 +66,8 @@
  D-numeric richardson-derivative
  ;; elliptic functions
  first-elliptic-integral second-elliptic-integral elliptic-integrals
- elliptic-integral-F elliptic-integral-E Jacobi-elliptic-functions
+ third-elliptic-integral
+ elliptic-integral-F elliptic-integral-E elliptic-integral-Pi Jacobi-elliptic-functions
  ;; compiled functions
  compile-function compiled-function? compiled-function-reason compiled-function-operations
  ;; many motions

@@ -11,8 +11,8 @@
 ;; cn u = cos φ₀.  Each step squares the relative difference of a and b.  Since it is
 ;; all arithmetic, derivatives pass through it.
 ;;
-;; Incomplete integrals are Carlson's.  Their derivatives are those of the integrals
-;; that define them.  They are real for |k| ≥ 1, too, as long as |k sin φ| stays below 1.
+;; Incomplete integrals are Carlson's, and that of the third kind.  Their derivatives are those
+;; of the integrals that define them.  They are real for |k| ≥ 1, too, up to |k sin φ| = 1.
 
 (require "number.rkt" "perturbed.rkt"
          "../error/complain.rkt"
@@ -22,7 +22,8 @@
          (prefix-in carlson: "../numeric/quadrature/elliptic-integrals.rkt"))
 
 (provide first-elliptic-integral second-elliptic-integral elliptic-integrals
-         elliptic-integral-F elliptic-integral-E
+         third-elliptic-integral
+         elliptic-integral-F elliptic-integral-E elliptic-integral-Pi
          Jacobi-elliptic-functions)
 
 (require-on-demand ["integral.rkt" integrate])
@@ -49,9 +50,21 @@
   (g:/ :pi/2 (car as)))
 
 (define (second-elliptic-integral given)
-  (define k (modulus 'second-elliptic-integral given))
-  (define-values (K E) (both k))
-  E)
+  (cond [(and (real? given) (= (abs given) 1)) 1.0]
+        [else
+         (define k (modulus 'second-elliptic-integral given))
+         (define-values (K E) (both k))
+         E]))
+
+;; Π(n, k), of a characteristic below 1
+(define (third-elliptic-integral n k)
+  (check-modulus 'third-elliptic-integral k)
+  (define who 'third-elliptic-integral)
+  (unless (< (number who (innermost n)) 1)
+    (complain who (string-append "expected a characteristic below 1, from where on the integral "
+                                 "does not converge; given ~a")
+              (describe-with-value n)))
+  (pi-integral who n :pi/2 k))
 
 ;; (receive K E)
 (define (elliptic-integrals given receive)
@@ -77,10 +90,29 @@
   (incomplete 'elliptic-integral-E carlson:E phi k
               (lambda (s k) (g:sqrt (g:- 1 (g:square (g:* k (g:sin s))))))))
 
+(define (elliptic-integral-Pi n phi k)
+  (define who 'elliptic-integral-Pi)
+  (check-incomplete who (number who (innermost phi)) (number who (innermost k)) <)
+  (check-characteristic who (number who (innermost n)) (number who (innermost phi)))
+  (pi-integral who n phi k))
+
+;; ∫ dθ/((1 − n sin² θ) √(1 − k² sin² θ))
+(define (pi-integral who given-n given-phi given-k)
+  (define-values (n phi k)
+    (values (in-flonums given-n) (in-flonums given-phi) (in-flonums given-k)))
+  (define (integrand s)
+    (define square (g:square (g:sin s)))
+    (g:/ 1 (g:* (g:- 1 (g:* n square)) (g:sqrt (g:- 1 (g:* (g:square k) square))))))
+  (if (ormap perturbed? (list n phi k))
+      (integrate who integrand 0 phi 1e-13)
+      (apply carlson:Pi
+             (for/list ([x (in-list (list n phi k))]) (real->double-flonum (number who x))))))
+
 (define (incomplete who value given-phi given-k integrand)
   (define k (in-flonums given-k))
   (define phi (in-flonums given-phi))
-  (check-incomplete who (number who (innermost phi)) (number who (innermost k)))
+  (check-incomplete who (number who (innermost phi)) (number who (innermost k))
+                    (if (eq? value carlson:E) <= <))
   (if (or (perturbed? phi) (perturbed? k))
       (integrate who (lambda (s) (integrand s k)) 0 phi 1e-13)
       (value (real->double-flonum (number who phi)) (real->double-flonum k))))
@@ -112,13 +144,27 @@
 (define (in-flonums x)
   (if (other-number? (innermost x)) (g:exact->inexact x) x))
 
-(define (check-incomplete who phi k)
-  (unless (or (< -1 k 1)
-              (and (<= (abs phi) :pi/2) (< (abs (* k (sin phi))) 1)))
+;; Up to k sin φ = 1 or little more, by rounding; but F is infinite at π/2 for k = 1.
+;; below : < or <=, how the modulus must be to 1 for any angle
+(define (check-incomplete who phi k below)
+  (define reach (abs (* k (sin phi))))
+  (unless (or (below (abs k) 1)
+              (and (<= (abs phi) :pi/2)
+                   (<= reach (+ 1 4e-16))
+                   (not (and (= (abs k) 1) (= reach 1)))))
     (complain who
-              (string-append "expected a modulus k between -1 and 1, or one with |k sin φ| < 1 "
+              (string-append "expected a modulus k between -1 and 1, or one with |k sin φ| <= 1 "
                              "up to φ; given the modulus ~a and the angle ~a")
               k phi)))
+
+;; 1 − n sin² θ is not 0 on the way.
+(define (check-characteristic who n phi)
+  (define greatest (if (> (abs phi) :pi/2) 1.0 (sin phi)))
+  (unless (< (* n greatest greatest) 1)
+    (complain who
+              (string-append "expected a characteristic n with n sin² φ < 1 up to φ, for the "
+                             "integral does not converge beyond; given ~a and the angle ~a")
+              n phi)))
 
 (define (check-modulus who k)
   (unless (< -1 (number who (innermost k)) 1)

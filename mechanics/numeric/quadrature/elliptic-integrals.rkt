@@ -10,14 +10,17 @@
 ;;     F(φ, k) = s R_F(c², q, 1),  E(φ, k) = F − k² s³/3 R_D(c², q, 1),
 ;;
 ;; s = sin φ, c = cos φ, q = 1 − k² s², for |φ| ≤ π/2; beyond that complete integrals
-;; add up.
+;; add up.  With R_J = 3/2 ∫ (t + p)⁻¹ (...)^(−1/2) dt, which R_C(x, y) = R_F(x, y, y) helps with,
+;;
+;;     Π(n, φ, k) = F + n s³/3 R_J(c², q, 1, 1 − n s²).
 
 (require "../constants.rkt")
 
-(provide F E)
+(provide F E Pi)
 
 (define (F phi k) (beyond-quarter first-kind phi k))
 (define (E phi k) (beyond-quarter second-kind phi k))
+(define (Pi n phi k) (beyond-quarter (lambda (phi k) (third-kind n phi k)) phi k))
 
 (define (beyond-quarter f phi k)
   (define turns (round (/ phi pi)))
@@ -33,10 +36,17 @@
   (define ks (* k s))
   (- (* s (R_F x q 1.0)) (* s (/ (* ks ks) 3.0) (R_D x q 1.0))))
 
+(define (third-kind n phi k)
+  (define-values (s x q) (arguments phi k))
+  (define square (* s s))
+  (+ (* s (R_F x q 1.0))
+     (* n s square 1/3 (R_J x q 1.0 (- 1.0 (* n square))))))
+
+;; q may be nothing but rounding.
 (define (arguments phi k)
   (define s (sin phi))
   (define c (cos phi))
-  (values s (* c c) (* (- 1.0 (* k s)) (+ 1.0 (* k s)))))
+  (values s (* c c) (max 0.0 (* (- 1.0 (* k s)) (+ 1.0 (* k s))))))
 
 ;; ---------------------------------------------------------------------------
 
@@ -81,3 +91,41 @@
        (loop (* 0.25 (+ x l)) (* 0.25 (+ y l)) (* 0.25 (+ z l))
              (+ sum (/ power (* (sqrt z) (+ z l))))
              (* 0.25 power))])))
+
+(define (R_J x y z p)
+  (let loop ([x x] [y y] [z z] [p p] [sum 0.0] [power 1.0])
+    (define mean (/ (+ x y z p p) 5.0))
+    (define-values (X Y Z) (values (- 1.0 (/ x mean)) (- 1.0 (/ y mean)) (- 1.0 (/ z mean))))
+    (define P (- 1.0 (/ p mean)))
+    (cond
+      [(< (max (abs X) (abs Y) (abs Z) (abs P)) near)
+       (+ (* 3.0 sum) (/ (* power (R_J-series X Y Z P)) (* mean (sqrt mean))))]
+      [else
+       (define l (lambda-of x y z))
+       (define a (+ (* p (+ (sqrt x) (sqrt y) (sqrt z))) (sqrt (* x y z))))
+       (loop (* 0.25 (+ x l)) (* 0.25 (+ y l)) (* 0.25 (+ z l)) (* 0.25 (+ p l))
+             (+ sum (* power (R_C (* a a) (* p (+ p l) (+ p l)))))
+             (* 0.25 power))])))
+
+(define (R_J-series X Y Z P)
+  (define a (+ (* X Y) (* X Z) (* Y Z)))
+  (define b (* X Y Z))
+  (define c (* P P))
+  (define e2 (- a (* 3.0 c)))
+  (define e3 (+ b (* 2.0 P (- a c))))
+  (+ 1.0
+     (* e2 (+ -3/14 (* 9/88 e2) (* -9/52 e3)))
+     (* b (+ 1/6 (* P (+ -3/11 (* P 3/26)))))
+     (* P a (- 1/3 (* P 3/22)))
+     (* -1/3 P c)))
+
+(define (R_C x y)
+  (let loop ([x x] [y y])
+    (define mean (/ (+ x y y) 3.0))
+    (define s (/ (- y mean) mean))
+    (cond
+      [(< (abs s) near)
+       (/ (+ 1.0 (* s s (+ 3/10 (* s (+ 1/7 (* s (+ 3/8 (* s 9/22)))))))) (sqrt mean))]
+      [else
+       (define l (+ (* 2.0 (sqrt x) (sqrt y)) y))
+       (loop (* 0.25 (+ x l)) (* 0.25 (+ y l)))])))

@@ -559,14 +559,28 @@ one, with the sine of half the angle as modulus:
               @defproc[(elliptic-integral-E [phi real?] [k real?]) real?])]{
 
 The incomplete ones, from 0 to the angle @racket[phi], which may be any. They are real for a
-modulus from 1 on, too, up to the angle where k sin φ is 1.
+modulus from 1 on, too, up to the angle where k sin φ is 1, a quarter of the swing of a pendulum.
 
 @examples[#:eval session
 (elliptic-integral-F 1 0.5)
  (elliptic-integral-F 1/2 2)
  (eval:error (elliptic-integral-F 1 2))
  ((D (lambda (phi) (elliptic-integral-F phi 0.5))) 1)
- (elliptic-integral-E 1 0.5)]}
+ (elliptic-integral-E 1 0.5)
+ (list (elliptic-integral-F (asin 1/2) 2) (* 1/2 (first-elliptic-integral 1/2)))]}
+
+@deftogether[(@defproc[(elliptic-integral-Pi [n real?] [phi real?] [k real?]) real?]
+              @defproc[(third-elliptic-integral [n real?] [k real?]) real?])]{
+
+The integrals of the third kind, of 1/((1 − n sin²θ) √(1 − k² sin²θ)) from 0 to @racket[phi] and
+to π/2. The characteristic n is below 1, or small enough for n sin²θ to stay below 1.
+
+@examples[#:eval session
+(elliptic-integral-Pi 1/3 1 1/2)
+(third-elliptic-integral -2 1/2)
+(elliptic-integral-Pi 2 1/2 3/2)
+((D (lambda (n) (elliptic-integral-Pi n 1 1/2))) 1/3)
+(eval:error (third-elliptic-integral 2 1/2))]}
 
 @defproc[(Jacobi-elliptic-functions [u real?] [k real?] [receive (-> real? real? real? any)])
          any]{
