@@ -118,7 +118,7 @@ bench: compile
 test-export: compile
 	@python3 -m venv build/export
 	@build/export/bin/pip install --quiet -r tests/mechanics/export/requirements.txt
-	@$(RACKET) tests/mechanics/runner/main.rkt tests/mechanics/export
+	@MECHANICS_EXPORT_ALL=1 $(RACKET) tests/mechanics/runner/main.rkt tests/mechanics/export
 
 peers:
 	@python3 -m venv build/python

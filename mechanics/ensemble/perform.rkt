@@ -2,7 +2,7 @@
 ;; A task done for one start after another, in this process.
 
 (require racket/flonum
-         "task.rkt"
+         "task.rkt" "watching.rkt"
          "../compile/code.rkt" "../compile/jet-program.rkt" "../compile/program.rkt"
          "../error/failure.rkt" "../error/once.rkt"
          "../generic/up-down.rkt"
@@ -16,12 +16,18 @@
   (define plan (make-plan who (task-tolerance t) (task-method t) #:progress #f))
   (define system-for (systems t))
   (define collect (collector t))
-  (define (follow! from to interpolant) #t)
+  (define follow (if (null? (task-watches t)) (following plan) (watching plan t)))
   (lambda (start parameters)
     (define s (system-for parameters))
     (with-handlers ([exn:fail:mechanics? failed])
-      (define last (run-system plan s start (start-time s start) (task-end t) follow!))
-      (outcome (flvector->vector (collect (structure->flvector last values))) #f #f))))
+      (define-values (last events) (follow s start (task-end t)))
+      (outcome (flvector->vector (collect last)) #f #f events))))
+
+;; -> (system start end -> the last state and no events)
+(define ((following plan) s start end)
+  (define (visit from to interpolant) #t)
+  (define last (run-system plan s start (start-time s start) end visit))
+  (values (structure->flvector last values) '()))
 
 ;; -> (parameters -> system), the last one again for the same parameters
 (define (systems t)
@@ -60,7 +66,8 @@
           [(exn:fail:mechanics:not-convergent? e) (exn:fail:mechanics:not-convergent-value e)]
           [else #f]))
   (outcome #f (exn-message e)
-           (and (tuple? where) (list->vector (scalars where)))))
+           (and (tuple? where) (list->vector (scalars where)))
+           '()))
 
 ;; run of state and parameters -> of the state alone
 (define (fixed run n parameters)

@@ -2,33 +2,47 @@
 ;; A state derivative made ready to be sent to workers, as a task, or, where it has no code, to
 ;; be followed here by the generic arithmetic.
 
-(require racket/flonum
+(require (only-in racket/list index-of)
          "task.rkt"
          "../compile/compile-function.rkt" "../compile/program.rkt"
          "../compile/tangent-program.rkt"
          "../error/failure.rkt"
          "../generic/up-down.rkt"
-         "../motion/evolution.rkt" "../motion/method.rkt" "../motion/system.rkt"
+         "../motion/event.rkt" "../motion/method.rkt" "../motion/system.rkt"
+         "../motion/trajectory.rkt"
          (only-in "../numeric/ode/stepper.rkt" method-asks)
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 
 (provide make-task generically)
 
 ;; example : a state; parameters : list of scalars and tuples of them, an example; collect : state
-;; -> value, or #f.  -> task, or #f if the derivative has no code; and the shape of what
-;; collect gives, or #f if it is to be applied to the states that come back
-(define (make-task who maker example parameters collect end tolerance method)
-  (define code (code-of who maker example parameters))
+;; -> value, or #f.  -> task, or #f if the derivative or an event has no code; and the shape of
+;; what collect gives, or #f if it is to be applied to the states that come back
+(define (make-task who maker example parameters events collect end tolerance method)
+  (define watches (watches-of who events example))
+  (define code (and watches (code-of who maker example parameters)))
   (define n (shape-length example))
-  (define collecting (and code collect (compile-traced collect example #:name who)))
+  (define collecting
+    (and code collect (null? events) (compile-traced collect example #:name who)))
   (define slope (and code (compiled-function-program code)))
   (values (and slope
                (task slope (and (asks-for-jacobian? who method) (by-state slope n))
                      (and collecting (compiled-function-program collecting))
+                     watches
                      n
                      (constant-rate? (compiled-function-value-shape code) #t)
                      end tolerance method))
           (and collecting (compiled-function-value-shape collecting))))
+
+;; -> watches, or #f if the function of an event has no code
+(define (watches-of who events example)
+  (define codes
+    (for/list ([e (in-list events)])
+      (event-value who e example)
+      (compile-traced (event-f e) example #:name who)))
+  (and (andmap values codes)
+       (for/list ([c (in-list codes)] [e (in-list events)])
+         (watch (compiled-function-program c) (event-direction e) (event-terminal? e)))))
 
 (define (code-of who maker example parameters)
   (define (rates all)
@@ -51,20 +65,20 @@
 
 ;; (start parameters -> outcome) by the generic arithmetic; example, parameters : for their shapes;
 ;; what is collected is left to others
-(define (generically who maker example parameters collect end tolerance method)
+(define (generically who maker example parameters events collect end tolerance method)
   (define shapes (apply up parameters))
   (lambda (y p)
     (define ps
       (if (null? parameters) '() (structure->list (flvector->structure shapes p))))
     (define state (flvector->structure example y))
-    (define advance (apply state-advancer maker ps))
-    (define start (start-of maker ps state y))
     (with-handlers ([exn:fail:mechanics?
-                     (lambda (e) (outcome #f (exn-message e) #f))])
-      (define last (advance state (fl- end start) tolerance #:method method))
-      (outcome (list->vector (scalars last)) #f #f))))
+                     (lambda (e) (outcome #f (exn-message e) #f '()))])
+      (define tr
+        (evolve-trajectory (derivative-for maker ps) state end
+                           #:events events #:tolerance tolerance #:method method))
+      (outcome (row (trajectory-final-state tr)) #f #f
+               (for/list ([o (in-list (trajectory-events tr))])
+                 (happened (index-of events (occurrence-event o) eq?) (occurrence-time o)
+                           (row (occurrence-state o)) (occurrence-grazing? o)))))))
 
-;; The time is the first scalar where that goes on at the rate 1.
-(define (start-of maker ps state y)
-  (define rates ((derivative-for maker ps) state))
-  (if (constant-rate? rates #f) (flvector-ref y 0) 0.0))
+(define (row state) (list->vector (scalars state)))

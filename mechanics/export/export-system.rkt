@@ -71,7 +71,8 @@
     (complain who "expected the name of a folder\n  given: ~a" (value->text folder)))
   (define to (simple-form-path folder))
   (when (file-exists? to) (complain who "there is a file of that name\n  folder: ~a" folder))
-  (when (and (directory-exists? to) (pair? (directory-list to))) (check-old who to folder replace? again))
+  (when (and (directory-exists? to) (pair? (directory-list to)))
+    (check-old who to folder replace? again))
   to)
 
 ;; Only what an export has written is written over.

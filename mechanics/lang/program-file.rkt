@@ -10,7 +10,8 @@
          "../error/machine.rkt")
 
 (provide check-program raise-unreadable
-         marked? call-with-program read-program read-whole-program language-without-us about-language)
+         marked? call-with-program read-program read-whole-program
+         language-without-us about-language)
 
 ;; ---------------------------------------------------------------------------
 ;; The file

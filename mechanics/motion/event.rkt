@@ -31,7 +31,8 @@
          occurrence occurrence?
          (rename-out [event-of-it occurrence-event] [time-of-it occurrence-time]
                      [state-of-it occurrence-state] [grazing-at-it? occurrence-grazing?])
-         watch-for watches-for (struct-out crossing) (struct-out undefined)
+         check-events
+         watch-for watches-for watches-by-code (struct-out crossing) (struct-out undefined)
          crosses?)
 
 ;; f : state -> real; direction : 'rising, 'falling or 'both
@@ -48,6 +49,16 @@
   (unless (memq direction '(rising falling both))
     (complain-of-argument 'event "'rising, 'falling or 'both" direction))
   (make-event f name direction terminal?))
+
+;; -> list of events
+(define (check-events who events)
+  (define all (if (list? events) events (list events)))
+  (for ([e (in-list all)])
+    (unless (event? e)
+      (complain who
+                "expected events; (event f) makes one of a function of the state\n  given: ~a"
+                (describe-with-value e))))
+  all)
 
 ;; An event, when it happened and the state then; grazing? : did its function only touch zero?
 (value-struct occurrence (event time state grazing?)
@@ -94,7 +105,10 @@
 
 ;; -> (-> what watch-for gives), for one motion after another
 (define (watches-for who events state n tolerance)
-  (define codes (for/list ([e (in-list events)]) (event-code who e state)))
+  (watches-by-code events (for/list ([e (in-list events)]) (event-code who e state)) n tolerance))
+
+;; codes : of the events' functions, compiled
+(define (watches-by-code events codes n tolerance)
   (define (new-watch e c)
     (define-values (polynomial noise?)
       (polynomial-along (compiled-function-program c) n tolerance))

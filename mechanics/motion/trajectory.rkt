@@ -102,7 +102,7 @@
   (define p
     (make-plan 'evolve-trajectory tolerance method longest most
                #:precision bits #:progress progress?))
-  (define all-events (check-events events))
+  (define all-events (check-events 'evolve-trajectory events))
   (note-followed derivative '() state)
   (if bits
       (precise-trajectory p derivative state (real-number end) all-events)
@@ -157,15 +157,6 @@
   (if (fl< theta 0.5)
       (fl+ from (fl* theta length))
       (fl- to (fl* (fl- 1.0 theta) length))))
-
-(define (check-events events)
-  (define all (if (list? events) events (list events)))
-  (for ([e (in-list all)])
-    (unless (event? e)
-      (complain 'evolve-trajectory
-                "expected events; (event f) makes one of a function of the state\n  given: ~a"
-                (describe-with-value e))))
-  all)
 
 ;; ---------------------------------------------------------------------------
 ;; Reading one

@@ -5,11 +5,11 @@
 ;;
 ;; says how parameters and coordinates are called, which numbers have forgotten when it runs.
 
-(require racket/file
-         racket/list
+(require racket/list
          racket/path
          racket/runtime-path
          "../program-file.rkt"
+         (only-in "../help/entry.rkt" name-at-head)
          "../../generic/up-down.rkt"
          (only-in "../../value/shape.rkt" shape-length)
          (only-in "../../value/structure.rkt" structure->list))
@@ -41,11 +41,9 @@
     (append*
      (for/list ([form (in-list forms)] #:when (pair? form))
        (case (car form)
-         [(define) (if (pair? (cdr form)) (list (head-name (cadr form))) '())]
+         [(define) (if (pair? (cdr form)) (list (name-at-head (cadr form))) '())]
          [(#%module-begin #%plain-module-begin begin) (walk form)]
          [else '()])))))
-
-(define (head-name head) (if (pair? head) (head-name (car head)) head))
 
 (define-runtime-path book-folder "../../book")
 (define-runtime-path rigid-folder "../../rigid")

@@ -5,8 +5,7 @@
 ;; What its own definitions call the variables and parameters is read off its text
 ;; (definition-heads.rkt): a motion itself is of numbers.
 
-(require racket/list
-         "definition-heads.rkt" "run-program.rkt" "system-of-program.rkt"
+(require "definition-heads.rkt" "run-program.rkt" "system-of-program.rkt"
          "../program-file.rkt"
          "../../generic/describe.rkt"
          "../../motion/followed.rkt"
@@ -29,7 +28,7 @@
   (define (look namespace) (set! defined (definitions stx namespace)))
   (define o
     (call-watching-systems (lambda (maker ps state) (register! r maker ps state))
-                           (lambda () (run-program stx file #:look look))))
+                           (lambda () (run-program stx file #:shown void #:look look))))
   (define k (make-knowledge stx defined file))
   (define all (reverse (register-all r)))
   (define-values (unfollowed shapeless) (defined-only all defined k))

@@ -23,26 +23,29 @@
 (struct early-end (number running? message))
 
 ;; stx : of a module; file : where it was read -> outcome
-;; look : called with the namespace of the program's definitions once it has run
-(define (run-program stx file #:look [look #f])
+;; shown : result -> what is kept of it
+;; look  : called with the namespace of the program's definitions once it has run
+(define (run-program stx file #:shown [shown value->shown] #:look [look void])
   (define custodian (make-custodian))
   (define o #f)
   (dynamic-wind
    void
    (lambda ()
      (parameterize ([current-custodian custodian])
-       (sync (thread (lambda () (set! o (run stx file look)))))))
+       (sync (thread (lambda () (set! o (run stx file shown look)))))))
    (lambda () (custodian-shutdown-all custodian)))
   o)
 
 ;; ---------------------------------------------------------------------------
 ;; In the thread of the program
 
-;; number : of the form that runs, or #f; items : what came of it, latest first
-(struct recorder (found printed [number #:mutable] [items #:mutable]) #:authentic)
+;; shown, look : as above; number : of the form that runs, or #f; items : what came of it, latest
+;; first
+(struct recorder (found printed shown look [number #:mutable] [items #:mutable]) #:authentic)
 
-(define (run stx file look)
-  (define r (recorder (make-vector (length (module-forms stx)) '()) (open-output-string) #f '()))
+(define (run stx file shown look)
+  (define found (make-vector (length (module-forms stx)) '()))
+  (define r (recorder found (open-output-string) shown look #f '()))
   (define ended
     (let/ec stop
       (parameterize ([exit-handler (lambda (code) (stop (early-end (recorder-number r) #t #f)))])
@@ -50,17 +53,17 @@
                          (lambda (e)
                            (define running? (and (recorder-number r) #t))
                            (early-end (place-of e stx r) running? (message e)))])
-          (evaluate stx file r look)
+          (evaluate stx file r)
           #f))))
   (finish-form! r)
   (outcome (recorder-found r) ended))
 
-(define (evaluate stx file r look)
+(define (evaluate stx file r)
   (define printed (recorder-printed r))
   (define (receive x)
     (unless (void? x)
       (note-output! r)
-      (add-item! r (result (value->shown x)))))
+      (add-item! r (result ((recorder-shown r) x)))))
   (define (begins number)
     (finish-form! r)
     (set-recorder-number! r number))
@@ -78,7 +81,7 @@
       (eval (with-watched-forms stx begins)))
     (define module (make-resolved-module-path name))
     (dynamic-require module #f)
-    (when look (look (module->namespace module)))))
+    ((recorder-look r) (module->namespace module))))
 
 ;; The program shares the library with those who show its results.
 (define-namespace-anchor here)

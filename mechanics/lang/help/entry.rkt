@@ -8,7 +8,7 @@
          racket/string
          "card.rkt")
 
-(provide entry-form? entry-signatures)
+(provide entry-form? entry-signatures name-at-head)
 
 ;; ---------------------------------------------------------------------------
 ;; Forms

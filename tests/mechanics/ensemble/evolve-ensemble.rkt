@@ -3,7 +3,7 @@
 ;; that are killed.
 
 (require racket/file
-         (only-in racket/list range remove-duplicates)
+         (only-in racket/list last range remove-duplicates)
          racket/port
          (only-in racket/sequence sequence-map)
          (except-in rackunit fail)
@@ -82,6 +82,55 @@
       (check-= (ref a 1) (ref b 1) 1e-7))))
 
 ;; ---------------------------------------------------------------------------
+;; Events
+
+(define bottom (event (lambda (s) (ref s 1)) #:name 'bottom #:direction 'falling))
+(define turning (event (lambda (s) (ref s 2)) #:name 'turning #:terminal? #t))
+(define still (event (lambda (s) (if (> (ref s 1) 0) 1.0 -1.0)) #:name 'decides))
+
+;; Time and state of each: states are compared to the last bit.
+(define (told occurrences)
+  (for/list ([o occurrences])
+    (list (occurrence-time o) (occurrence-state o))))
+
+(define (watched events jobs [collect #f])
+  (evolve-ensemble pendulum (cdr starts) 5 #:parameters (cdr parameters) #:jobs jobs
+                   #:events events #:collect collect))
+
+(test-case "events of each motion are those of its trajectory, by however many"
+  (define all (watched bottom 1))
+  (check-equal? (map told (watched bottom 2)) (map told all))
+  (for ([occurrences all] [start (cdr starts)] [ps (cdr parameters)] [k 99]
+        #:when (zero? (modulo k 20)))
+    (define tr (evolve-trajectory (apply pendulum ps) start 5 #:events bottom))
+    (check-equal? (length occurrences) (length (trajectory-events tr)))
+    (for ([a occurrences] [b (trajectory-events tr)])
+      (check-eq? (occurrence-event a) bottom)
+      (check-= (occurrence-time a) (occurrence-time b) 1e-8))))
+
+(test-case "a terminal event ends a motion; #:collect is given its state and the occurrences"
+  (define ends (watched (list turning bottom) 2 (lambda (s all) (list s (last all)))))
+  (for ([end ends])
+    (define o (cadr end))
+    (check-eq? (occurrence-event o) turning)
+    (check-equal? (car end) (occurrence-state o))
+    (check-= (ref (car end) 2) 0 1e-12)))
+
+(test-case "an event without code is watched here"
+  (check-equal? (for/list ([all (watched still 2)]) (length all))
+                (for/list ([all (watched (event (lambda (s) (ref s 1))) 1)]) (length all))))
+
+(test-case "a start that fails is no list of events, and the others are"
+  (define f (Hamiltonian->state-derivative (lambda (s) (- (* 1/2 (square (ref s 2)))
+                                                          (/ 1 (ref s 1))))))
+  (define near (event (lambda (s) (- (ref s 1) 1/2)) #:name 'near))
+  (define all
+    (evolve-ensemble f (for/list ([k 40]) (up 0 1.0 (if (= k 17) 0.0 2.0))) 3 #:jobs 2
+                     #:events near))
+  (check-pred ensemble-failure? (list-ref all 17))
+  (check-equal? (remove-duplicates (remove (list-ref all 17) all)) '(())))
+
+;; ---------------------------------------------------------------------------
 ;; Workers that die
 
 (test-case "workers that are killed are replaced: every start once"
@@ -103,7 +152,7 @@
 
 (test-case "a batch whose workers always die is given up, and told"
   (define nonsense (program 1 (vector (list 'no-such-operation (place 0))) (vector (place 1))))
-  (define t (task nonsense #f #f 1 #f 1.0 1e-9 'auto))
+  (define t (task nonsense #f #f '() 1 #f 1.0 1e-9 'auto))
   (define left (list (batch 0 '(#(1.0)) '(#())) (batch 1 '(#(2.0)) '(#()))))
   (define (next) (and (pair? left) (begin0 (car left) (set! left (cdr left)))))
   (define given-up '())
@@ -186,4 +235,16 @@
  [(evolve-ensemble free (list (up 0 1 0)) 1 #:method (leapfrog 0.1))
   "evolve-ensemble: methods are told to other processes by name\n  given: (leapfrog 0.1)"]
  [(evolve-ensemble free (list (up 0 1 0)) 1 #:collect 3)
-  "evolve-ensemble: #:collect is a procedure of a state\n  given: the number 3"])
+  "evolve-ensemble: #:collect is a procedure of a state\n  given: the number 3"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:events 3)
+  "evolve-ensemble: expected events; (event f) makes one of a function of the state\n"
+  "  given: the number 3"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:collect (lambda (s) s))
+  "evolve-ensemble: #:collect is a procedure of a state and a list of occurrences, with #:events\n"
+  "  given: a function without a name"]
+ [(evolve-ensemble (list (up 0 1 0)) free 1)
+  "evolve-ensemble: the state derivative comes first, then the starts\n"
+  "  given first: ((up 0 1 0)), a list"]
+ [(evolve-ensemble free 1 (list (up 0 1 0)))
+  "evolve-ensemble: the starts come before the time where they end\n"
+  "  given second: the number 1"])

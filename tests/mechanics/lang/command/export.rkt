@@ -41,7 +41,8 @@
   (check-true (wrote? "maker-C" "maker.c"))
   (check-regexp-match #rx"const double l = p\\[1\\]" (text "maker-C" "maker.c"))
   (check-equal? (answer "swing.rkt")
-                '(2 "export: the folder is there already\n  folder: maker-C\n  to write it anew: --replace\n"))
+                (list 2 (string-append "export: the folder is there already\n  folder: maker-C\n"
+                                       "  to write it anew: --replace\n")))
   (check-equal? (car (answer "swing.rkt" "--replace" "--to" "jax" "-o" "maker-C")) 0)
   (check-false (wrote? "maker-C" "maker.c"))
   (check-true (wrote? "maker-C" "maker.py")))
@@ -65,7 +66,8 @@
   (check-equal? (answer "two.rkt" "--list") (list 0 told))
   (check-equal? (answer "two.rkt")
                 (list 2 (string-append
-                         "export: two.rkt has several systems; say which by --system NAME, or --all\n"
+                         "export: two.rkt has several systems; say which by --system NAME,"
+                         " or --all\n"
                          told)))
   (check-equal? (answer "two.rkt" "--system" "tune")
                 (list 2 (string-append "export: two.rkt has no such system\n  given: tune\n"
@@ -88,7 +90,8 @@
                          "export: none.rkt follows no motion and defines no state derivative\n"
                          "  one is made by (define motion (Lagrangian->state-derivative L));\n"
                          "  submodules, as main and test, are not run\n")))
-  (program "shapeless.rkt" "(define f (Lagrangian->state-derivative (lambda (s) (square (ref s 2)))))")
+  (program "shapeless.rkt"
+           "(define f (Lagrangian->state-derivative (lambda (s) (square (ref s 2)))))")
   (check-equal? (answer "shapeless.rkt")
                 (list 1 (string-append
                          "export: shapeless.rkt follows no motion; of what it defines no state is"
@@ -97,10 +100,12 @@
   (program "broken.rkt" "(define x (car '()))")
   (define broken (answer "broken.rkt"))
   (check-equal? (car broken) 1)
-  (check-regexp-match #rx"broken.rkt did not run to its end, nothing is written:\n.*car" (cadr broken))
+  (check-regexp-match #rx"broken.rkt did not run to its end, nothing is written:\n.*car"
+                      (cadr broken))
   (check-equal? (answer "none.rkt" "--to" "fortran")
-                (list 2 (string-append "export: it can be exported --to c, --to python or --to jax\n"
-                                       "  given: fortran\n")))
-  (check-regexp-match #rx"there is no file nine.rkt; did you mean none.rkt" (cadr (answer "nine.rkt"))))
+                (list 2 (string-append "export: it can be exported --to c, --to python or"
+                                       " --to jax\n  given: fortran\n")))
+  (check-regexp-match #rx"there is no file nine.rkt; did you mean none.rkt"
+                      (cadr (answer "nine.rkt"))))
 
 (delete-directory/files folder)

@@ -1,0 +1,57 @@
+#lang racket/base
+;; Motions followed with an eye on events, whose functions have come as programs.
+
+(require racket/flonum
+         "task.rkt"
+         "../compile/compile-function.rkt"
+         "../motion/event.rkt" "../motion/evolution.rkt" "../motion/recording.rkt"
+         "../motion/system.rkt"
+         "../value/shape.rkt")
+
+(provide watching)
+
+;; -> (system start end -> the last state, an flvector, and what happened)
+(define (watching plan t)
+  (define new-watch (watches-for-task t))
+  (lambda (s start end)
+    (define r (make-recording))
+    (define found-in (new-watch))
+    (define stopped #f)                 ; the state at a terminal event
+    (define (visit from to interpolant)
+      (define at (interpolant))
+      (define (state-at x) (state-within s at from to x))
+      (record-crossings! r (timed (found-in at) from to) to
+                         (lambda (x) (unless (fl= x to) (set! stopped (state-at x))))
+                         #:state state-at
+                         #:shown values
+                         #:give-up (lambda (e x y) (raise-undefined e x (system-state s y) #f))))
+    (define last (run-system plan s start (start-time s start) end visit))
+    (values (or stopped (structure->flvector last values))
+            (map occurrence->happened (recorded-occurrences r)))))
+
+;; The events are known by their places.
+(define (watches-for-task t)
+  (define watches (task-watches t))
+  (define events
+    (for/list ([w (in-list watches)] [k (in-naturals)])
+      (event values #:name k #:direction (watch-direction w) #:terminal? (watch-terminal? w))))
+  (define codes
+    (for/list ([w (in-list watches)])
+      (program->compiled-function (watch-program w) 0 'event)))
+  (watches-by-code events codes (task-size t) (task-tolerance t)))
+
+;; Crossings at times in place of fractions of the step.
+(define (timed found from to)
+  (for/list ([c (in-list found)])
+    (crossing (fl+ from (fl* (crossing-at c) (fl- to from)))
+              (crossing-event c) (crossing-grazing? c))))
+
+(define (state-within s at from to x)
+  (define y (make-flvector (system-size s)))
+  (at (fl/ (fl- x from) (fl- to from)) y)
+  (when (system-clock? s) (flvector-set! y 0 x))
+  y)
+
+(define (occurrence->happened o)
+  (happened (event-name (occurrence-event o)) (occurrence-time o)
+            (flvector->vector (occurrence-state o)) (occurrence-grazing? o)))
