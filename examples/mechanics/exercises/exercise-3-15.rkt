@@ -1,7 +1,7 @@
 #lang mechanics
 ;; Exercise 3.15 (SICM 3.11): surfaces of section of spin and orbit
-;; Checked: the synchronous resonance of a small e, and chaos for a body like Hyperion
-;; How: a strobe map at the passage of the pericentre; exponents and rotation numbers
+;; Checked: islands of the resonances 1:1, 3:2 and 1:2, their widths, and chaos as ε grows
+;; How: a strobe map at the passage of the pericentre; widths against those of pendulums
 
 ;; With the true anomaly f as clock, for time cannot be had in closed form: C = 1, n = 1, and
 ;; 1/r³ = (1 + e cos f)³/(1 − e²)³, df/dt = (1 + e cos f)²/(1 − e²)^(3/2).
@@ -15,44 +15,57 @@
       (/ (* -1/2 (square epsilon) cubed (sin (* 2 (- theta f)))) rate)))
 
 ;; One orbit later, at the pericentre.  The body looks the same after half a turn.
-(define half-turn (principal-value (/ :pi 2)))
+(define (fold x) (- x (* :pi (round (/ x :pi)))))
 (define (strobe epsilon e)
-  (define orbit-later (stroboscopic-map (spin epsilon e) :2pi))
+  (define orbit-later (stroboscopic-map (spin epsilon e) :2pi #:tolerance 1e-11))
   (lambda (theta p return fail)
     (define next (orbit-later (up 0 theta p)))
-    (return (let ([x (- (coordinate next) :2pi)])
-              (- x (* :pi (round (/ x :pi)))))
-            (momentum next))))
+    (return (fold (- (coordinate next) :2pi)) (momentum next))))
 
-;; The Moon, e = 0: the pendulum in 2θ, with small librations of frequency ε.
-(define moon (strobe 0.026 0))
-(define at-rest (find-fixed-point moon (up 0.01 1.001)))
-(fixed-point-coordinates at-rest)
-(define attempt (* :2pi 0.026))
-(define slip (* :pi 0.026))
-(list (fixed-point-rotation-angle at-rest) attempt)
+;; The parameters of the exercise.  Half a turn before pericentre is where 1:2 is stable.
+(define T (strobe 0.1 0.1))
+(define resonances (list (up 0. 1.) (up 0. 1.5) (up (/ :pi 2) 0.5)))
+(define (middle guess)
+  (define (about x y return fail)
+    (T (+ x (ref guess 0)) y (lambda (x y) (return (fold (- x (ref guess 0))) y)) fail))
+  (define point (find-fixed-point about (up 0.01 (ref guess 1))))
+  (list about point))
+(define middles (map middle resonances))
+(map (lambda (m) (fixed-point-kind (cadr m))) middles)
 
-;; With a real e the centre is forced to rotate unevenly: p at the pericentre is not 1.
-(define forced (find-fixed-point (strobe 0.026 0.05) (up 0 1.)))
-(define uneven (- (ref (fixed-point-coordinates forced) 1) 1))
-uneven
+;; How far up and down from the middle the angle still swings, for 70 orbits.
+(define (swings? about p)
+  (let loop ([k 0] [x 0.] [p p])
+    (or (= k 70)
+        (about x p (lambda (x2 p2) (and (< (abs (- x2 x)) 1.2) (loop (+ k 1) x2 p2))) void))))
+(define (edge about p step)
+  (for/fold ([inside p] [step step] #:result inside) ([k 9])
+    (if (swings? about (+ inside step)) (values (+ inside step) step) (values inside (/ step 2)))))
+(define (width m)
+  (define p (ref (fixed-point-coordinates (cadr m)) 1))
+  (- (edge (car m) p 0.03) (edge (car m) p -0.03)))
+(define widths (map width middles))
+widths
 
-;; Hyperion: ε = 0.89, e = 0.1.  Large-scale chaos around the synchronous state.
-(define hyperion (strobe 0.89 0.1))
-(define growth (maximal-Lyapunov-exponent hyperion (up 1. 1.05) 200))
+;; An attempt: near each, the angle from the resonance is a pendulum's with the frequency ε √H, where
+;; H = 1 − 5e²/2, 7e/2 and e/2, so the width is 2 ε √H.  A slip takes all for as wide as the first.
+(define attempt (map (lambda (H) (* 2 0.1 (sqrt H))) '(0.975 0.35 0.05)))
+(define (near? a b) (< (abs (- a b)) (* 0.2 b)))
+attempt
+
+;; At ε = 0.89, as of Hyperion, all is chaos around the synchronous state.
+(define growth (maximal-Lyapunov-exponent (strobe 0.89 0.1) (up 1. 1.05) 150))
 (define exponent (car (Lyapunov-values growth)))
 (> exponent 0.2)
 
 (module+ test
   (require rackunit)
-  (test-case "librations of the Moon"
-    (check-= (ref (fixed-point-coordinates at-rest) 1) 1 1e-9)
-    (check-= (fixed-point-rotation-angle at-rest) attempt 1e-6)
-    (check-true (> (abs (- (fixed-point-rotation-angle at-rest) slip)) 0.05)))
-  (test-case "an eccentric orbit forces the rotation"
-    (check-equal? (fixed-point-kind forced) 'elliptic)
-    ;; −2 ε² e, to first order
-    (check-= uneven (* -2 (square 0.026) 0.05) 1e-5))
-  (test-case "areas are kept, and Hyperion tumbles"
-    (check-= (fixed-point-determinant forced) 1 1e-9)
+  (test-case "the middles are stable, and areas are kept"
+    (for ([m middles])
+      (check-equal? (fixed-point-kind (cadr m)) 'elliptic)
+      (check-= (fixed-point-determinant (cadr m)) 1 1e-8)))
+  (test-case "the widths of the islands"
+    (for ([found widths] [expected attempt]) (check-true (near? found expected)))
+    (check-false (near? (list-ref widths 2) (car attempt))))
+  (test-case "Hyperion tumbles"
     (check-true (> exponent 0.2))))

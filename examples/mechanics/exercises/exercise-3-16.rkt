@@ -4,8 +4,8 @@
 ;; How: Poincare-map of the Hamiltonian in the rotating frame; the Jacobi constant
 
 ;; Masses 1 − μ and μ at distance 1, turning once in 2π; the small body with momenta in the
-;; rotating frame.
-(define mu 0.1)
+;; rotating frame.  Both are equal here.
+(define mu 0.5)
 (define (distance x y a) (sqrt (+ (square (- x a)) (square y))))
 (define (H (up t (up x y) (down px py)))
   (- (+ (* 1/2 (+ (square px) (square py))) (- (* y px) (* x py)))
@@ -16,7 +16,7 @@
 (define next
   (Poincare-map (Hamiltonian->state-derivative H)
                 (event (lambda (s) (ref (coordinate s) 1)) #:direction 'rising)))
-(define C 4.)
+(define C 3.5)
 ;; With the velocity p_y − x upwards, p_y follows from x and p_x; no state where it cannot.
 (define (on-section x px)
   (define potential (+ (/ (- 1 mu) (abs (+ x mu))) (/ mu (abs (- x (- 1 mu))))))
@@ -30,8 +30,8 @@
          (return (ref (coordinate there) 0) (ref (momentum there) 0))]
         [else (fail)]))
 
-;; A periodic orbit around the heavy body, in the sense of the rotation.
-(define orbit (find-fixed-point section (up 0.25 0.)))
+;; A periodic orbit around one of the bodies, against the sense of the rotation.
+(define orbit (find-fixed-point section (up 0.3 0.)))
 (list (fixed-point-coordinates orbit) (fixed-point-kind orbit))
 
 ;; An attempt: the Jacobi constant is kept, and the energy in the frame at rest; a slip: that
