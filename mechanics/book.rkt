@@ -9,7 +9,7 @@
          "book/section-3-6.rkt" "book/section-3-9.rkt"
          "book/section-5-1.rkt" "book/section-5-2.rkt" "book/section-5-3.rkt"
          "book/section-5-4.rkt" "book/section-5-5.rkt"
-         "book/section-6-2.rkt" "book/section-6-4.rkt"
+         "book/section-6-2.rkt" "book/section-6-4.rkt" "book/section-6-7.rkt"
          "book/section-7-2.rkt")
 
 (provide
@@ -59,5 +59,7 @@
  H-driven-oscillator C*
  ;; 6.4
  H-central-polar
+ ;; 6.7
+ HH-collector
  ;; 7.2
  H0 H1 H-pendulum-series W C C-inv solution0 solution)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Pictures: frames as in the book, and what is drawn in them.
 
-(require "plot/chaos-map.rkt" "plot/contour.rkt" "plot/draw.rkt" "plot/explore-map.rkt"
+(require "plot/chaos-map.rkt" "plot/collector.rkt" "plot/contour.rkt" "plot/draw.rkt" "plot/explore-map.rkt"
          "plot/frame.rkt" "plot/frame-pict.rkt" "plot/phase-portrait.rkt"
          "plot/plot-trajectory.rkt" "plot/save.rkt" "plot/show.rkt")
 
@@ -12,7 +12,7 @@
  plot-point plot-line plot-function plot-parametric plot-parametric-fill
  plot-trajectory plot-contours plot-phase-portrait
  ;; maps of the plane
- explore-map display-map chaos-map
+ explore-map display-map chaos-map default-collector default-monitor
  ;; what was drawn
  frame-points frame-curves
  graphics-save graphics-show frame->pict)

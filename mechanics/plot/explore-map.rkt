@@ -13,7 +13,8 @@
 
 (provide explore-map display-map)
 
-;; n : how many points each orbit has; from : a list of points; grid : (list across up)
+;; n : how many points each orbit has, or #f where the map is a collector, which follows an orbit
+;; and shows its points (collector.rkt); from : a list of points; grid : (list across up)
 ;; color : of the first orbit; window? : is it to be explored in a window?
 ;; source : the expression of the map, for the program that a window saves
 ;; -> the frame
@@ -21,17 +22,31 @@
                      #:size [size 1.0] #:color [color 0]
                      #:window? [window? (not (or from grid))] #:source [source #f])
   (define who 'explore-map)
-  (check-exploration who f map n)
+  (check-exploration who f map (or n 0))
   (unless (exact-nonnegative-integer? color)
     (raise-argument-error who "a small natural number as the first color" color))
-  (define starts
-    (append (if from (checked-starts who f map from) '())
-            (if grid (grid-starts who f grid) '())))
-  (if window?
-      (explore-in-window who f map n starts source)
-      (for ([p (in-list starts)] [k (in-naturals color)])
-        (draw-orbit who f map n (car p) (cdr p) k size)))
+  (define given (if from (checked-starts who f from) '()))
+  (define starts (append given (if grid (grid-starts who f grid) '())))
+  (cond [(not n) (collect-orbits who f map given (list-tail starts (length given)) window?)]
+        [else
+         (for ([p (in-list given)]) (check-image who f map (car p) (cdr p)))
+         (if window?
+             (explore-in-window who f map n starts source)
+             (for ([p (in-list starts)] [k (in-naturals color)])
+               (draw-orbit who f map n (car p) (cdr p) k size)))])
   f)
+
+;; A collector goes where it is sent; starts of a grid may have no image.
+(define (collect-orbits who f collector given grid window?)
+  (when window?
+    (complain who
+              (string-append "a collector follows its orbits by itself, from starts that are "
+                             "given, not in a window
+  (explore-map f collector #f #:from (list "
+                             "(up x y) ...)), or #:grid (list 5 5)")))
+  (for ([p (in-list given)])
+    (collector (car p) (cdr p) void (lambda () (raise-no-image who collector (car p) (cdr p)))))
+  (for ([p (in-list grid)]) (collector (car p) (cdr p) void void)))
 
 ;; One orbit, by the convention of scmutils.
 (define (display-map f map x y n)
@@ -69,12 +84,11 @@
   (unless (exact-nonnegative-integer? n)
     (raise-argument-error who "how many points an orbit has, a natural number" n)))
 
-(define (checked-starts who f map from)
+(define (checked-starts who f from)
   (unless (list? from)
     (complain who "#:from is a list of points to start at; given ~a" (describe-with-value from)))
   (for/list ([p (in-list from)] [k (in-naturals)])
     (define-values (x y) (plane-point who (lambda () (format "start ~a" k)) p))
-    (check-image who f map x y)
     (cons x y)))
 
 (define (check-image who f map x y)

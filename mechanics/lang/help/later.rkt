@@ -9,8 +9,7 @@
 
 ;; (section subject name-or-(name page) ...) ...
 (define chapters
-  '(("3.6" "surfaces of section" pointer-coordinates default-collector default-monitor)
-    ("6.7" "symplectic integration" (HH-collector 456))
+  '(("3.6" "surfaces of section" pointer-coordinates)
     ("9" "our notation" (helix 521) (derivative-of-sine 511))))
 
 ;; section, subject : texts; page : number or #f

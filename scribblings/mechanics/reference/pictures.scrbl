@@ -226,7 +226,7 @@ the time is an error.
 
 @sicm{3.3, p. 223}}
 
-@defproc[(explore-map [f frame?] [map procedure?] [n exact-nonnegative-integer? 1000]
+@defproc[(explore-map [f frame?] [map procedure?] [n (or/c exact-nonnegative-integer? #f) 1000]
                       [#:from from (or/c (listof any/c) #f) #f]
                       [#:grid grid
                               (or/c (list/c exact-positive-integer? exact-positive-integer?) #f)
@@ -242,6 +242,9 @@ the first of which is @racket[color]. Starts are the points of the list @racket[
 middles of as many equal parts of the frame, across and up, as @racket[grid] says; the frame is
 returned. An orbit ends where the map has no image. A start in the list that has none is an
 error, one of the grid is left out.
+
+With @racket[#f] for @racket[n] the second argument is a collector
+(@racket[default-collector]), which is called once for each start and draws by itself.
 
 Without starts, or where @racket[window?] says so, a window opens in which the map is explored,
 and the call waits until it is closed; the orbits that are left are in the frame then. A click
@@ -265,6 +268,27 @@ how to do without a window.
 (eval:error (explore-map (frame -1 1 -1 1) halved 500 #:from (list (up -0.9 0))))]
 
 @sicm{3.6.1, p. 248}}
+
+@deftogether[(@defproc[((default-collector [monitor procedure?] [map procedure?]
+                                           [n exact-nonnegative-integer?])
+                        [x any/c] [y any/c] [done procedure?] [fail procedure?])
+                       any]
+              @defproc[((default-monitor [f frame?]) [x real?] [y real?]) void?])]{
+
+What @racket[explore-map] does for one start, to be changed: a @emph{collector} calls
+@racket[monitor] with the start and with each of @racket[n] images under @racket[map], and
+@racket[done] with the last, or @racket[fail] where there is no image. The default monitor plots a
+point. Coordinates may be anything that the map takes and the monitor shows: a map may hand on
+whole states, of which two numbers are drawn.
+
+@examples[#:eval session
+(define marked (frame 0 :2pi 0 :2pi #:width 250 #:height 250))
+(define (mark x y) (plot-point marked x y #:size 4 #:color 'red))
+((default-collector mark (kicked 0.6) 20) 1 2 list void)
+(explore-map marked (default-collector (default-monitor marked) (kicked 0.6) 200) #f
+             #:grid '(1 3))]
+
+@sicm{6.7, p. 456}}
 
 @defproc[(display-map [f frame?] [map procedure?] [x real?] [y real?]
                       [n exact-nonnegative-integer?])

@@ -80,7 +80,8 @@
      H-pend-sysder monitor-p-theta)
     ("3.6 Surfaces of section (pp. 239-263)"
      driven-pendulum-map HHmap section->state HHHam HHpotential HHsysder find-next-crossing
-     refine-crossing make-advance explore-map iterated-map display-map)
+     refine-crossing make-advance explore-map iterated-map display-map
+     default-collector default-monitor)
     ("3.9 The standard map (pp. 277-281)"
      standard-map standard-map-inverse)
     ("4.2-4.5 Stability, homoclinic tangles, Poincaré-Birkhoff (pp. 290-322)"

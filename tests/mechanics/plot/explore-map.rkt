@@ -84,3 +84,47 @@
  [(explore-map win sin 1 #:grid '(5 5))
   "explore-map: expected a map, a procedure of two coordinates and of two procedures\n"
   "  given: the procedure `sin`"])
+
+;; ---------------------------------------------------------------------------
+;; Collectors
+
+(test-case "the default collector shows what explore-map shows, and hands on the last point"
+  (define-values (by-n by-collector) (values (section) (section)))
+  (explore-map by-n T 10 #:from (list (up 1 1)))
+  (define collect (default-collector (default-monitor by-collector) T 10))
+  (check-eq? (explore-map by-collector collect #f #:from (list (up 1 1))) by-collector)
+  (check-equal? (points by-collector) (points by-n))
+  (check-equal? (collect 1 1 list void) (list-ref (points by-n) 10)))
+
+(test-case "a collector of what is no number; and where there is no image"
+  (define seen '())
+  (define (grow word k return fail)
+    (if (< k 3) (return (string-append word "a") (+ k 1)) (fail)))
+  (define collect (default-collector (lambda (w k) (set! seen (cons w seen))) grow 2))
+  (check-equal? (collect "" 0 list void) '("aa" 2))
+  (check-equal? (reverse seen) '("" "a" "aa"))
+  (check-equal? (collect "" 2 list (lambda () 'none)) 'none))
+
+(test-case "starts of a grid without an image are left out by a collector, too"
+  (define win (frame -1 1 -1 1))
+  (define (right x y return fail) (if (> x 0) (return x y) (fail)))
+  (define (collect x y done fail)
+    (right x y (lambda (x y) (plot-point win x y) (done x y)) fail))
+  (explore-map win collect #f #:grid '(4 1))
+  (check-equal? (length (points win)) 2))
+
+(says
+ [(explore-map win (default-collector void T 10) #f)
+  "explore-map: a collector follows its orbits by itself, from starts that are given, not in a "
+  "window\n  (explore-map f collector #f #:from (list (up x y) ...)), or #:grid (list 5 5)"]
+ [(explore-map win (default-collector void nowhere 10) #f #:from (list (up 1 2)))
+  "explore-map: the map has no image of a point that is needed\n"
+  "  map: <function>\n  point: (up 1.0 2.0)"]
+ [((default-collector 3 T 10) 1 1 list void)
+  "default-collector: what shows points is a procedure of two coordinates; given the number 3"]
+ [((default-collector void sin 10) 1 1 list void)
+  "default-collector: expected a map, a procedure of two coordinates and of two procedures\n"
+  "  given: the procedure `sin`"]
+ [((default-collector void T -1) 1 1 list void)
+  "default-collector: contract violation\n  expected: how many images are followed, a natural "
+  "number\n  given: -1"])

@@ -157,6 +157,28 @@ A particle in the potential energy V(r), in polar coordinates.
 
 @sicm{6.4, p. 449}}
 
+@defproc[((HH-collector [win frame?] [advance procedure?] [E real?] [dt real?] [sec-eps real?]
+                        [n exact-nonnegative-integer?])
+          [x any/c] [y any/c] [done procedure?] [fail procedure?])
+         any]{
+
+A collector (@racket[default-collector]) for the section of Hénon and Heiles that draws in
+@racket[win] the @racket[n] next crossings of a motion that @racket[(advance state dt)] follows in
+steps of one length, as symplectic maps do: from a point (y, p_y) of the section at the energy E, or
+on from the two states that it hands to @racket[done], the last crossing and the state at the end
+of the step in which it was. It fails at points that do not have the energy.
+
+@examples[#:eval session
+(require mechanics/plot)
+(define (free (up t q p)) (/ (square p) 2))
+(define ((step H) s dt) (+ s (* dt ((Hamiltonian->state-derivative H) s))))
+(define (leapfrog s dt)
+  ((step free) ((step HHpotential) ((step free) s (/ dt 2)) dt) (/ dt 2)))
+(define win (frame -0.6 0.8 -0.6 0.6))
+(explore-map win (HH-collector win leapfrog 1/12 0.1 1e-10 20) #f #:from (list (up 0.1 0)))]
+
+@sicm{6.7, p. 456}}
+
 @deftogether[(@defproc[((H0 [alpha scalar]) [state structure?]) scalar]
               @defproc[((H1 [beta scalar]) [state structure?]) scalar]
               @defproc[(H-pendulum-series [alpha scalar] [beta scalar] [epsilon scalar]) series?]

@@ -124,7 +124,7 @@
              "(Lagrangian-action L 0 1 sin)"
              "(require mechanics/book)"
              "(L-harmonic 'm)"
-             "HH-collector"))
+             "derivative-of-sine"))
   (check-equal? output '())
   (check-regexp-match #rx"#:force force[]][)]\n  missing: local\n" errors)
   (check-regexp-match #rx"given: [(]holonomic <function>[)]\n  did you mean #:constraints[?]\n"
@@ -140,14 +140,14 @@
    errors)
   (check-regexp-match #rx"  it is called as [(][(]L-harmonic m k[)] local[)]\n" errors)
   (check-regexp-match
-   (regexp (string-append "\n  it belongs to section 6.7 of the book [(]symplectic integration, "
-                          "p. 456[)], which is not here yet\n"
-                          "  as a symbol it is written 'HH-collector\n"))
+   (regexp (string-append "\n  it belongs to section 9 of the book [(]our notation, p. 511[)], "
+                          "which is not here yet\n"
+                          "  as a symbol it is written 'derivative-of-sine\n"))
    errors))
 
 (test-case "an unknown name of a later chapter in a module"
   (check-regexp-match
-   (regexp (string-append "HH-collector: unbound identifier; it belongs to section 6.7 of the "
-                          "book [(]symplectic integration, p. 456[)], which is not here yet; "
-                          "as a symbol it is written 'HH-collector"))
-   (refusal "(define (f x) (HH-collector x))")))
+   (regexp (string-append "derivative-of-sine: unbound identifier; it belongs to section 9 of the "
+                          "book [(]our notation, p. 511[)], which is not here yet; "
+                          "as a symbol it is written 'derivative-of-sine"))
+   (refusal "(define (f x) (derivative-of-sine x))")))
