@@ -14,7 +14,7 @@
 (provide explore-map display-map)
 
 ;; n : how many points each orbit has, or #f where the map is a collector, which follows an orbit
-;; and shows its points (collector.rkt); from : a list of points; grid : (list across up)
+;; and shows its points (following-orbits.rkt); from : a list of points; grid : (list across up)
 ;; color : of the first orbit; window? : is it to be explored in a window?
 ;; source : the expression of the map, for the program that a window saves
 ;; -> the frame

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
+          (only-in "../program.rkt" program-link))
 
 @title[#:tag "chapter-6"]{Along with chapter 6 of the book}
 
@@ -85,5 +86,10 @@ that of another Hamiltonian, near their sum.
 (define (V s) (* 'epsilon 1/2 (square (coordinate s))))
 (define near (Baker-Campbell-Hausdorff T V))
 (for/list ([n '(1 2 3)]) (simplify ((series:ref near n) line)))]
+
+@section{Figures}
+
+A region of phase space moved on, @program-link["figures/figure-6-1.rkt"], and a trajectory carried by
+a Lie transform, @program-link["figures/figure-6-2.rkt"].
 
 @(close-session session)

@@ -1,6 +1,6 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
-          (only-in "../program.rkt" program-link))
+          (only-in "../program.rkt" program program-link))
 
 @title[#:tag "chapter-7"]{Along with chapter 7 of the book}
 
@@ -43,7 +43,20 @@ Near the separatrix it is worth nothing, and on the resonance it divides by zero
 @examples[#:eval session #:label #f
 (eval:error ((perturbation-inverse Q) (up 0 1.0 0)))]
 
-@section[#:tag "driven-pendulum"]{7.4 The driven pendulum}
+@section{Figures up to 7.7}
+
+The series summed up to more and more terms, @program-link["figures/figure-7-1.rkt"]; beside the
+pendulum, @program-link["figures/figure-7-2.rkt"]; where it does not converge,
+@program-link["figures/figure-7-3.rkt"], below the separatrix, @program-link["figures/figure-7-4.rkt"].
+Two steps, @program-link["figures/figure-7-5.rkt"], go wrong with the time,
+@program-link["figures/figure-7-6.rkt"], unless the mean is kept,
+@program-link["figures/figure-7-7.rkt"]:
+
+@(program "figures/figure-7-7.rkt" #'here)
+
+The second generator has a minus before sin 2θ, as (7.28) asks; (7.29) and (7.32) print a plus.
+
+@section[#:tag "driven-pendulum"]{7.3 to 7.4.5 The driven pendulum}
 
 With the time as an angle φ = ωt the drive is two more waves. Each of the three has a resonance,
 where its frequency is zero:
@@ -56,54 +69,13 @@ where its frequency is zero:
      (* 'gamma (+ (cos (+ theta phi)) (cos (- theta phi))))))
 (define state (up 's (up 'phi 'theta) (down 'P 'p)))
 (perturbation-divisors (perturbation-series rotor-and-clock waves state))
-(for/list ([k '((0 1) (1 1) (1 -1))])
-  (list k (resonance-center rotor-and-clock k state 1)))]
-
-Near one of them its wave is kept. What is left is a pendulum, of which the separatrix bounds the
-resonance:
-
-@examples[#:eval session #:label #f
 (define near (perturbation-series rotor-and-clock waves state #:order 2 #:keep '((1 -1))))
 (perturbation-resonances near)
-(verify-perturbation near)
-(ref (resonance-width rotor-and-clock waves '(1 -1) state) 1)]
+(verify-perturbation near)]
 
-The section of figure 7.9 with these bounds drawn over it is
-@program-link["figures/figure-7-9.rkt"].
-
-@section{7.5 The vertically driven pendulum}
-
-Is the pendulum that stands on its head stable when its pivot is shaken fast? Now only the clock
-is fast. With H@subscript{0} = ωP all waves that hold φ are removed, and those of θ alone stay,
-resonances all of them: the averaged Hamiltonian.
-
-@examples[#:eval session #:label #f
-(define (clock (up t q (down P p))) (* 'omega P))
-(define (shaken (up t (up phi theta) (down P p)))
-  (+ (/ (square p) (* 2 'alpha))
-     (* -1 'beta (cos theta))
-     (* 'gamma (cos theta) (cos phi))))
-(define averaged (perturbation-series clock shaken state #:order 3))
-(verify-perturbation averaged)
-(define (potential theta)
-  (series:sum ((perturbation-Hamiltonian averaged) (up 0 (up 0 theta) (down 0 0))) 3))
-(potential 'theta)
-(((expt D 2) potential) 'theta)]
-
-At the top cos θ = −1, so the pendulum stands if γ² > 2αβω² (ε being 1): with γ = mlAω²,
-α = ml² and β = mgl that is A²ω² > 2gl. One period of the real motion agrees:
-with ω = 100√9.8 and A = 0.03 the trace of its derivative at the top is within −2 and 2.
-
-@examples[#:eval session #:label #f
-(define (trace-at-the-top A omega)
-  (define ((flow) (up t theta p))
-    (up 1 p (* -1 (- 9.8 (* A (square omega) (cos (* omega t)))) (sin theta))))
-  (define M
-    ((D-as-matrix (lambda (s) ((state-advancer flow) s (/ (* 2 pi) omega) 1e-12)))
-     (up 0 pi 0.0)))
-  (trace (qp-submatrix M)))
-(trace-at-the-top 0.03 (* 100 (sqrt 9.8)))
-(trace-at-the-top 0.01 (* 100 (sqrt 9.8)))]
+How wide they are, how they look beside the section of the pendulum, when they overlap, and how the
+pendulum comes to stand on its head is told in @secref["resonances-guide"], with figures 7.8 to
+7.15.
 
 @section{Normal forms}
 

@@ -1,10 +1,10 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../../eval.rkt" "../../citation.rkt")
+@(require (for-label mechanics mechanics/book mechanics/plot) "../../eval.rkt" "../../citation.rkt")
 
 @title[#:tag "reference-book-5"]{5.1 to 7.2 Canonical transformations and perturbation theory}
 
 @(define session
-   (make-session '(require mechanics/book)
+   (make-session '(require mechanics/book mechanics/plot)
                  '(define space (up 't (up 'x 'y 'z) (down 'p_x 'p_y 'p_z)))))
 
 @defproc[((H-central [m scalar] [V procedure?]) [state structure?]) scalar]{
@@ -169,7 +169,6 @@ on from the two states that it hands to @racket[done], the last crossing and the
 of the step in which it was. It fails at points that do not have the energy.
 
 @examples[#:eval session
-(require mechanics/plot)
 (define (free (up t q p)) (/ (square p) 2))
 (define ((step H) s dt) (+ s (* dt ((Hamiltonian->state-derivative H) s))))
 (define (leapfrog s dt)
