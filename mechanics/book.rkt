@@ -19,7 +19,7 @@
  proposed-solution L-central-polar gravitational-energy L-Kepler-polar
  ;; 1.6
  L-uniform-acceleration L-central-rectangular
- L-free-rectangular L-free-polar L-rotating-polar L-rotating-rectangular
+ L-free-rectangular L-free-polar L-rotating-polar L-rotating-rectangular rotating-polar
  T-pend V-pend L-pend dp-coordinates L-pendulum
  F-sliding-pend L-sliding-pend
  L-two-particle L-coupled-harmonic
@@ -54,7 +54,7 @@
  ;; 5.4
  F1-flip F2-identity F1-polar-canonical
  ;; 5.5
- H-restricted-three-body rotating-polar
+ H-restricted-three-body
  ;; 6.2
  H-driven-oscillator C*
  ;; 6.4

@@ -10,7 +10,7 @@
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
          "algebra/notation/formula-style.rkt"
-         "canonical/on-demand.rkt" "reduction/on-demand.rkt"
+         "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt"
          "display/on-demand.rkt" "display/output.rkt" "display/print-expression.rkt"
          (only-in "display/display-style.rkt" display-style)
          "ensemble/on-demand.rkt"
@@ -88,7 +88,7 @@
  literal-Hamiltonian-state degrees-of-freedom
  (all-from-out "hamiltonian/on-demand.rkt")
  ;; canonical transformations, with the names of both editions
- (all-from-out "canonical/on-demand.rkt" "reduction/on-demand.rkt")
+ (all-from-out "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt")
  (rename-out [F->CH F->CT] [Phi* transpose-function]
              [Hpendulum pendulum-Hamiltonian])
  ;; energies and other integrals of the motion

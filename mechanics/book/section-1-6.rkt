@@ -8,7 +8,7 @@
          (only-in "section-1-4.rkt" L-free-particle))
 
 (provide L-uniform-acceleration L-central-rectangular
-         L-free-rectangular L-free-polar L-rotating-polar L-rotating-rectangular
+         L-free-rectangular L-free-polar L-rotating-polar L-rotating-rectangular rotating-polar
          T-pend V-pend L-pend dp-coordinates L-pendulum
          F-sliding-pend L-sliding-pend
          L-two-particle L-coupled-harmonic)
@@ -34,11 +34,12 @@
 (define (L-free-polar m)
   (compose (L-free-rectangular m) (F->C p->r)))
 
-(define ((turning Omega) (up t (up r theta) v))
+;; Also (5.280): from polar coordinates that turn to those at rest.
+(define ((rotating-polar Omega) (up t (up r theta) v))
   (up r (+ theta (* Omega t))))
 
 (define (L-rotating-polar m Omega)
-  (compose (L-free-polar m) (F->C (turning Omega))))
+  (compose (L-free-polar m) (F->C (rotating-polar Omega))))
 
 (define (L-rotating-rectangular m Omega)
   (compose (L-rotating-polar m Omega) (F->C r->p)))

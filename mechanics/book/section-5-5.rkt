@@ -3,7 +3,7 @@
 
 (require mechanics)
 
-(provide H-restricted-three-body rotating-polar)
+(provide H-restricted-three-body)
 
 ;; A body of mass m in the field of two, a distance a apart, that circle about their centre of mass
 ;; at the rate Ω = √(G (m₁ + m₂)/a³), in polar coordinates (5.278).
@@ -16,7 +16,3 @@
   (- (/ (+ (square p_r) (square (/ p_theta r))) (* 2 m))
      (/ (* G m m_1) r_1)
      (/ (* G m m_2) r_2)))
-
-;; From polar coordinates that turn at the rate Ω to those at rest (5.280).
-(define ((rotating-polar Omega) (up t (up r theta) p))
-  (up r (+ theta (* Omega t))))

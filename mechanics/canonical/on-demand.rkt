@@ -31,22 +31,6 @@
                  normal-form-generators normal-form-frequencies normal-form-resonances
                  normal-form-divisors]
  ["normal-coordinates.rkt" normal-form-transformation normal-form-inverse verify-normal-form]
- ["pendulum.rkt" Hpendulum pendulum-sysder pendulum-frequency
-                 pendulum-oscillating-frequency pendulum-circulating-frequency
-                 pendulum-oscillating-angle pendulum-oscillating-angular-momentum
-                 pendulum-circulating-angle pendulum-circulating-angular-momentum
-                 pendulum-separatrix-angle pendulum-separatrix-angular-momentum
-                 pendulum-oscillating-action pendulum-circulating-action
-                 pendulum-separatrix-action gudermannian inverse-gudermannian]
- ["pendulum-phase.rkt" pendulum-oscillating-phase pendulum-circulating-phase
-                       pendulum-oscillating-dt pendulum-circulating-dt
-                       pendulum-oscillating-action-to-E pendulum-circulating-action-to-E
-                       pendulum-oscillating-state-to-aa-state
-                       pendulum-oscillating-aa-state-to-state
-                       pendulum-circulating-state-to-aa-state
-                       pendulum-circulating-aa-state-to-state
-                       pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state]
- ["pendulum-motion.rkt" pendulum-advance pendulum-integration pendulum-solution-series]
  ["integral-invariants.rkt" loop-integral loop-integrand]
  ["resonance-width.rkt" resonance-width resonance-center]
  ["action-angle.rkt" action-of-orbit frequency-of-orbit state->action-angle

@@ -2,7 +2,7 @@
 ;; The pendulum's motion through any state: by elliptic functions, by integration, and as a
 ;; Fourier series (scmutils' names).
 
-(require "pendulum.rkt" "pendulum-phase.rkt"
+(require "pendulum.rkt" "phase.rkt"
          "../calculus/elliptic.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/up-down.rkt"
