@@ -6,9 +6,10 @@
 ;; H and F anew at each level, twice as often every time.  So F and the rates ∂₂H, −∂₁H are
 ;; evaluated once, at a state of symbols; each power is then the derivative of one expression in
 ;; that direction, simplified before the next is taken, and evaluated at the states asked about.
-;; Where functions make nothing of symbols, brackets of functions have to do.
+;; Of one that swells when it is simplified, as a power of a sum whose terms are multiplied out,
+;; the derivative as it stands is kept: the next would be that of thousands of terms.  Where functions make nothing of symbols, brackets of functions have to do.
 
-(require "../algebra/expression/expression.rkt"
+(require "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
@@ -96,8 +97,10 @@
         ((flow-direction (derivation-who d) (derivation-H d)) place))
       (define value (F place))
       (values (and (formula? value)
-                   (up (derivation-rate d) (simplify-strictly velocity) (simplify-strictly force)))
-              (simplify-strictly value))))
+                   (up (derivation-rate d)
+                       (simplified-unless-swollen velocity)
+                       (simplified-unless-swollen force)))
+              (simplified-unless-swollen value))))
   (chain place direction (vector value) (assumptions 'declared)))
 
 ;; Is it made of numbers and expressions, so that it can be evaluated elsewhere?
@@ -127,7 +130,22 @@
     (define point (map cons names (scalars state)))
     (scalars->structure value (lambda (k) (evaluate-generically (vector-ref xs k) point))))
   (define-values (_value rate) (value-and-derivative-along at (chain-place c) (chain-direction c)))
-  (simplify-strictly rate))
+  (simplified-unless-swollen rate))
+
+;; The smaller of a scalar and its simplified form, where that is large; of structures each
+(define (simplified-unless-swollen x)
+  (define xs (list->vector (scalars x)))
+  (scalars->structure x (lambda (k) (smaller-form (vector-ref xs k)))))
+
+(define (smaller-form e)
+  (define simple (simplify-strictly e))
+  (define size (graph-size simple))
+  (if (and (> size large) (> size (* swelling (graph-size e)))) e simple))
+
+(define large 500)                      ; nodes of a graph
+(define swelling 4)
+
+(define (graph-size e) (if (node? e) (tape-length (expression->plain-tape e)) 1))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers as brackets of functions

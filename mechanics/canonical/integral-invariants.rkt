@@ -1,5 +1,5 @@
 #lang racket/base
-;; Integral invariants (SICM 5.3, pp. 360–364).
+;; Integral invariants (SICM 5.3, pp. 362–364; 5.5.1, p. 402).
 ;;
 ;; A curve of states s(λ), closed, has the integral ∮ p dq, which canonical transformations keep:
 ;; Poincaré's invariant.  With the time it is Poincaré and Cartan's, ∮ p dq − H dt.  A patch of
@@ -27,7 +27,9 @@
   (check-loop 'loop-integrand loop)
   (unary-function (lambda () (list 'loop-integrand (value->datum loop))) (x)
     (define-values (state rate) (value-and-derivative-along loop x 1))
-    (check-H-state 'loop-integral state)
+    (unless (H-state? state)
+      (complain 'loop-integral "a loop gives states (up t q p), but ~a gives ~a"
+                (value->text loop) (describe-with-value state)))
     (define action (g:* (momentum state) (coordinate rate)))
     (if H (g:- action (g:* (H state) (time rate))) action)))
 

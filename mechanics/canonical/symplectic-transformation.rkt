@@ -13,6 +13,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt"
@@ -51,8 +52,11 @@
 (define (symplectic-matrix? M)
   (unless (and (matrix? M) (= (m:num-rows M) (m:num-cols M)) (even? (m:num-rows M)))
     (complain 'symplectic-matrix?
-              "a symplectic matrix is square, with an even number of rows; given ~a"
-              (describe-with-value M)))
+              "a symplectic matrix is square, with an even number of rows; given ~a~a"
+              (describe-with-value M)
+              (if (and (pair? M) (andmap list? M))
+                  "\n  rows make a matrix by matrix-by-rows: (apply matrix-by-rows rows)"
+                  "")))
   (excess (for/list ([i (in-range (m:num-rows M))])
             (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j)))))
 
@@ -137,6 +141,8 @@
                  (lambda (j) (g:- (entry table i j) (timed-J-entry n i j)))))))))
 
 (define (of-rows who C make)
+  (when (matrix? C)
+    (complain who "expected a transformation; a matrix is asked about by (symplectic-matrix? M)"))
   (define checked (checked-transformation who C))
   (unary-function (lambda () (list who (value->datum C))) (state)
     (check-H-state who state)
@@ -149,5 +155,8 @@
 (define (symplectic-two-form zeta1 zeta2)
   (check-H-state 'symplectic-two-form zeta1)
   (check-H-state 'symplectic-two-form zeta2)
+  (unless (same-shape? zeta1 zeta2)
+    (complain 'symplectic-two-form "the increments are of states of different shapes: ~a and ~a"
+              (describe-with-value zeta1) (describe-with-value zeta2)))
   (g:- (g:* (momentum zeta2) (coordinate zeta1))
        (g:* (momentum zeta1) (coordinate zeta2))))
