@@ -8,7 +8,8 @@
 ;; itself, ends: beyond its degree nothing is computed, so that cos ωt costs one
 ;; multiplication for an order.
 
-(require racket/flonum
+(require racket/fixnum
+         racket/flonum
          racket/list
          "flonum-functions.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-rows.rkt"
          "jet-work.rkt"
@@ -54,7 +55,10 @@
     (for/list ([state (in-list states)] [slope (in-list slopes)] [id (in-naturals)]
                #:unless (< (degree r id) +inf.0))
       (list state slope)))
-  (expansion order (list->vector states) (list->vector slopes) (list->vector (append* moving))
+  (define (last id) (if (< (degree r id) order) (inexact->exact (degree r id)) order))
+  (expansion order (list->vector states) (list->vector slopes)
+             (for/fxvector ([id (in-range (graph-varying g))]) (max 1 (last id)))
+             (list->vector (append* moving))
              (starts r) (ending-kernels r) (endless-kernels r)))
 
 ;; ---------------------------------------------------------------------------

@@ -41,7 +41,7 @@
             (if (and coordinate (clear? row (expansion-order e) (flabs span)))
                 'clear
                 (polynomial row (expansion-order e) span first
-                            (if coordinate +inf.0 tolerance)))))
+                            (if coordinate #f tolerance)))))
         usual-places)))
 
 (define usual-places 8)
@@ -55,11 +55,12 @@
         (loop (unsafe-fx- k 1)
               (unsafe-fl* span (unsafe-fl+ rest (unsafe-flabs (unsafe-flvector-ref row k))))))))
 
-;; tolerance : of the last terms
+;; tolerance : of the last terms, or #f for the coefficients of a coordinate, good as they are
 (define (polynomial row order span first tolerance)
   (define c (scaled row order span))
   (when first (flvector-set! c 0 first))
-  (cond [(not (flvector-finite? c)) usual-places]
+  (cond [(not tolerance) c]
+        [(not (flvector-finite? c)) usual-places]
         [(converges? c tolerance) c]
         [else (places-for c)]))
 

@@ -8,7 +8,7 @@
 
 (require racket/unsafe/ops)
 
-(provide at put! convolve convolve-halves smaller greater)
+(provide at put! convolve convolve-halves polynomials smaller greater)
 
 (define-syntax-rule (at row k) (unsafe-flvector-ref row k))
 (define-syntax-rule (put! row k x) (unsafe-flvector-set! row k x))
@@ -40,3 +40,10 @@
           [(unsafe-fx= i j)
            (let ([s (unsafe-fl+ (unsafe-fl+ s s) (unsafe-fl* (at a i) (at a i)))] ...) result)]
           [else (let ([s (unsafe-fl+ s s)] ...) result)])))
+
+;; `result`, where each s is Σ c_j u^(j − first) for j from `first` to `last`, of the row c.
+(define-syntax-rule (polynomials u first last ([s c] ...) result)
+  (let loop ([j (unsafe-fx- last 1)] [s (at c last)] ...)
+    (if (unsafe-fx< j first)
+        result
+        (loop (unsafe-fx- j 1) (unsafe-fl+ (at c j) (unsafe-fl* u s)) ...))))

@@ -13,7 +13,7 @@
 
 (provide (struct-out expander) (struct-out work) work-of-order
          (struct-out expansion) (struct-out ending) expand! follow! coefficient-row
-         value-at! coefficients-finite?)
+         for-each-sum value-at! coefficients-finite?)
 
 ;; What makes expansions.  make : order -> expansion; work : what one of them takes
 (struct expander (make work)
@@ -30,10 +30,11 @@
      (* n n 0.45 (work-convolutions w))))
 
 ;; order   : the last one; states, slopes : vectors of rows, y and f(y)
+;; lasts   : fxvector, where the rows of the states end
 ;; moving  : vector, state row and slope row in turn, of those that do not end
 ;; starts  : vector of thunks, for order 0; ending : list of those below, whose rows end;
 ;; kernels : vector of those that do not
-(struct expansion (order states slopes moving starts ending kernels) #:authentic)
+(struct expansion (order states slopes lasts moving starts ending kernels) #:authentic)
 
 ;; A kernel of rows that are 0 beyond an order.
 (struct ending (last kernel) #:authentic)
@@ -98,19 +99,29 @@
     (when (unsafe-fx<= k (ending-last (car kernels))) ((ending-kernel (car kernels)) k))
     (run-ending! (cdr kernels) k)))
 
+;; Of each state, the row c and s = Σ c_j u^(j − first), j from `first` on, for what is done with
+;; these at its index i.  Two at a time, for the processor works on both at once.
+(define-syntax-rule (for-each-sum e u first (i c s) do)
+  (let* ([states (expansion-states e)]
+         [lasts (expansion-lasts e)]
+         [end (unsafe-fx- (vector-length states) 1)])
+    (define-syntax-rule (row k) (unsafe-vector-ref states k))
+    (define-syntax-rule (last k) (unsafe-fxvector-ref lasts k))
+    (let loop ([i 0])
+      (cond [(unsafe-fx> i end) (void)]
+            [(and (unsafe-fx< i end) (unsafe-fx= (last i) (last (unsafe-fx+ i 1))))
+             (let* ([c (row i)] [next (unsafe-fx+ i 1)] [d (row next)])
+               (polynomials u first (last i) ([s c] [t d])
+                            (begin do
+                                   (let ([i next] [c d] [s t]) do)))
+               (loop (unsafe-fx+ i 2)))]
+            [else
+             (let ([c (row i)]) (polynomials u first (last i) ([s c]) do))
+             (loop (unsafe-fx+ i 1))]))))
+
 ;; Stores in `out` the state at the time u, in units of that of the coefficients.
 (define (value-at! e u out)
-  (define states (expansion-states e))
-  (define order (expansion-order e))
-  (let loop ([i 0])
-    (when (unsafe-fx< i (vector-length states))
-      (let ([row (unsafe-vector-ref states i)])
-        (let horner ([k (unsafe-fx- order 1)] [sum (at row order)])
-          (if (unsafe-fx< k 0)
-              (unsafe-flvector-set! out i sum)
-              (horner (unsafe-fx- k 1)
-                      (unsafe-fl+ (at row k) (unsafe-fl* u sum))))))
-      (loop (unsafe-fx+ i 1)))))
+  (for-each-sum e u 0 (i c s) (put! out i s)))
 
 (define (coefficients-finite? e)
   (for/and ([row (in-vector (expansion-states e))]) (flvector-finite? row)))

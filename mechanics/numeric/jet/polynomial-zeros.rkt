@@ -7,6 +7,10 @@
 ;; of p is found in the same way if there is one only, which parts two zeros however close,
 ;; or shows that p touches zero or stays away; otherwise the interval is halved.  A zero that
 ;; is known to be alone is refined by Newton's method within its bounds.
+;;
+;; Mostly less will do.  Between 0 and 1 a polynomial lies between its least and its greatest
+;; coefficient in Bernstein's basis, and so do those of low degree: of the first terms, that is,
+;; and the others are small.
 
 (require racket/flonum
          racket/unsafe/ops)
@@ -22,11 +26,58 @@
   (define q (without-zero-at-0 p))
   (cond [(< (flvector-length q) 2) '()]
         [else
-         (define last (value q 1.0))
-         (define inside (search q 0.0 1.0 touch most-halvings))
-         (if (fl= last 0.0)
+         (define inside
+           (case (shape q)
+             [(clear) '()]
+             [(monotone) (only-zero q 0.0 1.0 0.0 1.0)]
+             [else (search q 0.0 1.0 touch most-halvings)]))
+         (if (fl= (value q 1.0) 0.0)
              (append inside (list (zero 1.0 (direction (value (derivative q) 1.0)))))
              inside)]))
+
+;; 'clear if p is plainly not 0 between 0 and 1, 'monotone if p' is not, or #f.
+(define (shape p)
+  (define n (- (flvector-length p) 1))
+  (define m (min n low-degree))
+  (define b (Bernstein-coefficients p m))
+  (define-values (rest slope-rest)
+    (let loop ([k n] [rest 0.0] [slope 0.0])
+      (if (unsafe-fx= k m)
+          (values rest slope)
+          (let ([c (flabs (unsafe-flvector-ref p k))])
+            (loop (unsafe-fx- k 1) (fl+ rest c) (fl+ slope (fl* (->fl k) c)))))))
+  (define-values (least greatest falls rises)
+    (let loop ([k m] [least +inf.0] [greatest -inf.0] [falls +inf.0] [rises -inf.0])
+      (define x (unsafe-flvector-ref b k))
+      (if (unsafe-fx= k 0)
+          (values (flmin x least) (flmax x greatest) falls rises)
+          (let ([change (fl- x (unsafe-flvector-ref b (unsafe-fx- k 1)))])
+            (loop (unsafe-fx- k 1) (flmin x least) (flmax x greatest)
+                  (flmin change falls) (flmax change rises))))))
+  (define doubt (fl* 1e-14 (flmax (flabs least) (flabs greatest))))
+  (define (one-sign? least greatest by) (or (fl> least by) (fl< greatest (fl- 0.0 by))))
+  (cond [(one-sign? least greatest (fl+ rest doubt)) 'clear]
+        [(one-sign? falls rises (fl+ (fl/ slope-rest (->fl m)) doubt)) 'monotone]
+        [else #f]))
+
+(define low-degree 8)
+
+;; Of the first terms, up to degree m: b_i = Σ C(i, k)/C(m, k) p_k, by repeated sums.
+(define (Bernstein-coefficients p m)
+  (define b (make-flvector (+ m 1)))
+  (let loop ([k 0] [binomial 1.0])
+    (when (unsafe-fx<= k m)
+      (unsafe-flvector-set! b k (fl/ (unsafe-flvector-ref p k) binomial))
+      (loop (unsafe-fx+ k 1) (fl/ (fl* binomial (->fl (unsafe-fx- m k))) (->fl (unsafe-fx+ k 1))))))
+  (let outer ([j 1])
+    (when (unsafe-fx<= j m)
+      (let inner ([i m])
+        (when (unsafe-fx>= i j)
+          (unsafe-flvector-set! b i (fl+ (unsafe-flvector-ref b i)
+                                         (unsafe-flvector-ref b (unsafe-fx- i 1))))
+          (inner (unsafe-fx- i 1))))
+      (outer (unsafe-fx+ j 1))))
+  b)
 
 (define (without-zero-at-0 p)
   (define n (flvector-length p))
@@ -42,25 +93,28 @@
 
 ;; The zeros of p in (0, 1), which is the part of the whole from `low` on of that width.
 (define (search p low width touch halvings)
-  (define (place x) (fl+ low (fl* width x)))
-  (define (crossing a b)
-    (list (zero (place (refined p a b)) (direction (fl- (value p b) (value p a))))))
+  (define (only a b) (only-zero p a b low width))
   (define changes (sign-changes p))
   (cond
     [(= changes 0) '()]
-    [(= changes 1) (crossing 0.0 1.0)]
+    [(= changes 1) (crossing p 0.0 1.0 low width)]
     [else
      (define slope (derivative p))
      (define turns (sign-changes slope))
      (cond
-       [(or (= turns 0) (= halvings 0)) (if (opposite? p 0.0 1.0) (crossing 0.0 1.0) '())]
+       [(or (= turns 0) (= halvings 0)) (only 0.0 1.0)]
        [(= turns 1)
         (define turn (refined slope 0.0 1.0))
         (if (touches? p turn touch)
-            (list (zero (place turn) 'touching))
-            (append (if (opposite? p 0.0 turn) (crossing 0.0 turn) '())
-                    (if (opposite? p turn 1.0) (crossing turn 1.0) '())))]
+            (list (zero (fl+ low (fl* width turn)) 'touching))
+            (append (only 0.0 turn) (only turn 1.0)))]
        [else (search-halves p low width touch (- halvings 1))])]))
+
+;; The zero between a and b, if there is one, where p has no other.
+(define (only-zero p a b low width) (if (opposite? p a b) (crossing p a b low width) '()))
+
+(define (crossing p a b low width)
+  (list (zero (fl+ low (fl* width (refined p a b))) (direction (fl- (value p b) (value p a))))))
 
 (define (search-halves p low width touch halvings)
   (define left (halved p))
@@ -125,15 +179,22 @@
 ;; The zero between a and b, where p has opposite signs, by Newton's steps, or halving where
 ;; these lead out or are slow.
 (define (refined p a b)
-  (define slope (derivative p))
   (define rising? (fl< (value p a) (value p b)))
+  (define last (unsafe-fx- (flvector-length p) 1))
   (let loop ([a a] [b b] [x (fl* 0.5 (fl+ a b))] [count 0])
-    (define px (value p x))
+    (define-values (px slope)
+      (let horner ([k (unsafe-fx- last 1)] [sum (unsafe-flvector-ref p last)] [slope 0.0])
+        (if (unsafe-fx< k 0)
+            (values sum slope)
+            (horner (unsafe-fx- k 1)
+                    (fl+ (unsafe-flvector-ref p k) (fl* x sum))
+                    (fl+ sum (fl* x slope))))))
     (define below? (if rising? (fl< px 0.0) (fl> px 0.0)))
     (define-values (low high) (if below? (values x b) (values a x)))
-    (define newton (fl- x (fl/ px (value slope x))))
+    (define newton (fl- x (fl/ px slope)))
     (define middle (fl* 0.5 (fl+ low high)))
-    (cond [(or (fl= px 0.0) (= count 80) (fl<= (flabs (fl- newton x)) (fl* 1e-16 x))) x]
+    (cond [(or (fl= px 0.0) (= count 80)) x]
+          [(fl<= (flabs (fl- newton x)) (fl* 4e-16 x)) (flmax a (flmin b newton))]
           [(or (fl= middle low) (fl= middle high)) middle]
           [(and (fl< low newton) (fl< newton high) (not (= 7 (remainder count 8))))
            (loop low high newton (+ count 1))]

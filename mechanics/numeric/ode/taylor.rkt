@@ -187,10 +187,10 @@
 
 ;; -> the error, as far as it is looked at
 (define (try! r h)
-  (define-fields run r n e y lost z rest order unit last)
+  (define-fields run r e y lost z rest unit last)
   (limit-of r)
   (set-run-tried! r h)
-  (advance-all! e n order (fl/ h unit) y lost z rest)
+  (advance-all! e (fl/ h unit) y lost z rest)
   (cond [(not (flvector-finite? z)) +nan.0]
         [(fl<= (flabs h) (fl* growth last)) 0.0]
         [else (fl* 0.01 (defect r h))]))
@@ -199,15 +199,9 @@
 (define growth 4.0)
 
 ;; z + rest = y + lost + Σ c_k u^k, k from 1, where rounding loses nothing that is not in `rest`
-(define (advance-all! e n order u y lost z rest)
-  (let loop ([i 0])
-    (when (unsafe-fx< i n)
-      (let ([c (coefficient-row e i)])
-        (let horner ([k (unsafe-fx- order 1)] [sum (at c order)])
-          (if (unsafe-fx= k 0)
-              (add-exactly! i (unsafe-fl+ (unsafe-fl* u sum) (at lost i)) y z rest)
-              (horner (unsafe-fx- k 1) (unsafe-fl+ (at c k) (unsafe-fl* u sum))))))
-      (loop (unsafe-fx+ i 1)))))
+(define (advance-all! e u y lost z rest)
+  (for-each-sum e u 1 (i c sum)
+    (add-exactly! i (unsafe-fl+ (unsafe-fl* u sum) (at lost i)) y z rest)))
 
 ;; z + rest = y + d (Knuth)
 (define-syntax-rule (add-exactly! i d-form y z rest)
