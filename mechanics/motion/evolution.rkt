@@ -3,6 +3,7 @@
 
 (require racket/flonum
          "check.rkt" "choice.rkt" "followed.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt"
+         "so-far.rkt"
          "stuck.rkt" "suited.rkt" "system.rkt"
          "../calculus/perturbed.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
@@ -96,7 +97,7 @@
     (set! longest (flmax longest (flabs (fl- to from))))
     #t)
   (define last
-    (call-for-passage s (lambda (s) (run-system p s y start (fl+ start duration) visit))))
+    (call-for-passage s (lambda (s) (run-reaching p s y start (fl+ start duration) visit))))
   (values last longest))
 
 ;; (evolve sysder p ...) : state, monitor, time step, final time, tolerance -> state
@@ -135,7 +136,7 @@
   (define last
     (call-for-passage
      s (lambda (s)
-         (run-system p s y start end (sampler start end step (flvector-length y) show)))))
+         (run-reaching p s y start end (sampler start end step (flvector-length y) show)))))
   (unless (fl= start end) (monitor last))
   last)
 
@@ -151,9 +152,24 @@
 ;; A state without a clock starts at 0.
 (define (start-time s y) (if (system-clock? s) (flvector-ref y 0) 0.0))
 
-;; visit : as in integrate; a failure carries (kept state), given the last state that
-;; was good
-(define (run-system given s y start end visit [kept values])
+;; Of a motion whose steps are not kept, the state that it reached is.
+(define (run-reaching p s y start end visit)
+  (define t start)
+  (define now y)
+  (define method #f)
+  (define (note from to interpolant)
+    (set! t to)
+    (visit from to interpolant))
+  (define (begun state m)
+    (set! now state)
+    (set! method m))
+  (keeping-so-far
+   (lambda () (and method (reached t (system-state s now) real->double-flonum values method)))
+   (run-system p s y start end note #:begun begun)))
+
+;; visit : as in integrate; begun : so, too, but also given the method; a failure carries
+;; (kept state), given the last state that was good
+(define (run-system given s y start end visit [kept values] #:begun [begun void])
   (check-start (plan-who given) s y)
   (define p (suited given s y))
   (define m (plan-method p))
@@ -169,6 +185,7 @@
                  #:limit (plan-most p)
                  #:clock (and (system-clock? s) 0)
                  #:visit (if note! watched visit)
+                 #:begun (lambda (y) (begun y m))
                  #:stuck (stuck-in p s kept)))
     (system-state s last))
   (call-with-progress (plan-progress? p) run))

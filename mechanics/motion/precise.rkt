@@ -6,7 +6,8 @@
 ;; States between the steps are those that a shorter step leads to.
 
 (require math/bigfloat
-         "check.rkt" "manifold.rkt" "plan.rkt" "sample-times.rkt" "stuck.rkt" "system.rkt"
+         "check.rkt" "manifold.rkt" "plan.rkt" "sample-times.rkt" "so-far.rkt" "stuck.rkt"
+         "system.rkt"
          "../compile/bigfloat-function.rkt"
          "../numeric/progress.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
@@ -136,7 +137,7 @@
     (define (visit s)
       (set! longest (max longest (abs (- (stretch-to s) (stretch-from s)))))
       (note s))
-    (motion-follow m end visit))
+    (call-reaching m (lambda (noted) (motion-follow m end (noted visit)))))
   (define last (call-with-progress (plan-progress? p) run))
   (values last (real->double-flonum longest)))
 
@@ -149,13 +150,26 @@
   (define m (make-motion p derivative state))
   (check-clock (plan-who p) state (motion-clock? m))
   (define final (inexact->exact end))
-  (call-with-progress
-   (plan-progress? p)
-   (lambda (note!)
-     (for/last ([t (in-list (sample-times (motion-start m) final (inexact->exact step)))])
-       (define s (motion-follow m t (noting note! p final)))
-       (monitor s)
-       s))))
+  (define times (sample-times (motion-start m) final (inexact->exact step)))
+  (define ((run note!) noted)
+    (for/last ([t (in-list times)])
+      (define s (motion-follow m t (noted (noting note! p final))))
+      (monitor s)
+      s))
+  (call-with-progress (plan-progress? p) (lambda (note!) (call-reaching m (run note!)))))
+
+;; (body noted), where (noted visit) is what visits steps that are not kept: how far they came
+;; is known to whatever is raised.
+(define (call-reaching m body)
+  (define latest (motion-stay m))
+  (define ((noted visit) s)
+    (set! latest s)
+    (visit s))
+  (define (give)
+    (define state (shown-state (motion-shape m) (stretch-after latest) (motion-bits m)))
+    (reached (stretch-to latest) state
+             inexact->exact (lambda (t) (shown-time m t)) 'extrapolation))
+  (keeping-so-far give (body noted)))
 
 ;; From the first to the last one, both included, and backwards if that is earlier.
 (define (sample-times start end step)

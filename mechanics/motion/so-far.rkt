@@ -6,7 +6,11 @@
 ;; from the keyboard; neither may cost what was computed until then.  So the integration runs
 ;; with a continuation mark, which every exception raised within keeps a hold of.
 
-(provide keeping-so-far so-far)
+(provide keeping-so-far so-far (struct-out reached))
+
+;; Where a motion has come of which the steps are not kept.
+;; exactly : real -> the same as `time` is; shown : back; method : what integrates it
+(struct reached (time state exactly shown method) #:authentic)
 
 (define key (make-continuation-mark-key 'so-far))
 

@@ -73,7 +73,16 @@
     (complain 'trajectory-so-far
               "expected an exception, as a handler of with-handlers gets it\n  given: ~a"
               (describe-with-value e)))
-  (so-far e))
+  (define found (so-far e))
+  (if (reached? found) (resting-trajectory found) found))
+
+;; Of no length.
+(define (resting-trajectory r)
+  (define t (reached-time r))
+  (define m (reached-method r))
+  (trajectory (vector (step t t (reached-state r) t)) '()
+              (reading (reached-exactly r) (reached-shown r) (lambda (s t) (step-inside s)))
+              (if (symbol? m) m (method-shown m))))
 
 (define a-trajectory "a trajectory, such as evolve-trajectory gives")
 

@@ -20,6 +20,7 @@
 ;; visit : called after each step with the times before and after it and with a
 ;;         thunk that makes its interpolant (stepper.rkt); the integration ends
 ;;         there if it returns #f
+;; begun : called first, with the flvector that the present state will always be in
 ;; clock : index of the component of y that is the time, to be kept exact, or #f
 ;; stuck : called with a time, a copy of the state there and the reason why the
 ;;         integration cannot go on from there; it does not return.  Reasons:
@@ -36,9 +37,11 @@
                    #:limit [limit +inf.0]
                    #:clock [clock #f]
                    #:visit [visit (lambda (from to interpolant) #t)]
+                   #:begun [begun void]
                    #:stuck [stuck raise-stuck])
   (define tolerated (step-tolerance tolerance))
   (define s (start-stepper m f! y0 tolerated))
+  (begun (stepper-state s))
   (define give-up (giving-up f! s stuck))
   (define sign (if (fl< end start) -1.0 1.0))
   (define first

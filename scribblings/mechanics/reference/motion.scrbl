@@ -181,8 +181,10 @@ it was integrated, which is never @racket['auto]; @racket['extrapolation] with a
 The trajectory that was computed until the exception @racket[e] ended
 @racket[evolve-trajectory], whatever it was: a failure of the motion, an error of your own
 in the state derivative or in the function of an event, which reaches you as you raised
-it, or a break, as by Ctrl-C. @racket[#f] for an exception raised elsewhere. What is
-raised and is no exception carries nothing.
+it, or a break, as by Ctrl-C. @racket[evolve] and a @racket[state-advancer] keep no steps:
+of theirs it is the state reached last, a trajectory that begins and ends there, from which
+the motion can go on. @racket[#f] for an exception raised elsewhere. What is raised and is
+no exception carries nothing.
 
 @examples[#:eval session
 (define (inspected s)
@@ -191,7 +193,11 @@ raised and is no exception carries nothing.
 (define cut-short
   (with-handlers ([exn:fail? trajectory-so-far])
     (evolve-trajectory inspected (up 0 1 0) 10)))
-cut-short]}
+cut-short
+(define (impatient s) (when (> (time s) 3) (error "that is enough")))
+(trajectory-final-state
+ (with-handlers ([exn:fail? trajectory-so-far])
+   ((evolve (lambda () pendulum)) (up 0 1 0) impatient 1 10)))]}
 
 @deftogether[(@defproc[(event [f (-> value real?)]
                               [#:name name any/c _that-of-f]

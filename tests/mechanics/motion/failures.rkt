@@ -169,6 +169,75 @@
   (check-exn #rx"^trajectory-so-far: expected an exception" (lambda () (trajectory-so-far 1))))
 
 ;; ---------------------------------------------------------------------------
+;; Motions whose steps are not kept
+
+;; The state reached, from which the motion goes on.
+(define (check-reached tr least most [method #f])
+  (check-pred trajectory? tr)
+  (check-true (<= least (trajectory-end tr) most))
+  (check-equal? (trajectory-start tr) (trajectory-end tr))
+  (define s (trajectory-final-state tr))
+  (check-equal? (time s) (trajectory-end tr))
+  (check-true (< (abs (- (coordinate s) (cos (time s)))) 1e-3))
+  (when method (check-equal? (trajectory-method tr) method)))
+
+(define (raised thunk) (trajectory-so-far (with-handlers ([my-own? values]) (thunk))))
+
+(test-case "an error of the user's own keeps the state that an advancer and evolve reached"
+  (define ((maker) s)
+    (when (> (time s) 3) (raise-mine))
+    (oscillator s))
+  (for ([m methods] #:unless (eq? m 'Taylor))
+    (define shown (if (eq? m 'auto) 'Dormand-Prince-853 m))
+    (check-reached (raised (lambda () ((state-advancer maker) start 10 1e-10 #:method m)))
+                   0.5 3.01 shown)
+    (check-reached (raised (lambda () ((evolve maker) start void 0.1 10 1e-10 #:method m)))
+                   0.5 3.01 shown)))
+
+(test-case "one of the monitor's, too, and with any precision"
+  (define (limited s) (when (> (time s) 5) (raise-mine)))
+  (for ([m methods])
+    (check-reached (raised (lambda () ((evolve oscillator-maker) start limited 0.1 10 1e-10
+                                                                  #:method m)))
+                   5 7.5))
+  (define tr
+    (raised (lambda () ((evolve oscillator-maker) start limited 1/10 10 1e-20 #:precision 100))))
+  (check-reached tr 5 6 'extrapolation)
+  (define ((precise-maker) s)
+    (when (> (time s) 3) (raise-mine))
+    (oscillator s))
+  (check-reached (raised (lambda () ((state-advancer precise-maker) start 10 1e-20
+                                                                     #:precision 100)))
+                 0 3))
+
+(test-case "a break from the keyboard leaves the state reached; and nothing before there is one"
+  (define running (make-semaphore 0))
+  (define seen 'nothing)
+  (define (watching s) (when (> (time s) 50) (semaphore-post running)))
+  (define motion
+    (thread
+     (lambda ()
+       (with-handlers ([exn:break? (lambda (e) (set! seen (trajectory-so-far e)))])
+         ((evolve oscillator-maker) start watching 1.0 1e9 1e-10)))))
+  (semaphore-wait running)
+  (break-thread motion)
+  (thread-wait motion)
+  (check-reached seen 50 1e9 'Taylor)
+  (define ((maker) s) (raise-mine))
+  (check-equal? (raised (lambda () ((state-advancer maker) start 1))) #f))
+
+(test-case "the motion goes on from there, as it would have"
+  (define calls 0)
+  (define ((maker) s)
+    (set! calls (+ calls 1))
+    (when (= calls 2000) (raise-mine))
+    (if (> (time s) -1) (oscillator s) 0))
+  (define tr (raised (lambda () ((state-advancer maker) start 100 1e-10))))
+  (define s (trajectory-final-state tr))
+  (define end ((state-advancer maker) s (- 100 (time s)) 1e-10))
+  (check-= (coordinate end) (cos 100) 1e-8))
+
+;; ---------------------------------------------------------------------------
 ;; Events
 
 (test-case "an event that has no real value any more stops there"
