@@ -6,10 +6,10 @@
          racket/list
          racket/path
          racket/string
-         "mistake/spelling.rkt" "mistake/unreadable.rkt"
-         "../error/machine.rkt")
+         "mistake/unreadable.rkt"
+         "../error/machine.rkt" "../error/spelling.rkt")
 
-(provide check-program raise-unreadable
+(provide check-program raise-unreadable near-programs
          marked? call-with-program read-program read-whole-program
          language-without-us about-language)
 
@@ -32,11 +32,19 @@
          (refuse "~a is a folder; the programs in it: ~a" name (programs-text file))]
         [else
          (define-values (folder last-part must-be-folder?) (split-path file))
-         (define near (likely-names (string->symbol (path->string last-part)) (programs folder)))
+         (define near (near-programs file))
          (refuse "there is no file ~a~a" name
                  (if (null? near)
                      (format "; the programs in its folder: ~a" (programs-text folder))
                      (format "; did you mean ~a?" (alternatives near))))]))
+
+;; file : that is not there -> symbols, programs in its folder of which one may be meant
+(define (near-programs file)
+  (define-values (folder last-part must-be-folder?) (split-path (path->complete-path file)))
+  (define name (if (path? last-part) (path->string last-part) ""))
+  (define whole (string->symbol (string-append name ".rkt")))
+  (define all (programs folder))
+  (if (memq whole all) (list whole) (likely-names (string->symbol name) all)))
 
 ;; -> symbols
 (define (programs folder)

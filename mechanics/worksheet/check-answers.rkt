@@ -2,22 +2,28 @@
 ;; What a student's file runs at its end: each answer is judged, and told in words.
 
 (require (for-syntax racket/base)
-         "answer-data.rkt" "exercise-kind.rkt" "exercise.rkt" "judge.rkt" "judgment-words.rkt"
-         "judgment.rkt" "seal.rkt" "tries.rkt")
+         (only-in racket/file file->string)
+         "answer-data.rkt" "defined-names.rkt" "exercise-kind.rkt" "exercise.rkt"
+         "judge.rkt" "judgment-words.rkt" "judgment.rkt" "seal.rkt" "tries.rkt")
 
 (provide check-answers checking? sealed-exercises (struct-out judged) tell-judgments)
 
 ;; Not while answers are collected for the teacher.
 (define checking? (make-parameter #t))
 
-;; (check-answers [name value] ... "sealed" ...), the texts being one.
+;; (check-answers [name value] ... "sealed" ...), the texts being one.  What it stands behind is
+;; known only when the whole module is: so it is looked at then.
 (define-syntax (check-answers stx)
+  (syntax-case stx ()
+    [(_ part ...) #`(#%expression #,(syntax/loc stx (check-defined part ...)))]))
+
+(define-syntax (check-defined stx)
   (define source (syntax-source stx))
   (syntax-case stx ()
     [(_ part ...)
      (let-values ([(texts pairs)
                    (partition-texts (syntax->list #'(part ...)))])
-       (with-syntax ([([name value] ...) pairs]
+       (with-syntax ([([name value] ...) (map without-unbound pairs)]
                      [(text ...) texts]
                      [file (and (path? source) (path->bytes source))])
          #'(check-sealed (list (cons 'name value) ...) (string-append text ...) file)))]))
@@ -25,16 +31,31 @@
 (begin-for-syntax
   (define (partition-texts parts)
     (define (text? p) (string? (syntax-e p)))
-    (values (filter text? parts) (filter (lambda (p) (not (text? p))) parts))))
+    (values (filter text? parts) (filter (lambda (p) (not (text? p))) parts)))
 
-(define (check-sealed answers sealed file)
+  ;; A name that is not defined is not answered.
+  (define (without-unbound pair)
+    (syntax-case pair ()
+      [(name value)
+       (and (identifier? #'value) (not (identifier-binding #'value)))
+       #'(name unanswered)]
+      [_ pair])))
+
+(define (check-sealed answers sealed file-name)
   (when (checking?)
+    (define exercises (unseal sealed))
+    (define file (and file-name (bytes->path file-name)))
+    (for ([note (in-list (definition-notes exercises (text-of file)))]) (printf "~a\n" note))
     (tell-judgments
-     (for/list ([e (in-list (unseal sealed))])
+     (for/list ([e (in-list exercises)])
        (define found (assq (exercise-name e) answers))
        (define d (answer-of-kind e (if found (cdr found) unanswered)))
        (judged e d (judge e d)))
-     (and file (bytes->path file)))))
+     file)))
+
+;; As it was saved last.
+(define (text-of file)
+  (with-handlers ([exn:fail? (lambda (x) "")]) (if file (file->string file) "")))
 
 ;; The exercises in the envelope of a student's file, given as text; or #f
 (define (sealed-exercises text)

@@ -46,8 +46,7 @@
   (define v
     (prove-zero (as-one (scalars (along-motion answer a names)))
                 #:variables (scalars (long-tuple-of names))))
-  (define (share) (share-proved (verdict-residual v)))
-  (cond [(refuted? v) (partly (if (all-zero? M) 0 (min (share) (/ (rank M) n))) v)]
+  (cond [(refuted? v) (judge-those-that-hold names M n v)]
         [(not (proved? v)) (undecided-judgment v)]
         [(not (free-of-accelerations? M names))
          (undecided-judgment #f "every motion obeys it, but it is not linear in the accelerations"
@@ -56,6 +55,19 @@
          (trivial v "it is true of every motion, and says nothing about the accelerations")]
         [(= n (rank M)) (right v)]
         [else (partly (/ (rank M) n) v "some of the equations say the same as others")]))
+
+;; Some do not hold.  Of the others each counts that says something of its own.
+(define (judge-those-that-hold names M n v)
+  (define hold
+    (for/list ([e (in-list (scalars (verdict-residual v)))] [i (in-naturals)]
+               #:when (proved? (prove-zero e)))
+      (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j))))
+  (define those (and (pair? hold) (apply matrix-by-rows hold)))
+  (cond [(or (not those) (all-zero? those)) (wrong v)]
+        [(free-of-accelerations? those names) (partly (/ (rank those) n) v)]
+        [else
+         (undecided-judgment v (string-append "some of the equations are refuted, and one that "
+                                              "holds is not linear in the accelerations"))]))
 
 ;; Multiples of the key's equations, each of its own.
 (define (judge-one-by-one key answer names)

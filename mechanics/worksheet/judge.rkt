@@ -107,8 +107,9 @@
   (define key (and (exercise-key e) (read-expression (exercise-key e))))
   (define names (exercise-coordinates e))
   (define (right? x) (eq? 'right (judgment-status (judged e (exercise-key e) x))))
-  (case (exercise-kind e)
-    [(reason expects) #f]
+  (define kind (if (and key (same? key answer)) 'key (exercise-kind e)))
+  (case kind
+    [(key reason expects) #f]           ; a key that is refuted has no slip in it that we know
     [(number) (slip-of-number* e key answer)]
     [(equations)
      (or (slip-of-equations names (along-path->symbols key names)

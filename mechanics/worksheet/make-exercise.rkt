@@ -5,9 +5,10 @@
 ;; and kept as data.
 
 (require racket/list
-         "answer-data.rkt" (only-in "answer-parts.rkt" same?) "exercise-kind.rkt" "exercise.rkt"
+         "answer-data.rkt" (only-in "answer-parts.rkt" same?) "clause-names.rkt"
+         "exercise-kind.rkt" "exercise.rkt"
          "prescribed-symbols.rkt"
-         "../error/complain.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/spelling.rkt"
          "../generic/describe.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/read-expression.rkt")
@@ -105,10 +106,6 @@
 ;; ---------------------------------------------------------------------------
 ;; Complaints
 
-(define clause-names
-  '(coordinates arguments constants key of of-Hamiltonian force besides becomes starts assuming
-    within unit points hint slip expects no-practice))
-
 (define several-times '(hint slip))
 
 (define (check-clauses name kind-name question clauses)
@@ -118,12 +115,11 @@
     (complain name "the question is a text, behind the kind of the exercise\n  given: ~a"
               (value->text question)))
   (unless k
-    (complain name "there is no kind of exercise called ~a\n  there are: ~a" kind-name
-              (joined (map symbol->string (map kind-name* kinds)))))
+    (complain name "there is no kind of exercise called ~a~a" kind-name
+              (among kind-name (map kind-name* kinds))))
   (for ([c (in-list clauses)])
     (unless (memq (car c) clause-names)
-      (complain name "there is no clause called ~a\n  there are: ~a" (car c)
-                (joined (map symbol->string clause-names)))))
+      (complain name "there is no clause called ~a~a" (car c) (among (car c) clause-names))))
   (define twice (check-duplicates (remq* several-times (map car clauses))))
   (when twice (complain name "the clause `~a` stands there twice" twice))
   (check-needed name k has?)

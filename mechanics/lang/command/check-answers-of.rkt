@@ -20,6 +20,7 @@
 
 (define (check-command arguments)
   (define w (wished arguments))
+  (unless (directory-exists? (wish-path w)) (check-there 'check (wish-path w)))
   (for ([r (in-list (wish-reports w))]) (check-report r))
   (cond [(directory-exists? (wish-path w)) (check-class w)]
         [else (check-file w)]))

@@ -1,17 +1,18 @@
 #lang racket/base
 ;; A teacher's worksheet, loaded from its file.
 
-(require "../../error/complain.rkt"
+(require "../program-file.rkt"
+         "../../error/complain.rkt" "../../error/spelling.rkt"
          "../../worksheet/exercise.rkt")
 
-(provide load-worksheet worksheet-file?)
+(provide load-worksheet worksheet-file? check-there)
 
 ;; The worksheets that are loaded share the library with this program.
 (define-namespace-anchor here)
 
 ;; who : in whose name is complained
 (define (load-worksheet who file)
-  (unless (file-exists? file) (complain who "there is no such file\n  file: ~a" file))
+  (check-there who file)
   (define w
     (parameterize ([current-namespace (namespace-anchor->empty-namespace here)]
                    [current-print void])
@@ -21,6 +22,13 @@
                                  "#lang mechanics/worksheet\n  file: ~a")
               file))
   w)
+
+(define (check-there who file)
+  (unless (file-exists? file)
+    (define near (near-programs file))
+    (complain who "there is no such file~a\n  file: ~a"
+              (if (null? near) "" (format "; did you mean ~a?" (alternatives near)))
+              file)))
 
 (define (worksheet-file? file)
   (and (file-exists? file)

@@ -4,7 +4,8 @@
 
 (require racket/string
          "raco-command.rkt"
-         "../help/answer.rkt")
+         "../help/answer.rkt" "../help/cards.rkt"
+         "../../error/spelling.rkt")
 
 (provide help-command)
 
@@ -12,6 +13,16 @@
   (define c (and (pair? arguments) (find-command (car arguments) commands)))
   (cond [(null? arguments) (print-commands commands)]
         [c (print-command c)]
-        [(null? (cdr arguments)) (help-about (string->symbol (car arguments)))]
+        [(null? (cdr arguments)) (help-about-word (string->symbol (car arguments)) commands)]
         [else (help-about (string-join arguments " "))])
   0)
+
+;; It may be a command, or a name of the library.
+(define (help-about-word name commands)
+  (define near
+    (if (card-of name)
+        '()
+        (likely-names name (for/list ([c (in-list commands)]) (string->symbol (command-name c))))))
+  (unless (null? near)
+    (printf "There is no command ~a; did you mean ~a?\n\n" name (alternatives near)))
+  (help-about name))

@@ -3,7 +3,7 @@
 ;; a few words, as tools for a terminal do.
 
 (require "raco-command.rkt" "commands.rkt"
-         "../mistake/spelling.rkt")
+         "../../error/spelling.rkt")
 
 (provide run-command-line)
 

@@ -40,7 +40,7 @@
     (complain name "this is a folder, and no program\n  file: ~a" file))
   (define to
     (simple-form-path (or out (path-replace-extension (file-name-from-path from) extension))))
-  (check-new-file name to from)
+  (check-new-file name to from extension)
   (values from to))
 
 ;; -> status

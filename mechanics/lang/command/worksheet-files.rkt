@@ -40,7 +40,7 @@
   (define from (simple-form-path file))
   (define name (path-replace-extension (file-name-from-path from) #""))
   (define student (simple-form-path (or out (format "~a-student.rkt" name))))
-  (check-new-file 'worksheet student from)
+  (check-new-file 'worksheet student from #".rkt")
   (define page (path-replace-extension student #".html"))
   (define TeX (path-replace-extension student #".tex"))
   (write-text student (worksheet->student-file w))
@@ -62,17 +62,19 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; Of a program, the page that `show` or `tex` makes.
+;; Of a program, the page that `show` or `tex` makes.  What it is to be the name of the file says
+;; as well.
 (define (handout-command arguments)
-  (define-values (to answers? out) (values "html" #f #f))
+  (define-values (wished answers? out) (values #f #f #f))
   (define file
     (command-line #:program "raco mechanics handout"
                   #:argv (options-first arguments '("-o" "--to"))
                   #:once-each
-                  [("--to") format "html or tex" (set! to format)]
+                  [("--to") format "html or tex" (set! wished format)]
                   [("--answers") "With the answers, for teachers" (set! answers? #t)]
                   [("-o") where "The file to write" (set! out where)]
                   #:args (file) file))
+  (define to (or wished (if (and out (path-has-extension? out #".tex")) "tex" "html")))
   (unless (member to '("html" "tex"))
     (complain 'handout "it can be made --to html or --to tex\n  given: ~a" to))
   (if (or (worksheet-file? file) (not (file-exists? file)))
@@ -85,7 +87,7 @@
   (define name (path-replace-extension (file-name-from-path (simple-form-path file)) #""))
   (define where
     (simple-form-path (or out (format "~a~a.~a" name (if answers? "-answers" "") to))))
-  (check-new-file 'handout where (simple-form-path file))
+  (check-new-file 'handout where (simple-form-path file) (string->bytes/utf-8 (format ".~a" to)))
   (if (equal? to "html")
       (write-text where (document->page d))
       (write-TeX where d))

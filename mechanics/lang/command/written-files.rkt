@@ -23,7 +23,14 @@
            (loop (cdr left) (append options (list (car left))) files)]
           [else (loop (cdr left) options (append files (list (car left))))])))
 
-;; from : what must not be overwritten, or #f
-(define (check-new-file who to [from #f])
+;; from : what must not be overwritten, or #f; extension : with which its name is to end, or #f
+(define (check-new-file who to [from #f] [extension #f])
   (when (equal? from to) (complain who "the result would replace the program\n  file: ~a" to))
-  (check-file who to))
+  (check-file who to)
+  (unless (or (not extension) (path-has-extension? to extension))
+    (complain who "it writes a file that ends with ~a\n  given: ~a~a" extension (short-path to)
+              (if (path-has-extension? to #".pdf") about-PDF ""))))
+
+(define about-PDF
+  (string-append "\n  for PDF: what ends with .tex is made one by pdflatex, what ends with .html "
+                 "by the browser's print command"))

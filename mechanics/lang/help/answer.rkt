@@ -5,10 +5,11 @@
          racket/string
          "card-lines.rkt" "card.rkt" "cards.rkt" "later.rkt" "search.rkt"
          (only-in "../mistake/own-signature.rkt" head->text)
-         "../mistake/other-notation.rkt" "../mistake/spelling.rkt" "../mistake/typed-formula.rkt"
+         "../mistake/other-notation.rkt" "../mistake/typed-formula.rkt"
          "../mistake/typographic.rkt"
          (only-in "../mistake/elsewhere.rkt" exports)
-         (only-in "../redefinition/prompt.rkt" head-at-prompt))
+         (only-in "../redefinition/prompt.rkt" head-at-prompt)
+         "../../error/spelling.rkt")
 
 (provide help-about help-lines)
 

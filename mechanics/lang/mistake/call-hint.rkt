@@ -4,7 +4,7 @@
 ;; expected, where several are.  A procedure of the library is known by its entry in the
 ;; manual (signature-hint.rkt), one of the reader's by its definition (own-signature.rkt).
 
-(require "procedure-called.rkt" "spelling.rkt"
+(require "procedure-called.rkt" "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["count-message.rkt" restated]

@@ -10,7 +10,7 @@
 (require racket/list
          racket/runtime-path
          racket/string
-         "spelling.rkt"
+         "../../error/spelling.rkt"
          "../help/card-lines.rkt" "../help/card.rkt" "../help/cards.rkt"
          (for-syntax racket/base))
 

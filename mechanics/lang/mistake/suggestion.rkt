@@ -3,7 +3,7 @@
 ;; of the book that is not there yet, one that is called otherwise elsewhere, a formula written
 ;; as in print, or a known one that is spelt nearly so.
 
-(require "elsewhere.rkt" "spelling.rkt"
+(require "elsewhere.rkt" "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["../help/later.rkt" later-sentence]

@@ -2,10 +2,11 @@
 ;; The forms of `#lang mechanics/worksheet`.  Each adds a part to the worksheet of its module,
 ;; in the order in which they stand; what is defined between them the teacher keeps.
 
-(require (for-syntax racket/base racket/file)
+(require (for-syntax racket/base racket/file
+                     "../../error/spelling.rkt" "../../worksheet/clause-names.rkt")
          (prefix-in m: "../redefinition/module.rkt")
          "../../error/complain.rkt"
-         "../../generic/on-demand.rkt"
+         "../../generic/describe.rkt"
          "../../worksheet/exercise.rkt" "../../worksheet/make-exercise.rkt"
          "../../worksheet/make-worksheet.rkt")
 
@@ -19,9 +20,19 @@
 (define (add-part! d part) (set-draft-parts! d (cons part (draft-parts d))))
 
 (define (set-title! d title due)
-  (unless (string? title) (complain 'title "expected a text\n  given: ~e" title))
+  (check-text 'title title)
+  (when due (check-text 'title due))
   (set-draft-title! d title)
   (set-draft-due! d due))
+
+;; who : the form
+(define (check-text who x)
+  (unless (string? x)
+    (complain who "expected a text, in quotation marks\n  given: ~a" (value->text x))))
+
+(define (joined-texts texts)
+  (for ([t (in-list texts)]) (check-text 'text t))
+  (apply string-append texts))
 
 (define (finished d name)
   (make-worksheet (draft-title d) (draft-due d) name (reverse (draft-parts d))))
@@ -66,7 +77,7 @@
 (define-syntax (text-form stx)
   (syntax-case stx ()
     [(_ text ...)
-     #`(add-part! #,(draft-id stx) (passage (string-append text ...)))]))
+     #`(add-part! #,(draft-id stx) (passage (joined-texts (list text ...))))]))
 
 (define-syntax (formula-form stx)
   (syntax-case stx ()
@@ -85,26 +96,54 @@
   (syntax-case stx ()
     [(_ name kind question clause ...)
      (and (identifier? #'name) (identifier? #'kind))
-     (with-syntax ([(made ...) (map clause-expression (syntax->list #'(clause ...)))])
-       #`(add-part! #,(draft-id stx) (make-exercise 'name 'kind question (list made ...))))]
+     (let ([who (syntax-e #'name)])
+       (check-question who #'question stx)
+       (with-syntax ([(made ...) (for/list ([c (in-list (syntax->list #'(clause ...)))])
+                                   (clause-expression who c stx))])
+         #`(add-part! #,(draft-id stx) (make-exercise 'name 'kind question (list made ...)))))]
     [_ (raise-syntax-error
         #f "an exercise has a name, a kind and a question: (exercise name kind \"...\" clause ...)"
         stx)]))
 
 (begin-for-syntax
+  (define (head-of stx)
+    (define parts (syntax-e stx))
+    (and (pair? parts) (identifier? (car parts)) (syntax-e (car parts))))
+
+  (define (check-question who question stx)
+    (when (memq (head-of question) clause-names)
+      (raise-syntax-error who "the question is missing, a text behind the kind of the exercise"
+                          stx question)))
+
   ;; Names are not evaluated, and keywords stand for themselves.
-  (define (clause-expression clause)
-    (syntax-case clause ()
-      [(head argument ...)
-       (identifier? #'head)
-       (if (memq (syntax-e #'head) '(coordinates arguments constants))
-           #''(head argument ...)
-           (with-syntax ([(value ...)
-                          (for/list ([a (in-list (syntax->list #'(argument ...)))])
-                            (if (keyword? (syntax-e a)) #`'#,a a))])
-             #'(list 'head value ...)))]
-      [_ (raise-syntax-error
-          #f "a clause is a list that begins with its name, such as (points 3)" clause)]))
+  (define (clause-expression who clause stx)
+    (define head (head-of clause))
+    (define parts (syntax->list clause))
+    (define (refuse text) (raise-syntax-error who text stx clause))
+    (cond [(not (and head parts))
+           (refuse "a clause is a list that begins with its name, such as (points 3)")]
+          [(not (memq head clause-names))
+           (refuse (format "there is no clause called ~a~a" head (among head clause-names)))]
+          [(not (clause-fits? head (cdr parts)))
+           (refuse (format "the clause `~a` takes ~a" head (values-wanted head)))]
+          [(names-clause? head) #`'#,clause]
+          [else
+           (with-syntax ([head (car parts)]
+                         [(value ...) (for/list ([a (in-list (cdr parts))])
+                                        (if (keyword? (syntax-e a)) #`'#,a a))])
+             #'(list 'head value ...))]))
+
+  (define (clause-fits? head parts)
+    (and (values-fit? head (length (without-keywords parts)))
+         (or (not (names-clause? head)) (andmap identifier? parts))))
+
+  ;; #:absolute stands alone, the others with what belongs to them.
+  (define (without-keywords parts)
+    (cond [(null? parts) '()]
+          [(eq? '#:absolute (syntax-e (car parts))) (without-keywords (cdr parts))]
+          [(and (keyword? (syntax-e (car parts))) (pair? (cdr parts)))
+           (without-keywords (cddr parts))]
+          [else (cons (car parts) (without-keywords (cdr parts)))]))
 
   ;; The forms as they stand in the file; or as data where there is none.
   (define (source-text forms)

@@ -87,9 +87,8 @@
        (define said
          (for*/list ([g (in-list all)]
                      [j (in-value (list-ref (graded-judgments g) k))]
-                     #:when (memq (judgment-status j) '(wrong partly trivial))
-                     #:when (pair? (judgment-words j)))
-           (car (judgment-words j))))
+                     #:when (memq (judgment-status j) '(wrong partly trivial)))
+           (if (pair? (judgment-words j)) (car (judgment-words j)) "it fails in another way")))
        (for/list ([group (in-list (sort (group-by values said) > #:key length))])
          (list (exercise-name e) (car group) (length group))))))
   (if (null? rows)
@@ -117,7 +116,7 @@
           '())
     ,@(for/list ([n (in-list (graded-notes g))]) `(p ([class "note"]) ,(visible n)))
     ,@(for/list ([e (in-list (exercises-of w))] [j (in-list (graded-judgments g))]
-                 #:unless (and (graded-problem g) (eq? 'failed (judgment-status j))))
+                 #:unless (and (eq? 'failed (judgment-status j)) (null? (judgment-words j))))
         (judged-answer e j (hash-ref (graded-answers g) (exercise-name e) '(unanswered))))))
 
 (define (judged-answer e j d)

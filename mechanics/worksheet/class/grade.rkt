@@ -8,7 +8,7 @@
 
 (require racket/future
          "collect-answers.rkt" "isolation.rkt" "submission.rkt" "within-limits.rkt"
-         "../exercise.rkt" "../judge.rkt" "../judgment.rkt")
+         "../defined-names.rkt" "../exercise.rkt" "../judge.rkt" "../judgment.rkt")
 
 (provide grade-class
          (struct-out graded) graded-points graded-open (struct-out class-report))
@@ -81,25 +81,21 @@
 (define (grade-one exercises s found known seconds)
   (define answers (collected-answers found))
   (define problem (collected-problem found))
-  (define nothing (if problem (list 'failed problem) '(unanswered)))
+  (define nothing (if problem '(failed) '(unanswered)))
   (define-values (judgments left)
     (for/fold ([done '()] [left (- seconds (collected-spent found))]) ([e (in-list exercises)])
       (define-values (j took)
         (judge-once known e (hash-ref answers (exercise-name e) nothing) left))
       (values (cons j done) (- left took))))
-  (graded s answers (reverse judgments) problem (answered-twice exercises s)))
+  (graded s answers (reverse judgments) problem (notes-on exercises s found)))
 
-(define (answered-twice exercises s)
-  (for*/list ([e (in-list exercises)]
-              [name (in-value (symbol->string (exercise-name e)))]
-              #:when (> (times-defined name (or (submission-text s) "")) 1))
-    (format "~a is answered twice; the last answer was judged" name)))
-
-;; Definitions begin their lines.
-(define (times-defined name text)
-  (length (regexp-match* (pregexp (string-append "(?m:^\\(define[ \t]+\\(*" (regexp-quote name)
-                                                 "(?=[ \t\r\n)]))"))
-                         text)))
+(define (notes-on exercises s found)
+  (define text (or (submission-text s) ""))
+  (define part?
+    (and (collected-problem found)
+         (for/or ([d (in-hash-values (collected-answers found))]) (memq (car d) '(answer text)))))
+  (append (if part? '("what could be run of it was judged") '())
+          (definition-notes exercises text)))
 
 ;; -> a judgment, and the seconds that it took.  One that was not made is not remembered: the next
 ;; may have more time for it.

@@ -20,7 +20,7 @@
 
 ;; who : in whose name is complained
 (define (folder->submissions who folder)
-  (define entries (sort (directory-list folder) path<?))
+  (define entries (sort (directory-list folder) string<? #:key by-number #:cache-keys? #t))
   (define found
     (for*/list ([name (in-list entries)]
                 [s (in-value (entry->submission folder name))]
@@ -29,6 +29,12 @@
   (when (null? found)
     (complain who "there is no submission, no file that ends with .rkt\n  folder: ~a" folder))
   found)
+
+;; student-2 stands before student-10.
+(define (by-number path)
+  (regexp-replace* #px"\\d+" (path->text path)
+                   (lambda (digits)
+                     (string-append (make-string (max 0 (- 12 (string-length digits))) #\0) digits))))
 
 (define (entry->submission folder name)
   (define path (build-path folder name))

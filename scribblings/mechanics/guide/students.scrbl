@@ -54,7 +54,11 @@ the library, by @exec{make check FILE=pendulum-student.rkt}.
 @section{When it does not work}
 
 @itemlist[
-@item{@tt{unbound identifier}: a name was not defined; a symbol needs its quote, @racket['m].}
+@item{@tt{unbound identifier}: a name was not defined; a symbol needs its quote, @racket['m]. Run
+stops there, and judges nothing until it is mended; @exec{raco mechanics check} judges the other
+answers all the same.}
+@item{@tt{period is not defined; perod is: is that its answer?}: keep the names that the questions
+give.}
 @item{@tt{it has L in it, of which the question does not speak}: look how the question spells it.}
 @item{@tt{the function takes 3 arguments; here it is applied to theta}: begin the definition as the
 comment says.}

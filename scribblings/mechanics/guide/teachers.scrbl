@@ -83,7 +83,10 @@ reads. Thirty submissions take less than a minute.
 @item{What could not be decided, and answers of the kind @racketidfont{reason}, are left to you,
 and listed; they never count as wrong.}
 @item{A name is taken from the line @tt{;; Name:} of the file, or from the file.}
-@item{Where an item is answered twice the last answer is judged, and the report says so.}]
+@item{Where an item is answered twice the last answer is judged, and the report says so; so it
+does where one was given under a misspelt name.}
+@item{A file with a mistake for which Racket would not run it loses the answer with the mistake, and
+no other. What is wrong with it is told at its head.}]
 
 @section[#:tag "what-students-can-do"]{What a submission can do}
 

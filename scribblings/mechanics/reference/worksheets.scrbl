@@ -21,6 +21,20 @@ judged as an answer: a worksheet whose key is refuted, or cannot be proved, is r
 verdict, and so is one where a slip is a right answer. What is defined between the forms stays
 with the teacher.
 
+A worksheet is also refused, with the place in the file, if it has no title or no exercise, if an
+exercise has no question, if a clause is misspelt, stands there twice or holds too much or too
+little, and if two exercises have the same name. What was probably meant is said:
+
+@examples[#:eval session #:label #f
+(eval:error
+ (module misspelt mechanics/worksheet
+   (title "Numbers")
+   (exercise sum number "What is one and one?" (keys 2))))
+(eval:error
+ (module no-question mechanics/worksheet
+   (title "Numbers")
+   (exercise frequency expression (key (sqrt (/ 'k 'm))))))]
+
 @defform[(title text maybe-due) #:grammar ([maybe-due (code:line) (code:line #:due text)])]{
 
 Gives the worksheet its title, and says when it is due.
@@ -182,7 +196,9 @@ Stands where an answer is to be.
 @defform[(check-answers [name answer] ... sealed ...)]{
 
 Judges the answers and prints what is found; the strings hold the exercises, in an envelope
-that is no lock. It stands at the end of a student's file and is not written by hand.
+that is no lock. It stands at the end of a student's file and is not written by hand. An
+@racket[answer] that is a name without a definition is not answered; if another name of the file
+is nearly the same, it is asked whether that is the answer.
 
 @examples[#:eval answers
 (check-answers
@@ -209,6 +225,16 @@ does not; @exec{--report FILE}, as often as you like, for a report in a file tha
 nothing is said; and @exec{--json}, which prints what else is text as JSON. The status is 0 if all
 answers of a file are right, or a class was judged; 1 if one is not; 2 if what was typed makes no
 sense.
+
+@exec{-o FILE} says what to write to: @exec{worksheet} a program, which ends with @exec{.rkt},
+@exec{handout} and @exec{show} a page that ends with @exec{.html}, @exec{tex} and @exec{handout}
+what ends with @exec{.tex}. PDF is not written: @exec{pdflatex} makes it of the one, a browser's
+print command of the other.
+
+A program that cannot be run as a whole, for a name in it is unknown or a definition fails, is run
+by @exec{check} form by form. What is wrong with it is said once; answers that can be had are
+judged as ever, and one that cannot says what it failed with. Of a program in which a form cannot be
+read, for a parenthesis is missing, what stands before that form is judged.
 
 The seconds count from when the library is loaded: two thirds of them are for the program, the rest
 for judging what it answers. Time in which a program waits for a processor is not counted, where

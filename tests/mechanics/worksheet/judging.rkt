@@ -83,7 +83,25 @@
  [(two-with (lambda (a b) (+ a b)) (lambda (a b) (- a (* 2 b)))) right 1]
  [(two-with (lambda (a b) b) (lambda (a b) a)) right 1]
  [(two-with (lambda (a b) a) (lambda (a b) a)) partly 1/2 "some of the equations say the same"]
- [(two-with (lambda (a b) a) (lambda (a b) (- b (* 'k 'y)))) partly 1/2])
+ [(two-with (lambda (a b) a) (lambda (a b) (- b (* 'k 'y)))) partly 1/2]
+ [(two-with (lambda (a b) (* a (+ a 1))) (lambda (a b) (- b (* 'k 'y)))) undecided #f
+  "some of the equations are refuted, and one that holds is not linear"]
+ [(two-with (lambda (a b) 0) (lambda (a b) (- b (* 'k 'y)))) wrong 0])
+
+(define (L-three (up t (up x y z) (up vx vy vz)))
+  (- (* 1/2 'm (+ (square vx) (square vy) (square vz))) (* 1/2 'k (square x))))
+(define three (an-exercise equations ('coordinates 'x 'y 'z) ('of L-three)))
+(define ((three-with f) path)
+  (lambda (t)
+    (define (a n) ((D2 (ref path n)) t))
+    (up (+ (* 'm (a 0)) (* 'k ((ref path 0) t))) (f (a 1)) (a 2))))
+
+;; What says the same as another, and what is wrong, counts for nothing.
+(judges three
+ [(three-with (lambda (a) a)) right 1]
+ [(three-with (lambda (a) (+ a 1))) partly 2/3]
+ [(lambda (path) (lambda (t) (let ([a ((D2 (ref path 2)) t)]) (up a (* 2 a) (+ a 1)))))
+  partly 1/3])
 
 ;; ---------------------------------------------------------------------------
 ;; Lagrangians

@@ -36,6 +36,11 @@
   (check-regexp-match #rx"no-such-name-at-all is not a name of mechanics"
                       (second (answer "help" "no-such-name-at-all"))))
 
+(test-case "help of a misspelt command names it"
+  (check-regexp-match #rx"^There is no command chek; did you mean check[?]\n\nchek is not a name"
+                      (second (answer "help" "chek")))
+  (check-false (regexp-match? #rx"There is no command" (second (answer "help" "simplify")))))
+
 (test-case "an unknown command is told, with the nearest"
   (for ([(typed meant) (hash "shwo" "show" "te" "tex" "halp" "help" "rpl" "repl")])
     (define a (answer typed))

@@ -101,6 +101,46 @@
   (check-equal? (map hints-for '(5 5 7 5 2))
                 '(("soon") ("soon") ("soon" "late") ("soon" "late") ())))
 
+;; ---------------------------------------------------------------------------
+;; Files with mistakes
+
+(define (checked name . answers)
+  (write-text name (student-with answers))
+  (second (command "check" name)))
+
+(test-case "an answer with an unknown name voids no other, and is told once"
+  (define said (checked "unbound.rkt" '("period" "(+ perid 1)") (first answers)))
+  (check-regexp-match (string-append "^it does not run: line [0-9]+: perid: unbound identifier.*"
+                                     "\nwhat could be run of it was judged\n1. L-pendulum: proved ")
+                      said)
+  (check-regexp-match #rx"4. period: no answer could be had [^\n]*\n   perid is not defined; as a"
+                      said)
+  (check-equal? (length (regexp-match* #rx"unbound identifier" said)) 1))
+
+(test-case "a definition that fails voids no other"
+  (define said (checked "fails.rkt" '("period" "(/ 1 0)") (first answers)))
+  (check-regexp-match #rx"^it does not run: /: division by zero\n.*1. L-pendulum: proved" said)
+  (check-regexp-match #rx"4. period: no answer could be had [^\n]*\n   /: division by zero" said))
+
+(test-case "what stands before a form that cannot be read is judged"
+  (define said (checked "open.rkt" (first answers) '("period" "(sqrt 2")))
+  (check-regexp-match #rx"^it does not run: line [0-9]+: read-syntax: expected a `[)]`" said)
+  (check-regexp-match #rx"\n1. L-pendulum: proved" said)
+  (check-regexp-match #rx"\n4. period: no answer could be had [^\n]*\n5. why: no answer" said))
+
+(test-case "an answer under another name is told, and others are judged"
+  (write-text "misspelt.rkt"
+              (string-replace (student-with (list (first answers)))
+                              "(define period unanswered)" "(define perod 2.0)"))
+  (define said (second (command "check" "misspelt.rkt")))
+  (check-regexp-match
+   #rx"^period is not defined; perod is: is that its answer[?]\n1. .*: proved" said)
+  (define run (open-output-string))
+  (parameterize ([current-output-port run] [current-namespace (make-base-namespace)])
+    (dynamic-require (in-folder "misspelt.rkt") #f))
+  (check-regexp-match #rx"^period is not defined; perod is: is that its answer[?]\n1. .*: proved"
+                      (get-output-string run)))
+
 (test-case "all that is right makes the status 0"
   (write-text "right.rkt" (student-with '(("L-pendulum" "unanswered"))))
   (write-text "small.rkt" "#lang mechanics/worksheet" "(title \"Small\")"
@@ -151,6 +191,25 @@
   (make-directory (in-folder "nobody"))
   (check-refused #rx"^check: there is no submission" "check" "nobody" "--worksheet" "first.rkt"))
 
+(test-case "a name without .rkt, or misspelt, is told which was meant"
+  (for ([typed '("first" "frist.rkt")])
+    (define pattern (format "there is no such file; did you mean first.rkt[?]\n  file: ~a" typed))
+    (for ([c '("worksheet" "handout" "check")]) (check-refused pattern c typed))
+    (check-refused pattern "check" "class" "--worksheet" typed)))
+
+(test-case "what is written has the name of what it is"
+  (check-refused #rx"^worksheet: it writes a file that ends with .rkt\n  given: x.pdf\n  for PDF: "
+                 "worksheet" "first.rkt" "-o" "x.pdf")
+  (check-refused #rx"^handout: it writes a file that ends with .html\n  given: x.pdf\n  for PDF: "
+                 "handout" "first.rkt" "-o" "x.pdf")
+  (check-refused #rx"^handout: it writes a file that ends with .html\n  given: x.tex\n$"
+                 "handout" "first.rkt" "-o" "x.tex" "--to" "html")
+  (check-refused #rx"^show: it writes .* .html\n  given: x.pdf\n  for PDF: "
+                 "show" "program.rkt" "-o" "x.pdf")
+  (check-refused #rx"^tex: it writes .* .tex\n  given: x.pdf\n  for PDF: "
+                 "tex" "program.rkt" "-o" "x.pdf")
+  (check-equal? (command "handout" "first.rkt" "-o" "y.tex") '(0 "y.tex\n")))
+
 (test-case "an envelope that was changed is told"
   (write-text "torn.rkt" (regexp-replace #rx"\n \"...." (text "first-student.rkt") "\n \"AAAA"))
   (check-refused #rx"the last lines of this worksheet were changed" "check" "torn.rkt"))
@@ -168,10 +227,25 @@
   (check-worksheet #rx"^worksheet: it has no exercise" title)
   (check-worksheet #rx"^worksheet: two exercises are called a" title
                    "(exercise a number \"?\" (key 1))" "(exercise a number \"?\" (key 2))")
-  (check-worksheet #rx"^a: there is no kind of exercise called numbr" title
+  (check-worksheet #rx"^a: there is no kind of exercise called numbr; did you mean number[?]" title
                    "(exercise a numbr \"?\" (key 1))")
-  (check-worksheet #rx"^a: there is no clause called keys" title
-                   "(exercise a number \"?\" (keys 1))")
+  (check-worksheet #rx":3:23: a: there is no clause called keys; did you mean key[?]\n  there are: "
+                   title "(exercise a number \"?\" (keys 1))")
+  (check-worksheet #rx":3:19: a: the question is missing, a text behind the kind" title
+                   "(exercise a number (key (sqrt k)))")
+  (check-worksheet #rx"a: the clause `key` takes one value\n  at: [(]key[)]" title
+                   "(exercise a number \"?\" (key))")
+  (check-worksheet #rx"a: the clause `coordinates` takes names, without quotes" title
+                   "(exercise a Lagrangian \"?\" (coordinates 'x) (key square))")
+  (check-worksheet #rx"a: the clause `slip` takes a wrong answer, and a text in quotation marks"
+                   title "(exercise a number \"?\" (key 1) (slip 2 no it is not #:credit 1/2))")
+  (check-worksheet #rx"a: the clause `no-practice` takes nothing" title
+                   "(exercise a number \"?\" (key 1) (no-practice #t))")
+  (check-worksheet #rx"a: a clause is a list that begins with its name" title
+                   "(exercise a number \"?\" key 1)")
+  (check-worksheet #rx"^title: expected a text, in quotation marks\n  given: 5" "(title 5)")
+  (check-worksheet #rx"^title: expected a text, .*given: 4" "(title \"Bad\" #:due 4)")
+  (check-worksheet #rx"^text: expected a text, .*given: x" title "(text \"See \" 'x)")
   (check-worksheet #rx"^a: it has no key" title "(exercise a number \"?\")")
   (check-worksheet #rx"^a: the clause `key` stands there twice" title
                    "(exercise a number \"?\" (key 1) (key 2))")
@@ -181,10 +255,14 @@
                    "(exercise a number \"?\" (key 1) (points 'x))")
   (check-worksheet #rx"an exercise has a name, a kind and a question" title "(exercise a)"))
 
-(test-case "a wrong key is refused, with its verdict"
+(test-case "a wrong key is refused, with its verdict, and no slip is seen in it"
   (check-worksheet #rx"^a: its own key is refuted\na: refuted.*zero if: " title
                    "(define (L (up t x v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square x))))"
                    "(exercise a conserved \"?\" (coordinates x) (of L) (key velocity))")
+  (check-worksheet
+   #rx"^a: its own key is refuted\na: refuted [(]0 of 1 point[)]\n   refuted: the res"
+                   title "(define (L (up t x v)) (- (square v) (square x)))"
+                   "(exercise a conserved \"?\" (coordinates x) (of L) (key L))")
   (check-worksheet #rx"^a: its own key is refuted\na: refuted" title
                    "(define (L (up t x v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square x))))"
                    "(exercise a equations \"?\" (coordinates x) (of L)"

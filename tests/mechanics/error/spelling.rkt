@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Names that an unknown one may have been meant for.
 
-(require mechanics/lang/mistake/spelling
+(require mechanics/error/spelling
          rackunit)
 
 (define known

@@ -7,7 +7,7 @@
 
 (require (only-in racket/list add-between take))
 
-(provide likely-names nearest-names alternatives)
+(provide likely-names nearest-names alternatives among)
 
 (define most-suggestions 3)
 
@@ -32,6 +32,13 @@
 (define (alternatives names)
   (apply string-append
          (add-between (map symbol->string names) ", " #:before-last " or ")))
+
+;; What is said of a name that is none of a few: which was meant, and which there are.
+(define (among name known)
+  (define near (nearest-names (symbol->string name) known))
+  (format "~a\n  there are: ~a"
+          (if (null? near) "" (format "; did you mean ~a?" (alternatives near)))
+          (apply string-append (add-between (map symbol->string known) ", "))))
 
 ;; The names at the smallest distance that is allowed.
 (define (nearest text allowed known)

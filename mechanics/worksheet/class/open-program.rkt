@@ -1,0 +1,105 @@
+#lang racket/base
+;; A student's program, run in a sandbox of Racket's.
+;;
+;; A program that cannot be run as a whole, for a name in it is misspelt, say, is run form by form,
+;; as if it were typed at a prompt: so one answer with a mistake voids no other.
+
+(require racket/match
+         racket/sandbox)
+
+(provide open-program answer-in (struct-out program) reason)
+
+;; evaluator : or #f, if nothing of it could be run
+;; problem   : why it does not run as a whole, or #f
+;; failures  : hasheq, why a name of it has no value
+(struct program (evaluator problem failures))
+
+;; seconds : of each evaluation, or #f
+(define (open-program text seconds megabytes)
+  (define (limited make)
+    (parameterize ([sandbox-namespace-specs
+                    (append (sandbox-namespace-specs) '(mechanics mechanics/answers))]
+                   [sandbox-eval-limits (list seconds megabytes)]
+                   [sandbox-memory-limit megabytes]
+                   [sandbox-input #f]
+                   [sandbox-output #f]
+                   [sandbox-error-output #f]
+                   [sandbox-propagate-exceptions #t]
+                   [sandbox-propagate-breaks #f]
+                   [sandbox-gui-available #f])
+      (make)))
+  (with-handlers ([void (lambda (x) (open-by-forms text x limited))])
+    (program (limited (lambda () (make-module-evaluator text))) #f (hasheq))))
+
+;; x : what was raised when it was run as a whole
+(define (open-by-forms text x limited)
+  (with-handlers ([void (lambda (_) (program #f (reason x) (hasheq)))])
+    (define evaluator
+      (and (exn:fail? x) (not (out-of-bounds? x)) (regexp-match? our-language text)
+           (limited (lambda () (make-evaluator 'mechanics #:requires '(mechanics/answers))))))
+    (program evaluator (reason x)
+             (if evaluator
+                 (call-in-sandbox-context evaluator (lambda () (run-forms text)))
+                 (hasheq)))))
+
+(define our-language #px"^#lang mechanics[ \t]*\r?\n")
+
+;; Where a form cannot be read nothing can that follows it. -> failures
+(define (run-forms text)
+  (define in (open-input-string text))
+  (port-count-lines! in)
+  (void (read-line in))
+  (let loop ([failures (hasheq)])
+    (define form (with-handlers ([exn:fail? (lambda (x) eof)]) (read-syntax 'program in)))
+    (cond [(eof-object? form) failures]
+          [else
+           (define x (with-handlers ([anything-but-a-break? values]) (eval form) #f))
+           (define name (and x (name-defined (syntax->datum form))))
+           (loop (if name (hash-set failures name (reason x)) failures))])))
+
+(define (anything-but-a-break? x) (not (exn:break? x)))
+
+;; (define name ...), (define ((name a) b) ...) -> name, or #f
+(define (name-defined form)
+  (define (head x) (if (pair? x) (head (car x)) x))
+  (define found
+    (and (list? form) (pair? form) (eq? 'define (car form)) (pair? (cdr form)) (head (cadr form))))
+  (and (symbol? found) found))
+
+;; ---------------------------------------------------------------------------
+
+;; answer-of : of the value -> data; of a program that does not define the name what it failed
+;; with, or else `otherwise`.
+(define (answer-in p name answer-of otherwise)
+  (define failure (hash-ref (program-failures p) name #f))
+  (with-handlers ([void (lambda (x) (list 'failed (reason x)))])
+    (call-in-sandbox-context
+     (program-evaluator p)
+     (lambda ()
+       (cond [failure (list 'failed failure)]
+             [(defined? name) (retold (answer-of (eval name)))]
+             [else otherwise])))))
+
+(define (retold d)
+  (match d
+    [(list 'failed text) (list 'failed (in-readers-words text))]
+    [_ d]))
+
+(define (defined? name)
+  (identifier-binding (namespace-symbol->identifier name) 0 #t))
+
+;; What was raised is not asked for its message unless it is an error of Racket's own making,
+;; and is not printed.
+(define (reason x)
+  (cond [(out-of-bounds? x) "it took too long, or too much memory, or ended itself"]
+        [(and (exn? x) (string? (exn-message x))) (in-readers-words (exn-message x))]
+        [else "it raised what is no error"]))
+
+(define (out-of-bounds? x) (or (exn:fail:resource? x) (exn:fail:sandbox-terminated? x)))
+
+;; The program is not called so by who wrote it.
+(define (in-readers-words text)
+  (define with-lines (regexp-replace #px"^program:(\\d+):\\d+: " text "line \\1: "))
+  (regexp-replace #px"^(\\S+): undefined;\n cannot reference an identifier before its def.*$"
+                  with-lines
+                  "\\1 is not defined; as a symbol it is written '\\1"))

@@ -1,0 +1,30 @@
+#lang racket/base
+;; What the clauses of an exercise are called, and how many values stand in each: known when a
+;; worksheet is compiled, so that a slip in a clause is told as such, and not as an unknown name.
+
+(provide clause-names values-fit? values-wanted names-clause?)
+
+(define with-names '(coordinates arguments constants))
+(define with-any '(besides assuming))
+(define with-one '(key of of-Hamiltonian force becomes starts within unit points hint expects))
+
+(define clause-names (append with-names with-one with-any '(slip no-practice)))
+
+;; Are its parts names, that are not evaluated?
+(define (names-clause? name) (memq name with-names))
+
+;; n : how many there are, but for keywords
+(define (values-fit? name n)
+  (cond [(memq name with-one) (= n 1)]
+        [(eq? name 'slip) (= n 2)]
+        [(eq? name 'no-practice) (= n 0)]
+        [else (>= n 1)]))
+
+;; In words.
+(define (values-wanted name)
+  (cond [(eq? name 'hint) "one text, in quotation marks"]
+        [(memq name with-one) "one value"]
+        [(eq? name 'slip) "a wrong answer, and a text in quotation marks"]
+        [(eq? name 'no-practice) "nothing"]
+        [(names-clause? name) "names, without quotes"]
+        [else "a value, or several"]))
