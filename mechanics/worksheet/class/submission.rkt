@@ -32,9 +32,9 @@
 
 ;; student-2 stands before student-10.
 (define (by-number path)
-  (regexp-replace* #px"\\d+" (path->text path)
-                   (lambda (digits)
-                     (string-append (make-string (max 0 (- 12 (string-length digits))) #\0) digits))))
+  (define (filled digits)
+    (string-append (make-string (max 0 (- 12 (string-length digits))) #\0) digits))
+  (regexp-replace* #px"\\d+" (path->text path) filled))
 
 (define (entry->submission folder name)
   (define path (build-path folder name))
