@@ -24,8 +24,8 @@
   (check-map who map)
   (check-steps who n)
   (define-values (x y) (values (start-abscissa who start) (start-ordinate who start)))
-  (define step! (displacement-stepper who map x y))
-  (indicator (step!) x y n))
+  (define-values (make-step! compiled?) (displacement-stepper who map x y))
+  (indicator (make-step!) x y n))
 
 (define (check-steps who n)
   (unless (exact-positive-integer? n)
@@ -38,16 +38,18 @@
   (define columns (flvector-length xs))
   (define all (make-flvector (* columns (flvector-length ys)) +nan.0))
   (define middle (lambda (v) (flvector-ref v (quotient (flvector-length v) 2))))
-  (define make-step! (displacement-stepper who map (middle xs) (middle ys)))
+  (define-values (make-step! compiled?)
+    (displacement-stepper who map (middle xs) (middle ys)))
   (define (row! step! j)
     (for ([x (in-flvector xs)] [i (in-naturals)])
       (flvector-set! all (+ i (* j columns)) (indicator step! x (flvector-ref ys j) n))))
-  (on-all-cores (flvector-length ys) make-step! row!)
+  (on-cores (if compiled? (processor-count) 1) (flvector-length ys) make-step! row!)
   all)
 
-;; Rows in turn, so that all cores have as much to do.
-(define (on-all-cores rows make-step! row!)
-  (define cores (min rows (processor-count)))
+;; Rows in turn, so that all cores have as much to do.  A procedure of the user's is called by
+;; one alone: what it does, and an error of its own, would only wait in a future.
+(define (on-cores most rows make-step! row!)
+  (define cores (min rows most))
   (define others
     (for/list ([core (in-range 1 cores)])
       (define step! (make-step!))
@@ -85,7 +87,7 @@
   (flvector-set! p 2 (fl/ (flvector-ref p 2) length))
   (flvector-set! p 3 (fl/ (flvector-ref p 3) length)))
 
-;; -> (-> step!), for one thread each
+;; -> (-> step!), for one thread each; is it compiled?
 (define (displacement-stepper who map x y)
   (define (no-image) (complain who "a point without an image"))       ; a refusal
   (define (image p) (map (ref p 0) (ref p 1) up no-image))
@@ -94,9 +96,10 @@
       (value-and-derivative-along image (up (ref p 0) (ref p 1)) (up (ref p 2) (ref p 3))))
     (up (ref to 0) (ref to 1) (ref change 0) (ref change 1)))
   (define code (compile-traced moved (up x y 0.6 0.8) #:name who))
-  (if code
-      (lambda () (compiled-displacement (compiled-function-runner code)))
-      (lambda () (called-displacement who map x y))))
+  (values (if code
+              (lambda () (compiled-displacement (compiled-function-runner code)))
+              (lambda () (called-displacement who map x y)))
+          (and code #t)))
 
 (define ((compiled-displacement run!) p q)
   (run! p q)

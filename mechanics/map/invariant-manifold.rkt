@@ -82,7 +82,7 @@
 (define (march who curve angles length gap)
   (define (at s)
     (define p (curve s))
-    (vector s (real->double-flonum (abscissa p)) (real->double-flonum (ordinate p))))
+    (vector s (start-abscissa who p) (start-ordinate who p)))
   (define first (* 0.5 gap))
   (let loop ([last (at (min first 1e-3))] [h 0.1] [far 0.0] [points '()] [count 0])
     (define next (at (* (vector-ref last 0) (+ 1 h))))

@@ -29,7 +29,7 @@
 
 ;; step : the greatest for differences
 (define (map-jacobian who map x y [step 1e-3])
-  (define (image p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+  (define (image p) (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
   (define at (up x y))
   (image at)                            ; a mistake of the map's own is seen here
   (with-handlers ([refusal? (lambda (e) (by-differences who image x y step))])
@@ -102,6 +102,6 @@
 
 ;; -> (p J -> void), between flvectors: the derivatives of both coordinates by x, then by y
 (define (jacobian-runner who map x y)
-  (define (image p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+  (define (image p) (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
   (compiled-function-runner
    (compile-function (lambda (p) (derivative-at image p)) (up x y) #:name who)))

@@ -37,11 +37,7 @@
   (map-on-tuples image point start (angles-of image start)))
 
 (define ((plane-image who map) p)
-  (define image (image-of who map (structure-ref p 0) (structure-ref p 1) up))
-  (unless (and (tuple? image) (= 2 (shape-length image)))
-    (complain who "the map does not call `return` with the two coordinates of the image\n  ~a: ~a"
-              "map" (value->text map)))
-  image)
+  (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
 
 (define ((state-image who map at) p)
   (define value (map (with-time at p)))
@@ -53,6 +49,7 @@
                   (format "\n  parameters are supplied first: (~a ...)" (value->text map))
                   "")))
   (define image (scalars value))
+  (check-image who map image)
   (apply up (if (timed? at) (cdr image) image)))
 
 ;; Tuples answer `procedure?`, too.

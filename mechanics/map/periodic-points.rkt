@@ -4,7 +4,7 @@
 ;; find more.
 
 (require "fixed-points.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt")
@@ -21,20 +21,29 @@
     (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"
               (describe-with-value grid)))
   (define (node low high k count) (+ low (* (- high low) (/ (+ k 0.5) count))))
+  (define near
+    (for*/list ([i (in-range (car grid))] [j (in-range (cadr grid))])
+      (point-near who map n (up (node x-min x-max i (car grid))
+                                (node y-min y-max j (cadr grid))))))
+  (check-some-map near)
   (define all
-    (for*/fold ([found '()]) ([i (in-range (car grid))] [j (in-range (cadr grid))])
-      (define p (point-near who map n (up (node x-min x-max i (car grid))
-                                          (node y-min y-max j (cadr grid)))))
-      (if (and p (inside? p x-min x-max y-min y-max)
+    (for/fold ([found '()]) ([p (in-list near)])
+      (if (and (fixed-point? p) (inside? p x-min x-max y-min y-max)
                (not (member p found same-point?))
                (not (lesser-period? map p n)))
           (cons p found)
           found)))
   (sort all before?))
 
+;; A fixed point, or the refusal that was met on the way there
 (define (point-near who map n guess)
-  (with-handlers ([refusal? (lambda (e) #f)])
+  (with-handlers ([refusal? values])
     (fixed-point-near who map guess n 1e-13 30)))
+
+;; A map that fails wherever one starts is at fault, not the starts.
+(define (check-some-map near)
+  (when (for/and ([p (in-list near)]) (and (exn:fail:contract? p) (not (no-value? p))))
+    (raise (car near))))
 
 ;; By abscissas, and by ordinates where these are equal.
 (define (before? p q)

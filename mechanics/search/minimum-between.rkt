@@ -8,7 +8,7 @@
 ;; narrower one than their distance may still hide.
 
 (require racket/list
-         "../error/note.rkt" "../error/refusal.rkt"
+         "../error/failure.rkt" "../error/note.rkt"
          "../numeric/constants.rkt" "../numeric/sample.rkt")
 
 (provide minimum-between minima-between (struct-out found))
@@ -53,7 +53,7 @@
 ;; The value at a place that Brent's method would not have asked about, +inf.0 where there is
 ;; none
 (define (value-there s x)
-  (define y (with-handlers ([refusal? (lambda (e) +nan.0)]) ((survey-function s) x)))
+  (define y (with-handlers ([no-value? (lambda (e) +nan.0)]) ((survey-function s) x)))
   (if (rational? y) (real->double-flonum y) +inf.0))
 
 ;; ---------------------------------------------------------------------------
