@@ -16,7 +16,8 @@
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
-         (only-in "../numeric/flvector.rkt" flvector->list) "../numeric/progress.rkt"
+         (only-in "../numeric/flvector.rkt" flvector->list flvector-finite? greatest norm)
+         "../numeric/finite.rkt" "../numeric/progress.rkt"
          "../numeric/linear/definite.rkt"
          "../numeric/search/newton.rkt" "../numeric/search/quasi-newton.rkt"
          "../value/shape.rkt")
@@ -27,14 +28,16 @@
 
 ;; observe : called with each path tried and its action
 (define-plain (find-path L t0 q0 t1 q1 n #:tolerance [tolerance 1e-8] #:observe [observe void]
-                   #:progress [progress? (report-progress)])
+                         #:most-steps [most 1000] #:progress [progress? (report-progress)])
   (check-arguments L t0 q0 t1 q1 n)
   (check-tolerance who tolerance)
+  (unless (exact-positive-integer? most)
+    (complain-of-argument who "a number of steps, a positive integer" most))
   (define (search t0 q0 t1 q1)
     (define p (make-problem L t0 q0 t1 q1 n))
     (call-with-progress progress?
                         (lambda (note!)
-                          (least-path p tolerance (counting-search note! who observe)))))
+                          (least-path p tolerance most (counting-search note! who observe)))))
   (cond [(= n 0) (make-path t0 q0 t1 q1 '())]
         [(< t0 t1) (search t0 q0 t1 q1)]
         [else (search t1 q1 t0 q0)]))
@@ -82,10 +85,10 @@
 
 (define most-parts 256)
 
-(define (least-path p tolerance observe)
+(define (least-path p tolerance most observe)
   (let refine ([c (make-flvector (problem-size p))] [parts 1])
     (define action ((problem-action p) parts))
-    (define next (minimum p action c tolerance observe))
+    (define next (minimum p action c tolerance most observe))
     (define moved (if (= parts 1) +inf.0 (distance c next)))
     (cond [(<= moved (* 10.0 tolerance)) ((problem-path p) next)]
           [(= parts most-parts)
@@ -102,18 +105,52 @@
   (for/fold ([m 0.0]) ([x (in-flvector v)] [y (in-flvector w)])
     (max m (/ (abs (- x y)) (+ 1.0 (abs y))))))
 
-(define (minimum p action c tolerance observe)
-  (define (no-minimum failure)
-    (define s (stationary-point action c))
+(define (minimum p action c tolerance most observe)
+  (define found
+    (with-handlers ([stopped? (lambda (failure) (path-after-all p action c failure most))])
+      (define-values (found value slope count)
+        (quasi-newton action c #:tolerance tolerance #:limit most #:name who
+                      #:observe (lambda (c value) (observe ((problem-path p) c) value))
+                      #:argument stopped-at))
+      (or (lower-point action found value (stationary-point action found)) found)))
+  (check-least p action found)
+  found)
+
+;; Where the search stopped: with it a failure of ours is told from one of the Lagrangian's.
+(struct stopped-at (point) #:authentic)
+(define (stopped? e)
+  (and (exn:fail:mechanics:not-convergent? e)
+       (stopped-at? (exn:fail:mechanics:not-convergent-value e))))
+
+;; Newton's method may find what the descent did not; else the failure says why that stopped.
+(define (path-after-all p action c failure most)
+  (define last (stopped-at-point (exn:fail:mechanics:not-convergent-value failure)))
+  (define-values (value slope) (action last))
+  (define s (stationary-point action c))
+  (define (raise-none what)
     (when s (check-least p action s))
-    (raise-no-path p "the action has no minimum among these paths" c +inf.0))
-  (define-values (found value slope count)
-    (with-handlers ([exn:fail:mechanics:not-convergent? no-minimum])
-      (quasi-newton action c #:tolerance tolerance #:name who
-                    #:observe (lambda (c value) (observe ((problem-path p) c) value)))))
-  (define best (or (lower-point action found value (stationary-point action found)) found))
-  (check-least p action best)
-  best)
+    (raise-no-path p (string-append no-minimum what) c +inf.0))
+  (cond
+    [(and s (least? action s) (value-at action s)) s]
+    [(not (and (finite? value) (flvector-finite? slope))) (raise-none ": it is not finite there")]
+    [(or (> (greatest last) far) (straight-down? action last slope))
+     (raise-none ": it falls without end")]
+    [else
+     (raise-no-path p (format "the search for the path was stopped after ~a steps" most)
+                    last (exn:fail:mechanics:not-convergent-error-estimate failure)
+                    "action" value "size of its gradient" (norm slope))]))
+
+;; Does the action not bend along its gradient?
+(define (straight-down? action c slope)
+  (define bend
+    (for/sum ([row (in-vector (second-derivatives action c))] [s (in-flvector slope)])
+      (* s (for/sum ([h (in-vector row)] [s (in-flvector slope)]) (* h s)))))
+  (< (abs bend) (* 1e-6 (norm slope) (norm slope))))
+
+(define no-minimum "the action has no minimum among these paths")
+
+;; No search that ends in a minimum comes by there.
+(define far 1e30)
 
 ;; The stationary point, if there is one and the action there is not greater.
 (define (lower-point action found value stationary)
@@ -121,8 +158,15 @@
        (let-values ([(value* slope) (action stationary)])
          (and (<= value* (+ value (* 1e-9 (+ 1.0 (abs value))))) stationary))))
 
+;; If it is finite
+(define (value-at action c)
+  (define-values (value slope) (action c))
+  (and (finite? value) value))
+
+(define (least? action c) (not (takes-negative-values? (second-derivatives action c))))
+
 (define (check-least p action c)
-  (when (takes-negative-values? (second-derivatives action c))
+  (unless (least? action c)
     (define-values (value slope) (action c))
     (raise-no-path p (string-append "the stationary path does not make the action least:"
                                     " it falls in some direction from there, as it does"

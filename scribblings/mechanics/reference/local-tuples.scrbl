@@ -715,6 +715,7 @@ them.
                     [n exact-nonnegative-integer?]
                     [#:tolerance tolerance real? 1e-8]
                     [#:observe observe (-> path real? any) void]
+                    [#:most-steps most exact-positive-integer? 1000]
                     [#:progress progress? any/c (report-progress)])
          procedure?]{
 
@@ -734,7 +735,10 @@ integrated, and its minimum searched for, to the tolerance.
 
 A motion that lasts too long, more than half a period for an oscillator, makes its action
 stationary but not least. This is said by the error
-@racket[exn:fail:mechanics:not-convergent], which carries the stationary path.
+@racket[exn:fail:mechanics:not-convergent], which carries the stationary path. So it is if the
+action falls without end, if it is not finite, if it cannot be integrated well enough, and if
+the search takes more than @racket[most] steps and Newton's method does not find the path
+either: the message says which it was, and the path is the best there is.
 
 @examples[#:eval session
 (eval:error (find-path (L-harmonic 1 1) 0 1 4 0 3))

@@ -137,10 +137,39 @@
 
 (test-case "an action without a stationary path"
   (define f (failure (lambda () (find-path (lambda (s) (coordinate s)) 0 1 1 1 2))))
-  (check-regexp-match #rx"^find-path: the action has no minimum among these paths\n  best value: "
-                      (exn-message f))
+  (check-regexp-match
+   #rx"^find-path: the action has no minimum among these paths: it falls without end\n  best value: "
+   (exn-message f))
   (check-= ((exn:fail:mechanics:not-convergent-value f) 0.5) 1 1e-14)
-  (check-pred exn? (failure (lambda () (find-path (lambda (s) +nan.0) 0 1 1 1 2)))))
+  (define none (failure (lambda () (find-path (lambda (s) +nan.0) 0 1 1 1 2))))
+  (check-regexp-match #rx": it is not finite there\n" (exn-message none)))
+
+(define (L-quartic s)
+  (+ (* 1/2 (square (velocity s))) (expt (coordinate s) 4) (exp (coordinate s))))
+
+(test-case "a search that may take few steps says that it was stopped, and how far it came"
+  (define (L-steep s) (+ (* 1/2 (square (velocity s))) (exp (* -20 (coordinate s)))))
+  (define f (failure (lambda () (find-path L-steep 0 1 1 -3 4 #:most-steps 2))))
+  (check-regexp-match
+   #rx"^find-path: the search for the path was stopped after 2 steps\n  action: .*\n  size of its g"
+   (exn-message f))
+  (define q (exn:fail:mechanics:not-convergent-value f))
+  (check-= (q 0) 1 1e-12)
+  (check-= (q 1) -3 1e-12)
+  ;; where Newton's method gets there, nothing is to be said
+  (define few (find-path L-quartic 0 1 1 2 4 #:most-steps 1))
+  (define many (find-path L-quartic 0 1 1 2 4))
+  (for ([t '(0.2 0.6)]) (check-= (few t) (many t) 1e-7))
+  (check-exn #rx"^find-path: expected a number of steps, a positive integer\n  given: the number 0"
+             (lambda () (find-path L-quartic 0 1 1 2 4 #:most-steps 0))))
+
+(test-case "a failure of the Lagrangian's own is not taken for one of the search"
+  (define (L s)
+    (if (> (coordinate s) 1.5)
+        (definite-integral (lambda (x) (/ 1 x)) 0 1)
+        (square (velocity s))))
+  (check-regexp-match #rx"^definite-integral: "
+                      (exn-message (failure (lambda () (find-path L 0 1 1 2 2))))))
 
 (test-case "a Lagrangian that jumps in time is not integrated well enough, which is said"
   (define (L s) (+ (square (velocity s)) (* (coordinate s) (if (< (time s) 0.3) 1 0))))
