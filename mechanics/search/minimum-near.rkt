@@ -27,7 +27,7 @@
     (define all (+ count (end-count e)))
     (define better? (or (not best) (< (end-y e) (end-y best))))
     (define e* (if better? e best))
-    (define o (look t (end-x e*) (end-y e*)))
+    (define o (look t (end-x e*) (end-y e*) (eq? method 'nelder-mead)))
     (define (again x method* metric) (loop x method* metric e* all (+ round 1)))
     (cond
       [(or (not better?) (= round most-rounds)) (judged t e* o all)]

@@ -27,9 +27,9 @@
   (define c (outlook-curvatures o))
   (and (eq? (outlook-kind o) 'flat) c (all-vanishing? c)))
 
-;; y : the value at x
-(define (look t x y)
-  (define g (finite-or-false (target-gradient t x)))
+;; y : the value at x; values-only? : is the function not to be differentiated?
+(define (look t x y [values-only? #f])
+  (define g (and (not values-only?) (finite-or-false (target-gradient t x))))
   (define second (and g (finite-or-false (target-second-derivatives t x))))
   (if second (look-exactly t x y g second) (look-at-values t x y)))
 

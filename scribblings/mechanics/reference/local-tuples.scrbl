@@ -243,7 +243,8 @@ As @racket[definite-integral], with a tolerance that must be given.
 A minimum of f and what is known of it: between two numbers, found as by @racket[minimize], or
 near a start of any shape, as by @racket[multidimensional-minimize]. Where a search ends, the
 gradient and the second derivatives of f are looked at, which are exact if f can be
-differentiated and differences of values if not. From a saddle point, or from a plateau with a
+differentiated and differences of values if not, or if the method is @racket['nelder-mead].
+From a saddle point, or from a plateau with a
 way down, the search goes on; what looks like a minimum gets some steps of Newton's method.
 
 @examples[#:eval session

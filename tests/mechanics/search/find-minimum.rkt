@@ -73,6 +73,15 @@
     (check-exn exn:fail:mechanics:not-convergent?
                (lambda () (multidimensional-minimize f (up 0 0))))))
 
+(test-case "by its values alone a function is not differentiated"
+  (define (f v)
+    (check-pred flonum? (ref v 0))
+    (saddle v))
+  (define m (find-minimum f (up 1.0 0.1) #:method 'nelder-mead))
+  (check-eq? (minimum-kind m) 'minimum)
+  (check-false (minimum-gradient m))
+  (check-= (minimum-curvature m) 2 1e-2))
+
 (test-case "a slope that is hardly any is followed"
   ;; at 0 the gradient is 7e-43
   (check-= (place well 0) 10 1e-12)
