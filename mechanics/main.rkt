@@ -5,7 +5,8 @@
 (require racket/match
          "base.rkt"
          "calculus/elliptic.rkt"
-         (only-in "compile/definite-integral.rkt" definite-integral
+         (only-in "compile/definite-integral.rkt" definite-integral integral-conditions
+                  verify-integral
                   definite-integral-with-tolerance)
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
@@ -58,7 +59,7 @@
  Lagrangian-action make-path make-eta parametric-path-action
  linear-interpolants Lagrange-interpolation-function
  ;; integrals, minima and roots
- definite-integral definite-integral-with-tolerance
+ definite-integral definite-integral-with-tolerance integral-conditions verify-integral
  find-minimum minimum? minimum-argument minimum-value minimum-kind
  minimum-gradient minimum-curvature minimum-evaluations
  minimize brent-min golden-section-min multidimensional-minimize nelder-mead

@@ -15,7 +15,7 @@
 ;; is integrated in u: x/√(x² + y²) with u = x² + y².  That is tried first, as
 ;; sin³x cos x looks better with u = sin x than as a sum of waves.
 
-(require "expression-function.rkt"
+(require "expression-function.rkt" "quadratic-antiderivative.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/simplify/simplify-expression.rkt")
@@ -23,18 +23,20 @@
 (provide antiderivative)
 
 ;; An expression whose derivative by the symbol x is e, or #f if none was found.
-;; A : assumptions
-(define (antiderivative e x A)
+;; A : assumptions; branches? : may it have arcs, atan and asin, which jump where their
+;; arguments are infinite, or have ends?
+(define (antiderivative e x A [branches? #f])
   (define simple (simplify-expression e A))
   (or (integral-by-substitution simple x A)
       (integral-of-waves simple x A)
-      (integral-term-by-term simple x A)))
+      (and branches? (integral-of-quadratic simple x A))
+      (integral-term-by-term simple x A branches?)))
 
-(define (integral-term-by-term e x A)
+(define (integral-term-by-term e x A branches?)
   (and (node? e)
        (eq? (node-head e) op:+)
        (for/fold ([sum 0]) ([term (in-list (node-args e))])
-         (define integral (and sum (antiderivative term x A)))
+         (define integral (and sum (antiderivative term x A branches?)))
          (and integral (e:+ sum integral)))))
 
 ;; ---------------------------------------------------------------------------
@@ -82,7 +84,7 @@
 (define (product-of-two u v A)
   (define (simple e) (simplify-expression e A))
   (define c (e:* (term-c u) (term-c v)))
-  (define n (+ (term-n u) (term-n v)))
+  (define n (simple (e:+ (term-n u) (term-n v))))
   (define p (simple (e:+ (term-p u) (term-p v))))
   (define (waves k w sign)
     (define (both part) (simple (e:+ (part u) (e:* sign (part v)))))
@@ -97,14 +99,17 @@
         [(eq? wu 'sine) (append (waves 1/2 'sine 1) (waves 1/2 'sine -1))]
         [else (product-of-two v u A)]))
 
-;; The power r of a single term without a wave; of others only r = 1, 2, 3 ...
+;; The power r of a single term without a wave; of others only r = 1, 2, 3 ...  A power of x may
+;; have any exponent without x, as n in xⁿ.
 (define (power us r A fail)
   (define u (and (pair? us) (null? (cdr us)) (car us)))
   (cond [(exact-positive-integer? r)
          (for/fold ([result us]) ([_ (in-range (sub1 r))]) (product result us A fail))]
         [(and u (eq? (term-w u) 'one) (rational? r) (exact? r)
               (or (integer? r) (and (plain? u) (eqv? (term-c u) 1))))
-         (list (term (e:expt (term-c u) r) (* r (term-n u)) (e:* r (term-p u)) 'one 0 0))]
+         (list (term (e:expt (term-c u) r) (e:* r (term-n u)) (e:* r (term-p u)) 'one 0 0))]
+        [(and u (plain? u) (eqv? (term-c u) 1) (symbolic? r))
+         (list (term 1 (e:* r (term-n u)) 0 'one 0 0))]
         [else (fail)]))
 
 ;; ---------------------------------------------------------------------------
@@ -129,7 +134,8 @@
           [(eq? head op:*)
            (for/fold ([result (car args)]) ([us (in-list (cdr args))]) (product result us A fail))]
           [(eq? head op:/) (product (argument 0) (power (argument 1) -1 A fail) A fail)]
-          [(eq? head op:expt) (power (argument 0) (cadr (node-args n)) A fail)]
+          [(and (eq? head op:expt) (not (cadr arguments)))
+           (power (argument 0) (cadr (node-args n)) A fail)]
           [(eq? head op:sqrt) (power (argument 0) 1/2 A fail)]
           [(memq head (list op:exp op:sin op:cos)) (function-of-line head (argument 0) A fail)]
           [else (fail)]))
@@ -159,7 +165,7 @@
          (for/fold ([sum 0]) ([v (in-list (integral-in-parts u n))])
            (e:+ sum (term->expression v x)))]
         [(eqv? n -1) (e:* c (e:apply op:log x))]
-        [else (e:* (e:/ c (+ n 1)) (e:expt x (+ n 1)))]))
+        [else (e:* (e:/ c (e:+ n 1)) (e:expt x (e:+ n 1)))]))
 
 (define (integral-in-parts u n)
   (define F (integral-of-wave u))

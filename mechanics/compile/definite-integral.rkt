@@ -3,16 +3,18 @@
 ;; symbols are in an end or in the integrand, there is a formula if an antiderivative is found.
 
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../error/failure.rkt"
+         "../error/failure.rkt" "../generic/arithmetic.rkt"
          "../generic/branches.rkt" "../generic/function.rkt" "../generic/kind.rkt"
          "../generic/on-demand.rkt")
 
 (require-on-demand
  ["one-variable.rkt" compile-scalar]
  ["../calculus/integral.rkt" [integrate generic:integrate]]
- ["../calculus/symbolic-integral.rkt" symbolic-integral])
+ ["../calculus/symbolic-integral.rkt" symbolic-integral]
+ ["../verdict/prove-zero.rkt" prove-zero])
 
-(provide definite-integral definite-integral-with-tolerance integrate)
+(provide definite-integral definite-integral-with-tolerance integrate
+         integral-conditions verify-integral)
 
 ;; tolerance : relative to the integral of |f|
 ;; report    : receives the value, a bound of its error, the number of evaluations
@@ -31,6 +33,17 @@
   (if formula
       (report formula 0 1)
       (generic:integrate who f low high tolerance compile-scalar report)))
+
+;; The relations under which the formula of an integral with symbols holds, but for those that
+;; are declared or known.
+(define (integral-conditions f low high)
+  (symbolic-integral 'integral-conditions f low high (lambda (formula conditions) conditions)))
+
+;; A verdict on whether the integral is the formula given; it rests on those conditions.
+(define (verify-integral f low high claim)
+  (symbolic-integral 'verify-integral f low high
+                     (lambda (formula conditions)
+                       (prove-zero (g:- formula claim) #:resting-on conditions))))
 
 (define (symbolic-end? end)
   (define x (comparand end))

@@ -16,4 +16,4 @@
                    quaternion->vector quaternion->3vector quaternion->real-part quaternion-ref
                    q:conjugate q:magnitude q:make-unit]
  ["special.rkt" gamma factorial log-gamma beta erf erfc zeta Lambert-W bessj bessj0 bessj1]
- ["Bessel.rkt" Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y])
+ ["Bessel-functions.rkt" Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y])

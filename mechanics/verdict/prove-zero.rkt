@@ -27,10 +27,11 @@
 ;; remarks : -> strings, on what the verdict does not say
 ;; meaning : #f, or a procedure that gives the meaning that the question has to keep under
 ;; the conditions that are told (ways.rkt)
+;; relied-on : datums of assumptions under which x is what is asked about
 ;; again : #f, or what asks the question again, given what to change in it (verdict.rkt)
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
                     #:remarks [remarks (lambda () '())] #:meaning [meaning #f]
-                    #:again [again #f])
+                    #:resting-on [relied-on '()] #:again [again #f])
   (check-variables names)
   (define tests '())
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
@@ -38,7 +39,7 @@
   (define in-force (assumptions-in-force))
   (define judged (at-symbolic-arguments x '() variables (lambda () (set! endless? #t))))
   (define A (common-assumptions in-force judged))
-  (define kinks (once (lambda () (kinks-of (if (procedure? surveys) (surveys) surveys) in-force))))
+  (define kinks (once (lambda () (kinks-of surveys relied-on in-force))))
   (define residual
     (map-leaves (lambda (leaf)
                   (define z (judge leaf A (hash-keys variables) kinks))
@@ -54,7 +55,8 @@
                 (or again
                     (lambda (change)
                       (prove-zero (change x) #:variables names #:surveys surveys
-                                  #:remarks remarks #:meaning meaning)))))
+                                  #:remarks remarks #:meaning meaning
+                                  #:resting-on relied-on)))))
 
 ;; Of decimals in the way of a decision the tests tell themselves.
 (define (remarks-on-residual residual status tests)
@@ -77,11 +79,13 @@
           (ways-for-all (for/list ([w (in-list ways)] [t (in-list tests)] #:when (open? t)) w)
                         given A)))
 
-;; -> the kinks of all surveys, and what it rests on that there are not more
-(define (kinks-of surveys A)
+;; -> the kinks of all surveys, and what it rests on that there are not more, and else
+(define (kinks-of surveys relied-on A)
   (define found
-    (for/list ([s (in-list surveys)]) (call-with-values (lambda () (survey-kinks s A)) list)))
-  (values (remove-duplicates (append-map first found)) (append-map second found)))
+    (for/list ([s (in-list (if (procedure? surveys) (surveys) surveys))])
+      (call-with-values (lambda () (survey-kinks s A)) list)))
+  (values (remove-duplicates (append-map first found))
+          (append relied-on (append-map second found))))
 
 (define (check-variables names)
   (unless (and (list? names) (andmap symbol? names))

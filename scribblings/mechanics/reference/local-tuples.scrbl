@@ -202,8 +202,11 @@ its motion contributes (Leibniz' rule) is not forgotten.
 ((D (lambda (a) (definite-integral (lambda (x) (if (< (square x) a) 1 0)) 0 1))) 0.25)]
 
 Where symbols are in an end or in the integrand, the result is a formula, if an antiderivative
-is found: of polynomials, sines, cosines, exponentials and their products one is. A condition
-under which it holds, that a denominator does not vanish on the way, is said in a note.
+is found: of polynomials, sines, cosines, exponentials and their products, of powers with symbolic
+exponents, and of a line over a quadratic polynomial or its root. The conditions under which it
+holds, that k is not 0, or a denominator does not vanish on the way, are among the
+@racket[assumptions] used, and said in a note, but for those that are declared or known;
+@racket[integral-conditions] gives them as a list.
 
 @examples[#:eval session
 (definite-integral (lambda (x) (* x (exp (* -1 'k x)))) 0 'T)
@@ -220,6 +223,39 @@ A pendulum's period from its law of energy, infinitely slow at the ends of the s
 (definite-integral (slowness 9.8 1) -1 1)]
 
 @sicm{1.4, p. 17}}
+
+@defproc[(integral-conditions [f procedure?] [low (or/c real? expression?)]
+                              [high (or/c real? expression?)])
+         list?]{
+
+The relations under which the formula that @racket[definite-integral] gives holds, as
+@racket[assume] takes them: @racket[(> (abs u) 0)] says that u is not 0. What is declared, or
+known without, is not among them.
+
+@examples[#:eval session
+(integral-conditions (lambda (x) (exp (* 'k x))) 0 'T)
+(integral-conditions (lambda (x) (expt x 'n)) 'a 'b)
+(integral-conditions (lambda (x) (* (sin (* 'a x)) (sin (* 'b x)))) 0 'T)
+(assuming ('(> a 0) '(> b 0)) (integral-conditions (lambda (x) (/ 1 x)) 'a 'b))]}
+
+@defproc[(verify-integral [f procedure?] [low (or/c real? expression?)]
+                          [high (or/c real? expression?)] [claim any/c])
+         verdict?]{
+
+A verdict on whether the integral of f is the expression claimed. It rests on the conditions
+that @racket[integral-conditions] gives: they are among its @racket[verdict-assumptions]. The
+action of the oscillator between two points:
+
+@examples[#:eval session
+(verify-integral (lambda (x) (/ 1 (+ (square 'a) (square x)))) 0 'b (/ (atan (/ 'b 'a)) 'a))
+(define (L-oscillator local)
+  (* 1/2 'm (- (square (velocity local)) (square (* 'w (coordinate local))))))
+(define (motion t)
+  (/ (+ (* 'q1 (sin (* 'w (- 'T t)))) (* 'q2 (sin (* 'w t)))) (sin (* 'w 'T))))
+(verify-integral (compose L-oscillator (Gamma motion)) 0 'T
+                 (/ (* 'm 'w (- (* (+ (square 'q1) (square 'q2)) (cos (* 'w 'T)))
+                                (* 2 'q1 'q2)))
+                    (* 2 (sin (* 'w 'T)))))]}
 
 @defproc[(definite-integral-with-tolerance [f procedure?] [low real?] [high real?]
                                            [tolerance real?]

@@ -46,3 +46,55 @@
   (check-pred proved? (prove-zero (- ((D F) 'b) (* 'k (sin 'b)))))
   (check-pred proved? (prove-zero (- (((square D) F) 'b) (* 'k (cos 'b)))))
   (check-equal? (definite-integral (lambda (x) x) 0 'a #:report (lambda (v bound n) bound)) 0))
+
+(define-syntax-rule (conditions f low high) (integral-conditions f low high))
+
+(test-case "powers, quadratic polynomials and their roots"
+  (define (check-formula f low high expected)
+    (check-pred proved? (verify-integral f low high expected)))
+  (check-formula (lambda (x) (expt x 'n)) 'a 'b
+                 (/ (- (expt 'b (+ 'n 1)) (expt 'a (+ 'n 1))) (+ 'n 1)))
+  (check-formula (lambda (x) (/ 1 (+ (square 'a) (square x)))) 0 'b (/ (atan (/ 'b 'a)) 'a))
+  (check-formula (lambda (x) (/ 1 (sqrt (- (square 'a) (square x))))) 0 'b (asin (/ 'b 'a)))
+  (check-formula (lambda (x) (/ x (+ 1 (square x)))) 0 'b (* 1/2 (log (+ 1 (square 'b)))))
+  (for ([f (list (lambda (x k) (/ (+ 1 (* 2 x)) (+ (square k) 1 (* x x))))
+                 (lambda (x k) (sqrt (+ 2 (* k k) (* x x))))
+                 (lambda (x k) (/ (- x 3) (sqrt (- 9 (* x x) (* 0 k)))))
+                 (lambda (x k) (/ k (- 9 (* x x)))))])
+    (define formula (definite-integral (lambda (x) (f x 'k)) 'a 'b))
+    (define value (substitute (substitute (substitute formula 'k 0.7) 'a 0.2) 'b 1.3))
+    (check-= value (definite-integral (lambda (x) (f x 0.7)) 0.2 1.3) 1e-9)))
+
+(test-case "conditions are values, and are gone where they are declared or known"
+  (check-equal? (conditions (lambda (x) (exp (* 'k x))) 0 'T) '((> (abs k) 0)))
+  (check-equal? (conditions (lambda (x) (expt x 'n)) 'a 'b)
+                '((> a 0) (> b 0) (> (abs (+ 1 n)) 0)))
+  (check-equal? (conditions (lambda (x) (expt x 'n)) 0 1) '((> (+ 1 n) 0) (> (abs (+ 1 n)) 0)))
+  (check-equal? (conditions (lambda (x) (* (sin (* 'a x)) (sin (* 'b x)))) 0 'T)
+                '((> (abs (- a b)) 0) (> (abs (+ a b)) 0)))
+  (check-equal? (conditions (lambda (x) (/ 1 x)) 'a 'b) '((> (* a b) 0)))
+  (check-equal? (conditions (lambda (x) (* 'k (square x))) 'a 'b) '())
+  (check-equal? (assuming ('(> a 0) '(> b 0)) (conditions (lambda (x) (/ 1 x)) 'a 'b)) '())
+  (check-equal? (assuming ('(< k 0)) (conditions (lambda (x) (exp (* 'k x))) 0 'T)) '())
+  (check-equal? (assuming ('(> (abs k) 0)) (conditions (lambda (x) (exp (* 'k x))) 0 'T)) '())
+  (check-exn #rx"^definite-integral: the integrand has no integral between these ends, or none "
+             (lambda ()
+               (assuming ('(> a 0) '(< b 0)) (definite-integral (lambda (x) (/ 1 x)) 'a 'b)))))
+
+(test-case "a verdict on an integral rests on its conditions, and they are among those used"
+  (define v (verify-integral (lambda (x) (exp (* 'k x))) 0 'T (/ (- (exp (* 'k 'T)) 1) 'k)))
+  (check-pred proved? v)
+  (check-equal? (verdict-assumptions v) '((> (abs k) 0)))
+  (check-not-false (member '(> (abs k) 0) (assumptions 'used)))
+  (check-pred refuted?
+              (verify-integral (lambda (x) (exp (* 'k x))) 0 'T (/ (exp (* 'k 'T)) 'k))))
+
+(test-case "the action of the oscillator between two points"
+  (define (L local) (* 1/2 'm (- (square (velocity local)) (square (* 'w (coordinate local))))))
+  (define (motion t)
+    (/ (+ (* 'q1 (sin (* 'w (- 'T t)))) (* 'q2 (sin (* 'w t)))) (sin (* 'w 'T))))
+  (define claim
+    (/ (* 'm 'w (- (* (+ (square 'q1) (square 'q2)) (cos (* 'w 'T))) (* 2 'q1 'q2)))
+       (* 2 (sin (* 'w 'T)))))
+  (check-pred proved? (verify-integral (compose L (Gamma motion)) 0 'T claim))
+  (check-pred proved? (prove-zero (- (Lagrangian-action L motion 0 'T) claim))))

@@ -12,7 +12,7 @@
 (require (only-in racket/math nan? infinite?)
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/elementary.rkt" "../generic/kind.rkt"
+         "../generic/kind.rkt"
          "../numeric/Bessel-modified.rkt" "../numeric/Bessel-waves.rkt" "../numeric/constants.rkt")
 
 (provide Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y)
@@ -147,7 +147,8 @@
 
 (define (check-whole who order x)
   (unless (integer? order)
-    (complain who "of a negative number it is real for whole orders alone; given the order ~a and ~a"
+    (complain who
+              "of a negative number it is real for whole orders alone; given the order ~a and ~a"
               order x)))
 
 (define (check-size who order x y)
