@@ -28,6 +28,17 @@ any sequence, need no more memory than a few.
 (evolve-ensemble swing (starts 20) 10 #:parameters (rows 20) #:jobs 1
                  #:collect (lambda (s) (square (ref s 2))) #:fold max #:from 0)]
 
+@section{Sections}
+
+With @racket[#:events] the value of a start is what happened on its way: here when each pendulum
+comes through the bottom from the right.
+
+@examples[#:eval session #:label #f
+(define bottom (event (lambda (s) (ref s 1)) #:direction 'falling))
+(evolve-ensemble swing (cdr (starts 4)) 3 #:parameters (cdr (rows 4)) #:jobs 1
+                 #:events bottom
+                 #:collect (lambda (last all) (map occurrence-time all)))]
+
 @section{All cores}
 
 Without @racket[#:jobs] there are as many workers as cores. Each is a process of its own, which
@@ -55,6 +66,22 @@ make
 }|
 
 A line of @tt{starts} has the variables and then the parameters.
+
+A program that follows motions already is exported as it stands:
+
+@commandline{raco mechanics export swing.rkt --to c}
+
+or, in a checkout, @exec{make export FILE=swing.rkt TO=c}. The program is run, and each system it
+follows (by @racket[evolve], @racket[evolve-trajectory], @racket[state-advancer],
+@racket[evolve-ensemble], sections of motions) or defines
+(@racket[Lagrangian->state-derivative] and its kin) becomes a folder. Variables and parameters
+have the names that the program's own definitions give them,
+@racket[(define ((L-swing m l) (up t theta thetadot)) ....)]; numbers given to what makes a state
+derivative, as by @racket[(evolve maker 1.0 9.8)], become parameters, and other numbers stay. What
+is printed last is a line to try it with, the program's own start in it. Where there are several
+systems, @exec{--list} tells them and @exec{--system swing}, once or more often, or @exec{--all}
+says which; @exec{-o} names the folder, @exec{--derivatives} adds the derivatives of the rates,
+@exec{--replace} writes an earlier export anew. Submodules are not run.
 
 @section{A cluster, a graphics processor}
 

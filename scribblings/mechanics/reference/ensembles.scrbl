@@ -15,9 +15,10 @@ for JAX, wherever these run.
 
 @defproc[(evolve-ensemble [maker procedure?] [starts sequence?] [end real?]
                           [#:parameters parameters (or/c sequence? #f) #f]
+                          [#:events events (or/c event? (listof event?)) '()]
                           [#:tolerance tolerance real? 1e-10]
                           [#:method method symbol? 'auto]
-                          [#:collect collect (or/c (-> value value) #f) #f]
+                          [#:collect collect (or/c procedure? #f) #f]
                           [#:on-each on-each (-> exact-nonnegative-integer? value any) void]
                           [#:fold fold (or/c (-> value value value) #f) #f]
                           [#:from from value '()]
@@ -37,7 +38,7 @@ derivative of them, as for @racket[evolve]. Any consistent units.
 (define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1.0 1.0)))
 (evolve-ensemble pendulum starts 2 #:jobs 1)]
 
-@racket[collect] is what is wanted of a last state; it is done by the workers where it can be
+@racketvarfont{collect} is what is wanted of a last state; it is done by the workers where it can be
 compiled, and here where not. @racket[fold] is called with each value and what it returned for
 those before, @racket[from] at first: a thing that does not grow needs no more memory for a
 million starts, which may be any sequence. @racket[on-each] is called with each index and
@@ -49,10 +50,20 @@ each time.
 (evolve-ensemble swing starts 2 #:parameters (for/list ([k 5]) (list 1.0 (+ 1 (* 0.1 k)) 9.8))
                  #:collect (lambda (s) (square (ref s 2))) #:fold + #:from 0 #:jobs 1)]
 
+With @racket[events] (@racket[event]) the value of a start is the list of what happened on its
+way, occurrences in their order (@racket[occurrence-time], @racket[occurrence-state]), instead of
+its last state; a terminal event ends its motion. @racketvarfont{collect} is given the last state and
+that list then. So an ensemble of sections is made:
+
+@examples[#:eval session #:label #f
+(define bottom (event (lambda (s) (ref s 1)) #:direction 'falling))
+(evolve-ensemble pendulum (cdr starts) 2 #:events bottom #:jobs 1
+                 #:collect (lambda (last all) (map occurrence-time all)))]
+
 Work is done in batches by so many @racket[jobs], processes of their own, which are sent the
 list of instructions that @racket[maker] compiles to; one that dies is replaced, and its batches
-are done again. A few starts, and systems that have no code, such as those that decide something
-by their state, are followed in this process. Methods are given by name
+are done again. A few starts, and systems and events that have no code, such as those that decide
+something by their state, are followed in this process. Methods are given by name
 (@racket[ode-integration-method]).
 
 With a @racket[file] as checkpoint what is finished is written there, batch by batch; the same
@@ -61,7 +72,11 @@ refused and left as it is.
 
 A start that cannot be followed to the end has an @racket[ensemble-failure?] as its value; the
 others go on. No starts at all, starts of different shapes, and what is no finite number are
-errors that tell the index.}
+errors that tell the index.
+
+One start alone is followed by @racket[evolve-trajectory]; what comes after a thousand motions is
+drawn as any points are, @racket[plot-point]. A program in another language does the same many
+times: @racket[export-system].}
 
 @deftogether[(@defproc[(ensemble-failure? [x any/c]) boolean?]
               @defproc[(ensemble-failure-index [failure ensemble-failure?])
@@ -94,7 +109,11 @@ that was good, @racket[#f] if there is none.
 
 Writes a folder with a program that follows the motions of a system, from the same list of
 instructions that is compiled here, and returns its name. @racket[example] is a state: symbols
-in it name the variables. Symbols in the @racket[derivative] become parameters of the program,
+in it name the variables. Where it holds numbers the names are @tt{t}, @tt{q} and @tt{v} for a
+state @racket[(up t q v)], with @tt{p} in place of @tt{v} for Hamilton's equations, numbered
+@tt{q0}, @tt{q1} where coordinates are several; for any other state @tt{x} with the indices that
+@racket[ref] takes, as @tt{x1_0}. A name that a parameter has already gets an underscore. Symbols
+that the derivative leaves become parameters of the program,
 in the order of @racket[parameters] or of the alphabet; numbers stay numbers.
 
 @codeblock|{
@@ -121,21 +140,25 @@ void pendulum_derivative(const double *y, const double *p, double *dy)
 }|
 
 @itemlist[
- @item{@racket['C]: C99 without dependencies: the rates and, with @racket[derivatives?], their
+ @item{@tt{'C}: C99 without dependencies: the rates and, with @racket[derivatives?], their
  derivatives by variables and parameters; the method of Dormand and Prince of order 8 with
  interpolation; ensembles under OpenMP; a program for the command line, a library and a
  @tt{Makefile}. Rates are those of our own code to the last bit, except where a function of C's
  library rounds differently, and motions take the steps of @racket['Dormand-Prince-853].}
- @item{@racket['python]: a package that calls this C with arrays of NumPy, and ensembles over a
+ @item{@tt{'python}: a package that calls this C with arrays of NumPy, and ensembles over a
  cluster of Dask, with batches that are done again when a worker dies and a checkpoint.}
- @item{@racket['JAX]: one module, in 64 bits: the rates, steps of Runge and Kutta's method,
+ @item{@tt{'JAX}: one module, in 64 bits: the rates, steps of Runge and Kutta's method,
  steps of Dormand and Prince's of order 5, which @tt{jit}, @tt{vmap} and forward derivatives
  go through.}]
 
 A new folder is written whole or not at all. One that is there is refused, unless it holds an
 export and @racket[replace?] says so: then files of the export are written over, and nothing else
 is touched. What has no code, a decision by the state or an unknown function, is named in an
-error.
+error. A motion under constraints (@racket[constrained-state-derivative]) is exported by its
+rates; its steps are not brought back to the constraints there.
+
+All systems that a program follows are exported by @exec{raco mechanics export}
+(@secref["guide-scales"]). Many motions here: @racket[evolve-ensemble].
 
 @examples[#:eval session
 (eval:error (export-system (lambda (s) (up 1 (if (> (ref s 1) 0) 1 -1))) (up 't 'x)))]}
