@@ -122,7 +122,7 @@ test-export: compile
 
 peers:
 	@python3 -m venv build/python
-	@build/python/bin/pip install --quiet heyoka casadi numpy scipy sympy
+	@build/python/bin/pip install --quiet heyoka casadi numpy scipy sympy jax diffrax
 
 docs: compile
 	@echo 'Building the manual ...'

@@ -52,8 +52,8 @@ each time.
 
 With @racket[events] (@racket[event]) the value of a start is the list of what happened on its
 way, occurrences in their order (@racket[occurrence-time], @racket[occurrence-state]), instead of
-its last state; a terminal event ends its motion. @racketvarfont{collect} is given the last state and
-that list then. So an ensemble of sections is made:
+its last state; a terminal event ends its motion. @racketvarfont{collect} is given the last
+state and that list then. So an ensemble of sections is made:
 
 @examples[#:eval session #:label #f
 (define bottom (event (lambda (s) (ref s 1)) #:direction 'falling))

@@ -7,8 +7,9 @@
 (require racket/cmdline
          racket/file
          racket/runtime-path
-         "big-systems.rkt" "derivatives.rkt" "gradients.rkt" "maps.rkt" "measure.rkt" "native.rkt"
-         "peers.rkt" "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt" "teaching.rkt")
+         "big-systems.rkt" "derivatives.rkt" "ensembles.rkt" "gradients.rkt" "maps.rkt"
+         "measure.rkt" "native.rkt" "peers.rkt" "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt"
+         "teaching.rkt")
 
 (define-runtime-path build "../../../build")
 
@@ -149,6 +150,8 @@
     (for ([g (in-list growths)]) (print-growth g runs table)))
   (when (wanted? 'native)
     (table native-heading (native-rows)))
+  (when (wanted? 'ensembles)
+    (table ensembles-heading (ensembles-rows)))
   (when (wanted? 'Taylor)
     (table Taylor-heading (Taylor-rows)))
   (when (wanted? 'big)
@@ -161,7 +164,8 @@
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
-(define further-tables '(growth orders gradients chains native Taylor big maps class30 load))
+(define further-tables
+  '(growth orders gradients chains native ensembles Taylor big maps class30 load))
 
 (define (check-names names)
   (for ([name (in-list names)])

@@ -186,6 +186,33 @@
     (check-equal? (follow #:jobs 1 #:checkpoint file) alone)
     (check-equal? (file-size file) whole)))
 
+(test-case "a break in mid-run leaves a checkpoint that the same call goes on from"
+  (with-file file
+    (define here (current-thread))
+    (define broken?
+      (with-handlers ([exn:break? (lambda (e) #t)])
+        (follow #:checkpoint file #:on-each (lambda (k v) (when (= k 40) (break-thread here))))
+        #f))
+    (check-true broken?)
+    (define kept (file-size file))
+    (check-true (> kept 1000))
+    (define seen 0)
+    (check-equal? (follow #:checkpoint file #:on-each (lambda (k v) (set! seen (+ seen 1)))) alone)
+    (check-equal? seen count)
+    (check-true (>= (file-size file) kept))))
+
+(test-case "a checkpoint of another system, or of other events, is refused"
+  (with-file file
+    (define (sideways m l g) (Lagrangian->state-derivative (L-pendulum (* -1 g) m l)))
+    (define (again #:maker [maker pendulum] #:events [events '()])
+      (evolve-ensemble maker starts 5 #:parameters parameters #:jobs 1 #:checkpoint file
+                       #:events events))
+    (again)
+    (define before (file->bytes file))
+    (for ([call (list (lambda () (again #:maker sideways)) (lambda () (again #:events bottom)))])
+      (check-exn #rx"checkpoint is of another ensemble" call)
+      (check-equal? (file->bytes file) before))))
+
 (test-case "a checkpoint of something else is refused and left as it is"
   (with-file file
     (follow #:jobs 1 #:checkpoint file)

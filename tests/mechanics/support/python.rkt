@@ -1,5 +1,6 @@
 #lang racket/base
-;; The Python that exported systems are tried with: that of `make test-export`, or the system's.
+;; The Python that exported systems are tried with: that of `make test-export`, that of
+;; `make peers`, or the system's.
 
 (require racket/port
          racket/runtime-path
@@ -8,10 +9,12 @@
 (provide python-with run-python)
 
 (define-runtime-path own "../../../build/export/bin/python")
+(define-runtime-path peers "../../../build/python/bin/python")
 
 ;; A Python that has these modules, or #f.
 (define (python-with . modules)
-  (for/first ([python (list (and (file-exists? own) own) (find-executable-path "python3"))]
+  (for/first ([python (append (filter file-exists? (list own peers))
+                              (list (find-executable-path "python3")))]
               #:when (and python (has? python modules)))
     python))
 
