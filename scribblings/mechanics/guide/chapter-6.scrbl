@@ -89,7 +89,7 @@ that of another Hamiltonian, near their sum.
 
 @section{Figures}
 
-A region of phase space moved on, @program-link["figures/figure-6-1.rkt"], and a trajectory carried by
-a Lie transform, @program-link["figures/figure-6-2.rkt"].
+A region of phase space moved on, @program-link["figures/figure-6-1.rkt"], and a trajectory carried
+by a Lie transform, @program-link["figures/figure-6-2.rkt"].
 
 @(close-session session)

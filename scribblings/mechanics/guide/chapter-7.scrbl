@@ -47,7 +47,8 @@ Near the separatrix it is worth nothing, and on the resonance it divides by zero
 
 The series summed up to more and more terms, @program-link["figures/figure-7-1.rkt"]; beside the
 pendulum, @program-link["figures/figure-7-2.rkt"]; where it does not converge,
-@program-link["figures/figure-7-3.rkt"], below the separatrix, @program-link["figures/figure-7-4.rkt"].
+@program-link["figures/figure-7-3.rkt"], below the separatrix,
+@program-link["figures/figure-7-4.rkt"].
 Two steps, @program-link["figures/figure-7-5.rkt"], go wrong with the time,
 @program-link["figures/figure-7-6.rkt"], unless the mean is kept,
 @program-link["figures/figure-7-7.rkt"]:

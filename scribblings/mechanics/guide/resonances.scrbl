@@ -36,8 +36,8 @@ way round.
 @section{What is divided by}
 
 With the time as an angle φ = ωt, which has a momentum P of its own, the pendulum is a rotor and a
-clock, and gravity and drive are three waves (@sicm{7.3.1, p. 477}). To the first order all three can
-be removed; what for, the divisors tell.
+clock, and gravity and drive are three waves (@sicm{7.3.1, p. 477}). To the first order all three
+can be removed, each at a price: the divisors.
 
 @examples[#:eval session #:label #f
 (define (rotor-and-clock (up t q (down P p)))
@@ -107,8 +107,8 @@ bent
   (substitute bent 'alpha 1 'beta 1 'gamma 1/4 'omega 5 'theta pi 'p p))]
 
 and orbits of the pendulum cease to go along with the drive at 3.775 and 5.856, found by halving in
-@program-link["figures/figure-7-9.rkt"]: the theory is off by 3 parts in 2000 of the width. All three
-islands so, beside the section: @program-link["figures/figure-7-10.rkt"].
+@program-link["figures/figure-7-9.rkt"]: the theory is off by 3 parts in 2000 of the width. All
+three islands so, beside the section: @program-link["figures/figure-7-10.rkt"].
 
 @section{Overlap}
 
