@@ -6,8 +6,8 @@
 
 @|the-book| has its readers derive equations, and leaves it to them to know whether they are
 right. A residual knows: subtract what you found from what the library finds, by another
-way if there is one, and have the difference judged. For each exercise of chapters 1 to 4, and
-for some of chapters 5 to 7, whose answer can be judged so, or by its numbers, there is a
+way if there is one, and have the difference judged. For each exercise of chapters 1 to 4, 6 and 7,
+and for some of chapter 5, whose answer can be judged so, or by its numbers, there is a
 program in
 @filepath{examples/mechanics/exercises},
 @program-link["exercises/exercise-1-17.rkt" @filepath{exercise-1-17.rkt}] for exercise 1.17. It
