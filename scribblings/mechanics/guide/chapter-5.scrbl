@@ -128,4 +128,64 @@ With the time as a coordinate every Hamiltonian is without explicit time:
 ((extended-Hamiltonian driven) extended)
 (verify-conserved (extended-Hamiltonian driven) (extended-Hamiltonian driven) extended)]
 
+So is every transformation. What a Hamiltonian gets from one that depends on the time is found from
+the transformation alone, and with it the extended one is canonical without further conditions:
+
+@examples[#:eval session #:label #f
+(define turning-plane (F->CH (rotating->inertial 'Omega)))
+(define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
+(define K (C->K turning-plane plane))
+(K plane)
+(verify-canonical (extended-transformation turning-plane K)
+                  (up 's (up 't (up 'x 'y)) (down 'p_t (down 'p_x 'p_y))))]
+
+In the restricted problem of three bodies the coordinates that turn with the two heavy ones leave
+no time in the Hamiltonian: what is conserved is Jacobi's constant.
+
+@examples[#:eval session #:label #f
+(define Omega (sqrt (/ (* 'G (+ 'm_1 'm_2)) (cube 'a))))
+(define H-3 (H-restricted-three-body 'm 'G 'm_1 'm_2 'a))
+(define turning (rotating-polar Omega))
+(define Jacobi (+ (compose H-3 (F->CH turning)) (F->K turning)))
+(verdict-status (verify-conserved H-3 H-3 polar))
+(verify-conserved Jacobi Jacobi polar)]
+
+@section{5.6 Reduced phase space}
+
+A coordinate in place of the time: the orbit in a central field by the radius.
+
+@examples[#:eval session #:label #f
+(define H-central-field (compose (H-central 'm (literal-function 'V)) (F->CH p->r)))
+(define by-radius (reduced-Hamiltonian H-central-field 0 'E))
+(by-radius (up 'r 'phi 'p_phi))
+((Hamiltonian->state-derivative by-radius) (up 'r 'phi 'p_phi))]
+
+The same system falls apart altogether. Where the Hamilton–Jacobi equation of chapter 6 separates,
+momenta, conserved quantities, actions and frequencies are found:
+
+@examples[#:eval session #:label #f
+(define separated (separate-Hamilton-Jacobi H-central-field polar))
+separated
+(verify-separation separated)
+(define Kepler
+  (separate-Hamilton-Jacobi (compose (H-central 1 (lambda (r) (/ -1 r))) (F->CH p->r)) polar))
+(separation-actions Kepler (up 0 (up 1.0 0.0) (down 0.2 0.9)))
+(separation-frequencies Kepler (up 0 (up 1.0 0.0) (down 0.2 0.9)))]
+
+Both frequencies are one: orbits close.
+
+@section{5.8 Several bodies}
+
+Links of bodies to bodies, or to the centre of mass of those before, part the motion of the centre
+of mass from the rest, and keep the kinetic energy a sum of squares:
+
+@examples[#:eval session #:label #f
+(define three (up 't (up 'x_0 'x_1 'x_2) (down 'p_0 'p_1 'p_2)))
+(define masses '(m_0 m_1 m_2))
+(coordinate ((linked-canonical-inverse masses (Jacobi-links 3)) three))
+(verify-canonical (linked-canonical masses (Jacobi-links 3)) three)
+(linked-masses masses (Jacobi-links 3))]
+
+The exercises of the chapter are programs: @secref["guide-exercises"] lists them.
+
 @(close-session session)
