@@ -7,7 +7,8 @@
 ;; evaluated once, at a state of symbols; each power is then the derivative of one expression in
 ;; that direction, simplified before the next is taken, and evaluated at the states asked about.
 ;; Of one that swells when it is simplified, as a power of a sum whose terms are multiplied out,
-;; the derivative as it stands is kept: the next would be that of thousands of terms.  Where functions make nothing of symbols, brackets of functions have to do.
+;; the derivative as it stands is kept: the next would be that of thousands of terms.  Where
+;; functions make nothing of symbols, brackets of functions have to do.
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
          "../calculus/derivative.rkt"
