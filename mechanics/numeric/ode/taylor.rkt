@@ -29,7 +29,7 @@
          (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt"
          "../jet/expansion.rkt")
 
-(provide taylor expands-from?
+(provide taylor outlook-from (struct-out outlook)
          taylor-piece? taylor-piece-span call-with-coefficients)
 
 ;; f!, n     : the right-hand side, of how many variables; e : its expansion
@@ -93,7 +93,7 @@
   (run f! n e tolerance order (log-share order tolerance) y lost z rest from slope
        #f #f 0.0 0.0 #f #f #f (make-semaphore 1)))
 
-;; Nothing to do where it has just been tried (expands-from?).
+;; Nothing to do where it has just been tried (outlook-from).
 (define (begin-at! r y0)
   (define-fields run r f! y slope)
   (unless (and (run-limit r) (fl= (run-last r) 0.0) (equal? y y0))
@@ -104,11 +104,20 @@
 
 (define taylor (adaptive-method 'Taylor #f start #:asks 'expansion))
 
-;; Are there coefficients at y0?  An integration from there by f! begins with them.
-(define (expands-from? f! y0 tolerated)
-  (define limit (limit-of (run-from-start f! y0 tolerated)))
+;; What there is to be seen of a motion where it begins.  step : the length of the first step, or
+;; not a positive number; work : what one takes (numeric/jet/expansion.rkt); eighth : ‖y_8‖
+(struct outlook (step work eighth) #:authentic)
+
+;; An integration from y0 by f! begins with what was computed.
+(define (outlook-from f! y0 tolerated)
+  (define r (run-from-start f! y0 tolerated))
+  (define-fields run r n e y order)
+  (define step (limit-of r))
+  (define k (min 8 order))
   (rest! f!)
-  (fl> limit 0.0))
+  (outlook step
+           (work-of-order (expander-work (expandable-expand f!)) order)
+           (fl/ (size e y n k) (flexpt (run-unit r) (->fl k)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Coefficients, in a unit of time near the length of the step

@@ -100,14 +100,14 @@ directions that carry no inertia:
 
 The method that is used unless told otherwise, @racket['auto], is right for nearly everything.
 It is @racket['Taylor], which follows the Taylor series of the motion, where the state
-derivative is smooth, and @racket['Dormand-Prince-853] where it takes decisions or uses a
-function without a recurrence; @racket[trajectory-method] tells which. Others are chosen by the
+derivative is smooth and short, and @racket['Dormand-Prince-853] where it takes decisions, uses
+a function without a recurrence, or is so long that its series would take more time; @racket[trajectory-method] tells which. Others are chosen by the
 keyword @racket[#:method], or for a whole session by @racket[set-ode-integration-method!].
 
 @tabular[#:sep @hspace[2] #:style 'boxed #:row-properties '(bottom-border ())
  (list
   (list @bold{method} @bold{order} @bold{steps} @bold{for})
-  (list @racket['Taylor] "⌈1 − ½ ln ε⌉" "adapt" "smooth motions, any tolerance, long runs")
+  (list @racket['Taylor] "15 to 35" "adapt" "smooth motions, any tolerance, long runs")
   (list @racket['Dormand-Prince-853] "8" "adapt" "motions with decisions in them")
   (list @racket['Dormand-Prince-54] "5" "adapt" "tolerances above 1e-6")
   (list @racket['bulirsch-stoer] "14" "adapt" "very smooth motions, tiny tolerances")

@@ -129,3 +129,25 @@
     (up 1 (for/fold ([sum 0]) ([k (in-range 1 150)]) (+ sum (/ (sin (* k (ref s 1))) k)))))
   (check-eq? (method-of long (up 0 1)) 'Dormand-Prince-853)
   (check-eq? (method-of long (up 0 1) #:method 'Taylor) 'Taylor))
+
+(test-case "auto takes the faster of two: long rates are followed by Dormand and Prince"
+  (define rigid (Lagrangian->state-derivative (T-rigid-body 1.0 (sqrt 2.0) 2.0)))
+  (define tumbling (up 0 (up 1 0 0) (up .1 .1 .1)))
+  (define (taken f start tolerance)
+    (trajectory-method (evolve-trajectory f start 1 #:tolerance tolerance)))
+  (for ([tolerance '(1e-6 1e-10)])
+    (check-eq? (taken rigid tumbling tolerance) 'Dormand-Prince-853))
+  (check-eq? (taken rigid tumbling 1e-15) 'Taylor)
+  (for ([tolerance '(1e-6 1e-10 1e-13)])
+    (check-eq? (taken (oscillator 1.0) (up 0 1 0) tolerance) 'Taylor)
+    ;; a series that ends, and a motion that rests
+    (check-eq? (taken (lambda (s) (up 1 (ref s 2) -9.8)) (up 0 1 0) tolerance) 'Taylor)
+    (check-eq? (taken (oscillator 1.0) (up 0 0 0) tolerance) 'Taylor)))
+
+(test-case "an advancer that is used again gives what a new one gives"
+  (define again (state-advancer (lambda () (oscillator 1.0))))
+  (define (new) (state-advancer (lambda () (oscillator 1.0))))
+  (again (up 0 1e-5 3e7) 20 1e-12)
+  (for ([s (list (up 0 1 0) (up 5 1e-200 0) (up 0 1e200 3) (up 0 0 0) (up 0 1 0))]
+        [tolerance '(1e-12 1e-12 1e-9 1e-12 1e-15)])
+    (check-equal? (again s 7 tolerance) ((new) s 7 tolerance))))
