@@ -41,9 +41,17 @@
            (let ([s (unsafe-fl+ (unsafe-fl+ s s) (unsafe-fl* (at a i) (at a i)))] ...) result)]
           [else (let ([s (unsafe-fl+ s s)] ...) result)])))
 
-;; `result`, where each s is Σ c_j u^(j − first) for j from `first` to `last`, of the row c.
-(define-syntax-rule (polynomials u first last ([s c] ...) result)
-  (let loop ([j (unsafe-fx- last 1)] [s (at c last)] ...)
-    (if (unsafe-fx< j first)
-        result
-        (loop (unsafe-fx- j 1) (unsafe-fl+ (at c j) (unsafe-fl* u s)) ...))))
+;; `result`, where each s is Σ c_j u^(j − first) for j from `first` to `last`, of the row c.  Even
+;; and odd terms are two sums in u²: the processor works on both at once.
+(define-syntax-rule (polynomials u first last ([s odd c] ...) result)
+  (let ([square (unsafe-fl* u u)])
+    (let loop ([j last] [s 0.0] ... [odd 0.0] ...)
+      (cond [(unsafe-fx> j first)
+             (loop (unsafe-fx- j 2)
+                   (unsafe-fl+ (at c j) (unsafe-fl* square s)) ...
+                   (unsafe-fl+ (at c (unsafe-fx- j 1)) (unsafe-fl* square odd)) ...)]
+            [(unsafe-fx= j first)
+             (let ([s (unsafe-fl+ (unsafe-fl+ (at c j) (unsafe-fl* square s))
+                                  (unsafe-fl* u odd))] ...)
+               result)]
+            [else (let ([s (unsafe-fl+ odd (unsafe-fl* u s))] ...) result)]))))

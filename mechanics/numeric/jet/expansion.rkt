@@ -111,12 +111,12 @@
       (cond [(unsafe-fx> i end) (void)]
             [(and (unsafe-fx< i end) (unsafe-fx= (last i) (last (unsafe-fx+ i 1))))
              (let* ([c (row i)] [next (unsafe-fx+ i 1)] [d (row next)])
-               (polynomials u first (last i) ([s c] [t d])
+               (polynomials u first (last i) ([s odd c] [t other-odd d])
                             (begin do
                                    (let ([i next] [c d] [s t]) do)))
                (loop (unsafe-fx+ i 2)))]
             [else
-             (let ([c (row i)]) (polynomials u first (last i) ([s c]) do))
+             (let ([c (row i)]) (polynomials u first (last i) ([s odd c]) do))
              (loop (unsafe-fx+ i 1))]))))
 
 ;; Stores in `out` the state at the time u, in units of that of the coefficients.
