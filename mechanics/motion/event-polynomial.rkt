@@ -10,7 +10,7 @@
          racket/unsafe/ops
          "event-noise.rkt"
          "../compile/jet-program.rkt" "../compile/program.rkt"
-         "../numeric/flvector.rkt"
+         "../numeric/flvector.rkt" "../numeric/unboxed.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/polynomial-zeros.rkt"
          "../numeric/ode/taylor.rkt")
 
@@ -107,9 +107,10 @@
 ;; c_k span^k
 (define (scaled row order span)
   (define c (make-flvector (+ order 1)))
-  (for/fold ([power 1.0]) ([k (in-range (+ order 1))])
-    (flvector-set! c k (fl* power (flvector-ref row k)))
-    (fl* power span))
+  (let loop ([k 0] [power 1.0])
+    (when (unsafe-fx<= k order)
+      (unsafe-flvector-set! c k (unsafe-fl* power (unsafe-flvector-ref row k)))
+      (loop (unsafe-fx+ k 1) (unsafe-fl* span power))))
   c)
 
 (define (converges? c tolerance)
@@ -117,9 +118,14 @@
   (define last (fl+ (flabs (flvector-ref c (- n 1))) (flabs (flvector-ref c (- n 2)))))
   (fl<= last (fl* (fl* 10.0 tolerance) (flmax 1.0 (total c)))))
 
-(define (total c) (for/fold ([sum 0.0]) ([x (in-flvector c)]) (fl+ sum (flabs x))))
+(define-syntax-rule (sum c of)
+  (let loop ([k (unsafe-fx- (flvector-length c) 1)] [sum 0.0])
+    (if (unsafe-fx< k 0)
+        (unboxed sum)
+        (loop (unsafe-fx- k 1) (unsafe-fl+ sum (of (unsafe-flvector-ref c k)))))))
 
-(define (polynomial-end c) (for/fold ([sum 0.0]) ([x (in-flvector c)]) (fl+ sum x)))
+(define (total c) (sum c unsafe-flabs))
+(define (polynomial-end c) (sum c begin))
 
 ;; The zeros along a step.  Where the function hardly varies nothing is touched.
 (define (zeros-along c tolerance)

@@ -13,7 +13,8 @@
 ;; and the others are small.
 
 (require racket/flonum
-         racket/unsafe/ops)
+         racket/unsafe/ops
+         "../unboxed.rkt")
 
 (provide polynomial-zeros (struct-out zero))
 
@@ -37,28 +38,35 @@
 
 ;; 'clear if p is plainly not 0 between 0 and 1, 'monotone if p' is not, or #f.
 (define (shape p)
-  (define n (- (flvector-length p) 1))
-  (define m (min n low-degree))
+  (define n (unsafe-fx- (flvector-length p) 1))
+  (define m (if (unsafe-fx< n low-degree) n low-degree))
   (define b (Bernstein-coefficients p m))
-  (define-values (rest slope-rest)
-    (let loop ([k n] [rest 0.0] [slope 0.0])
-      (if (unsafe-fx= k m)
-          (values rest slope)
-          (let ([c (flabs (unsafe-flvector-ref p k))])
-            (loop (unsafe-fx- k 1) (fl+ rest c) (fl+ slope (fl* (->fl k) c)))))))
-  (define-values (least greatest falls rises)
-    (let loop ([k m] [least +inf.0] [greatest -inf.0] [falls +inf.0] [rises -inf.0])
-      (define x (unsafe-flvector-ref b k))
-      (if (unsafe-fx= k 0)
-          (values (flmin x least) (flmax x greatest) falls rises)
-          (let ([change (fl- x (unsafe-flvector-ref b (unsafe-fx- k 1)))])
-            (loop (unsafe-fx- k 1) (flmin x least) (flmax x greatest)
-                  (flmin change falls) (flmax change rises))))))
-  (define doubt (fl* 1e-14 (flmax (flabs least) (flabs greatest))))
-  (define (one-sign? least greatest by) (or (fl> least by) (fl< greatest (fl- 0.0 by))))
-  (cond [(one-sign? least greatest (fl+ rest doubt)) 'clear]
-        [(one-sign? falls rises (fl+ (fl/ slope-rest (->fl m)) doubt)) 'monotone]
-        [else #f]))
+  (let loop ([k n] [rest 0.0] [slope-rest 0.0])
+    (if (unsafe-fx= k m)
+        (shape-of b m (unboxed rest) (unsafe-fl/ slope-rest (unsafe-fx->fl m)))
+        (let ([c (unsafe-flabs (unsafe-flvector-ref p k))])
+          (loop (unsafe-fx- k 1)
+                (unsafe-fl+ rest c)
+                (unsafe-fl+ slope-rest (unsafe-fl* (unsafe-fx->fl k) c)))))))
+
+;; by, slope-by : how far value and slope, divided by m, may be from what b tells
+(define (shape-of b m by slope-by)
+  (let loop ([k (unsafe-fx- m 1)] [last (unsafe-flvector-ref b m)]
+             [least (unsafe-flvector-ref b m)] [greatest (unsafe-flvector-ref b m)]
+             [falls +inf.0] [rises -inf.0])
+    (if (unsafe-fx< k 0)
+        (let ([doubt (unsafe-fl* 1e-14 (unsafe-flmax (unsafe-flabs least)
+                                                     (unsafe-flabs greatest)))])
+          (cond [(one-sign? least greatest (unsafe-fl+ by doubt)) 'clear]
+                [(one-sign? falls rises (unsafe-fl+ slope-by doubt)) 'monotone]
+                [else #f]))
+        (let* ([x (unsafe-flvector-ref b k)] [change (unsafe-fl- last x)])
+          (loop (unsafe-fx- k 1) x
+                (unsafe-flmin x least) (unsafe-flmax x greatest)
+                (unsafe-flmin change falls) (unsafe-flmax change rises))))))
+
+(define-syntax-rule (one-sign? least greatest by)
+  (or (unsafe-fl> least by) (unsafe-fl< greatest (unsafe-fl- 0.0 by))))
 
 (define low-degree 8)
 
@@ -67,22 +75,26 @@
   (define b (make-flvector (+ m 1)))
   (let loop ([k 0] [binomial 1.0])
     (when (unsafe-fx<= k m)
-      (unsafe-flvector-set! b k (fl/ (unsafe-flvector-ref p k) binomial))
-      (loop (unsafe-fx+ k 1) (fl/ (fl* binomial (->fl (unsafe-fx- m k))) (->fl (unsafe-fx+ k 1))))))
+      (unsafe-flvector-set! b k (unsafe-fl/ (unsafe-flvector-ref p k) binomial))
+      (loop (unsafe-fx+ k 1)
+            (unsafe-fl/ (unsafe-fl* binomial (unsafe-fx->fl (unsafe-fx- m k)))
+                        (unsafe-fx->fl (unsafe-fx+ k 1))))))
   (let outer ([j 1])
     (when (unsafe-fx<= j m)
       (let inner ([i m])
         (when (unsafe-fx>= i j)
-          (unsafe-flvector-set! b i (fl+ (unsafe-flvector-ref b i)
-                                         (unsafe-flvector-ref b (unsafe-fx- i 1))))
+          (unsafe-flvector-set! b i (unsafe-fl+ (unsafe-flvector-ref b i)
+                                                (unsafe-flvector-ref b (unsafe-fx- i 1))))
           (inner (unsafe-fx- i 1))))
       (outer (unsafe-fx+ j 1))))
   b)
 
 (define (without-zero-at-0 p)
   (define n (flvector-length p))
-  (define first (or (for/first ([c (in-flvector p)] [k (in-naturals)] #:unless (fl= c 0.0)) k) n))
-  (if (= first 0) p (flvector-copy p first n)))
+  (let loop ([k 0])
+    (cond [(= k n) (flvector)]
+          [(not (fl= (flvector-ref p k) 0.0)) (if (= k 0) p (flvector-copy p k n))]
+          [else (loop (+ k 1))])))
 
 (define most-halvings 40)
 
@@ -141,8 +153,10 @@
 ;; Polynomials
 
 (define (value p x)
-  (for/fold ([sum 0.0]) ([k (in-range (- (flvector-length p) 1) -1 -1)])
-    (fl+ (flvector-ref p k) (fl* x sum))))
+  (let loop ([k (unsafe-fx- (flvector-length p) 1)] [sum 0.0])
+    (if (unsafe-fx< k 0)
+        (unboxed sum)
+        (loop (unsafe-fx- k 1) (unsafe-fl+ (unsafe-flvector-ref p k) (unsafe-fl* x sum))))))
 
 (define (derivative p)
   (define n (flvector-length p))
@@ -157,24 +171,37 @@
 
 (define (shifted p)
   (define q (flvector-copy p))
-  (define n (flvector-length q))
-  (for ([i (in-range (- n 1))])
-    (let loop ([k (unsafe-fx- n 2)] [above (unsafe-flvector-ref q (unsafe-fx- n 1))])
-      (when (unsafe-fx>= k i)
-        (let ([sum (unsafe-fl+ (unsafe-flvector-ref q k) above)])
-          (unsafe-flvector-set! q k sum)
-          (loop (unsafe-fx- k 1) sum)))))
+  (shift! q)
   q)
+
+(define (shift! q)
+  (define n (flvector-length q))
+  (let outer ([i 0])
+    (when (unsafe-fx< i (unsafe-fx- n 1))
+      (let loop ([k (unsafe-fx- n 2)] [above (unsafe-flvector-ref q (unsafe-fx- n 1))])
+        (when (unsafe-fx>= k i)
+          (let ([sum (unsafe-fl+ (unsafe-flvector-ref q k) above)])
+            (unsafe-flvector-set! q k sum)
+            (loop (unsafe-fx- k 1) sum))))
+      (outer (unsafe-fx+ i 1)))))
 
 ;; Of (1 + x)ⁿ p(1/(1 + x)).
 (define (sign-changes p)
   (define n (flvector-length p))
-  (define q
-    (shifted (for/flvector #:length n ([k (in-range (- n 1) -1 -1)]) (flvector-ref p k))))
-  (for/fold ([count 0] [sign 0.0] #:result count) ([c (in-flvector q)] #:unless (fl= c 0.0))
-    (values (if (fl< (fl* sign c) 0.0) (+ count 1) count) (flsgn c))))
-
-(define (flsgn x) (if (fl< x 0.0) -1.0 1.0))
+  (define q (make-flvector n))
+  (let loop ([k 0])
+    (when (unsafe-fx< k n)
+      (unsafe-flvector-set! q k (unsafe-flvector-ref p (unsafe-fx- (unsafe-fx- n 1) k)))
+      (loop (unsafe-fx+ k 1))))
+  (shift! q)
+  (let loop ([k 0] [count 0] [sign 0.0])
+    (if (unsafe-fx= k n)
+        count
+        (let ([c (unsafe-flvector-ref q k)])
+          (cond [(unsafe-fl= c 0.0) (loop (unsafe-fx+ k 1) count sign)]
+                [(unsafe-fl< (unsafe-fl* sign c) 0.0)
+                 (loop (unsafe-fx+ k 1) (unsafe-fx+ count 1) (unsafe-fl- 0.0 sign))]
+                [else (loop (unsafe-fx+ k 1) count (if (unsafe-fl< c 0.0) -1.0 1.0))])))))
 
 ;; The zero between a and b, where p has opposite signs, by Newton's steps, or halving where
 ;; these lead out or are slow.
@@ -185,10 +212,10 @@
     (define-values (px slope)
       (let horner ([k (unsafe-fx- last 1)] [sum (unsafe-flvector-ref p last)] [slope 0.0])
         (if (unsafe-fx< k 0)
-            (values sum slope)
+            (values (unboxed sum) (unboxed slope))
             (horner (unsafe-fx- k 1)
-                    (fl+ (unsafe-flvector-ref p k) (fl* x sum))
-                    (fl+ sum (fl* x slope))))))
+                    (unsafe-fl+ (unsafe-flvector-ref p k) (unsafe-fl* x sum))
+                    (unsafe-fl+ sum (unsafe-fl* x slope))))))
     (define below? (if rising? (fl< px 0.0) (fl> px 0.0)))
     (define-values (low high) (if below? (values x b) (values a x)))
     (define newton (fl- x (fl/ px slope)))

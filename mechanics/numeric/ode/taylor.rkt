@@ -27,6 +27,7 @@
          racket/unsafe/ops
          "expandable.rkt" "stepper.rkt" "vectors.rkt"
          (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt"
+         "../unboxed.rkt"
          "../jet/expansion.rkt")
 
 (provide taylor outlook-from (struct-out outlook)
@@ -185,7 +186,7 @@
 (define (size e y n k)
   (let loop ([i 0] [greatest 0.0])
     (if (unsafe-fx= i n)
-        greatest
+        (unboxed greatest)
         (let ([x (unsafe-fl/ (unsafe-flabs (at (coefficient-row e i) k))
                              (unsafe-fl+ 1.0 (unsafe-flabs (unsafe-flvector-ref y i))))])
           (loop (unsafe-fx+ i 1)
