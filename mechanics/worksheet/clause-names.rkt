@@ -2,7 +2,7 @@
 ;; What the clauses of an exercise are called, and how many values stand in each: known when a
 ;; worksheet is compiled, so that a slip in a clause is told as such, and not as an unknown name.
 
-(provide clause-names values-fit? values-wanted names-clause?)
+(provide clause-names values-fit? values-wanted names-clause? keywords-of)
 
 (define with-names '(coordinates arguments constants))
 (define with-any '(besides assuming))
@@ -28,3 +28,10 @@
         [(eq? name 'no-practice) "nothing"]
         [(names-clause? name) "names, without quotes"]
         [else "a value, or several"]))
+
+(define (keywords-of name)
+  (case name
+    [(slip) '(#:credit)]
+    [(hint) '(#:after)]
+    [(within) '(#:absolute)]
+    [else '()]))

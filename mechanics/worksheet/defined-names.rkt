@@ -6,7 +6,7 @@
          "exercise.rkt"
          "../error/spelling.rkt")
 
-(provide definition-notes)
+(provide definition-notes defined-names)
 
 ;; exercises : to be answered; text : a program -> strings, what there is to say
 (define (definition-notes exercises text)

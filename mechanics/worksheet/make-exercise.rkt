@@ -147,7 +147,13 @@
                                   "is: a canonical map is wanted that is not trivial"))))
 
 (define (check-numbers name clauses)
-  (for ([c (in-list clauses)] #:when (memq (car c) '(points within)))
-    (unless (and (pair? (cdr c)) (real? (cadr c)) (>= (cadr c) 0))
-      (complain name "the clause `~a` takes a number that is not negative\n  given: ~a" (car c)
-                (value->text (cdr c))))))
+  (define (refuse c wanted)
+    (complain name "~a\n  given: ~a" wanted (value->text (if (pair? (cdr c)) (cadr c) (cdr c)))))
+  (define (given-to c good?) (and (pair? (cdr c)) (good? (cadr c))))
+  (for ([c (in-list clauses)])
+    (case (car c)
+      [(points within)
+       (unless (given-to c (lambda (x) (and (real? x) (>= x 0))))
+         (refuse c (format "the clause `~a` takes a number that is not negative" (car c))))]
+      [(unit)
+       (unless (given-to c string?) (refuse c "the unit is a text, as in (unit \"s\")"))])))

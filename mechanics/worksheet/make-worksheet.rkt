@@ -3,7 +3,8 @@
 ;; every slip.  What is refused here would have been unjust to a whole class.
 
 (require racket/list
-         "answer-data.rkt" "answer-parts.rkt" "exercise-kind.rkt" "exercise.rkt" "judge.rkt"
+         "answer-data.rkt" "answer-parts.rkt" "defined-names.rkt" "exercise-kind.rkt"
+         "exercise.rkt" "judge.rkt"
          "judgment-words.rkt" "judgment.rkt" "prescribed-symbols.rkt"
          "../error/complain.rkt" "../error/words.rkt"
          "../generic/describe.rkt"
@@ -19,8 +20,16 @@
   (unless title (complain 'worksheet "it has no title, as in (title \"Small oscillations\")"))
   (when (null? all) (complain 'worksheet "it has no exercise"))
   (when twice (complain 'worksheet "two exercises are called ~a" twice))
+  (check-names all (filter given? parts))
   (for-each try-exercise all)
   w)
+
+;; The students' file would define such a name twice.
+(define (check-names exercises givens)
+  (define names (append-map defined-names (map given-source givens)))
+  (for ([e (in-list exercises)] #:when (memq (exercise-name e) names))
+    (complain (exercise-name e)
+              "what is given has that name already; call the exercise otherwise")))
 
 (define (try-exercise e)
   (define key (exercise-key e))

@@ -22,7 +22,7 @@
   (slip (lambda (q p) (up (* q (+ 1 'epsilon)) (* p (- 1 'epsilon))))
         "That is the series to first order; sum all of it." #:credit 1/2))
 
-(exercise series expression
+(exercise second-order expression
   "The coordinate after the time `epsilon`, to second order, for
    H = `(+ (/ (square p) (* 2 m)) (* 1/2 k (square q)))`."
   (arguments q p)

@@ -13,15 +13,18 @@
 ;; who : in whose name is complained
 (define (load-worksheet who file)
   (check-there who file)
+  (unless (worksheet-file? file) (raise-no-worksheet who file))
   (define w
     (parameterize ([current-namespace (namespace-anchor->empty-namespace here)]
                    [current-print void])
       (dynamic-require (path->complete-path file) 'worksheet (lambda () #f))))
-  (unless (worksheet? w)
-    (complain who (string-append "it is no worksheet: its first line should be "
-                                 "#lang mechanics/worksheet\n  file: ~a")
-              file))
+  (unless (worksheet? w) (raise-no-worksheet who file))
   w)
+
+(define (raise-no-worksheet who file)
+  (complain who (string-append "it is no worksheet: its first line should be "
+                               "#lang mechanics/worksheet\n  file: ~a")
+            file))
 
 (define (check-there who file)
   (unless (file-exists? file)
@@ -32,8 +35,6 @@
 
 (define (worksheet-file? file)
   (and (file-exists? file)
-       (regexp-match? #rx"^#lang +mechanics/worksheet" (call-with-input-file file first-line))))
+       (call-with-input-file file (lambda (in) (regexp-match? language-line in)))))
 
-(define (first-line in)
-  (define l (read-bytes-line in 'any))
-  (if (eof-object? l) #"" l))
+(define language-line #px#"(?m:^#lang +mechanics/worksheet[ \t]*\r?$)")

@@ -72,7 +72,10 @@
 (define-syntax (title-form stx)
   (syntax-case stx ()
     [(_ text) #`(set-title! #,(draft-id stx) text #f)]
-    [(_ text #:due due) #`(set-title! #,(draft-id stx) text due)]))
+    [(_ text #:due due) #`(set-title! #,(draft-id stx) text due)]
+    [_ (raise-syntax-error
+        #f "a title is a text, and says perhaps when it is due: (title \"...\" #:due \"...\")"
+        stx)]))
 
 (define-syntax (text-form stx)
   (syntax-case stx ()
@@ -111,6 +114,9 @@
     (and (pair? parts) (identifier? (car parts)) (syntax-e (car parts))))
 
   (define (check-question who question stx)
+    (when (and (identifier? question)
+               (regexp-match? #rx"^[“”„«]" (symbol->string (syntax-e question))))
+      (raise-syntax-error who "a text stands in straight quotation marks, \"...\"" stx question))
     (when (memq (head-of question) clause-names)
       (raise-syntax-error who "the question is missing, a text behind the kind of the exercise"
                           stx question)))
@@ -124,6 +130,9 @@
            (refuse "a clause is a list that begins with its name, such as (points 3)")]
           [(not (memq head clause-names))
            (refuse (format "there is no clause called ~a~a" head (among head clause-names)))]
+          [(odd-keyword head (cdr parts))
+           => (lambda (k)
+                (refuse (format "the clause `~a` takes no keyword ~a" head (syntax-e k))))]
           [(not (clause-fits? head (cdr parts)))
            (refuse (format "the clause `~a` takes ~a" head (values-wanted head)))]
           [(names-clause? head) #`'#,clause]
@@ -132,6 +141,12 @@
                          [(value ...) (for/list ([a (in-list (cdr parts))])
                                         (if (keyword? (syntax-e a)) #`'#,a a))])
              #'(list 'head value ...))]))
+
+  (define (odd-keyword head parts)
+    (for/first ([p (in-list parts)]
+                #:when (keyword? (syntax-e p))
+                #:unless (memq (syntax-e p) (keywords-of head)))
+      p))
 
   (define (clause-fits? head parts)
     (and (values-fit? head (length (without-keywords parts)))

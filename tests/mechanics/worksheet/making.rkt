@@ -4,6 +4,7 @@
 (require (prefix-in m: mechanics)
          mechanics/worksheet/exercise
          mechanics/worksheet/make-exercise
+         mechanics/worksheet/make-worksheet
          rackunit
          "../support/messages.rkt")
 
@@ -30,6 +31,17 @@
   (check-regexp-match #rx"given: \"b\"" (message-of (hinted "b")))
   (for ([after '(0 2)])
     (check-equal? (hint-after (car (exercise-hints (hinted after)))) after)))
+
+(test-case "a unit is a text, and points are told as they were given"
+  (check-message "item: the unit is a text, as in (unit \"s\")\n  given: s"
+                 (made 'number '(key 1) '(unit s)))
+  (check-message "item: the clause `points` takes a number that is not negative\n  given: \"2\""
+                 (made 'number '(key 1) '(points "2"))))
+
+(test-case "what is given has no name of an exercise"
+  (check-message "item: what is given has that name already; call the exercise otherwise"
+                 (make-worksheet "W" #f "w" (list (given "(define x 1)\n(define ((item m) x) x)")
+                                                  (made 'number '(key 1))))))
 
 (define (canonical key) (made 'canonical '(coordinates q) (list 'key key)))
 

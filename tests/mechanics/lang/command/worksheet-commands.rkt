@@ -243,6 +243,12 @@
                    "(exercise a number \"?\" (key 1) (no-practice #t))")
   (check-worksheet #rx"a: a clause is a list that begins with its name" title
                    "(exercise a number \"?\" key 1)")
+  (check-worksheet #rx"a: the clause `slip` takes no keyword #:credits" title
+                   "(exercise a number \"?\" (key 1) (slip 2 \"no\" #:credits 1/2))")
+  (check-worksheet #rx"a: a text stands in straight quotation marks" title
+                   "(exercise a number “How many?” (key 1))")
+  (check-worksheet #rx"title: a title is a text, and says perhaps when it is due"
+                   "(title \"Bad\" \"Friday\")" "(exercise a number \"?\" (key 1))")
   (check-worksheet #rx"^title: expected a text, in quotation marks\n  given: 5" "(title 5)")
   (check-worksheet #rx"^title: expected a text, .*given: 4" "(title \"Bad\" #:due 4)")
   (check-worksheet #rx"^text: expected a text, .*given: x" title "(text \"See \" 'x)")
