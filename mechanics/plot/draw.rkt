@@ -74,14 +74,15 @@
     (define point (curve t))
     (define-values (x y) (plane-point who (lambda () (format "the value at ~a" t)) point))
     (add-dot! who f color size label x y)
-    point)
+    (and (rational? x) (rational? y) point))
+  (define (together? p q) (if (and p q) (near? p q) (eq? p q)))    ; nothing is near nothing
   (define a (check-number who "the start" from))
   (define b (check-number who "the end" to))
   (let fill ([a a] [at-a (at a)] [b b] [at-b (at b)])
     (define m (fl* 0.5 (fl+ a b)))
     (unless (or (fl= m a) (fl= m b))
       (define at-m (at m))
-      (unless (and (near? at-a at-m) (near? at-m at-b))
+      (unless (and (together? at-a at-m) (together? at-m at-b))
         (fill a at-a m at-m)
         (fill m at-m b at-b)))))
 

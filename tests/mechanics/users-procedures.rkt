@@ -257,7 +257,7 @@
                          "|^(match|apply|#<)"
                          "|^[-+*/<>=]+: contract|^[a-z]*: contract violation")))
 
-(for* ([r (in-list table)] [odd (list "text" 'a-symbol 1+2i (void) #f)])
+(for* ([r (in-list table)] [odd (list "text" 'a-symbol 1+2i +nan.0 (void) #f)])
   (test-case (format "~a: the value ~s is told in words" (row-name r) odd)
     (define e (outcome (lambda () ((row-ask r) (lambda (x) odd)))))
     (check-true (or (not (exn? e)) (exn:fail? e)) (format "~s" e))
