@@ -13,7 +13,7 @@
 
 (provide make-target target-who
          target-start target-argument target-value target-value-and-gradient
-         target-gradient target-second-derivatives
+         target-gradient target-second-derivatives target-curvature-along
          target-tuple-function target-structure tuple-like)
 
 ;; given : where the search starts, as the user has it; shape : the same as a tuple or a number
@@ -66,6 +66,15 @@
   (with-handlers ([refusal? (lambda (e) #f)])
     (for ([j (in-range n)]) (fill-column! j))
     all))
+
+;; v·Hv at x, by one product of the second derivatives with v; #f where these are refused.
+(define (target-curvature-along t x v)
+  (define s (target-structure t x))
+  (with-handlers ([refusal? (lambda (e) #f)])
+    (define product
+      ((Hessian-vector-product (target-tuple-function t)) s (flvector->structure s v)))
+    (for/fold ([sum 0.0]) ([y (in-list (scalars product))] [a (in-flvector v)])
+      (fl+ sum (fl* a (value-or-nan (target-who t) y))))))
 
 ;; Outside of its domain a function may be complex.
 (define (value-or-nan who y)
