@@ -5,9 +5,10 @@
 ;;
 ;; A factor is solved if it is linear in an unknown, with a coefficient in which no
 ;; unknown occurs; and, if there is one unknown only, when it is a quadratic polynomial, in
-;; the unknown or in a power of it, or one of degree 1 in the sine and the cosine of one angle
-;; a x + b.  Of angles all solutions within a turn of x are given if a is a whole number,
-;; else those within a turn of the angle; exactly: multiples of :pi are.
+;; the unknown, in a power of it or in an exponential of a x + b, or one of degree 1 in the
+;; sine and the cosine of one angle a x + b.  Of angles all solutions within a turn of x are
+;; given if a is a whole number, else those within a turn of the angle; exactly: multiples of
+;; :pi are.
 ;;
 ;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
 ;; solutions to be real are kept with them.
@@ -122,10 +123,12 @@
   (define (linear x) (linear-root f x xs A))
   (define root (ormap linear xs))
   (cond [root (list root)]
+        [(exponential? f) '()]
         [(pair? (cdr xs)) #f]
         [else (or (quadratic-roots f (car xs) A)
                   (power-roots f (car xs) A)
-                  (wave-roots f (car xs) A))]))
+                  (wave-roots f (car xs) A)
+                  (exponential-roots f (car xs) A))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Polynomials, known by their values
@@ -233,6 +236,70 @@
           [else (rebuild (node-head e) (map walk (node-args e)))])))
 
 ;; ---------------------------------------------------------------------------
+;; Exponentials
+
+;; Of a polynomial of degree 2 at most in e^u, u = a x + b: e^u is positive.  Hyperbolic functions
+;; are written by exponentials first.
+(define (exponential-roots f x A)
+  (define g (by-exponentials f x))
+  (define us (arguments-of g x (list op:exp)))
+  (define u (and (pair? us) (simplest-exponent us A)))
+  (define ab (and u (line u x A)))
+  (define y (string->uninterned-symbol "y"))
+  (define in-y
+    (and ab
+         (simplify-expression
+          (substitute-expression g (for/list ([v (in-list us)])
+                                     (cons (make-node op:exp (list v))
+                                           (e:expt y (simplify-expression (e:/ v u) A)))))
+          A)))
+  (define h (and in-y (not (occurs? x in-y)) (without-divisor in-y y A)))
+  (define roots
+    (cond [(not h) #f]
+          [(not (occurs? y h)) '()]
+          [(linear-root h y (list y) A) => list]
+          [else (quadratic-roots h y A)]))
+  (and roots (append-map (lambda (r) (logarithm-root r ab x A)) roots)))
+
+(define (by-exponentials f x)
+  (define (exponential u) (e:apply op:exp u))
+  (define (hyperbolic op sign)
+    (for/list ([u (in-list (arguments-of f x (list op)))])
+      (cons (make-node op (list u))
+            (e:* 1/2 (e:+ (exponential u) (e:* sign (exponential (e:negate u))))))))
+  (substitute-expression f (append (hyperbolic op:cosh 1) (hyperbolic op:sinh -1))))
+
+;; The one of which all others are multiples by whole numbers, or #f
+(define (simplest-exponent us A)
+  (for/first ([u (in-list us)]
+              #:when (for/and ([v (in-list us)])
+                       (exact-integer? (simplify-expression (e:/ v u) A))))
+    u))
+
+;; The numerator of what has powers of y below 0, but for powers of y
+(define (without-divisor e y A)
+  (define factors (expression-factors e A))
+  (for/fold ([product 1]) ([f (in-list factors)] #:when (positive? (cdr f))
+                                                 #:unless (eq? (car f) y))
+    (e:* product (car f))))
+
+;; x where e^(a x + b) is the root found; none where that is not positive
+(define (logarithm-root r ab x A)
+  (define value (root-value r))
+  (define-values (a b) (apply values ab))
+  (define positive? (zero-everywhere? (e:- value (e:apply op:abs value)) A))
+  (if (and (real? value) (<= value 0))
+      '()
+      (list (root x
+                  (quotient-of (e:- (e:apply op:log value) b) a A)
+                  (if positive?
+                      (root-conditions r)
+                      (cons (list '>= value 0) (root-conditions r)))
+                  '()))))
+
+(define (exponential? e) (and (node? e) (eq? (node-head e) op:exp)))
+
+;; ---------------------------------------------------------------------------
 ;; Angles
 
 ;; A cos u + B sin u + C with u = a x + b
@@ -273,13 +340,15 @@
       angle))
 
 ;; The arguments of sines and cosines in which x occurs.
-(define (angles-of f x)
+(define (angles-of f x) (arguments-of f x (list op:sin op:cos)))
+
+(define (arguments-of f x heads)
   (define found '())
   (node-fold f
              (lambda (leaf) (eq? leaf x))
              (lambda (n moves)
                (define u (car (node-args n)))
-               (when (and (memq (node-head n) (list op:sin op:cos))
+               (when (and (memq (node-head n) heads)
                           (car moves)
                           (not (member u found)))
                  (set! found (cons u found)))

@@ -172,7 +172,8 @@ to fall fast enough; otherwise, that it was not found.
 
 @racket[report] receives the value, a bound of its error, and how many values of f it took;
 what it returns is returned. The bound is estimated, as in all methods that know f by
-samples only. When the sum of estimates is small enough, f is looked at in some 300 other
+samples only; of rounding, it counts that of the places where f is evaluated, not that within
+f. When the sum of estimates is small enough, f is looked at in up to some 220 other
 points, spread evenly and closing in on the ends and on 0: so a peak is found that is a
 thousandth of the interval wide, and what there is of @racket[(exp (- x))] between 0 and a
 million; a peak much narrower than that may be missed. Integrals within the integrand of
@@ -194,7 +195,7 @@ possible.
 
 Where the integrand jumps or bends at a place that depends on what is differentiated by, as
 @racket[(abs (- x a))] does, or what has a test @racket[(< x a)], that place is found, and what
-its motion contributes (Leibniz' rule) is not forgotten.
+its motion contributes (Leibniz' rule) is not forgotten, in integrals within integrals either.
 
 @examples[#:eval session
 (define (distance a) (definite-integral (lambda (x) (abs (- x a))) 0 1))
