@@ -1,5 +1,5 @@
 #lang racket/base
-;; Many driven pendulums: ours on one core and on two, the exported C, and JAX, diffrax and
+;; Ten thousand driven pendulums: ours on one core and on two, the exported C, and JAX, diffrax and
 ;; heyoka where they are installed.
 ;;
 ;; Elapsed time is what more cores make less; CPU time is what a busy machine leaves alone.
@@ -14,7 +14,7 @@
 (provide ensembles-heading ensembles-rows)
 
 (define ensembles-heading
-  '("10 000 driven pendulums to t = 100, error 1e-9" "s" "CPU s" "motions a second" "speed-up"))
+  '("driven pendulums to t = 100, error 1e-9" "s" "CPU s" "motions a second" "speed-up"))
 
 (define end 100)
 (define tolerance 1e-9)
