@@ -102,9 +102,9 @@ Two thousand pendulums of slightly different lengths to @math{t = 100} with a to
        (list "exported C, the same steps" "1.04" "1,920")
        (list "exported to JAX, order 5, compiled (2 to 4 s) before" "2.1" "970"))]
 
-And two thousand pendulums with a shaken pivot, to the same time with the same tolerance, in one
-run of @exec{make bench TASK=ensembles} on two cores that had other work as well; processor time,
-what is compiled before the first motion not counted for those in Python:
+And two thousand pendulums with a shaken pivot, to the same time with the same tolerance, as
+@exec{make bench TASK=ensembles} does it with ten thousand, on two cores that had other work as
+well; processor time, what is compiled before the first motion not counted for those in Python:
 
 @tabular[#:style 'boxed #:sep @hspace[2] #:row-properties '(bottom-border ())
  (list (list "" "seconds" "motions a second")
