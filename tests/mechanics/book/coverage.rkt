@@ -118,6 +118,7 @@
     ("6.4-6.5 Lie series, exponential identities (pp. 443-453)"
      Lie-derivative Lie-transform make-operator exp series:for-each H-central-polar
      flow-derivative flow-transform)
+    ("6.7 Symplectic integration (p. 456)" HH-collector)
     ("7.1-7.2 Perturbation theory with Lie series (pp. 457-478)"
      H0 H1 H-pendulum-series W C C-inv solution0 solution series series:sum series:print
      partial-sums Hpendulum pendulum-sysder pendulum-Hamiltonian pendulum-frequency
