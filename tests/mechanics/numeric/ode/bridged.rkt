@@ -20,7 +20,8 @@
   (define p (* 1.1 critical))
   (define start (up 0 (up 0.01 0.0 0.0) (down 0.0 p p)))
   (define tr (evolve-trajectory (system) start 2))
-  (check-eq? (trajectory-method tr) 'Taylor)
+  ;; by the faster method; the next case is bridged
+  (check-eq? (trajectory-method tr) 'Dormand-Prince-853)
   (define H (Lagrangian->Hamiltonian (L-top 6.96e-4 1.32e-4 .112)))
   (check-= (H (tr 2)) (H start) 1e-10))
 
@@ -29,6 +30,7 @@
     (define x (ref s 1))
     (up 1 (ref s 2) (/ (* -2 (- 1 (cos x)) (square x)) (* x (square (* 2 (sin (/ x 2))))))))
   (define tr (evolve-trajectory f (up 0 1 0) 20 #:tolerance 1e-9))
+  (check-eq? (trajectory-method tr) 'Taylor)
   (check-= (ref (tr 20) 1) (cos 20) 1e-5))
 
 (test-case "it is not carried over a singularity"
