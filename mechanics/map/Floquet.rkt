@@ -5,11 +5,12 @@
 
 (require racket/flonum
          "../error/complain.rkt"
-         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
+         "../generic/describe.rkt" "../generic/up-down.rkt"
          "../motion/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
          "../motion/linearized-flow.rkt"
-         "../numeric/linear/general-eigenvalues.rkt" "../numeric/whole-turns.rkt"
+         "../numeric/constants.rkt" "../numeric/linear/general-eigenvalues.rkt"
+         "../numeric/whole-turns.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
 
 (provide Floquet-multipliers
@@ -27,7 +28,7 @@
   (check-real who "period" period)
   (define first (if (timed-state? derivative state) 1 0))
   (define-values (end columns) (displaced derivative state first period tolerance))
-  (check-closed who state end first)
+  (check-closed who derivative state end first)
   (define n (length columns))
   (define entries
     (for*/flvector #:length (* n n) ([i (in-range n)] [column (in-list columns)])
@@ -47,14 +48,30 @@
 (define (timed-state? f state)
   (and (tuple? state) (eqv? (car (scalars (f state))) 1)))
 
-(define (check-closed who start end first)
+;; An angle may come back a whole turn on; another coordinate, or a momentum, may not.
+(define (check-closed who derivative start end first)
   (define gap
     (for/fold ([most 0.0]) ([a (in-list (scalars start))] [b (in-list (scalars end))]
                             [k (in-naturals)] #:when (>= k first))
       (define x (real->double-flonum (comparand a)))
-      (flmax most (fl/ (flabs (whole-turns-less (fl- b x))) (fl+ 1.0 (flabs x))))))
+      (define on (fl- (real->double-flonum (comparand b)) x))
+      (define off (fl/ (flabs (whole-turns-less on)) (fl+ 1.0 (flabs x))))
+      (flmax most
+             (if (and (fl< off closed) (angle? derivative start k))
+                 off
+                 (fl/ (flabs on) (fl+ 1.0 (flabs x)))))))
   (unless (fl< gap closed)
     (complain who
               (string-append "the orbit is not closed after that period; its ends are ~a apart"
                              "\n  start: ~a\n  end: ~a")
               gap (value->text start) (value->text end))))
+
+;; Are the rates the same where scalar number k of the state is a turn greater?
+(define (angle? derivative state k)
+  (define all (list->vector (scalars state)))
+  (define (moved i) (if (= i k) (g:+ :2pi (vector-ref all i)) (vector-ref all i)))
+  (for/and ([a (in-list (scalars (derivative state)))]
+            [b (in-list (scalars (derivative (scalars->structure state moved))))])
+    (define rate (real->double-flonum (comparand a)))
+    (fl< (flabs (fl- (real->double-flonum (comparand b)) rate))
+         (fl* closed (fl+ 1.0 (flabs rate))))))

@@ -26,7 +26,7 @@
 ;; ---------------------------------------------------------------------------
 ;; A curve to begin with: an orbit near the circle, its points in the order of the rotation's.
 
-;; -> (n -> (cons x y), the curve at n angles)
+;; -> (n -> x, y: the curve at n angles)
 (define (curve-of-orbit map y0 omega)
   (define count 16384)
   (define p (flvector 0.0 y0))
@@ -39,7 +39,7 @@
                         (flvector-ref p 1))
               (unless (step! p) (raise-no-image 'invariant-circle map 0.0 y0)))))
   (vector-sort! points (lambda (a b) (fl< (flvector-ref a 0) (flvector-ref b 0))))
-  (lambda (n) (cons (interpolated points n 1) (interpolated points n 2))))
+  (lambda (n) (values (interpolated points n 1) (interpolated points n 2))))
 
 ;; Column k of the points, at n equally distant angles, by straight lines.
 (define (interpolated points n k)
@@ -65,35 +65,39 @@
 ;; Newton's method
 
 ;; -> x, y and the residual, when that does not become less any more
-(define (solve-circle q start n)
-  (let improve ([x (periodic-smoothed (car start))] [y (periodic-smoothed (cdr start))]
-                [best-x #f] [best-y #f] [best +inf.0] [count 0])
+(define (solve-circle q start-x start-y)
+  (define n (flvector-length start-x))
+  (define-values (x0 y0) (both-smoothed start-x start-y))
+  (let improve ([x x0] [y y0] [best-x #f] [best-y #f] [best +inf.0] [count 0])
     (define m (mismatch q x y n))
     (define error (greatest-residual m))
-    (cond [(and (fl< error +inf.0) (or (fl< error (fl* 0.5 best)) (= count 0)) (< count 20))
-           (define-values (dx dy) (correction q m x y n))
-           (improve (plus x dx) (plus y dy) x y error (+ count 1))]
-          [(fl< error best) (values x y (fl+ error (residual-between q x y n)))]
-          [else (values best-x best-y (fl+ best (residual-between q best-x best-y n)))])))
+    (cond [(and (fl< error +inf.0) (fl> error enough) (< count 20)
+                (or (fl< error (fl* 0.5 best)) (= count 0)))
+           (define-values (dx dy) (correction q m x y))
+           (define-values (next-x next-y) (both-smoothed (plus x dx) (plus y dy)))
+           (improve next-x next-y x y error (+ count 1))]
+          [(fl< error best) (values x y (flmax error (residual-between q x y n)))]
+          [else (values best-x best-y (flmax best (residual-between q best-x best-y n)))])))
+
+;; A residual with which Newton's method ends, and terms of it that are noise: rounding in
+;; the values of the map and in Fourier sums.
+(define-values (enough noise) (values 5e-15 5e-17))
 
 ;; The residual in the middle between the angles, for which the equation was not solved.
 (define (residual-between q x y n)
   (define half (fl* 0.5 (node-angle 1 n)))
-  (define moved
-    (for/flvector #:length n ([u (in-flvector (periodic-shifted x half))]) (fl+ u half)))
-  (greatest-residual (mismatch q moved (periodic-shifted y half) n)))
+  (define-values (x-between y-between) (both-shifted x y half))
+  (define moved (for/flvector #:length n ([u (in-flvector x-between)]) (fl+ u half)))
+  (greatest-residual (mismatch q moved y-between n)))
 
 (define (plus f g)
-  (periodic-smoothed
-   (for/flvector #:length (flvector-length f) ([a (in-flvector f)] [b (in-flvector g)])
-     (fl+ a b))))
+  (for/flvector #:length (flvector-length f) ([a (in-flvector f)] [b (in-flvector g)]) (fl+ a b)))
 
 ;; By how much the image misses the curve, in both coordinates; a ... d : derivatives of the map
 (struct mismatch-of (x y a b c d))
 
 (define (mismatch q x y n)
-  (define-values (x+ y+) (values (periodic-shifted x (equation-omega q))
-                                 (periodic-shifted y (equation-omega q))))
+  (define-values (x+ y+) (both-shifted x y (equation-omega q)))
   (define columns (for/list ([_ (in-range 6)]) (make-flvector n)))
   (define-values (in out) (values (make-flvector 2) (make-flvector 6)))
   (for ([j (in-range n)])
@@ -115,17 +119,18 @@
     (if (fl<= size most) most (if (fl< size +inf.0) size +inf.0))))
 
 ;; -> what to add to x and to y
-(define (correction q m x y n)
+(define (correction q m x y)
   (define omega (equation-omega q))
+  (define n (flvector-length x))
   (define-syntax-rule (at-nodes (z f) ... body)
     (for/flvector #:length n ([z (in-flvector f)] ...) body))
-  (define-values (a1 a2)
-    (values (at-nodes (u (periodic-slope x)) (fl+ 1.0 u)) (periodic-slope y)))
+  (define-values (slope a2) (both-slopes x y))
+  (define a1 (at-nodes (u slope) (fl+ 1.0 u)))
   (define (over-square f sign)
     (at-nodes (u f) (v a1) (w a2) (fl/ (fl* sign u) (fl+ (fl* v v) (fl* w w)))))
   (define-values (b1 b2) (values (over-square a2 -1.0) (over-square a1 1.0)))
-  (define (shifted f) (periodic-shifted f omega))
-  (define-values (a1+ a2+ b1+ b2+) (values (shifted a1) (shifted a2) (shifted b1) (shifted b2)))
+  (define-values (a1+ a2+) (both-shifted a1 a2 omega))
+  (define-values (b1+ b2+) (both-shifted b1 b2 omega))
   (define shear
     (at-nodes (a (mismatch-of-a m)) (b (mismatch-of-b m))
               (c (mismatch-of-c m)) (d (mismatch-of-d m))
@@ -134,11 +139,11 @@
   (define-values (ex ey) (values (mismatch-of-x m) (mismatch-of-y m)))
   (define eta (at-nodes (e ex) (f ey) (u b1+) (v b2+) (fl- (fl* f u) (fl* e v))))
   (define kappa (at-nodes (e ex) (f ey) (u a1+) (v a2+) (fl- (fl* e v) (fl* f u))))
-  (define varying (periodic-unshifted kappa omega))
+  (define varying (periodic-unshifted kappa omega noise))
   (define (product f g) (at-nodes (u f) (v g) (fl* u v)))
   (define mean
     (fl/ (fl- (periodic-mean eta) (periodic-mean (product shear varying))) (periodic-mean shear)))
   (define zeta (at-nodes (u varying) (fl+ u mean)))
-  (define xi (periodic-unshifted (at-nodes (u eta) (s shear) (z zeta) (fl- u (fl* s z))) omega))
+  (define xi (periodic-unshifted (at-nodes (u eta) (s shear) (z zeta) (fl- u (fl* s z))) omega noise))
   (values (at-nodes (u xi) (v a1) (z zeta) (w b1) (fl+ (fl* u v) (fl* z w)))
           (at-nodes (u xi) (v a2) (z zeta) (w b2) (fl+ (fl* u v) (fl* z w)))))

@@ -5,6 +5,7 @@
 ;; arithmetic on two numbers.  Otherwise the map itself is called.
 
 (require racket/flonum
+         "map-of-the-plane.rkt"
          "../compile/compile-function.rkt"
          "../error/complain.rkt"
          "../generic/compare.rkt"
@@ -21,10 +22,10 @@
   (compile-traced image (up x y) #:name 'iterated-map))
 
 ;; -> (p -> is there an image?), which moves the point in the flvector p to its image, a point
-;; that is finite.  One for each orbit.
-(define (orbit-stepper map x y)
+;; that is finite.  One for each orbit.  Who complains of a map that is written wrongly
+(define (orbit-stepper map x y [who 'map])
   (define code (compile-map map x y))
-  (if code (compiled-stepper code) (calling-stepper map)))
+  (if code (compiled-stepper code) (calling-stepper who map)))
 
 (define (compiled-stepper code)
   (define run! (compiled-function-runner code))
@@ -34,13 +35,12 @@
     (flvector-copy! p to)
     (flvector-finite? p)))
 
-(define ((calling-stepper map) p)
-  (map (flvector-ref p 0) (flvector-ref p 1)
-       (lambda (x y)
-         (flvector-set! p 0 (flonum x))
-         (flvector-set! p 1 (flonum y))
-         (flvector-finite? p))
-       (lambda () #f)))
+(define ((calling-stepper who map) p)
+  (image-or-none who map (flvector-ref p 0) (flvector-ref p 1)
+                 (lambda (x y)
+                   (flvector-set! p 0 (flonum x))
+                   (flvector-set! p 1 (flonum y))
+                   (flvector-finite? p))))
 
 (define (flonum x)
   (define number (comparand x))

@@ -70,8 +70,18 @@
 ;; ---------------------------------------------------------------------------
 ;; Finding one
 
-;; The residual that rounding leaves.
-(define small 1e-13)
+;; The residual that rounding leaves of a map that is computed to rounding.
+(define small 1e-14)
+
+;; And with as many terms as are allowed, of which each brings some.
+(define small-at-last 1e-12)
+
+;; One that twice as many terms hardly improve has the errors of the map itself, as those of a
+;; motion, if it is below this.
+(define plausible 1e-9)
+
+;; A curve is refined by more terms if its residual is less; else the orbit is the better start.
+(define worth-refining 1e-5)
 
 ;; between : two ordinates, at the angle 0, with the circle between them
 (define-plain (invariant-circle map rotation-number #:between [between #f]
@@ -86,13 +96,19 @@
   (define J (flonum who (find-invariant-curve map rotation 0 low high 1e-9)))
   (define equation (circle-equation who map J omega))
   (define orbit (curve-of-orbit map J omega))
-  (let refine ([n 128])
-    (define-values (x y error) (solve-circle equation (orbit n) n))
-    (define modes (quotient n 2))
-    (cond [(fl< error small)
-           (circle rotation (periodic-value-at x) (periodic-value-at y) modes error)]
-          [(>= modes most) (raise-none who rotation error modes)]
-          [else (refine (* 2 n))])))
+  (define (found x y error)
+    (circle rotation (periodic-value-at x) (periodic-value-at y)
+            (quotient (flvector-length x) 2) error))
+  (let refine ([n 128] [before-x #f] [before-y #f] [before +inf.0])
+    (define-values (start-x start-y)
+      (if (fl< before worth-refining) (both-refined before-x before-y) (orbit n)))
+    (define-values (x y error) (solve-circle equation start-x start-y))
+    (define last? (>= (quotient n 2) most))
+    (cond [(fl< error (if last? small-at-last small)) (found x y error)]
+          [(and (fl< before plausible) (fl> error (fl* 0.25 before)))
+           (if (fl< error before) (found x y error) (found before-x before-y before))]
+          [last? (raise-none who rotation error (quotient n 2))]
+          [else (refine (* 2 n) x y error)])))
 
 (define (raise-none who rotation error modes)
   (raise-not-convergent who

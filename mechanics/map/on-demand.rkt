@@ -19,7 +19,7 @@
  ["invariant-circle.rkt" invariant-circle invariant-circle? invariant-circle-error
                          invariant-circle-modes invariant-circle-ordinate]
  ["rotation-number.rkt" rotation-number rotation? rotation-value rotation-error
-                        rotation-regular?]
+                        rotation-regular? rotation-steps-needed]
  ["Floquet.rkt" Floquet-multipliers]
  ["Lyapunov.rkt" Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov? Lyapunov-values
                  Lyapunov-history Lyapunov-change]

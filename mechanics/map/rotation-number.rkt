@@ -15,13 +15,20 @@
          "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../numeric/constants.rkt" "../numeric/finite.rkt" "../numeric/whole-turns.rkt")
+         "../numeric/constants.rkt" "../numeric/finite.rkt" "../numeric/flvector.rkt"
+         "../numeric/whole-turns.rkt")
 
-(provide rotation-number rotation? rotation-value rotation-error rotation-regular?)
+(provide rotation-number rotation? rotation-value rotation-error rotation-regular?
+         rotation-steps-needed)
 
-;; value : turns for each step; error : how much the means over the halves differ
-(value-struct rotation (value error regular?)
+;; value : turns for each step; error : how much the means over the halves differ; steps : of
+;; the orbit; steps-needed : with how many they agree, or #f if that was not seen
+(value-struct rotation (value error steps steps-needed)
   #:text (lambda (r) (rotation->text r)))
+
+(define (rotation-regular? r)
+  (unless (rotation? r) (raise-argument-error 'rotation-regular? "rotation?" r))
+  (and (rotation-steps-needed r) #t))
 
 ;; Means that differ by more are not those of a regular orbit.
 (define least-irregular 1e-5)
@@ -35,11 +42,35 @@
   (define p (point who start))
   (define angle
     (if about (angle-about who map (point who about)) (lambda (p) (flvector-ref p 0))))
-  (define steps (angle-steps who map p angle n (not about)))
-  (define (mean from to) (fl/ (weighted-mean steps from to) :2pi))
+  (define next-step! (angle-stepper map p angle))
+  (define (missing) (raise-no-image who map (flvector-ref p 0) (flvector-ref p 1)))
+  (define steps (followed (flvector) n next-step! missing))
+  (define-values (value error) (means steps (not about)))
+  (rotation value error n (steps-to-agree steps error next-step! (not about))))
+
+;; How many times as many steps are taken to see whether an orbit is regular, up to so many.
+(define-values (times-as-many most-steps) (values 8 10000))
+
+;; -> the number of steps with which the halves agree, doubled from those there are, or #f
+(define (steps-to-agree steps error next-step! forwards?)
+  (define most (min most-steps (* times-as-many (flvector-length steps))))
+  (let look ([steps steps] [error error])
+    (define twice (* 2 (flvector-length steps)))
+    (cond [(fl< error least-irregular) (flvector-length steps)]
+          [(> twice most) #f]
+          [(followed steps twice next-step! (lambda () #f))
+           => (lambda (more)
+                (define-values (value error) (means more forwards?))
+                (look more error))]
+          [else #f])))
+
+;; -> turns for each step, and how much they differ between the halves
+(define (means steps forwards?)
+  (define n (flvector-length steps))
   (define half (quotient n 2))
-  (define error (flabs (fl- (mean 0 half) (mean half n))))
-  (rotation (mean 0 n) error (fl< error least-irregular)))
+  (define turned (within-half-a-turn steps (mean-direction steps forwards?)))
+  (define (mean from to) (fl/ (weighted-mean turned from to) :2pi))
+  (values (mean 0 n) (flabs (fl- (mean 0 half) (mean half n)))))
 
 (define (point who p)
   (define-values (x y) (values (comparand (abscissa p)) (comparand (ordinate p))))
@@ -57,22 +88,35 @@
     (if angle? (whole-turns-less d) d))
   (lambda (p) (atan (off p 1 (cadr angles)) (off p 0 (car angles)))))
 
-;; The steps of the angle, each within half a turn of the mean direction of the first ones.
-(define (angle-steps who map start angle n forwards?)
-  (define p (flvector-copy start))
+;; -> (-> how much the angle changes as p goes to its image, or #f where that has none)
+(define (angle-stepper map p angle)
   (define step! (orbit-stepper map (flvector-ref p 0) (flvector-ref p 1)))
-  (define steps (make-flvector n))
-  (for/fold ([before (angle p)]) ([k (in-range n)])
-    (define-values (x y) (values (flvector-ref p 0) (flvector-ref p 1)))
-    (unless (step! p) (raise-no-image who map x y))
-    (define after (angle p))
-    (flvector-set! steps k (fl- after before))
-    after)
-  (define middle (mean-direction steps forwards?))
-  (for ([k (in-range n)])
-    (define off (fl- (flvector-ref steps k) middle))
-    (flvector-set! steps k (fl+ middle (fl- off (fl* :2pi (flround (fl/ off :2pi)))))))
-  steps)
+  (define q (flvector-copy p))
+  (define before (angle p))
+  (lambda ()
+    (and (step! q)
+         (let ([after (angle q)])
+           (flvector-copy! p q)
+           (begin0 (fl- after before)
+                   (set! before after))))))
+
+;; -> the steps and those after them, n in all; what (missing) gives where an image is missing
+(define (followed steps n next-step! missing)
+  (define all (make-flvector n))
+  (flvector-copy! all steps)
+  (let loop ([k (flvector-length steps)])
+    (define step (and (< k n) (next-step!)))
+    (cond [(= k n) all]
+          [step
+           (flvector-set! all k step)
+           (loop (+ k 1))]
+          [else (missing)])))
+
+;; Each step by as many turns more or less as bring it within half a turn of the mean direction.
+(define (within-half-a-turn steps middle)
+  (for/flvector #:length (flvector-length steps) ([step (in-flvector steps)])
+    (define off (fl- step middle))
+    (fl+ middle (fl- off (fl* :2pi (flround (fl/ off :2pi)))))))
 
 ;; From 0 to a turn, or to half a turn on both sides.
 (define (mean-direction steps forwards?)
@@ -91,12 +135,20 @@
   (fl/ sum weights))
 
 (define (rotation->text r)
-  (if (rotation-regular? r)
-      (format "rotation number ~a, to about ~a" (rotation-value r) (rounded (rotation-error r)))
-      (format
-       (string-append "rotation number about ~a, if there is one:"
-                      "\n  the orbit does not look regular; over its halves it differs by ~a")
-       (/ (round (* 100 (rotation-value r))) 100) (rounded (rotation-error r)))))
+  (define-values (value error) (values (rotation-value r) (rounded (rotation-error r))))
+  (define-values (steps needed) (values (rotation-steps r) (rotation-steps-needed r)))
+  (cond [(eqv? needed steps) (format "rotation number ~a, to about ~a" value error)]
+        [needed
+         (format (string-append "rotation number about ~a: ~a steps are too few to tell it better"
+                                "\n  over their halves it differs by ~a; ~a steps would do")
+                 (two-digits value) steps error needed)]
+        [else
+         (format (string-append "rotation number about ~a, if there is one:"
+                                "\n  the orbit does not look regular; over its halves it differs "
+                                "by ~a")
+                 (two-digits value) error)]))
+
+(define (two-digits x) (/ (round (* 100 x)) 100))
 
 ;; To one digit, as 3e-14
 (define (rounded x)

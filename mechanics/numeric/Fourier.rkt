@@ -21,28 +21,29 @@
     (flvector-set! re k (fl* scale (flvector-ref re k)))
     (flvector-set! im k (fl* scale (flvector-ref im k)))))
 
+;; a, b <- a + w b, a - w b; in place, so that the numbers stay in registers
+(define-syntax-rule (combine! re im a-place b-place c s)
+  (let* ([a a-place] [b b-place]
+         [x (flvector-ref re b)] [y (flvector-ref im b)]
+         [u (fl- (fl* c x) (fl* s y))] [v (fl+ (fl* s x) (fl* c y))]
+         [p (flvector-ref re a)] [q (flvector-ref im a)])
+    (flvector-set! re a (fl+ p u))
+    (flvector-set! im a (fl+ q v))
+    (flvector-set! re b (fl- p u))
+    (flvector-set! im b (fl- q v))))
+
 (define (transform! re im sign)
   (define n (flvector-length re))
   (define-values (cosines sines) (roots-of-unity n sign))
   (reorder! re im)
   (let double ([half 1])
     (when (< half n)
+      (define stride (quotient n (* 2 half)))
       (for* ([start (in-range 0 n (* 2 half))] [k (in-range half)])
-        (define root (* k (quotient n (* 2 half))))
+        (define root (* k stride))
         (combine! re im (+ start k) (+ start k half)
                   (flvector-ref cosines root) (flvector-ref sines root)))
       (double (* 2 half)))))
-
-;; a, b <- a + w b, a - w b
-(define (combine! re im a b c s)
-  (define-values (x y) (values (flvector-ref re b) (flvector-ref im b)))
-  (define u (fl- (fl* c x) (fl* s y)))
-  (define v (fl+ (fl* s x) (fl* c y)))
-  (define-values (p q) (values (flvector-ref re a) (flvector-ref im a)))
-  (flvector-set! re a (fl+ p u))
-  (flvector-set! im a (fl+ q v))
-  (flvector-set! re b (fl- p u))
-  (flvector-set! im b (fl- q v)))
 
 (define (roots-of-unity n sign)
   (define (angle k) (fl* sign (fl/ (fl* :2pi (->fl k)) (->fl n))))

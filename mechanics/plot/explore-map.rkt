@@ -61,7 +61,7 @@
 ;; The start is drawn as well.  It ends early where there is no image.
 (define (draw-orbit who f map n x y color size)
   (define p (flvector x y))
-  (define step! (and (> n 0) (stepper-at map x y)))
+  (define step! (and (> n 0) (stepper-at who map x y)))
   (define (draw) (add-dot! who f color size #f (flvector-ref p 0) (flvector-ref p 1)))
   (when step!
     (draw)
@@ -71,9 +71,9 @@
         (loop (- n 1))))))
 
 ;; #f where the map has no image at once.
-(define (stepper-at map x y) (and (image? map x y) (orbit-stepper map x y)))
+(define (stepper-at who map x y) (and (image? who map x y) (orbit-stepper map x y who)))
 
-(define (image? map x y) (map x y (lambda (x y) #t) (lambda () #f)))
+(define (image? who map x y) (image-or-none who map x y (lambda (x y) #t)))
 
 ;; ---------------------------------------------------------------------------
 ;; Where orbits start
@@ -92,16 +92,16 @@
     (cons x y)))
 
 (define (check-image who f map x y)
-  (unless (image? map x y)
+  (unless (image? who map x y)
     (complain who "the map has no image of the start ~a\n  map: ~a~a"
-              (value->text (up x y)) (value->text map) (where-allowed f map y))))
+              (value->text (up x y)) (value->text map) (where-allowed who f map y))))
 
 ;; The abscissas at that ordinate, within the frame, where there are images: those a section of
 ;; that energy has, say.
-(define (where-allowed f map y)
+(define (where-allowed who f map y)
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   (define (at k) (+ x-min (* (- x-max x-min) (/ k 200.0))))
-  (define (allowed? x) (image? map x y))
+  (define (allowed? x) (image? who map x y))
   (define inside (for/list ([k (in-range 201)] #:when (allowed? (at k))) k))
   (define (edge in out)
     (for/fold ([in in] [out out] #:result in) ([_ (in-range 30)])

@@ -8,7 +8,9 @@
          (only-in plot/utils ->pen-color)
          "exploration.rkt" "pixels.rkt")
 
-(provide make-board board-canvas redraw-board! mark-on-board! board-picture)
+(provide make-board board-canvas redraw-board! mark-on-board! board-picture
+         ;; for tests: where a point of the plane is on the canvas
+         board-place)
 
 (define-values (left right top bottom) (values 56 12 12 28))
 (define least-drag 5)            ; pixels; a shorter one is a click
@@ -120,6 +122,11 @@
 (define (point-at b place)
   (unless (board-pixels b) (redraw-board! b))
   (pixel->point (board-pixels b) (- (car place) left) (- (cdr place) top)))
+
+(define (board-place b x y)
+  (unless (board-pixels b) (redraw-board! b))
+  (define-values (i j) (point->pixel (board-pixels b) x y))
+  (values (+ left i) (+ top j)))
 
 (define (color->bytes k) (->pen-color k))
 

@@ -117,7 +117,7 @@
      (lambda ()
        (when (add-points! (explorer-exploration it) o xs ys count)
          (mark-on-board! (explorer-board it) xs ys count (orbit-color o))
-         (say! it (and why (format "an orbit ends: ~a" why))))
+         (say! it (and why (format "an orbit ends: ~a" (on-one-line why)))))
        (semaphore-post done))
      #f))
   (semaphore-wait done))
@@ -136,6 +136,9 @@
   (send (explorer-status it) set-label (if (> (string-length text) 200)
                                            (substring text 0 200)
                                            text)))
+
+;; A message has its details on lines of their own.
+(define (on-one-line text) (regexp-replace* #rx" *\n *" text "; "))
 
 (define (points-in orbits)
   (for/sum ([t (in-list orbits)]) (traced-count t)))

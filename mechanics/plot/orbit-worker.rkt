@@ -6,7 +6,8 @@
 ;; grow side by side, and a window that is slow to draw is not flooded.
 
 (require racket/flonum
-         "../generic/on-demand.rkt")
+         "../generic/on-demand.rkt"
+         "../map/map-of-the-plane.rkt")
 
 (require-on-demand ["../map/compiled-map.rkt" orbit-stepper])
 
@@ -65,7 +66,8 @@
   (define (finish why left)
     (receive o xs ys count why)
     left)
-  (with-handlers ([exn:fail? (lambda (e) (finish (exn-message e) #f))])
+  (define (said e) (if (exn? e) (exn-message e) (format "the map raises ~v" e)))
+  (with-handlers ([(lambda (e) (not (exn:break? e))) (lambda (e) (finish (said e) #f))])
     (define begun? (orbit-step! o))
     (define step! (or begun? (begin-orbit map o)))
     (cond [(not step!) (finish "no image" #f)]
@@ -79,7 +81,8 @@
 (define (begin-orbit map o)
   (define-values (x y) (values (car (orbit-start o)) (cdr (orbit-start o))))
   (define step!
-    (and (map x y (lambda (x y) #t) (lambda () #f)) (orbit-stepper map x y)))
+    (and (image-or-none 'explore-map map x y (lambda (x y) #t))
+         (orbit-stepper map x y 'explore-map)))
   (set-orbit-step!! o step!)
   step!)
 

@@ -448,9 +448,12 @@ circle
 (define there ((standard-map 0.8) (ref (circle 1.0) 0) (ref (circle 1.0) 1) up void))
 (- there (circle (+ 1.0 (* :2pi golden))))]
 
-The residual is the greatest distance between the image of a point and the circle's point an
-angle ahead, at the angles of the Fourier series and between them. Where it does not come
-down to rounding with @racket[most] terms, @racket[exn:fail:mechanics:not-convergent] is
+The residual is the greatest difference, in either coordinate, between the image of a point of the
+circle and the circle's point the rotation's angle ahead: at the angles where the equation was
+solved and halfway between these, computed with the numbers of the machine as they are, whose
+rounding is a part of it. Of a map computed to rounding it comes down to some 1e-14; of a
+motion, to the error of that, where more terms do not help any more. Where it comes down to neither
+with @racket[most] terms, @racket[exn:fail:mechanics:not-convergent] is
 raised: the circle has broken up, or is about to.
 
 @examples[#:eval session
@@ -483,11 +486,13 @@ first coordinate, an angle, or of the direction from the point @racket[about], t
 orbit, which gives some ten digits or more of 10,000 steps where the orbit is quasiperiodic. How
 much the averages over the two halves of the orbit differ tells how many; where they differ by
 more than
-1e-5, it is said that the orbit does not look regular.
+1e-5, the orbit is followed on, eight times as far at most and to no more than 10,000 steps. Then it
+is said how many steps would do, or that the orbit does not look regular.
 
 @examples[#:eval session
 (rotation-number (standard-map 0.8) (circle 0))
 (rotation-number (standard-map 0.6) (up 3 0) #:about (up :pi 0))
+(rotation-number (standard-map 0.95) (up 0 2.11446) 100)
 (rotation-number (standard-map 1.4) (up 0.1 0.1))]
 
 @sicm{4.4, p. 309}}
@@ -495,16 +500,20 @@ more than
 @deftogether[(@defproc[(rotation? [x any/c]) boolean?]
               @defproc[(rotation-value [r rotation?]) real?]
               @defproc[(rotation-error [r rotation?]) real?]
-              @defproc[(rotation-regular? [r rotation?]) boolean?])]{
+              @defproc[(rotation-regular? [r rotation?]) boolean?]
+              @defproc[(rotation-steps-needed [r rotation?])
+                       (or/c exact-positive-integer? #f)])]{
 
 What @racket[rotation-number] found: the number, the difference of the averages over the halves,
-and whether the orbit looks regular.
+whether the orbit looks regular, and with how many steps it does: more than were asked for where
+these were too few, @racket[#f] of an orbit that does not.
 
 @examples[#:eval session
 (define turning (rotation-number (standard-map 0.8) (up 0 2)))
 (rotation? turning)
 (rotation-value turning)
 (< (rotation-error turning) 1e-9)
-(rotation-regular? turning)]}
+(rotation-regular? turning)
+(rotation-steps-needed turning)]}
 
 @(close-session session)

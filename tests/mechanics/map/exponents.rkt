@@ -75,9 +75,20 @@
   "  expected: how many steps of the map, a positive integer\n  given: 1.5"])
 
 (test-case "an orbit that is not closed has no multipliers"
-  (check-exn #rx"Floquet-multipliers: the orbit is not closed after that period; its ends are 2.97"
+  (check-exn #rx"Floquet-multipliers: the orbit is not closed after that period; its ends are 3.3059"
              (lambda () (Floquet-multipliers shaken (up 0 1 0) period))))
 
 (test-case "an orbit that ends has no exponent"
   (check-exn #rx"maximal-Lyapunov-exponent: the map has no image of a point that is needed"
              (lambda () (maximal-Lyapunov-exponent hole (up 0.5 0) 1000))))
+
+;; A momentum that has grown by 2π is not the same again; an angle is.
+(test-case "whole turns close an orbit in angles only"
+  (define (drifting s) (up 1 (- (momentum s) :pi) :2pi))
+  (check-exn #rx"the orbit is not closed after that period; its ends are 6.283"
+             (lambda () (Floquet-multipliers drifting (up 0 0 0) 1)))
+  (define around
+    (fixed-point-coordinates
+     (find-fixed-point (driven-pendulum-map 1 1 9.8 .05 omega) (up 3.1 13))))
+  (define all (Floquet-multipliers shaken (up 0 (abscissa around) (ordinate around)) period))
+  (check-close (map magnitude all) '(1 1) 1e-9))

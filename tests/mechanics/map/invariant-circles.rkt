@@ -36,8 +36,25 @@
 
 (test-case "the golden curve of K = 0.95, to rounding"
   (define c (invariant-circle (standard-map 0.95) golden))
-  (check-true (< (invariant-circle-error c) 1e-13))
+  (check-true (< (invariant-circle-error c) 1e-14))
   (check-close (invariant-circle-ordinate c 0) 2.1144605494391726 4e-13))
+
+(test-case "the residual is what the map misses its circle by, at other angles as well"
+  (define c (invariant-circle (standard-map 0.9) golden))
+  (define (miss theta)
+    (define there ((standard-map 0.9) (ref (c theta) 0) (ref (c theta) 1) up void))
+    (define on (c (+ theta (* :2pi golden))))
+    (for/list ([k 2]) (abs ((principal-value :pi) (- (ref there k) (ref on k))))))
+  (check-true (< (invariant-circle-error c) 1e-14))
+  (for ([j 40])
+    (check-true (< (apply max (miss (* 0.157 j))) (+ 3e-14 (invariant-circle-error c))))))
+
+;; A motion is not computed to rounding; more terms do not help then.
+(test-case "a circle of a motion, as far as the motion is known"
+  (define T (driven-pendulum-map 1 1 9.8 0.002 (* 4.2 (sqrt 9.8))))
+  (define c (invariant-circle T 0.2360679774997896 #:between '(16.5 17.0) #:most-modes 256))
+  (check-true (< (invariant-circle-error c) 1e-9))
+  (check-close (rotation-value (rotation-number T (c 0) 1000)) 0.2360679774997896 1e-8))
 
 (test-case "on a circle the map is a rotation, at any angle"
   (define c (invariant-circle (standard-map 0.6) golden))
@@ -73,9 +90,25 @@
   (check-close (rotation-value (rotation-number (Henon-map 1.32) (up 1e-4 0) #:about (up 0 0)))
                (/ 1.32 :2pi) 1e-7))
 
+(test-case "of a short regular orbit it is said how many steps would do"
+  (define (turning n) (rotation-number (standard-map 0.95) (up 0 2.1144605494391726) n))
+  (define short (turning 100))
+  (check-true (rotation-regular? short))
+  (check-true (> (rotation-steps-needed short) 100))
+  (check-regexp-match (regexp (string-append
+                               "^rotation number about 0[.][0-9]+: 100 steps are too few to tell it "
+                               "better\n  over their halves it differs by [0-9.e-]+; "
+                               (number->string (rotation-steps-needed short)) " steps would do$"))
+                      (format "~a" short))
+  (define enough (turning (rotation-steps-needed short)))
+  (check-equal? (rotation-steps-needed enough) (rotation-steps-needed short))
+  (check-true (< (rotation-error enough) 1e-5)))
+
 (test-case "a chaotic orbit is said not to look regular"
   (define r (rotation-number (standard-map 1.4) (up 0.1 0.1)))
   (check-false (rotation-regular? r))
+  (check-false (rotation-steps-needed r))
+  (check-false (rotation-regular? (rotation-number (standard-map 1.4) (up 0.1 0.1) 200)))
   (check-regexp-match #rx"^rotation number about 0[.]4[0-9]*, if there is one:\n  the orbit does"
                       (format "~a" r)))
 

@@ -64,6 +64,45 @@
     (regexp-match #rx"for the ordinate 0.0 it has images of abscissas from (.*) to (.*)$" message))
   (check-close (map string->number (cdr found)) '(-0.4396926208 0.6736481777) 1e-6))
 
+;; Maps that do not end as a map should.
+(define (silent x y return fail) (list (+ x y) y))
+(define (doubtful x y return fail) (return x y) (fail))
+(define (hurried x y return fail) (return x y) 'done)
+(define (crowded x y return fail) (return x y 1))
+(define (worded x y return fail) (return x 'y))
+(define (explained x y return fail) (fail "outside"))
+(define (later x y return fail) (if (> x 3) (list x y) (return (+ x 1) y)))
+(define (broken x y return fail) (error 'broken "no such place"))
+
+(test-case "what the map itself raises reaches the reader"
+  (check-exn #rx"^broken: no such place$"
+             (lambda () (explore-map win broken 10 #:from (list (up 1 2))))))
+
+(says
+ [(explore-map win silent 10 #:from (list (up 1 2)))
+  "explore-map: the map calls neither `return` nor `fail`\n  map: silent\n"
+  "  point: (up 1.0 2.0)\n  value: (3.0 2.0)\n"
+  "  the image goes to the third argument: (return x y)"]
+ [(explore-map win doubtful 10 #:from (list (up 1 2)))
+  "explore-map: the map calls `return` or `fail` more than once for one point\n"
+  "  map: doubtful\n  point: (up 1.0 2.0)"]
+ [(explore-map win hurried 10 #:from (list (up 1 2)))
+  "explore-map: the map goes on after it has called `return` or `fail`; what these give is to "
+  "be its value\n  map: hurried\n  point: (up 1.0 2.0)"]
+ [(explore-map win crowded 10 #:from (list (up 1 2)))
+  "explore-map: the map calls `return` with other things than the coordinates of an image\n"
+  "  map: crowded\n  point: (up 1.0 2.0)\n  given: 1.0, 2.0, 1"]
+ [(explore-map win worded 10 #:from (list (up 1 2)))
+  "explore-map: the map calls `return` with other things than the coordinates of an image\n"
+  "  map: worded\n  point: (up 1.0 2.0)\n  given: 1.0, y"]
+ [(explore-map win explained 10 #:from (list (up 1 2)))
+  "explore-map: the map calls `fail` with arguments; it takes none\n"
+  "  map: explained\n  point: (up 1.0 2.0)\n  given: \"outside\""]
+ [(explore-map win later 10 #:from (list (up 1 2)))
+  "explore-map: the map calls neither `return` nor `fail`\n  map: later\n"
+  "  point: (up 4.0 2.0)\n  value: (4.0 2.0)\n"
+  "  the image goes to the third argument: (return x y)"])
+
 (says
  [(explore-map win nowhere 10 #:from (list (up 1 2)))
   "explore-map: the map has no image of the start (up 1.0 2.0)\n  map: nowhere\n"

@@ -28,4 +28,5 @@
  '("shown" "an orbit appears" "and another" "both seen" "undone" "more of it"
    "zoomed" "whole again" "cleared" "brought back"
    "written: explored-1.png and explored-1.rkt" "closed, with its orbit in the frame" "redrawn"
-   "other clicks do not wait" "says what failed" "done"))
+   "other clicks do not wait" "says what failed"
+   "told of 0.5" "told of 1.5" "told of 2.5" "told of 3.5" "and goes on" "done"))
