@@ -1,5 +1,5 @@
 #lang mechanics
-;; A section of the driven pendulum with a doubled period  (SICM 3.6.2, Figure 3.13)
+;; A section of the driven pendulum with a doubled period  (SICM 3.6.1, Figure 3.13)
 ;;
 ;; A = 0.1 m, ω = 2 ω₀: the pendulum that hangs has become unstable; around it are two islands,
 ;; which an orbit visits in turn.

@@ -1,9 +1,9 @@
 #lang mechanics
-;; Sections of the motion of Hénon and Heiles, for the figures of section 3.6.3.
+;; Sections of the motion of Hénon and Heiles, for the figures of sections 3.6.3 and 3.7.
 
 (require mechanics/plot mechanics/book)
 
-(provide star-section star-map energy-curve)
+(provide star-section star-map star-distances energy-curve)
 
 (define (star-map E) (HHmap E 0.1 1e-10 1e-12))
 
@@ -15,3 +15,13 @@
 
 (define ((energy-curve E) y p)
   (- E (* 1/2 (square p)) (HHpotential (up 0 (up 0 y) (down 0 0)))))
+
+;; How far apart two stars of the energy 1/8 are after 1, 2, ... n crossings that begin 1e-10 apart
+;; at (y, 0).
+(define (star-distances y n)
+  (define T (star-map 1/8))
+  (define (moved p) (T (ref p 0) (ref p 1) up void))
+  (for/fold ([all '()] [a (up y 0.)] [b (up (+ y 1e-10) 0.)] #:result (reverse all)) ([k n])
+    (define-values (a2 b2) (values (moved a) (moved b)))
+    (define d (- a2 b2))
+    (values (cons (sqrt (+ (square (ref d 0)) (square (ref d 1)))) all) a2 b2)))

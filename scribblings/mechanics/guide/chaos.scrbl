@@ -99,7 +99,7 @@ cross without end (@sicm{4.3, p. 303}). Where the manifolds of the standard map 
                    #:stable-branch -1 #:length 5)]
 
 The tangle of the pendulum is a figure of its own,
-@program-link["figures/homoclinic-tangle.rkt"].
+@program-link["figures/figure-4-9.rkt"].
 
 @section{The last curves}
 

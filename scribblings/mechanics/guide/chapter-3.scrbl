@@ -191,10 +191,11 @@ pendulum, @program-link["figures/figure-3-9.rkt"], and the same motion with two 
 @program-link["figures/figure-3-12.rkt"] and @program-link["figures/figure-3-13.rkt"], and of the
 motion of Hénon and Heiles, @program-link["figures/figure-3-19.rkt"],
 @program-link["figures/figure-3-20.rkt"] and @program-link["figures/figure-3-21.rkt"]; how orbits
-part, @program-link["figures/figure-3-23.rkt"]; the standard map,
-@program-link["figures/standard-map-sections.rkt"] and
+part, @program-link["figures/figure-3-23.rkt"] and @program-link["figures/figure-3-24.rkt"]; the
+standard map, @program-link["figures/figure-3-28.rkt"],
+@program-link["figures/figure-3-27.rkt"] and
 @program-link["figures/chaos-by-colours.rkt"]; a tangle,
-@program-link["figures/homoclinic-tangle.rkt"].
+@program-link["figures/figure-4-9.rkt"].
 
 @section[#:tag "chapter-3-exercises"]{Exercises}
 

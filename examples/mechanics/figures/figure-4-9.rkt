@@ -1,5 +1,5 @@
 #lang mechanics
-;; The homoclinic tangle of the driven pendulum  (SICM 4.3, p. 309)
+;; The homoclinic tangle of the driven pendulum  (SICM 4.3.1, Figure 4.9)
 ;;
 ;; A = 0.05 m, ω = 4.2 ω₀: from the pendulum upside down the unstable manifold, red, and the stable
 ;; one, blue, which without a drive are one separatrix. They cross without end.
@@ -30,7 +30,7 @@ win
 
 (module+ main
   (require "save.rkt")
-  (save-figure win "homoclinic-tangle.png"))
+  (save-figure win "figure-4-9.png"))
 
 (module+ test
   (require rackunit)
