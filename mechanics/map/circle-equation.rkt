@@ -144,6 +144,7 @@
   (define mean
     (fl/ (fl- (periodic-mean eta) (periodic-mean (product shear varying))) (periodic-mean shear)))
   (define zeta (at-nodes (u varying) (fl+ u mean)))
-  (define xi (periodic-unshifted (at-nodes (u eta) (s shear) (z zeta) (fl- u (fl* s z))) omega noise))
+  (define xi
+    (periodic-unshifted (at-nodes (u eta) (s shear) (z zeta) (fl- u (fl* s z))) omega noise))
   (values (at-nodes (u xi) (v a1) (z zeta) (w b1) (fl+ (fl* u v) (fl* z w)))
           (at-nodes (u xi) (v a2) (z zeta) (w b2) (fl+ (fl* u v) (fl* z w)))))

@@ -47,7 +47,7 @@
 (define widths (map width middles))
 widths
 
-;; An attempt: near each, the angle from the resonance is a pendulum's with the frequency ε √H, where
+;; An attempt: near each the angle from the resonance is a pendulum's with the frequency ε √H, where
 ;; H = 1 − 5e²/2, 7e/2 and e/2, so the width is 2 ε √H.  A slip takes all for as wide as the first.
 (define attempt (map (lambda (H) (* 2 0.1 (sqrt H))) '(0.975 0.35 0.05)))
 (define (near? a b) (< (abs (- a b)) (* 0.2 b)))
