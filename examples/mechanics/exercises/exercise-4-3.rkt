@@ -31,7 +31,11 @@
 ;; Stable where the trace is between −2 and 2: at 0, 2 + K, for −4 < K < 0; at π, 2 − K, for
 ;; 0 < K < 4.
 (define (kind K theta) (fixed-point-kind (find-fixed-point (standard-map K) (up theta 0))))
-(map (lambda (K) (list K (kind K 0.) (kind K 3.1))) '(-4.5 -2. 2. 4.5))
+(define (kinds K) (list (kind K 0.) (kind K 3.1)))
+(kinds -4.5)
+(kinds -2.)
+(kinds 2.)
+(kinds 4.5)
 
 (module+ test
   (require rackunit)
