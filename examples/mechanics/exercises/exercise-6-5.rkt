@@ -7,7 +7,7 @@
 
 (define state (up 't 'q 'p))
 (define H (H-driven-oscillator 'alpha 'omega 'omega_0))
-(define (C delta) (C* 'alpha 'omega 'omega_0 delta))
+(define C (C* 'alpha 'omega 'omega_0))
 (define Cp ((C->Cp C) 'delta))
 
 ;; C moves states on in time with the Hamiltonian it has: at the image the rates are those of H.

@@ -8,7 +8,7 @@
 (define state (up 't 'q 'p))
 (define-values (H C)
   (values (H-driven-oscillator 'alpha 'omega 'omega_0)
-          (lambda (delta) (C* 'alpha 'omega 'omega_0 delta))))
+          (C* 'alpha 'omega 'omega_0)))
 
 ;; a, b. The solution from a state, judged by Hamilton's equations and by integration
 (define (path delta) ((C delta) state))
@@ -16,7 +16,7 @@
   (verify-equal ((D path) 'delta) ((Hamiltonian->state-derivative H) (path 'delta))))
 solves
 (define start (up 0.5 1. 0.25))
-(define in-numbers ((C* 0.4 1.5 2. 3.) start))
+(define in-numbers (((C* 0.4 1.5 2.) 3.) start))
 (define integrated
   ((state-advancer Hamiltonian->state-derivative (H-driven-oscillator 0.4 1.5 2.))
    start 3. 1e-13))

@@ -7,7 +7,7 @@
 
 (require mechanics/book)
 (define H (H-driven-oscillator 'alpha 'omega 'omega_0))
-(define (path delta) (C* 'alpha 'omega 'omega_0 delta))
+(define path (C* 'alpha 'omega 'omega_0))
 (define (sigma t) ((path t) (up 0 'q_0 'p_0)))
 
 (define D-H (flow-derivative H))
