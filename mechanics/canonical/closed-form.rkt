@@ -14,7 +14,7 @@
  ["../calculus/antiderivative.rkt" antiderivative]
  ["../calculus/expression-function.rkt" expression-derivative])
 
-(provide closed? integrated)
+(provide closed? integrated derivative-of)
 
 ;; form : the coefficients, expressions; variables : symbols.  Was it not shown to be otherwise?
 (define (closed? form variables)

@@ -14,9 +14,10 @@
 ;; The frequencies are ∂E/∂Jᵢ, the row of the energy in the inverse of ∂J/∂α.
 
 (require racket/list
-         "momentum-by-energy.rkt" "separation.rkt" "split.rkt"
+         "momentum-by-energy.rkt" "separation.rkt" "split.rkt" "turning-points.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
+         (only-in "../canonical/closed-form.rkt" derivative-of)
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/describe.rkt"
          "../generic/up-down.rkt"
@@ -66,12 +67,27 @@
   (unless (same-shape? state (separation-state s))
     (complain who "expected a state like ~a; given ~a" (value->text (separation-state s))
               (value->text state)))
+  (check-swings who s)
   (for/list ([c (in-list (separation-constants s))] [f (in-list (separation-integrals s))])
     (define v (f state))
     (unless (real? v)
       (complain who "the parameters of ~a are to be numbers; there is ~a"
                 (value->text (separation-H s)) (first (symbols-in v))))
     (cons c (exact->inexact v))))
+
+;; Of one energy all would be that of it, whatever the state; and what is linear in its momentum
+;; never turns.
+(define (check-swings who s)
+  (unless (symbol? (separation-energy s))
+    (complain who (string-append "the separation is that of one energy, ~a; actions belong to one "
+                                 "with a symbol for it, as E")
+              (value->text (separation-energy s))))
+  (for ([x (in-list (separation-pieces s))] #:unless (piece-cyclic? x))
+    (when (eqv? 1 (degree-of x))
+      (raise-no-answer who (string-append "the coordinate ~a does not turn back: its momentum is "
+                                          "a function of it
+  ~a = ~a")
+                       (piece-q x) (piece-p x) (value->text (momentum-of x))))))
 
 ;; ---------------------------------------------------------------------------
 ;; One coordinate
@@ -82,9 +98,8 @@
 
 (define (action-slope who s x c point state)
   (cond [(piece-cyclic? x) (if (eq? c (piece-constant x)) 1.0 0.0)]
-        [(not (symbol? c)) 0.0]
         [else
-         (define dR (number-function (expression-derivative (radicand x) c) x point))
+         (define dR (number-function (derivative-of (radicand-expression x) c) x point))
          (check-swinging who s x point state)
          (between-turns who s x point state
                         (lambda (R q)
@@ -93,8 +108,8 @@
 
 ;; 1/π of the integral of (f R q) over the swing
 (define (between-turns who s x point state f)
-  (define R (number-function (radicand x) x point))
-  (define-values (low high) (turning-points who x R (start-of s x state)))
+  (define R (number-function (radicand-expression x) x point))
+  (define-values (low high) (turning-points who s x point state))
   (define-values (middle half) (values (* 1/2 (+ low high)) (* 1/2 (- high low))))
   (define (integrand u) (* (f R (+ middle (* half (sin u)))) half (cos u)))
   (average-over-half-turn who x integrand))
@@ -121,13 +136,13 @@
 ;; At rest a coordinate has an action, 0, but no slopes of it.
 (define (check-swinging who s x point state)
   (define start (start-of s x state))
-  (define-values (low high) (turning-points who x (number-function (radicand x) x point) start))
+  (define-values (low high) (turning-points who s x point state))
   (unless (> (- high low) (* 1e-7 (+ 1.0 (abs start))))
     (complain who "the coordinate ~a rests at ~a: its frequency is that of a small swing about it"
               (piece-q x) start)))
 
 ;; R in p = m ± √R, an expression
-(define (radicand x)
+(define (radicand-expression x)
   (define (f p) (evaluate-generically (piece-equation x) (list (cons (piece-p x) p))))
   (define-values (_middle R) (middle-and-radicand f 0))
   (simplify R))
@@ -143,28 +158,21 @@
     (exact->inexact value)))
 
 ;; ---------------------------------------------------------------------------
-;; Turning points: outwards in growing steps until R is below 0, then by halves
+;; Turning points
 
-(define first-step 1e-3)
-(define growth 1.1)
-(define farthest 1e6)
+(define (turning-points who s x point state)
+  (define r (radicand-of x point))
+  (define start (start-of s x state))
+  (define (turn direction)
+    (or (turning-point r start direction) (raise-no-turn who x start)))
+  (values (turn -1.0) (turn 1.0)))
 
-(define (turning-points who x R start)
-  (values (turning-point who x R start -1.0) (turning-point who x R start 1.0)))
-
-(define (turning-point who x R start direction)
-  (define scale (+ 1.0 (abs start)))
-  (let walk ([inside start] [step (* first-step scale)])
-    (define next (+ inside (* direction step)))
-    (cond [(> (abs (- next start)) (* farthest scale)) (raise-no-turn who x start)]
-          [(>= (R next) 0.0) (walk next (* growth step))]
-          [else (halved R inside next)])))
-
-(define (halved R inside outside)
-  (define middle (* 0.5 (+ inside outside)))
-  (cond [(or (= middle inside) (= middle outside)) inside]
-        [(>= (R middle) 0.0) (halved R middle outside)]
-        [else (halved R inside middle)]))
+(define (radicand-of x point)
+  (define e (radicand-expression x))
+  (define D (denominator-of e))
+  (define (number-at e) (number-function e x point))
+  (define (slope e) (number-at (derivative-of e (piece-q x))))
+  (radicand (number-at e) (slope e) (number-at D) (slope D)))
 
 (define (raise-no-turn who x start)
   (raise-no-answer who "the coordinate ~a does not turn back: its motion from ~a has no action"

@@ -26,7 +26,7 @@
          separation-momenta separation-constants separation-integrals separation-function
          verify-separation
          ;; for actions and frequencies
-         (struct-out separation) momentum-of)
+         (struct-out separation) momentum-of degree-of)
 
 ;; pieces : in the order in which they were found; the last has the energy for its constant
 (value-struct separation (H state energy pieces)
@@ -145,6 +145,9 @@
     (complain who
               "~a does not depend on the momentum ~a: its coordinate rests, and separates nothing"
               (value->text H) p))
+  (for ([x (in-list (scalars state))] #:when (and (not (symbol? energy)) (holds? energy x)))
+    (complain who "the energy is constant, and does not depend on the state; given ~a"
+              (value->text energy)))
   (when (or (and (symbol? energy) (holds? simple energy)) (memq energy (scalars state)))
     (complain who
               (string-append "the symbol ~a, for the energy, stands in ~a or in the state, too; "

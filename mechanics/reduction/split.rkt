@@ -18,7 +18,7 @@
          (only-in "../value/algebra.rkt" expand-expression numerator-and-denominator)
          "../value/assumptions.rkt" "../value/simplify.rkt")
 
-(provide split (struct-out piece) (struct-out unsplit))
+(provide split denominator-of (struct-out piece) (struct-out unsplit))
 
 ;; equation : an expression in q, p and constants, 0 along the motion; integral : an expression
 ;; in them that is equal to `constant`, or #f of the last one; cyclic? : is it p itself?
