@@ -47,7 +47,7 @@
   (case how
     [(exactly) (let-values ([(M b) (linear-equations i given w)]) (solved i M (g:- w b)))]
     [(by-numbers) (velocity-by-numbers i given w)]
-    [else (velocity-by-formula how given w)]))
+    [else (velocity-by-formula i how given w)]))
 
 ;; w v − F(v) at that v
 (define (transform-at i given w)
@@ -127,14 +127,19 @@
 ;; given, w : of symbols; v : the velocities in terms of these
 (struct formula (given w v) #:authentic)
 
-(define (velocity-by-formula f given w)
+(define (velocity-by-formula i f given w)
   (define point
     (map cons
          (append (scalars (formula-given f)) (scalars (formula-w f)))
          (append (scalars given) (scalars w))))
   (define vs (scalars (formula-v f)))
-  (scalars->structure (formula-v f)
-                      (lambda (k) (evaluate-generically (list-ref vs k) point))))
+  (define v (scalars->structure (formula-v f)
+                                (lambda (k) (evaluate-generically (list-ref vs k) point))))
+  (when (ormap unreal? (scalars (plain v))) (raise-none-found i w (plain v) #f))
+  v)
+
+;; As the logarithm of a negative number: that momentum no velocity has.
+(define (unreal? x) (and (number? x) (not (real? x))))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
@@ -146,7 +151,11 @@
   (for ([x (in-list (scalars (plain (up w given there))))])
     (unless (number? x) (raise-no-formula i x)))
   (define (excess v) (g:- (gradient v) w))
-  (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) (raise-none-found i w e))])
+  (define (complain e)
+    (raise-none-found i w
+                      (exn:fail:mechanics:not-convergent-value e)
+                      (exn:fail:mechanics:not-convergent-error-estimate e)))
+  (with-handlers ([exn:fail:mechanics:not-convergent? complain])
     (find-root excess start)))
 
 ;; Right if F were quadratic; where that does not say, along the momenta.
@@ -188,13 +197,11 @@
 
 (define (what-is-missing i) (if (back? i) "the same velocity" "no inertia"))
 
-(define (raise-none-found i w e)
+(define (raise-none-found i w reached estimate)
   (raise-not-convergent (inverter-who i)
                         (format "no ~a were found for ~a"
                                 (what-is-sought i) (value->text (plain w)))
-                        (exn:fail:mechanics:not-convergent-value e)
-                        (exn:fail:mechanics:not-convergent-error-estimate e)
-                        #:show? #f))
+                        reached estimate #:show? #f))
 
 (define (what-is-sought i) (if (back? i) "momenta" "velocities"))
 

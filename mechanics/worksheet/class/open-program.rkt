@@ -44,7 +44,8 @@
 
 (define our-language #px"^#lang mechanics[ \t]*\r?\n")
 
-;; Where a form cannot be read nothing can that follows it. -> failures
+;; Where a form cannot be read nothing can that follows it.  Of a name's definitions the last
+;; counts. -> failures
 (define (run-forms text)
   (define in (open-input-string text))
   (port-count-lines! in)
@@ -54,8 +55,10 @@
     (cond [(eof-object? form) failures]
           [else
            (define x (with-handlers ([anything-but-a-break? values]) (eval form) #f))
-           (define name (and x (name-defined (syntax->datum form))))
-           (loop (if name (hash-set failures name (reason x)) failures))])))
+           (define name (name-defined (syntax->datum form)))
+           (loop (cond [(not name) failures]
+                       [x (hash-set failures name (reason x))]
+                       [else (hash-remove failures name)]))])))
 
 (define (anything-but-a-break? x) (not (exn:break? x)))
 

@@ -35,11 +35,12 @@
                                   "  its keywords: (#:observe)"))
                 (text ""
                       "  it is called as (find-path L t0 q0 t1 q1 n [#:tolerance tolerance]"
-                      "      [#:observe observe] [#:progress progress?])"
+                      "      [#:observe observe] [#:most-steps most]"
+                      "      [#:progress progress?])"
                       "  missing: q0, t1, q1, n"))
   (check-equal? (count-hint "minimize: takes 3 arguments; it was given none\n  its keywords: ()")
                 (text ""
-                      "  it is called as (minimize f low high [#:tolerance tolerance]"
+                      "  it is called as (minimize f low high [#:tolerance tolerance] [#:all? all?]"
                       "      [#:observe observe] [#:progress progress?])"
                       "  missing: f, low, high"))
   (check-equal? (count-hint "sin: expected 1 argument, given 2: 1, 2")
@@ -88,7 +89,8 @@
   (check-equal? (order-hint "find-path: a Lagrangian is a function of the local tuple")
                 (text ""
                       "  it is called as (find-path L t0 q0 t1 q1 n [#:tolerance tolerance]"
-                      "      [#:observe observe] [#:progress progress?])"))
+                      "      [#:observe observe] [#:most-steps most]"
+                      "      [#:progress progress?])"))
   (check-false (order-hint "Lagrangian->energy: a Lagrangian is a function of the local tuple"))
   (check-false (order-hint "my-own: a path is a function of time")))
 
@@ -96,7 +98,7 @@
 ;; Keywords
 
 (test-case "keywords are those of the manual"
-  (check-equal? (keyword-names 'find-path) '(|#:tolerance| |#:observe| |#:progress|))
+  (check-equal? (keyword-names 'find-path) '(|#:tolerance| |#:observe| |#:most-steps| |#:progress|))
   (check-equal? (keyword-names 'map) '()))
 
 (test-case "a constraint where none is expected"
