@@ -18,8 +18,15 @@
          (complain who "expected a real number; given ~a~a" (describe-with-value x)
                    (if (symbolic? x)
                        (string-append symbols-hint ": (substitute expression 'm 3 ...)")
-                       (multiplied-hint x)))]))
+                       (string-append (multiplied-hint x) (list-hint x))))]))
 
 (define (check-function-of-one-variable who f)
   (unless (and (procedure? f) (accepts? f 1))
-    (raise-other-function who "a function of one variable" f)))
+    (complain who "expected a function of one variable\n  given: ~a~a"
+              (describe-function f) (several-variables-hint f))))
+
+;; (lambda (x y) ...) is what most would write of two variables.
+(define (several-variables-hint f)
+  (if (and (procedure? f) (accepts? f 2))
+      "\n  several variables are given as one tuple: (lambda ((up x y)) ...)"
+      ""))
