@@ -156,6 +156,7 @@
          (case (car contract)
            [(or/c) (string-join (move-false-last parts) ", " #:before-last " or ")]
            [(listof) (format "list of ~a" (plural (car parts)))]
+           [(list/c) (format "list of ~a" (string-join parts " and "))]
            [(vectorof) (format "vector of ~a" (plural (car parts)))]
            [(quote) (format "'~s" (cadr contract))]
            [(->) (function-words contract)]
@@ -170,7 +171,12 @@
   (if (member "#f" parts) (append (remove "#f" parts) '("#f")) parts))
 
 (define (plural word)
-  (cond [(regexp-match? #rx"…$" word) "integers"]
+  (cond [(regexp-match? #rx"^any value$" word) "anything"]
+        [(regexp-match? #rx"^list of " word)
+         (string-append "lists" (substring word (string-length "list")))]
+        [(regexp-match? #rx"…$" word) "integers"]
+        [(regexp-match? #rx"equilibrium$" word) (regexp-replace #rx"um$" word "a")]
+        [(regexp-match? #rx"minimum$" word) (regexp-replace #rx"um$" word "a")]
         [(regexp-match? #rx"( or |,)" word) word]
         [(regexp-match? #rx"y$" word) (regexp-replace #rx"y$" word "ies")]
         [else (string-append word "s")]))

@@ -48,7 +48,8 @@ It rests.}
 
 @defstruct*[(exn:stuck exn:fail) ([where any/c])]{Stuck, ``here'' --- or so.}
 
-@defproc[(elsewhere [x any/c]) boolean?]{Is it elsewhere?
+@defproc[(elsewhere [x any/c] [rows (listof (listof integer?))] [grid (list/c integer? real?)]
+                    [all (listof any/c)] [rests (listof equilibrium?)]) boolean?]{Is it elsewhere?
 
 Another paragraph.}
 
@@ -94,6 +95,11 @@ end
   (check-false (takes? s 0))
   (check-true (takes? s 5))
   (check-false (signature-result s)))
+
+(test-case "lists are told in words, and many of them in the plural"
+  (check-equal? (map argument-what (signature-needed (car (card-signatures (card-of 'elsewhere)))))
+                '("any value" "list of lists of integers" "list of integer and real number"
+                  "list of anything" "list of equilibria")))
 
 (test-case "sentences are plain text"
   (define (sentence name) (card-sentence (card-of name)))
