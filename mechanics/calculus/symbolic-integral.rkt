@@ -7,7 +7,7 @@
 
 (require racket/list
          "antiderivative.rkt" "expression-function.rkt" "integral.rkt" "integral-conditions.rkt"
-         "perturbed.rkt"
+         "number.rkt" "perturbed.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
@@ -20,6 +20,7 @@
 ;; integrand is, each of its components has a formula.
 ;; receive : formula and conditions -> any
 (define (symbolic-integral who f low high [receive formula-with-notes])
+  (check-function-of-one-variable who f)
   (define (name end) (if (perturbed? end) (string->uninterned-symbol "end") end))
   (define-values (from to) (values (name low) (name high)))
   (define names (list (cons from low) (cons to high)))
@@ -77,8 +78,8 @@
 (define (raise-interrupted who e)
   (raise-singular who
                   (string-append "the integrand has no integral between these ends, or none that "
-                                 "a formula was found for")
-                  (value->text e) "integrand" (value->text e)))
+                                 "a formula was found for\n  integrand: " (value->text e))
+                  (value->text e)))
 
 (define (check-ends who low high)
   (for ([end (list low high)])

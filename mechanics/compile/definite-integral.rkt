@@ -5,7 +5,7 @@
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/failure.rkt" "../generic/arithmetic.rkt"
          "../generic/branches.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/on-demand.rkt")
+         "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
 
 (require-on-demand
  ["one-variable.rkt" compile-scalar]
@@ -41,6 +41,8 @@
 
 ;; A verdict on whether the integral is the formula given; it rests on those conditions.
 (define (verify-integral f low high claim)
+  (when (or (string? claim) (pointwise? claim))
+    (complain-of-argument 'verify-integral "an expression or a number as the claim" claim))
   (symbolic-integral 'verify-integral f low high
                      (lambda (formula conditions)
                        (prove-zero (g:- formula claim) #:resting-on conditions))))

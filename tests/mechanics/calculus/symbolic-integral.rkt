@@ -89,6 +89,16 @@
   (check-pred refuted?
               (verify-integral (lambda (x) (exp (* 'k x))) 0 'T (/ (exp (* 'k 'T)) 'k))))
 
+(test-case "what is no integrand and no claim is refused in these words"
+  (check-exn #rx"^verify-integral: expected a function of one variable\n  given: .*x"
+             (lambda () (verify-integral (* 'a 'x) 0 'b 'c)))
+  (check-exn #rx"^verify-integral: expected an expression or a number as the claim"
+             (lambda () (verify-integral sin 0 'b cos)))
+  (check-exn #rx"^verify-integral: expected an expression or a number as the claim"
+             (lambda () (verify-integral sin 0 'b "1 - cos b")))
+  (check-exn #rx"\n  integrand: [(]/ 1 x[)]$"
+             (lambda () (verify-integral (lambda (x) (/ 1 x)) -1 1 0))))
+
 (test-case "the action of the oscillator between two points"
   (define (L local) (* 1/2 'm (- (square (velocity local)) (square (* 'w (coordinate local))))))
   (define (motion t)
