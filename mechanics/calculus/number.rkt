@@ -22,11 +22,4 @@
 
 (define (check-function-of-one-variable who f)
   (unless (and (procedure? f) (accepts? f 1))
-    (complain who "expected a function of one variable\n  given: ~a~a"
-              (describe-function f) (several-variables-hint f))))
-
-;; (lambda (x y) ...) is what most would write of two variables.
-(define (several-variables-hint f)
-  (if (and (procedure? f) (accepts? f 2))
-      "\n  several variables are given as one tuple: (lambda ((up x y)) ...)"
-      ""))
+    (raise-other-function who "a function of one variable" f)))
