@@ -20,17 +20,21 @@
 
 (provide redraw)
 
-;; Where each begins, how many points it has, and the number of its colour.
+;; Where each begins, how many images of that there are, and the number of its colour.
 ")
 
+;; As much of each as there is: a start that has no image, or one further on that the map fails
+;; for, would be an error where it is drawn again.
 (define (orbits->text e)
-  (define (orbit->text o)
+  (define (orbit->text t)
+    (define o (traced-orbit t))
     (format "\n        (list (up ~a ~a) ~a ~a)"
-            (car (orbit-start o)) (cdr (orbit-start o)) (orbit-asked o) (orbit-color o)))
+            (car (orbit-start o)) (cdr (orbit-start o)) (- (traced-count t) 1) (orbit-color o)))
   (format "(define orbits\n  (list~a))\n\n"
           (apply string-append
-                 (reverse (map (lambda (t) (orbit->text (traced-orbit t)))
-                               (exploration-orbits e))))))
+                 (for/list ([t (in-list (reverse (exploration-orbits e)))]
+                            #:when (> (traced-count t) 0))
+                   (orbit->text t)))))
 
 (define redrawing
   "(define (redraw map)

@@ -61,7 +61,7 @@
 ;; The start is drawn as well.  It ends early where there is no image.
 (define (draw-orbit who f map n x y color size)
   (define p (flvector x y))
-  (define step! (and (> n 0) (stepper-at who map x y)))
+  (define step! (stepper-at who map x y))
   (define (draw) (add-dot! who f color size #f (flvector-ref p 0) (flvector-ref p 1)))
   (when step!
     (draw)

@@ -12,14 +12,14 @@
 (require-on-demand ["../map/compiled-map.rkt" orbit-stepper])
 
 (provide start-worker ask-worker stop-worker
-         make-orbit orbit-color orbit-start orbit-asked orbit-stopped? stop-orbit!)
+         make-orbit orbit-color orbit-start orbit-stopped? stop-orbit!)
 
-;; color : a number; start : (cons x y); asked : how many points were asked for; at : where it
-;; is, an flvector; step! : what moves that, made by the worker
-(struct orbit (color start at [asked #:mutable] [step! #:mutable] [stopped? #:mutable])
+;; color : a number; start : (cons x y); at : where it is, an flvector; step! : what moves that,
+;; made by the worker
+(struct orbit (color start at [step! #:mutable] [stopped? #:mutable])
   #:authentic)
 
-(define (make-orbit color x y) (orbit color (cons x y) (flvector x y) 0 #f #f))
+(define (make-orbit color x y) (orbit color (cons x y) (flvector x y) #f #f))
 (define (stop-orbit! o) (set-orbit-stopped?! o #t))
 
 (struct worker (thread custodian))
@@ -33,9 +33,7 @@
           custodian))
 
 ;; n further points of an orbit
-(define (ask-worker w o n)
-  (set-orbit-asked! o (+ n (orbit-asked o)))
-  (thread-send (worker-thread w) (job o n) void))
+(define (ask-worker w o n) (thread-send (worker-thread w) (job o n) void))
 
 (define (stop-worker w) (custodian-shutdown-all (worker-custodian w)))
 

@@ -18,6 +18,11 @@
   (check-close (list-ref (points win) 0) '(1 1) 1e-15)
   (check-close (list-ref (points win) 10) '(2.02201816481268 1.33373402711283) 1e-13))
 
+(test-case "no image at all: the start alone"
+  (define win (section))
+  (explore-map win T 0 #:from (list (up 1 1)))
+  (check-equal? (points win) '((1.0 1.0))))
+
 (test-case "several orbits, points as tuples or pairs, each orbit in a colour of its own"
   (define win (section))
   (explore-map win T 5 #:from (list (up 1 1) (cons 2 3)))
