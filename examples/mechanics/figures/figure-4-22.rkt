@@ -1,19 +1,17 @@
 #lang mechanics
 ;; How often the golden curve is visited  (SICM 4.6.2, Figure 4.22)
 ;;
-;; The density of an orbit's angles on the curve, from the slope of its Fourier series, at
+;; The density of an orbit's angles on the curve, from the distances of neighbours on it, at
 ;; K = 0.95, in black, and 0.97, in red: the more K, the less likely some angles are.
 
 (require mechanics/plot mechanics/book "kicks.rkt")
 
 (define circles (map golden-circle '(0.95 0.97)))
+(define densities-of-both (for/list ([circle circles]) (densities circle 600)))
 (define win (frame 0 :2pi 0 3 #:x-label "θ" #:y-label "relative density"))
-(for ([circle circles] [color '(black red)] [K '("K = 0.95" "K = 0.97")])
-  (define density (density-at circle))
-  (for ([k 1500])
-    (define angle (* k (/ :2pi 1500)))
-    (plot-point win ((principal-value :2pi) (ref (circle angle) 0)) (density angle)
-                #:color color #:label K)))
+(for ([all densities-of-both] [color '(black red)] [K '("K = 0.95" "K = 0.97")])
+  (for ([place all])
+    (plot-point win ((principal-value :2pi) (car place)) (cadr place) #:color color #:label K)))
 
 win
 
@@ -23,8 +21,8 @@ win
 
 (module+ test
   (require rackunit)
-  (define (densities circle) (for/list ([k 300]) ((density-at circle) (* k (/ :2pi 300)))))
-  (define-values (less more) (apply values (map densities circles)))
+  (define-values (less more)
+    (apply values (for/list ([all densities-of-both]) (map cadr all))))
   (test-case "it is the density of an orbit: so many of its points in a window"
     (define T (standard-map 0.95))
     (define circle (car circles))

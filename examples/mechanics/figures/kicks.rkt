@@ -3,7 +3,7 @@
 
 (require mechanics/plot mechanics/book)
 
-(provide kicked-section kicks-after golden golden-circle density-at)
+(provide kicked-section kicks-after golden golden-circle densities)
 
 (define (kicked-section K n)
   (define win (frame 0 :2pi 0 :2pi #:x-label "θ" #:y-label "I"))
@@ -17,8 +17,13 @@
 (define golden (- 1 (/ 1 golden-ratio)))
 (define (golden-circle K) (invariant-circle (standard-map K) golden #:most-modes 16384))
 
-;; How often orbits on a circle come near the abscissa of its point of that angle: the angle is
-;; visited evenly, so the density is the inverse of the slope of the abscissa.
-(define ((density-at circle) angle)
-  (define h 1e-4)
-  (/ (* 2 h) (- (ref (circle (+ angle h)) 0) (ref (circle (- angle h)) 0))))
+;; How often orbits on a circle come near its points, (list abscissa density) for n of them: an
+;; orbit visits angles evenly, so between two neighbours it is as long whatever their distance.
+(define (densities circle n)
+  (define h (/ :2pi n))
+  (define (abscissa-at k) (ref (circle (* k h)) 0))
+  (define-values (all last)
+    (for/fold ([all '()] [x (abscissa-at 0)]) ([k n])
+      (define next (abscissa-at (+ k 1)))
+      (values (cons (list (/ (+ x next) 2) (/ h (- next x))) all) next)))
+  (reverse all))
