@@ -189,8 +189,8 @@ The figures up to 3.5 are programs, which test what they show: a Legendre transf
 pendulum, @program-link["figures/figure-3-9.rkt"], and the same motion with two kinds of momenta,
 @program-link["figures/figure-3-10.rkt"]. Of those from 3.6 on, sections of the driven pendulum,
 @program-link["figures/figure-3-12.rkt"], @program-link["figures/figure-3-13.rkt"] and
-@program-link["figures/figure-3-14.rkt"], and of the motion of Hénon and Heiles, whose potential is
-@program-link["figures/figure-3-15.rkt"], @program-link["figures/figure-3-19.rkt"],
+@program-link["figures/figure-3-14.rkt"]; the potential of Hénon and Heiles,
+@program-link["figures/figure-3-15.rkt"], and sections, @program-link["figures/figure-3-19.rkt"],
 @program-link["figures/figure-3-20.rkt"] and @program-link["figures/figure-3-21.rkt"]; how orbits
 part, @program-link["figures/figure-3-23.rkt"] and @program-link["figures/figure-3-24.rkt"]; regions
 of the phase plane moved on, @program-link["figures/figure-3-25.rkt"] and
