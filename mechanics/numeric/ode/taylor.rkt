@@ -145,7 +145,7 @@
             [(slopes-finite? e) (fl* unit (expt 2.0 -40))]       ; too large to have been finite
             [else unit]))
     (cond [(or (fl= fitting unit) (= count 20) (not (fl< 1e-290 fitting 1e290)))
-           (fl* unit length)]
+           (fl* unit (leading-bits length))]
           [else (set-run-unit! r fitting)
                 (try (+ count 1))])))
 
@@ -155,6 +155,13 @@
 
 (define (slopes-finite? e)
   (for/and ([row (in-vector (expansion-states e))]) (fl< (flabs (at row 1)) +inf.0)))
+
+;; The first half of the digits of x (Dekker): the square of a step of so many is exact, as the
+;; sum of even and odd terms (numeric/jet/convolution.rkt) wants it.
+(define (leading-bits x)
+  (define c (fl* 134217729.0 x))
+  (define high (fl- c (fl- c x)))
+  (if (fl< high +inf.0) high x))
 
 (define (power-of-2 x)
   (flexpt 2.0 (flround (fl/ (fllog (flmax 1e-290 (flmin 1e290 x))) (fllog 2.0)))))
