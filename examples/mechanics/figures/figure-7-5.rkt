@@ -5,7 +5,7 @@
 ;; Hamiltonian, and, blue, the pendulum itself, for a time of 10.  At first the two agree much
 ;; better than those of figure 7.2.
 
-(require mechanics/plot mechanics/book "rotor.rkt" "two-steps.rkt")
+(require mechanics/plot mechanics/book "rotor.rkt" "refined.rkt")
 
 (define (free p epsilon) (/ (square p) (* 2 alpha)))
 (define told ((two-steps W-secular free) (start 0.7)))

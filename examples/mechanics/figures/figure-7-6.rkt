@@ -4,7 +4,7 @@
 ;; The solution of figure 7.5 for ten times as long.  The pendulum, blue, goes round one closed
 ;; curve.  The second generator has the angle itself in it, which grows; so does the error.
 
-(require mechanics/plot "rotor.rkt" "two-steps.rkt")
+(require mechanics/plot "rotor.rkt" "refined.rkt")
 
 (define (free p epsilon) (/ (square p) (* 2 alpha)))
 (define told ((two-steps W-secular free) (start 0.7)))

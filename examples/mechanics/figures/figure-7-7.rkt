@@ -5,7 +5,7 @@
 ;; rest, αβ²/(4p²) ε², changes the frequency of the rotor.  Now the solution goes round a closed
 ;; curve as the pendulum, blue, does.
 
-(require mechanics/plot mechanics/book "rotor.rkt" "two-steps.rkt")
+(require mechanics/plot mechanics/book "rotor.rkt" "refined.rkt")
 
 ;; (7.33)
 (define (averaged p epsilon)

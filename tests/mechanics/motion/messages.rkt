@@ -146,11 +146,11 @@
 
 (test-case "what is loaded on demand tells how many arguments it takes"
   (check-message (string-append "find-path: takes 6 arguments; it was given 4\n"
-                                "  its keywords: (#:observe #:progress #:tolerance)")
+                                "  its keywords: (#:most-steps #:observe #:progress #:tolerance)")
                  (find-path values (up 0 1) (up 1 0) 3)
                  exn:fail:contract:arity?)
   (check-message (string-append "minimize: takes 3 arguments; it was given 2\n"
-                                "  its keywords: (#:observe #:progress #:tolerance)")
+                                "  its keywords: (#:all? #:observe #:progress #:tolerance)")
                  (minimize values 0 #:tolerance 1e-3)
                  exn:fail:contract:arity?)
   (check-message
@@ -161,7 +161,7 @@
 (test-case "what is loaded on demand tells its keywords"
   (check-exn (unknown 'event '#:directon '(#:direction #:name #:terminal?))
              (lambda () (event values #:directon 'rising)))
-  (check-exn (unknown 'find-path '#:tol '(#:observe #:progress #:tolerance))
+  (check-exn (unknown 'find-path '#:tol '(#:most-steps #:observe #:progress #:tolerance))
              (lambda () (find-path values 0 0 1 1 1 #:tol 1)))
   (check-exn (unknown 'evolve-trajectory '#:event
                       '(#:events #:longest-step #:method #:most-steps #:precision #:progress

@@ -27,7 +27,7 @@
 
 (define (harmonic) (lambda (s) (up 1 (velocity s) (* -1 (coordinate s)))))
 (define (advance . options)
-  (keyword-apply (state-advancer harmonic) '(#:progress) options (list (up 0. 1. 0.) 100 1e-12)))
+  (keyword-apply (state-advancer harmonic) '(#:progress) options (list (up 0. 1. 0.) 200 1e-12)))
 
 ;; ---------------------------------------------------------------------------
 
@@ -95,12 +95,12 @@
 (test-case "a motion says how far it is, and comes to what it comes to without"
   (define-values (text value) (shown (lambda () (advance #t))))
   (check-equal? value (advance #f))
-  (check-regexp-match #px"^state-advancer: t = \\d+[.]\\d of 100[.]0$" (car (lines text)))
+  (check-regexp-match #px"^state-advancer: t = \\d+[.]\\d of 200[.]0$" (car (lines text)))
   (define-values (text2 last)
-    (shown (lambda () ((evolve harmonic) (up 0 1 0) void 1 100 1e-12))))
+    (shown (lambda () ((evolve harmonic) (up 0 1 0) void 1 200 1e-12))))
   (check-regexp-match #px"^evolve: t = " (car (lines text2)))
   (define-values (text3 trajectory)
-    (shown (lambda () (evolve-trajectory (harmonic) (up 0 1 0) 100 #:tolerance 1e-12))))
+    (shown (lambda () (evolve-trajectory (harmonic) (up 0 1 0) 200 #:tolerance 1e-12))))
   (check-regexp-match #px"^evolve-trajectory: t = " (car (lines text3))))
 
 (test-case "searches say how many steps they took"
