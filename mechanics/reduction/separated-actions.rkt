@@ -14,7 +14,7 @@
 ;; The frequencies are ∂E/∂Jᵢ, the row of the energy in the inverse of ∂J/∂α.
 
 (require racket/list
-         "momentum-by-energy.rkt" "separation.rkt" "split.rkt" "turning-points.rkt"
+         "ends-of-swing.rkt" "momentum-by-energy.rkt" "separation.rkt" "split.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
          (only-in "../canonical/closed-form.rkt" derivative-of)
