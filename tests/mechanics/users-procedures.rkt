@@ -41,6 +41,8 @@
    [definite-integral (bad) (definite-integral (lambda (x) (bad (exp (- x)))) 0.0 +inf.0)]
    [definite-integral-with-tolerance
      (bad) (definite-integral-with-tolerance (lambda (x) (bad x)) 0.0 1.0 1e-8)]
+   [integral-conditions (bad) (integral-conditions (lambda (x) (bad x)) 'a 'b)]
+   [verify-integral (bad) (verify-integral (lambda (x) (bad x)) 'a 'b 0)]
    [find-minimum (bad) (find-minimum (lambda (x) (bad (parabola x))) -1.0 2.0)]
    [find-minimum (bad) (find-minimum (lambda (x) (bad (parabola x))) -1.0 2.0 #:all? #t)]
    [find-minimum (bad) (find-minimum (lambda (x) (bad (parabola x))) 1.0)]
@@ -170,7 +172,7 @@
 (define no-numbers
   '(Gamma path->state-path make-eta elliptic-integrals Jacobi-elliptic-functions
     ;; the map is called in a window; the error is the reason why there is no code
-    explore-map export-system))
+    explore-map default-collector export-system))
 
 (define (manual-page name)
   (call-with-input-file (build-path reference (string-append name ".scrbl"))

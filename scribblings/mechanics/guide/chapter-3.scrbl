@@ -194,7 +194,8 @@ pendulum, @program-link["figures/figure-3-9.rkt"], and the same motion with two 
 @program-link["figures/figure-3-20.rkt"] and @program-link["figures/figure-3-21.rkt"]; how orbits
 part, @program-link["figures/figure-3-23.rkt"] and @program-link["figures/figure-3-24.rkt"]; regions
 of the phase plane moved on, @program-link["figures/figure-3-25.rkt"] and
-@program-link["figures/figure-3-26.rkt"]; the standard map, @program-link["figures/figure-3-28.rkt"],
+@program-link["figures/figure-3-26.rkt"]; the standard map,
+@program-link["figures/figure-3-28.rkt"],
 @program-link["figures/figure-3-27.rkt"] and
 @program-link["figures/chaos-by-colours.rkt"]; a tangle,
 @program-link["figures/figure-4-9.rkt"].

@@ -413,7 +413,8 @@ function of a number, a tuple, or a list of these, with real values.
 gradient of f; @racket['nelder-mead], the downhill simplex method, its values alone.
 Unless told, the first one is used if f can be differentiated at @racket[start], and the
 second one from where the first one meets a kink. A saddle point is left along a direction in
-which the function falls, and if none is found it is an error. The tolerance is that of the last step,
+which the function falls, and if none is found it is an error. The tolerance is that of the last
+step,
 relative to 1 plus the size of the argument.
 @racket[observe] is called with each point reached and the value there.
 

@@ -306,7 +306,8 @@ makes its steps as long as the tolerance allows:
 those for which that is faster, by what is counted of their operations and by how long the
 steps of both are where the motion begins. Mostly these are long ones, as of double
 pendulums and rigid bodies; below a tolerance of about 1e-14 @racket['Taylor] is taken all
-the same, for it loses less to rounding. Which it was, @racket[trajectory-method] tells. Where a formula is 0/0, as that of a top upright, and its
+the same, for it loses less to rounding. Which it was, @racket[trajectory-method] tells. Where a
+formula is 0/0, as that of a top upright, and its
 coefficients lose their digits, @racket['Dormand-Prince-853] bridges the gap. A system of
 many coordinates takes its rates from derivatives of its Lagrangian's own list of operations,
 which is short, and is run by an interpreter until compiling it pays: a chain of 100 links
@@ -315,7 +316,8 @@ is released and followed for a second in a third of a second, derivation include
 recurrences for the operations that the state derivative is made of (Jorba and Zou 2005;
 Biscani and Izzo 2021). The order follows from the tolerance ε, from ⌈1 − ½ ln ε⌉ to twice
 that: the one for which the motion takes least time, higher the shorter the state derivative
-is. The step follows from the last two coefficients. The state is summed with what rounding loses of it, so that the
+is. The step follows from the last two coefficients. The state is summed with what rounding loses
+of it, so that the
 error of long runs grows as the root of the time. Between the ends of steps the motion is
 that polynomial, and events are its zeros, of which none is missed. A state derivative that
 takes decisions, uses @racket[abs] or another function that has no recurrence, or has no

@@ -4,7 +4,7 @@
 ;; ended in a division by zero.
 
 (require mechanics
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/messages.rkt")
 
 (define (oscillator s) (* 1/2 (+ (square (ref s 2)) (square (ref s 1)))))
 (define (clocked s)

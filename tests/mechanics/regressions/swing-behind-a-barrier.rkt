@@ -4,7 +4,7 @@
 
 (require mechanics
          rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/close.rkt")
 
 (define (double-well s) (+ (* 1/2 (square (ref s 2))) (square (- (square (ref s 1)) 1))))
 
