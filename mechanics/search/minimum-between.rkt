@@ -8,6 +8,7 @@
 ;; narrower one than their distance may still hide.
 
 (require racket/list
+         "bottomless.rkt"
          "../error/failure.rkt" "../error/note.rkt"
          "../numeric/constants.rkt" "../numeric/sample.rkt")
 
@@ -28,9 +29,23 @@
   (cond
     [from
      (define again (method (survey-function s) (first from) (second from)))
-     (at-end-or-inside s (first again) (second again) (third again) low high)]
+     (with-bottom s (at-end-or-inside s (first again) (second again) (third again) low high)
+       low high)]
     [(survey-level? s) (found at (second x+y+steps) 'flat (third x+y+steps) (survey-count s))]
-    [else (at-end-or-inside s at (second x+y+steps) (third x+y+steps) low high)]))
+    [else
+     (with-bottom s (at-end-or-inside s at (second x+y+steps) (third x+y+steps) low high)
+       low high)]))
+
+;; What was found, unless it is a pole
+(define (with-bottom s m low high)
+  (when (pole? s m low high)
+    (raise-singular (survey-who s) "no minimum found: the function falls without bound, at a pole"
+                    (found-x m) "near" (found-x m) "value there" (found-y m)))
+  m)
+
+(define (pole? s m low high)
+  (and (eq? 'inside (found-kind m))
+       (bottomless? (lambda (x) (value-there s x)) (found-x m) (found-y m) low high)))
 
 ;; ---------------------------------------------------------------------------
 ;; The values there were
@@ -132,8 +147,7 @@
                          (< (sampled-y q) +inf.0)))
     (bracket (or p q) q (or r q))))
 
-;; Its minimum; #f where that is not lower than the ends of the bracket, which are no ends of
-;; the interval.
+;; Its minimum; #f at a pole.
 (define (bracketed s c low high method)
   (define-values (a b) (values (sampled-x (bracket-first c)) (sampled-x (bracket-last c))))
   (define lowest (bracket-lowest c))
@@ -145,7 +159,8 @@
      (define-values (x y) (if (<= (second x+y+steps) (sampled-y lowest))
                               (values (first x+y+steps) (second x+y+steps))
                               (values (sampled-x lowest) (sampled-y lowest))))
-     (at-end-or-inside s x y (third x+y+steps) low high)]))
+     (define m (at-end-or-inside s x y (third x+y+steps) low high))
+     (and (not (pole? s m low high)) m)]))
 
 (define (note-more who count distance)
   (note-once

@@ -346,7 +346,8 @@ its value there, and the number of steps taken, by Brent's method. f should have
 minimum between the two; if @racket[all?] is true, the result is a list of such lists, for all
 minima that are found (@racket[find-minimum] says how). If f is least at an end of the interval,
 that end is the argument. If all its values are the same, samples are tried for a lower one. A
-note says so in both cases, at the prompt and in programs.
+note says so in both cases, at the prompt and in programs. Where f falls without bound, as 1/x
+does from below 0, there is no minimum, which is an error; among all of them such a place is none.
 @racket[observe] is called with each argument tried and the value there.
 
 @examples[#:eval session

@@ -103,7 +103,11 @@
   (check-equal? (car (minimize (g:* -1 g:exp) 1 2)) 2.0)
   (check-equal? (car (minimize g:exp 2 1)) 1.0)
   ;; at an end without a value the nearest point is taken
-  (check-= (car (minimize g:log 0 1)) 0 1e-6))
+  (define (minus-sinc x) (g:- (g:/ (g:sin x) x)))
+  (check-= (car (minimize minus-sinc 0 1)) 0 1e-6)
+  ;; where a function falls without bound there is none
+  (check-exn #rx"minimize: no minimum found: the function falls without bound, at a pole"
+             (lambda () (minimize g:log 0 1))))
 
 ;; ---------------------------------------------------------------------------
 ;; All of them
