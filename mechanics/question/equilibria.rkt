@@ -82,6 +82,7 @@
   (define solutions (solve-equations (scalars residual) (scalars q) (assumptions-in-force)))
   (unless solutions (raise-no-formula residual))
   (note-other-period residual q)
+  (note-other-turns L (time local) q residual)
   (for/list ([s (in-list solutions)])
     (define names (scalars q))
     (define (value k)
@@ -97,6 +98,19 @@
     (note-once (format (string-append "equilibria: found are those within one turn of ~a; "
                                       "there may be others, of other turns")
                        (value->text u)))))
+
+;; The force of cos x − x/2 is the same a turn on; the system is not, so that x is no angle and
+;; what is found there are others.
+(define (note-other-turns L t q residual)
+  (define (at-rest q) (L (up t q (g:* 0 q))))
+  (define (change x)
+    (simplify (g:- (at-rest (substitute q x (g:+ x ':2pi))) (at-rest q))))
+  (for ([x (in-list (scalars q))]
+        #:when (ormap (lambda (e) (in-angle? x e)) (scalars residual))
+        #:unless (eqv? 0 (change x)))
+    (note-once (format (string-append "equilibria: found are those within one turn of ~a; the "
+                                      "system is not the same a turn on, where there are others")
+                       x))))
 
 ;; The coordinates of one near the start, by numbers.
 (define (find-equilibrium given start #:force [given-force #f])

@@ -20,7 +20,7 @@
          "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
 
-(provide solve-equations angle-of-other-period expression-factors)
+(provide solve-equations angle-of-other-period in-angle? expression-factors)
 
 ;; equations : expressions that are to vanish; unknowns : symbols; A : assumptions
 ;; -> a list of solutions (((unknown . expression) ...) condition ...), where an unknown
@@ -338,6 +338,9 @@
   (if (and (rational? parts) (exact? parts) (not (<= -1 parts 1)))
       (e:* (- parts (* 2 (ceiling (/ (- parts 1) 2)))) exact-pi)
       angle))
+
+;; Does x stand in a sine or cosine?
+(define (in-angle? x e) (and (expression? e) (pair? (angles-of e x))))
 
 ;; The arguments of sines and cosines in which x occurs.
 (define (angles-of f x) (arguments-of f x (list op:sin op:cos)))

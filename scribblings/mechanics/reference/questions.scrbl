@@ -246,7 +246,8 @@ parameters, those that always exist first. Each comes with conditions for it to 
 A coordinate that may be anything is its own symbol; of angles there are all of a
 turn, exactly if the parameters are exact: @racket[':pi] is π. Where the period is not a whole
 part of a turn, as that of @racket[(cos (* 'k x))], those within one period are found, and a
-note says so.
+note says so; and so it does where the system is another one a turn on, as with the potential
+@racket[(- (cos x) (/ x 2))].
 
 The equations are factored and solved one after the other: factors that are linear in
 an unknown, and those in one unknown that are quadratic in it or in a power of it, or of degree
