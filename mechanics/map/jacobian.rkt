@@ -100,8 +100,10 @@
 ;; ---------------------------------------------------------------------------
 ;; For many points
 
-;; -> (p J -> void), between flvectors: the derivatives of both coordinates by x, then by y
+;; -> (p J -> void), between flvectors: the derivatives of both coordinates by x, then by y.
+;; The image is looked at once, in numbers: compiled code asks of no value what it is.
 (define (jacobian-runner who map x y)
-  (define (image p) (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
+  (point-image-of who map x y)
+  (define (image p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
   (compiled-function-runner
    (compile-function (lambda (p) (derivative-at image p)) (up x y) #:name who)))
