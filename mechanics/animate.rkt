@@ -4,11 +4,13 @@
 
 (require "animation/animation.rkt" "animation/animation-frame.rkt"
          "animation/animation-show.rkt" "animation/drawing.rkt"
-         "animation/draw-Atwood-machine.rkt" "animation/draw-bead.rkt" "animation/draw-orbit.rkt"
-         "animation/draw-pendulum-chain.rkt" "animation/draw-pendulum.rkt"
-         "animation/draw-plane-body.rkt" "animation/draw-spherical-pendulum.rkt"
-         "animation/draw-spring.rkt" "animation/draw-top.rkt" "animation/draw-wheel.rkt"
-         "animation/mechanism-parts.rkt" "animation/phase-plane.rkt" "animation/shapes.rkt")
+         "animation/phase-plane.rkt" "animation/shapes.rkt"
+         "animation/mechanism/draw-Atwood-machine.rkt" "animation/mechanism/draw-bead.rkt"
+         "animation/mechanism/draw-orbit.rkt" "animation/mechanism/draw-pendulum-chain.rkt"
+         "animation/mechanism/draw-pendulum.rkt" "animation/mechanism/draw-plane-body.rkt"
+         "animation/mechanism/draw-spherical-pendulum.rkt" "animation/mechanism/draw-spring.rkt"
+         "animation/mechanism/draw-top.rkt" "animation/mechanism/draw-wheel.rkt"
+         "animation/mechanism/mechanism-parts.rkt")
 
 (provide
  ;; animations

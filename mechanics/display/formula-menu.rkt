@@ -1,7 +1,8 @@
 #lang racket/base
 ;; The menu of a formula in an editor: what can be copied of it.
 
-(require "MathML.rkt" "TeX.rkt" "break.rkt" "drawn-text.rkt" "result-formula.rkt"
+(require "result-formula.rkt"
+         "formula/MathML.rkt" "formula/TeX.rkt" "formula/break.rkt" "formula/drawn-text.rkt"
          "../algebra/notation/infix.rkt"
          racket/class racket/gui/base)
 

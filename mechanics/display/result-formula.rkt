@@ -3,7 +3,7 @@
 ;;
 ;; It is made without a library that draws.
 
-(require "break.rkt"
+(require "formula/break.rkt"
          "../algebra/notation/tree.rkt"
          racket/fasl)
 

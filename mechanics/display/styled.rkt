@@ -4,7 +4,8 @@
 ;; Nothing that fails here reaches the prompt: what cannot be typeset is shown as it was
 ;; before there were styles, with a line that says why.
 
-(require "MathML.rkt" "TeX.rkt" "break.rkt" "drawn-text.rkt" "result-formula.rkt" "print-shown.rkt"
+(require "print-shown.rkt" "result-formula.rkt"
+         "formula/MathML.rkt" "formula/TeX.rkt" "formula/break.rkt" "formula/drawn-text.rkt"
          "../algebra/expression/write.rkt"
          "../algebra/notation/formula.rkt" "../algebra/notation/infix.rkt"
          (only-in "../algebra/notation/tree.rkt" plain?)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Values as picts of formulas.
 
-(require "break.rkt" "formula-pict.rkt"
+(require "formula/break.rkt" "formula/formula-pict.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/value-tree.rkt"
          (only-in "typeset.rkt" check-width))

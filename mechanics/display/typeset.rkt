@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Values as formulas: the tree of a value, drawn in one of several ways.
 
-(require "MathML.rkt" "TeX.rkt" "break.rkt" "drawn-text.rkt"
+(require "formula/MathML.rkt" "formula/TeX.rkt" "formula/break.rkt" "formula/drawn-text.rkt"
          "../algebra/notation/infix.rkt" "../algebra/notation/read-infix.rkt"
          "../error/note.rkt"
          "../generic/define-plain.rkt" "../generic/value-tree.rkt" "../generic/wrong-argument.rkt"

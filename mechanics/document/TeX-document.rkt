@@ -9,7 +9,7 @@
          racket/string
          "TeX-prose.rkt" "piece.rkt" "shown.rkt"
          "../algebra/notation/tree.rkt"
-         "../display/TeX.rkt" "../display/break.rkt")
+         "../display/formula/TeX.rkt" "../display/formula/break.rkt")
 
 (provide document->TeX)
 

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Text and programs as TeX: characters that occur in what physicists write, beyond those of
-;; names (../display/TeX-text.rkt).
+;; names (../display/formula/TeX-text.rkt).
 
 (require racket/string
-         "../display/TeX-text.rkt")
+         "../display/formula/TeX-text.rkt")
 
 (provide prose->TeX code->TeX)
 

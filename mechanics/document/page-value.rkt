@@ -8,7 +8,7 @@
 (require racket/list
          (only-in xml cdata)
          "../algebra/notation/tree.rkt"
-         "../display/MathML.rkt" "../display/break.rkt"
+         "../display/formula/MathML.rkt" "../display/formula/break.rkt"
          "picture-markup.rkt" "shown.rkt")
 
 (provide shown->xexprs tree->xexprs inline-xexprs picture-shown? visible raw)

@@ -16,7 +16,7 @@
          "../value/simplify.rkt"
          "../verdict/verdict.rkt")
 
-(require-on-demand ["../motion/event.rkt" event-name])
+(require-on-demand ["../motion/event/event.rkt" event-name])
 
 (provide value->shown
          (struct-out shown-formula) (struct-out shown-table) (struct-out shown-picture)

@@ -3,7 +3,7 @@
 
 (require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/size.rkt" "../expression/symbols.rkt"
-         "../rewriting/solve.rkt")
+         "../solve/solve-equations.rkt")
 
 (provide places-of wave?)
 

@@ -23,7 +23,7 @@
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
-         "../rewriting/solve.rkt"
+         "../solve/factors.rkt"
          "../simplify/declare.rkt"
          "../simplify/simplify-expression.rkt")
 

@@ -3,7 +3,7 @@
 ;; well-formed and holds what it should, lines keep to their width.
 
 (require mechanics
-         (only-in mechanics/display/text-box columns-wide)
+         (only-in mechanics/display/formula/text-box columns-wide)
          "../support/golden/values.rkt" "../support/messages.rkt" "../support/skip.rkt"
          racket/file
          racket/port

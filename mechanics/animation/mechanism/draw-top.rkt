@@ -2,9 +2,10 @@
 ;; Bodies that turn in space, by Euler's angles θ, φ, ψ: a top on its point (SICM 2.10), and
 ;; a brick (SICM 2.9).
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../projection.rkt" "../shapes.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt")
 
 (provide draw-top draw-brick)
 

@@ -1,10 +1,11 @@
 #lang racket/base
 ;; Pendulums whose rod is rigid, in a vertical plane: SICM 1.6.2, pp. 51-53.
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
-         "../numeric/constants.rkt"
-         "../plot/coordinate.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../shapes.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../numeric/constants.rkt"
+         "../../plot/coordinate.rkt")
 
 (provide draw-pendulum draw-driven-pendulum)
 

@@ -6,7 +6,7 @@
 
 (require (only-in pict colorize hbl-append)
          "pict-glyphs.rkt" "pict-parts.rkt" "visible.rkt"
-         "../algebra/notation/name.rkt" "../algebra/notation/tree.rkt"
+         "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
          (only-in racket/list add-between append-map)
          (only-in racket/string string-join))
 

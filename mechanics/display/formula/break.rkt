@@ -6,7 +6,7 @@
 ;; Widths are in columns of text, which serves the other ways of drawing well enough.
 
 (require "width.rkt"
-         "../algebra/notation/tree.rkt")
+         "../../algebra/notation/tree.rkt")
 
 (provide fit)
 

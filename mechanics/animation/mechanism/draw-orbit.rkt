@@ -1,9 +1,10 @@
 #lang racket/base
 ;; Bodies that attract each other: one about a center at rest, or any number of them.
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../shapes.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt")
 
 (provide draw-orbit draw-bodies)
 

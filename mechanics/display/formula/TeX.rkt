@@ -4,7 +4,7 @@
 ;; Whatever a name is made of, it comes out as its characters: see TeX-text.rkt.
 
 (require "TeX-text.rkt"
-         "../algebra/notation/name.rkt" "../algebra/notation/tree.rkt"
+         "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
          (only-in racket/string string-join))
 
 (provide tree->TeX)

@@ -1,10 +1,11 @@
 #lang racket/base
 ;; Beads: on a ring that turns about its vertical diameter, and on a track in a plane.
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
-         "../numeric/constants.rkt"
-         "../plot/coordinate.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../projection.rkt" "../shapes.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../numeric/constants.rkt"
+         "../../plot/coordinate.rkt")
 
 (provide draw-bead-on-ring draw-bead-on-track)
 

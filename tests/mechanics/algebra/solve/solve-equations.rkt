@@ -8,7 +8,7 @@
 
                                substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/rewriting/solve
+         mechanics/algebra/solve/solve-equations
          "../../support/random.rkt")
 
 (define (solutions equations unknowns)

@@ -1,9 +1,10 @@
 #lang racket/base
 ;; Masses on springs.
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
-         "../generic/wrong-argument.rkt"
-         "../numeric/constants.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../shapes.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../numeric/constants.rkt")
 
 (provide draw-oscillator draw-spring-pendulum)
 

@@ -2,8 +2,8 @@
 ;; Trees as text in two dimensions: fractions with their bars, roots with their roofs.
 
 (require "text-box.rkt" "visible.rkt"
-         "../algebra/notation/infix.rkt" "../algebra/notation/line-name.rkt"
-         "../algebra/notation/tree.rkt"
+         "../../algebra/notation/infix.rkt" "../../algebra/notation/line-name.rkt"
+         "../../algebra/notation/tree.rkt"
          (only-in racket/list add-between append-map))
 
 (provide tree->text)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; How many columns of text a formula takes when it is drawn.
 
-(require "../algebra/notation/name.rkt" "../algebra/notation/tree.rkt")
+(require "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt")
 
 (provide make-meter name-width)
 

@@ -3,9 +3,9 @@
 ;; from, and what labels them.
 
 (require racket/math
-         "plane.rkt" "shapes.rkt"
-         "../generic/wrong-argument.rkt"
-         "../plot/coordinate.rkt")
+         "../plane.rkt" "../shapes.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../plot/coordinate.rkt")
 
 (provide rod bob spring wall block vector-arrow angle-mark length-mark
          pivot)

@@ -1,8 +1,9 @@
 #lang racket/base
 ;; Bodies that move in a plane and turn in it: a ladder at a wall, a sleigh on a blade.
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
-         "../numeric/constants.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../shapes.rkt"
+         "../../numeric/constants.rkt")
 
 (provide draw-ladder draw-sleigh)
 

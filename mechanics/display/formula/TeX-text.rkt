@@ -2,7 +2,7 @@
 ;; Characters as TeX.  All of a text comes out as itself: none of its characters is a command,
 ;; ends the formula or is beyond what pdfLaTeX knows.
 
-(require "../algebra/notation/name.rkt")
+(require "../../algebra/notation/name.rkt")
 
 (provide letters->TeX upright typewriter word->TeX sign->TeX escaped)
 

@@ -2,10 +2,11 @@
 ;; Weights on strings over pulleys: Atwood's machine, and one that hangs from another
 ;; (SICM 1.10).
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt"
-         "../numeric/constants.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../shapes.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt"
+         "../../numeric/constants.rkt")
 
 (provide draw-Atwood-machine)
 

@@ -1,10 +1,11 @@
 #lang racket/base
 ;; Wheels: one that rolls down an incline, seen from the side, and a coin on a table.
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt"
-         "../generic/wrong-argument.rkt"
-         "../numeric/constants.rkt"
-         "../plot/coordinate.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../projection.rkt" "../shapes.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../numeric/constants.rkt"
+         "../../plot/coordinate.rkt")
 
 (provide draw-wheel draw-coin)
 

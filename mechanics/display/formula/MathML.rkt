@@ -4,7 +4,7 @@
 ;; The dots of time derivatives stand over their letters as spacing characters: combining ones
 ;; browsers misplace, and those of an accent lie on the letter.
 
-(require "../algebra/notation/name.rkt" "../algebra/notation/tree.rkt"
+(require "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
          (only-in racket/list add-between append*)
          (only-in xml xexpr->string))
 

@@ -1,10 +1,11 @@
 #lang racket/base
 ;; Pendulums that hang from each other, or from a cart: SICM 1.7, exercise 1.44.
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "shapes.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt"
-         "../numeric/constants.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../shapes.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt"
+         "../../numeric/constants.rkt")
 
 (provide draw-pendulum-chain draw-cart-pendulum)
 

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Pendulums that swing in space: seen from the side, and, as Foucault's, from above.
 
-(require "drawing.rkt" "mechanism-parts.rkt" "plane.rkt" "projection.rkt" "shapes.rkt")
+(require "mechanism-parts.rkt"
+         "../drawing.rkt" "../plane.rkt" "../projection.rkt" "../shapes.rkt")
 
 (provide draw-spherical-pendulum draw-Foucault-pendulum)
 

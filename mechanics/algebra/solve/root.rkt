@@ -1,0 +1,46 @@
+#lang racket/base
+;; A root of one equation in x, and how the coefficients of x are found: from values at 0, 1 and −1,
+;; whatever the form of the equation, with a proof that nothing else is in it.
+
+(require "../expression/expression.rkt"
+         "../expression/substitute.rkt"
+         "../simplify/simplify-expression.rkt")
+
+(provide (struct-out root) put zero-everywhere? value-at line quotient-of arguments-of)
+
+;; x = value, under conditions.  waves : what sine and cosine are there, an alist
+(struct root (x value conditions waves) #:authentic)
+
+(define (put e x value) (substitute-expression e (list (cons x value))))
+
+(define (zero-everywhere? e A) (eqv? 0 (simplify-expression e A)))
+
+;; (a b) if e = a x + b with a ≠ 0, both without x; else #f.
+(define (line e x A)
+  (define b (value-at e x 0 A))
+  (define a (and b (value-at (e:- e b) x 1 A)))
+  (and a
+       (not (eqv? a 0))
+       (zero-everywhere? (e:- e (e:+ (e:* a x) b)) A)
+       (list a b)))
+
+;; The value at x, or #f where there is none.
+(define (value-at e x value A)
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+    (simplify-expression (put e x value) A)))
+
+(define (quotient-of a b A) (simplify-expression (e:/ a b) A))
+
+;; Of operations of these heads, the arguments in which x occurs, each once
+(define (arguments-of f x heads)
+  (define found '())
+  (node-fold f
+             (lambda (leaf) (eq? leaf x))
+             (lambda (n moves)
+               (define u (car (node-args n)))
+               (when (and (memq (node-head n) heads)
+                          (car moves)
+                          (not (member u found)))
+                 (set! found (cons u found)))
+               (ormap values moves)))
+  found)
