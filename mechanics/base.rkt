@@ -14,6 +14,7 @@
                     assumptions-in-force call-assuming note-used! undeclared)
          "value/compose.rkt" "value/operator.rkt" "value/principal-value.rkt" "value/rewrite.rkt"
          "value/signature.rkt" "value/simplify.rkt" (except-in "value/structure.rkt" up down)
+         (only-in "value/symbols-like.rkt" typical-object)
          "value/complex.rkt" "value/vector.rkt"
          "value/linear/eigenvalues.rkt"
          (except-in "value/linear/linear-algebra.rkt" square-entries) "value/linear/matrix.rkt"
@@ -62,7 +63,7 @@
              [tuple-vector->list vector->list] [tuple-vector-map vector-map])
  structure->vector structure->list vector->up vector->down list->up list->down
  s:generate s:map s:map/r s:fold flip s:same s:opposite
- compatible-shape compatible-zero dual-zero zero-like
+ compatible-shape compatible-zero dual-zero typical-object zero-like
  dot-product inner-product outer-product cross-product euclidean-norm unequal-contraction
  ;; matrices and linear algebra
  matrix? matrix-by-rows matrix-by-columns m:generate identity-matrix

@@ -9,7 +9,7 @@
          "../algebra/expression/constant-range.rkt"
          "../numeric/constants.rkt")
 
-(provide make-builder written
+(provide make-builder written written-count
          do! write! add! subtract! multiply! divide! negate! power! pi-times!)
 
 ;; inputs : how many; as-constant : real -> what stands for it in an instruction
@@ -64,9 +64,11 @@
 (define (instruction-of b x)
   (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
 
+(define (written-count b) (hash-count (builder-instructions b)))
+
 (define (written b)
   (define n (builder-inputs b))
-  (for/vector ([k (in-range (hash-count (builder-instructions b)))])
+  (for/vector ([k (in-range (written-count b))])
     (hash-ref (builder-instructions b) (+ n k))))
 
 ;; ---------------------------------------------------------------------------

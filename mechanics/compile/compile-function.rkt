@@ -7,19 +7,19 @@
 ;; slower, and the same in all else: what is complex is not a number there too.
 
 (require racket/flonum
-         "agreement.rkt" "cache.rkt" "interpreter.rkt" "program.rkt" "sweep.rkt" "trace.rkt"
+         "cache.rkt" "checking.rkt" "interpreter.rkt" "program.rkt" "sweep.rkt" "trace.rkt"
          "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../numeric/constants.rkt" "../numeric/flvector.rkt"
+         "../numeric/flvector.rkt"
          "../value/shape.rkt")
 
 (provide
  compile-function
  compiled-function? compiled-function-reason compiled-function-operations
  ;; for the integrators
- compile-traced traced-gradient program->compiled-function points-about
+ compile-traced traced-program traced-gradient program->compiled-function
  check-function
  compiled-function-runner compiled-function-value-shape compiled-function-inputs
  compiled-function-outputs compiled-function-program)
@@ -97,8 +97,16 @@
         [(right? code value-at point varying value) (values code #f)]
         [else (values #f different)]))
 
-;; The program of the value and the derivatives of a function that can be traced, checked by
-;; running it, and not compiled; or #f.
+;; The program of a function that can be traced, checked by running it, and not compiled; or #f.
+(define (traced-program f example #:name who)
+  (define-values (p shape) (trace who f example #:unknown void))
+  (define (value-at v) (f (flvector->structure example v)))
+  (and (program? p)
+       (right? (program->compiled-function p shape f (program->interpreter-maker p))
+               value-at (example->flvector who example) (shape-length example) #f)
+       p))
+
+;; The same of the value and the derivatives of a function whose value is one number.
 (define (traced-gradient f example #:name who)
   (define-values (p shape) (trace who f example #:unknown void))
   (define q (and (program? p) (= 1 (shape-length shape)) (program-with-gradient p)))
@@ -163,38 +171,6 @@
 (define (value-or-nan f x shape)
   (define (nan e) (scalars->structure shape (lambda (k) +nan.0)))
   (with-handlers ([no-value? nan]) (f x)))
-
-;; Racket's own tests, `number?` in a file that is not written in mechanics, say,
-;; take a placeholder for what it is.  So the code is compared with the function, at
-;; the example, beside it, and on the other side of zero.
-(define (right? code value-at point varying value)
-  (and (agree? code (if value (lambda (v) value) value-at) point)
-       (for/and ([v (in-list (points-about point varying))]) (agree? code value-at v))))
-
-(define (points-about v varying) (list (moved nearby v varying) (moved opposite v varying)))
-
-;; Each scalar goes its own way, for equal ones to become different.
-(define (moved to v varying)
-  (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals)])
-    (if (< k varying)
-        (to x (+ 0.1 (* 0.3 (- (* k golden-fraction) (floor (* k golden-fraction))))))
-        x)))
-(define (opposite x d) (- (* -1.1 x) d))
-(define (nearby x d) (+ x (* 0.1 d (+ 1.0 (abs x)))))
-
-(define (agree? code value-at v)
-  (agrees? (lambda () (structure->flvector (value-at v) (lambda (x) +nan.0)))
-           (lambda () (apply-to-flvector code v))
-           #:same? (lambda (xs ys)
-                     (and (= (flvector-length xs) (flvector-length ys))
-                          (for/and ([x (in-flvector xs)] [y (in-flvector ys)]) (close? x y))))
-           #:numbers? (lambda (ys) (for/and ([y (in-flvector ys)]) (rational? y)))))
-
-;; x : of the function, y : of the code; up to what rounding does where the order of
-;; operations differs.  An x that is not finite tells nothing.
-(define (close? x y)
-  (or (not (rational? x))
-      (<= (abs (- x y)) (* 1e-6 (+ 1e-3 (abs x) (abs y))))))
 
 (define (raise-not-a-number who what x)
   (complain who "the ~a holds ~a; expected real numbers" what (describe-with-value x)))

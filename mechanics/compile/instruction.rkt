@@ -20,11 +20,10 @@
 ;; Of a system: n rows of n + 1 entries.
 (define (system-unknowns i) (integer-sqrt (length (instruction-operands i))))
 
-;; Is it known to be symmetric, and of a size for which that matters?
+;; Is it known to be symmetric?
 (define (symmetric-system? i)
   (define n (system-unknowns i))
   (define entries (list->vector (instruction-operands i)))
   (define (entry row column) (vector-ref entries (+ (* row (+ n 1)) column)))
-  (and (>= n 8)
-       (for*/and ([row (in-range n)] [column (in-range row)])
-         (equal? (entry row column) (entry column row)))))
+  (for*/and ([row (in-range n)] [column (in-range row)])
+    (equal? (entry row column) (entry column row))))

@@ -4,7 +4,7 @@
 (require racket/flonum
          "flonum-functions.rkt" "jet-rows.rkt"
          "../generic/operation-equations.rkt"
-         "../numeric/jet/kernels.rkt")
+         "../numeric/jet/kernels.rkt" "../numeric/jet/pair-kernel.rkt")
 
 (provide emit-law!)
 

@@ -3,16 +3,14 @@
 ;;
 ;; The nodes of a graph (jet-graph.rkt) become rows of coefficients, and kernels
 ;; (numeric/jet) that compute them, closures made once for an integration: no code is
-;; generated.  Products that only one sum is made of are added up in place, products that
-;; share a factor take one loop.  A node that is a polynomial in the time, as the time is
-;; itself, ends: beyond its degree nothing is computed, so that cos ωt costs one
-;; multiplication for an order.
+;; generated.  A node that is a polynomial in the time, as the time is itself, ends: beyond its
+;; degree nothing is computed, so that cos ωt costs one multiplication for an order.
 
 (require racket/fixnum
          racket/flonum
          racket/list
-         "flonum-functions.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-rows.rkt"
-         "jet-work.rkt"
+         "flonum-functions.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-nodes.rkt"
+         "jet-rows.rkt" "jet-sharing.rkt" "jet-sums.rkt" "jet-work.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/kernels.rkt"
          "../numeric/jet/linear-system.rkt")
 
@@ -62,54 +60,6 @@
              (starts r) (ending-kernels r) (endless-kernels r)))
 
 ;; ---------------------------------------------------------------------------
-;; What is computed together
-
-;; 'sum of products that only one sum is made of, which are added up there; else #f.
-(define (sole-uses g)
-  (define nodes (graph-nodes g))
-  (define counts (make-vector (vector-length nodes) 0))
-  (define in-sums (make-vector (vector-length nodes) 0))
-  (define (count! v id) (vector-set! v id (+ 1 (vector-ref v id))))
-  (for ([n (in-vector nodes)])
-    (for ([id (in-list (node-operands n))])
-      (count! counts id)
-      (when (eq? 'linear (node-kind n)) (count! in-sums id))))
-  (for ([id (in-vector (graph-outputs g))]) (count! counts id))
-  (for/vector ([n (in-vector nodes)] [count (in-vector counts)] [in-sum (in-vector in-sums)])
-    (and (eq? 'product (node-kind n)) (= 1 count in-sum) 'sum)))
-
-;; First product of a group -> the others, that share a factor with it and have their other
-;; factor by then.  Each id of the others -> 'done.
-(define (factor-groups g degrees uses)
-  (define nodes (graph-nodes g))
-  (define groups (make-hasheqv))
-  (define (free? id)
-    (and (eq? 'product (node-kind (vector-ref nodes id)))
-         (not (vector-ref uses id))
-         (not (= (cadr (vector-ref nodes id)) (caddr (vector-ref nodes id))))
-         (not (hash-ref groups id #f))
-         (for/and ([x (in-list (node-operands (vector-ref nodes id)))])
-           (= +inf.0 (vector-ref degrees x)))))
-  (define (other id factor)
-    (define xs (node-operands (vector-ref nodes id)))
-    (cond [(= (car xs) factor) (cadr xs)] [(= (cadr xs) factor) (car xs)] [else #f]))
-  (for ([id (in-range (vector-length nodes))] #:when (free? id))
-    (define (companions factor)
-      (for/list ([k (in-range (+ id 1) (vector-length nodes))]
-                 #:when (free? k)
-                 [x (in-value (other k factor))]
-                 #:when (and x (< x id)))
-        k))
-    (define-values (factor most)
-      (for/fold ([best #f] [most '()]) ([f (in-list (node-operands (vector-ref nodes id)))])
-        (define found (companions f))
-        (if (> (length found) (length most)) (values f found) (values best most))))
-    (when factor
-      (hash-set! groups id (cons factor most))
-      (for ([k (in-list most)]) (hash-set! groups k 'done))))
-  groups)
-
-;; ---------------------------------------------------------------------------
 ;; Nodes
 
 (define (emit-node! r nodes id uses shared)
@@ -139,63 +89,6 @@
   (emit-start! r (lambda ()
                    (flvector-set! x 0 (apply f (for/list ([v (in-list rows)])
                                                  (flvector-ref v 0)))))))
-
-;; ---------------------------------------------------------------------------
-;; Sums and products
-
-(define (emit-sum! r nodes id uses)
-  (define n (vector-ref nodes id))
-  (define x (row r id))
-  (define constant (real->double-flonum (cadr n)))
-  (define-values (products others)
-    (for/fold ([products '()] [others '()]) ([t (in-list (reverse (cddr n)))])
-      (if (vector-ref uses (car t))
-          (values (cons t products) others)
-          (values products (cons t others)))))
-;; one multiple of a row is where the first product begins
-  (define (kernels varying? base)
-    (define kept
-      (for/list ([t (in-list others)] #:when (or (not varying?) (> (degree r (car t)) 0)))
-        (weighed (real->double-flonum (cdr t)) (row r (car t)))))
-    (if (and (not base) (pair? products) (pair? kept) (null? (cdr kept)))
-        (products-of r nodes x products (car kept))
-        (let ([sums (sum-kernels x kept base)])
-          (append sums (products-of r nodes x products (if (pair? sums) (itself x) base))))))
-  (unless (fl= constant 0.0) (emit-start! r (lambda () (flvector-set! x 0 constant))))
-  (for ([kernel (in-list (kernels #f (if (fl= constant 0.0) #f (itself x))))])
-    (emit-start! r (lambda () (kernel 0))))
-  (for ([kernel (in-list (kernels #t #f))]) (emit! r id kernel)))
-
-;; Kernels of x = base + Σ c a b, squares among them.
-(define (products-of r nodes x terms base)
-  (define-values (squares others)
-    (for/fold ([squares '()] [others '()]) ([t (in-list terms)])
-      (define n (vector-ref nodes (car t)))
-      (define c (real->double-flonum (cdr t)))
-      (if (and (= (cadr n) (caddr n)) (= +inf.0 (degree r (cadr n))))
-          (values (cons (weighed c (row r (cadr n))) squares) others)
-          (values squares (cons (a-product r c (cadr n) (caddr n)) others)))))
-  (define first (square-kernels x squares base))
-  (append first (product-kernels x others (if (pair? first) (itself x) base))))
-
-(define (a-product r c a b)
-  (product c (row r a) (degree r a) (row r b) (degree r b)))
-
-(define (emit-product! r nodes id shared)
-  (define group (hash-ref shared id #f))
-  (define x (row r id))
-  (cond [(eq? group 'done) (void)]
-        [group
-         (define factor (car group))
-         (define targets
-           (for/list ([k (in-list (cons id (cdr group)))])
-             (define xs (node-operands (vector-ref nodes k)))
-             (target (row r k) 1.0 (row r (if (= (car xs) factor) (cadr xs) (car xs))))))
-         (for ([kernel (in-list (shared-product-kernels targets (row r factor)))])
-           (emit-always! r id kernel))]
-        [else
-         (for ([kernel (in-list (products-of r nodes x (list (cons id 1.0)) #f))])
-           (emit-always! r id kernel))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers

@@ -5,7 +5,7 @@
 ;; for every k.  So an expansion of order n takes a + b n + c n², where b counts the rows and c the
 ;; convolutions.
 
-(require "jet-graph.rkt"
+(require "jet-graph.rkt" "jet-nodes.rkt"
          "../generic/operation-equations.rkt"
          "../numeric/jet/expansion.rkt")
 

@@ -16,8 +16,8 @@
          "../algebra/expression/operation.rkt"
          "../generic/elementary.rkt" "../generic/kind.rkt")
 
-(provide reload sweep-back! sweep-forward! next-tangent last-dependent differentiable?
-         program-with-gradient)
+(provide reload sweep-back! sweep-forward! next-tangent last-dependent
+         differentiable? has-derivatives? program-with-gradient)
 
 ;; A builder that holds the instructions of p, in the places that they have there.
 (define (reload p)
@@ -25,17 +25,19 @@
   (for ([i (in-vector (program-instructions p))]) (write! b i))
   b)
 
-;; Are there derivatives of all its operations?  A system with all its components only: none can
-;; be had of it later.
+;; Are there derivatives of all its operations?
+(define (has-derivatives? p)
+  (for/and ([i (in-vector (program-instructions p))])
+    (or (memq (instruction-operation i) written-here) (and (record-of i) #t))))
+
+;; Can it be swept?  A system with all its components only: none can be had of it later.
 (define (differentiable? p)
   (define components (for/sum ([i (in-vector (program-instructions p))]) (if (component? i) 1 0)))
   (define unknowns
     (for/sum ([i (in-vector (program-instructions p))])
       (define name (instruction-operation i))
       (if (eq? name 'solve) (integer-sqrt (length (instruction-operands i))) 0)))
-  (and (= components unknowns)
-       (for/and ([i (in-vector (program-instructions p))])
-         (or (memq (instruction-operation i) written-here) (and (record-of i) #t)))))
+  (and (= components unknowns) (has-derivatives? p)))
 
 (define written-here '(add subtract multiply divide negate sqrt wrapped solve component))
 

@@ -8,47 +8,67 @@
 (require (only-in racket/list index-of)
          "builder.rkt" "program.rkt" "sweep.rkt")
 
-(provide tangent-program)
+(provide tangent-program jacobian-program)
 
 ;; -> program whose values are the derivatives of the first value by all inputs, then those of
 ;; the second one ...
 (define (tangent-program p)
   (define n (program-inputs p))
-  (define count (+ n (program-length p)))
-  (define b (make-builder n real->double-flonum))
+  (define-values (b rows) (differentiate p n +inf.0))
+  (builder->program b n (for*/list ([r (in-vector rows)] [x (in-vector r)]) x)))
+
+;; -> program whose values are the derivatives of all values by the first of the first n inputs,
+;; then those by the second one ..., which is how implicit methods take them; or #f where not all
+;; operations have derivatives, or where it would take more operations than `most`
+(define (jacobian-program p n #:most [most +inf.0])
+  (define-values (b rows) (if (has-derivatives? p) (differentiate p n most) (values #f #f)))
+  (and b
+       (builder->program b (program-inputs p)
+                         (for*/list ([j (in-range n)] [r (in-vector rows)]) (vector-ref r j)))))
+
+;; -> a builder that holds them, and for each output its derivatives by the first n inputs, a
+;; vector of operands; #f and #f where that takes too many operations
+(define (differentiate p n most)
+  (define inputs (program-inputs p))
+  (define count (+ inputs (program-length p)))
+  (define b (make-builder inputs real->double-flonum))
   (define values-of (make-vector count #f))     ; places of p -> operands of b
   (define rows (make-vector count #f))          ; places of p -> vectors of operands
+  (define none (make-vector n 0))
   (define (value x) (if (place? x) (vector-ref values-of (place-index x)) x))
-  (define (row x) (if (place? x) (vector-ref rows (place-index x)) (make-vector n 0)))
-  (for ([k (in-range n)])
+  (define (row x) (if (place? x) (vector-ref rows (place-index x)) none))
+  (for ([k (in-range inputs)])
     (vector-set! values-of k (place k))
-    (vector-set! rows k (build-vector n (lambda (j) (if (= j k) 1 0)))))
-  (for ([i (in-vector (program-instructions p))] [k (in-naturals n)])
-    (define-values (v r) (differentiated b i value row n))
+    (vector-set! rows k (if (< k n) (build-vector n (lambda (j) (if (= j k) 1 0))) none)))
+  (for ([i (in-vector (program-instructions p))] [k (in-naturals inputs)]
+        #:break (> (written-count b) most))
+    (define-values (v r) (differentiated b i value row none))
     (vector-set! values-of k v)
     (vector-set! rows k r))
-  (define outputs
-    (for*/vector ([o (in-vector (program-outputs p))] [x (in-vector (row o))]) x))
-  (builder->program b n (vector->list outputs)))
+  (if (> (written-count b) most)
+      (values #f #f)
+      (values b (for/vector ([o (in-vector (program-outputs p))]) (row o)))))
 
+;; none : the row of what depends on no input
 ;; -> the operand of the instruction's value, and the row of its derivatives; of a system the
 ;; operands of its solution, and a row for each
-(define (differentiated b i value row n)
+(define (differentiated b i value row none)
   (define operation (instruction-operation i))
   (define xs (map value (instruction-operands i)))
   (define rows (map row (instruction-operands i)))
   (case operation
-    [(solve) (differentiate-system b xs rows n)]
+    [(solve) (differentiate-system b xs rows (vector-length none))]
     [(component) (let ([k (cadr (instruction-operands i))])
                    (values (vector-ref (car xs) k) (vector-ref (car rows) k)))]
     [else
      (define v (again b operation xs))
-     (values v (chain b operation xs v rows n))]))
+     (define constant? (for/and ([r (in-list rows)]) (eq? r none)))
+     (values v (if constant? none (chain b operation xs v rows)))]))
 
 ;; The derivatives of an operation's value, by those of its operands.
-(define (chain b operation xs v rows n)
+(define (chain b operation xs v rows)
   (define i (cons operation xs))
-  (for/vector #:length n ([j (in-range n)])
+  (for/vector #:length (vector-length (car rows)) ([j (in-range (vector-length (car rows)))])
     (define ts (for/list ([r (in-list rows)]) (vector-ref r j)))
     (define (tangent operand) (list-ref ts (index-of xs operand)))
     (if (andmap zero-operand? ts)

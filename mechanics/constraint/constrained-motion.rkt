@@ -3,7 +3,7 @@
 ;;
 ;; Accelerations solved for with the multipliers keep G̈ at zero, not G: errors of the
 ;; integration would let G and its rate drift.  So each step is taken back to where both are
-;; zero, by the shortest way as kinetic energy measures it (motion/manifold.rkt):
+;; zero, by the shortest way as kinetic energy measures it (motion/system/manifold.rkt):
 ;;
 ;;     M δ − Jᵀ μ = 0,    J δ = −G,
 ;;
@@ -12,19 +12,21 @@
 ;; depend on which; that is found out where the motion begins.
 
 (require racket/flonum
-         "accelerations.rkt" "constraint.rkt" "dependence.rkt" "linearized.rkt"
+         "accelerations.rkt" "constrained-code.rkt" "constraint.rkt" "dependence.rkt"
+         "linearized.rkt"
+         "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
-         "../motion/manifold.rkt"
+         "../motion/system/manifold.rkt"
          "../numeric/constants.rkt"
          "../value/shape.rkt")
 
 (provide constrained-state-derivative consistent-state)
 
-;; (t, q, v) ↦ (1, v, a), with what motion/manifold.rkt needs
+;; (t, q, v) ↦ (1, v, a), with what motion/system/manifold.rkt needs
 (define-plain (constrained-state-derivative given-L constraints #:force [Q #f])
   (define who 'constrained-state-derivative)
   (check-Lagrangian who given-L)
@@ -44,12 +46,25 @@
      (check-state who cs state)
      (define kept (and (numeric? state) (kept-constraints who cs state)))
      (define ready (if kept (derivative (choosing kept)) all))
-     (values ready
-             ;; symbols that are left are the caller's affair
-             (and kept (numeric? (ready state)) (corrections-of who L cs kept))))
+     (preparation ready kept (watched who L cs outside kept)
+                  (lambda () (complete who L cs outside kept ready state))))
    (lambda ()
      `(,who ,(value->datum given-L) ,(constraints->datum cs)
             ,@(force->datum Q)))))
+
+;; -> corrections, and the compiled rates; #f for both where symbols are left, which are the
+;; caller's affair; for the rates where the derivative is to be compiled
+(define (complete who L cs outside kept ready state)
+  (cond [(and kept (numeric? (ready state)))
+         (define c (constrained-code who L cs outside kept ready state))
+         (values (if c (corrections-in c cs) (corrections-of who L cs kept))
+                 (and c (rates-code c)))]
+        [else (values #f #f)]))
+
+;; The values of all, and the derivatives of L, of which a large constant may be a part.
+(define ((watched who L cs outside kept) state)
+  (up ((ingredients who L cs outside (or kept '())) state)
+      ((gradient L) state)))
 
 (define (check-state who cs state)
   (check-velocity who state)
@@ -99,11 +114,16 @@
 ;; Back to the constraints
 
 ;; kept : indices of constraints
+(define (corrections-in c cs)
+  (corrections (position-code c) (velocity-code c) (refusing cs)))
+
 (define (corrections-of who L cs kept)
   (define holonomic-constraints? (ormap holonomic? (constraint-set-parts cs)))
   (corrections (and holonomic-constraints? (lambda (state) (towards-positions who L cs kept state)))
                (lambda (state) (towards-velocities who L cs kept state))
-               (lambda (caller state) (raise-inconsistent caller cs state))))
+               (refusing cs)))
+
+(define ((refusing cs) caller state) (raise-inconsistent caller cs state))
 
 ;; The increments of a state that take the coordinates, or the velocities, to where the
 ;; constraints hold.
@@ -163,7 +183,8 @@
   (define (name) (list who (value->datum L) (constraints->datum (gather who constraints))))
   (unary-function name (state)
     (define y (structure->flvector state (lambda (x) (raise-no-number who x state))))
-    (define-values (ready on) (prepare-motion who derivative state))
+    (define-values (on rates)
+      (complete-motion who (prepare-motion who derivative state) state))
     (define project! (projector on (flvector-length y)))
     (project! y)
     (define found (flvector->structure state y))

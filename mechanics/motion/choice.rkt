@@ -4,7 +4,7 @@
 ;;
 ;; The names are here, the methods are loaded when one is used.
 
-(require "../error/complain.rkt"
+(require "../error/complain.rkt" "../error/spelling.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../numeric/ode/stepper.rkt")
 
@@ -16,17 +16,33 @@
 (define names
   '(auto Taylor Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5))
 
+;; procedures of a step, which are methods when they are given one
+(define made-with-a-step
+  '(leapfrog Yoshida-4 Yoshida-6 Yoshida-8
+    Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6))
+
 (define (integration-method? x) (or (method? x) (and (memq x names) #t)))
 
 (define (check-method who m)
   (unless (integration-method? m)
     (complain who "expected a method of integration or the name of one\n  given: ~a\n  ~a"
               (describe-with-value m)
-              (if (procedure? m)
-                  (format "a method with a fixed step is made of the step: (~a 0.01)"
-                          (value->text m))
-                  (format "names: ~a" names))))
+              (advice m)))
   m)
+
+(define (advice m)
+  (define name (if (string? m) (string->symbol m) m))
+  (cond [(procedure? m) (made-of-a-step (value->text m))]
+        [(memq name made-with-a-step) (made-of-a-step name)]
+        [(and (string? m) (memq name names)) (format "a name is quoted: '~a" m)]
+        [else (format "~anames: ~a" (meant name) names)]))
+
+(define (meant name)
+  (define near (if (symbol? name) (likely-names name names) '()))
+  (if (null? near) "" (format "did you mean '~a?\n  " (alternatives near))))
+
+(define (made-of-a-step name)
+  (format "a method with a fixed step is made of the step: (~a 0.01)" name))
 
 (define ode-integration-method
   (make-parameter 'auto (lambda (m) (check-method 'ode-integration-method m))))

@@ -2,22 +2,20 @@
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
 (require racket/flonum
-         "check.rkt" "choice.rkt" "followed.rkt" "plan.rkt" "sample-times.rkt" "separable.rkt"
-         "so-far.rkt"
-         "stuck.rkt" "suited.rkt" "system.rkt"
+         "choice.rkt" "followed.rkt" "plan.rkt" "run-system.rkt" "sample-times.rkt"
+         "system/check.rkt" "system/parametric-system.rkt" "system/system.rkt"
          "../calculus/perturbed.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../numeric/progress.rkt"
-         "../numeric/ode/integrate.rkt"
          "../value/shape.rkt")
 
 (require-on-demand ["precise.rkt" advance-precisely follow-precisely]
                    ["linearized-flow.rkt" advance-perturbed flow-derivative])
 
 (provide state-advancer evolve linearized-flow
-         ;; for trajectories and single steps
-         run-system stuck-in start-time system-by-shape made-by)
+         ;; for single steps and sections
+         system-by-shape made-by)
 
 ;; (state-advancer sysder p ...) : state, duration, tolerance, continue -> state
 ;; continue : state, duration, a length for the next step -> the result
@@ -149,49 +147,6 @@
   (cons who (map value->datum (cons derivative-maker parameters))))
 
 ;; ---------------------------------------------------------------------------
-;; A state without a clock starts at 0.
-(define (start-time s y) (if (system-clock? s) (flvector-ref y 0) 0.0))
-
-;; Of a motion whose steps are not kept, the state that it reached is.
-(define (run-reaching p s y start end visit)
-  (define t start)
-  (define now y)
-  (define method #f)
-  (define (note from to interpolant)
-    (set! t to)
-    (visit from to interpolant))
-  (define (begun state m)
-    (set! now state)
-    (set! method m))
-  (keeping-so-far
-   (lambda () (and method (reached t (system-state s now) real->double-flonum values method)))
-   (run-system p s y start end note #:begun begun)))
-
-;; visit : as in integrate; begun : so, too, but also given the method; a failure carries
-;; (kept state), given the last state that was good
-(define (run-system given s y start end visit [kept values] #:begun [begun void])
-  (check-start (plan-who given) s y)
-  (define p (suited given s y))
-  (define m (plan-method p))
-  (check-separable (plan-who p) m s y)
-  (define (run note!)
-    (define (watched from to interpolant)
-      (note-progress note! (progress-text (plan-who p) to end))
-      (visit from to interpolant))
-    (define-values (t last)
-      (integrate (system-method s m) (system-right-hand-side s m) y start end
-                 #:tolerance (plan-tolerance p)
-                 #:longest (plan-longest p)
-                 #:limit (plan-most p)
-                 #:clock (and (system-clock? s) 0)
-                 #:visit (if note! watched visit)
-                 #:begun (lambda (y) (begun y m))
-                 #:stuck (stuck-in p s kept)))
-    (system-state s last))
-  (call-with-progress (plan-progress? p) run))
-
-(define ((stuck-in p s [kept values]) t y why)
-  (raise-stuck (plan-who p) s (plan-method p) t y why (kept (system-state s y))))
 
 ;; Shows the states at start + step, start + 2 step ... before the end.
 (define (sampler start end step n show)

@@ -11,7 +11,8 @@
 ;; a period of an oscillator it is a saddle point).  The second derivatives tell.
 
 (require racket/flonum
-         "check.rkt" "path-action.rkt"
+         "path-action.rkt"
+         "system/check.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
@@ -106,15 +107,14 @@
     (max m (/ (abs (- x y)) (+ 1.0 (abs y))))))
 
 (define (minimum p action c tolerance most observe)
-  (define found
-    (with-handlers ([stopped? (lambda (failure) (path-after-all p action c failure most))])
-      (define-values (found value slope count)
-        (quasi-newton action c #:tolerance tolerance #:limit most #:name who
-                      #:observe (lambda (c value) (observe ((problem-path p) c) value))
-                      #:argument stopped-at))
-      (or (lower-point action found value (stationary-point action found)) found)))
-  (check-least p action found)
-  found)
+  (with-handlers ([stopped? (lambda (failure) (path-after-all p action c failure most))])
+    (define-values (found value slope count)
+      (quasi-newton action c #:tolerance tolerance #:limit most #:name who
+                    #:observe (lambda (c value) (observe ((problem-path p) c) value))
+                    #:argument stopped-at))
+    (define best (or (lower-point action found value (stationary-point action found)) found))
+    (check-least p action best)
+    best))
 
 ;; Where the search stopped: with it a failure of ours is told from one of the Lagrangian's.
 (struct stopped-at (point) #:authentic)

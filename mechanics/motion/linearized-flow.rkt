@@ -7,7 +7,7 @@
 ;; differences of motions.  What is differentiated may itself be a derivative: the motion of
 ;; pairs is followed by the same advancer, which finds the ε of the other derivative in it.
 
-(require "system.rkt"
+(require "system/parametric-system.rkt"
          "../calculus/derivative.rkt" "../calculus/dual.rkt" "../calculus/perturbed.rkt"
          "../calculus/recorded.rkt"
          "../error/failure.rkt"

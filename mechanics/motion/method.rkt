@@ -1,7 +1,8 @@
 #lang racket/base
 ;; The methods of integration, by name and with fixed steps.
 
-(require "check.rkt" "choice.rkt"
+(require "choice.rkt"
+         "system/check.rkt"
          "../numeric/ode/bulirsch-stoer.rkt" "../numeric/ode/dormand-prince-54.rkt"
          "../numeric/ode/dormand-prince-853.rkt" "../numeric/ode/gauss-legendre.rkt"
          "../numeric/ode/quality-controlled.rkt" "../numeric/ode/radau.rkt"

@@ -9,10 +9,10 @@
 (provide-on-demand
  ["evolution.rkt" state-advancer evolve linearized-flow]
  ["single-step.rkt" free-run-state-advancer ode-advancer advance-beyond]
- ["trajectory.rkt" evolve-trajectory trajectory? trajectory-start trajectory-end
-                   trajectory-final-state trajectory-states trajectory-events
-                   trajectory-method trajectory-so-far]
- ["event.rkt" event event? occurrence? occurrence-event occurrence-time occurrence-state
+ ["evolve-trajectory.rkt" evolve-trajectory]
+ ["trajectory.rkt" trajectory? trajectory-start trajectory-end trajectory-final-state
+                   trajectory-states trajectory-events trajectory-method trajectory-so-far]
+ ["event/event.rkt" event event? occurrence? occurrence-event occurrence-time occurrence-state
               occurrence-grazing?]
  ["find-path.rkt" find-path]
  ["method.rkt" leapfrog Yoshida-4 Yoshida-6 Yoshida-8 Gauss-Legendre-2 Gauss-Legendre-4

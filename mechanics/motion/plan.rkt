@@ -1,7 +1,8 @@
 #lang racket/base
 ;; How to integrate: what the callers of a run may choose, checked and completed.
 
-(require "check.rkt" "choice.rkt" "method.rkt"
+(require "choice.rkt" "method.rkt"
+         "system/check.rkt"
          "../numeric/progress.rkt")
 
 (provide (struct-out plan) make-plan default-tolerance)

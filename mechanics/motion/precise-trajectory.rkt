@@ -2,7 +2,8 @@
 ;; Trajectories in numbers of higher precision, as trajectory.rkt makes them of flonums.
 
 (require racket/list
-         "event.rkt" "plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt" "so-far.rkt"
+         "plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt" "so-far.rkt"
+         "event/event.rkt"
          "../numeric/progress.rkt")
 
 (provide follow-precise-trajectory)

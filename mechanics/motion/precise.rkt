@@ -6,8 +6,8 @@
 ;; States between the steps are those that a shorter step leads to.
 
 (require math/bigfloat
-         "check.rkt" "manifold.rkt" "plan.rkt" "sample-times.rkt" "so-far.rkt" "stuck.rkt"
-         "system.rkt"
+         "plan.rkt" "sample-times.rkt" "so-far.rkt" "stuck.rkt"
+         "system/check.rkt" "system/clock.rkt" "system/manifold.rkt"
          "../compile/bigfloat-function.rkt"
          "../numeric/progress.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; A trajectory in the making: its steps and the events on the way.
 
-(require "event.rkt")
+(require "event/event.rkt")
 
 (provide make-recording recorded-steps recorded-occurrences record-step! record-crossings!)
 

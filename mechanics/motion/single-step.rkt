@@ -7,8 +7,8 @@
 ;; values.
 
 (require racket/flonum
-         "check.rkt" "choice.rkt" "evolution.rkt" "plan.rkt" "separable.rkt" "suited.rkt"
-         "system.rkt"
+         "choice.rkt" "evolution.rkt" "plan.rkt" "run-system.rkt" "suited.rkt"
+         "system/check.rkt" "system/separable.rkt" "system/system.rkt"
          "../compile/compile-function.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"
          "../numeric/ode/integrate.rkt")

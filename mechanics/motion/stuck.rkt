@@ -2,7 +2,7 @@
 ;; Why a motion cannot be followed any further, in words, and what may help.
 
 (require racket/flonum
-         "check.rkt" "system.rkt"
+         "system/check.rkt" "system/singular-coordinate.rkt" "system/system.rkt"
          "../error/failure.rkt"
          "../generic/describe.rkt"
          "../lagrangian/state-derivative.rkt"
@@ -31,24 +31,30 @@
       (raise-singular who message kept)))
 
 (define (hints s m y why)
+  (define singular (if (method-step m) "" (singular-coordinate-text s y)))
   (case why
     [(too-many-steps)
-     (if (or (method-step m) (eq? 'jacobian (method-asks m)))
-         ""
-         "\n  if it is stiff, use the method 'Radau-IIA-5")]
+     (cond [(not (equal? singular "")) singular]
+           [(or (method-step m) (eq? 'jacobian (method-asks m))) ""]
+           [else "\n  if it is stiff, use the method 'Radau-IIA-5"])]
     ;; there, any other error than that of having no value is the user's to see
-    [(no-slope) (or (slope-text s y "there") "")]
+    [(no-slope) (string-append (or (slope-text s y "there") "") singular)]
     [(step-fails) (string-append (step-text m) (advice m))]
+    [(lost-digits)
+     (string-append "\n  rounding in the state derivative is more than the tolerance allows"
+                    (if (equal? singular "") "\n  take a greater tolerance" singular))]
     [else
-     (string-append
-      (if (method-step m) (step-text m) "")
-      (or (beyond-text s y)
-          (cond [(eq? why 'boundary) "\n  the state derivative is not finite beyond"]
-                ;; they are a part of the radius of convergence
-                [(eq? 'expansion (method-asks m))
-                 (string-append "\n  the motion is singular there: "
-                                "steps became too short to change the time")]
-                [else "\n  steps became too short to change the time"])))]))
+     (string-append (if (method-step m) (step-text m) "")
+                    (or (beyond-text s y) (short-text m why))
+                    singular)]))
+
+(define (short-text m why)
+  (cond [(eq? why 'boundary) "\n  the state derivative is not finite beyond"]
+        ;; they are a part of the radius of convergence
+        [(eq? 'expansion (method-asks m))
+         (string-append "\n  the motion is singular there: "
+                        "steps became too short to change the time")]
+        [else "\n  steps became too short to change the time"]))
 
 ;; What there is instead of a finite state derivative; #f if there is one.
 (define (slope-text s y where)
@@ -63,9 +69,11 @@
 
 (define (failure-text where e) (format "\n  ~a: ~a" where (exn-message e)))
 
-;; The same a little further, on either side, where the motion has not come to and an
-;; error is an answer.
-(define (beyond-text s y)
+;; The same there, where formulas may tell less than compiled code, or a little further, on
+;; either side, where the motion has not come to and an error is an answer.
+(define (beyond-text s y) (or (slope-text s y "there") (slope-text-around s y)))
+
+(define (slope-text-around s y)
   (define slope (scalars ((system-derivative s) (system-state s y))))
   (define (state-after h)
     (along y h (for/flvector #:length (flvector-length y) ([v (in-list slope)])
@@ -79,7 +87,7 @@
 
 (define (step-text m) (format "\n  length of a step: ~a" (method-step m)))
 
-;; Of equations that repetition did not solve, or of a step into what is no number.
+;; Of equations that were not solved, or of a step into what is no number.
 (define (advice m)
   (format "\n  take a shorter step, such as (~a ~a), or a method that chooses its own"
           (method-name m) (/ (method-step m) 4)))

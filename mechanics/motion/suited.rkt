@@ -11,7 +11,8 @@
 ;; Since both lengths follow the radius of convergence, their ratio stays much the same.
 
 (require racket/flonum
-         "method.rkt" "plan.rkt" "system.rkt"
+         "method.rkt" "plan.rkt"
+         "system/system.rkt"
          "../error/complain.rkt"
          (only-in "../numeric/constants.rkt" rounding)
          "../numeric/ode/bridged.rkt" "../numeric/ode/dormand-prince-853.rkt"

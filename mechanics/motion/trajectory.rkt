@@ -3,25 +3,22 @@
 ;;
 ;; Each step of the integration leaves an interpolant; together they give the
 ;; state at any time from the first to the last, about as well as the steps
-;; themselves do.
+;; themselves do.  Who makes them: evolve-trajectory.rkt.
 
-(require racket/flonum
-         racket/list
-         "check.rkt" "choice.rkt" "event.rkt" "evolution.rkt" "followed.rkt" "plan.rkt"
-         "recording.rkt" "so-far.rkt" "suited.rkt" "system.rkt"
+(require "so-far.rkt"
+         "event/within-step.rkt"
+         "system/check.rkt" "system/system.rkt"
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
-         "../generic/on-demand.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
-         "../numeric/flvector.rkt" "../numeric/progress.rkt"
+         "../generic/describe.rkt" "../generic/notation.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/ode/stepper.rkt")
 
-(require-on-demand ["precise-trajectory.rkt" follow-precise-trajectory])
-
-(provide evolve-trajectory
-         trajectory? trajectory-start trajectory-end trajectory-final-state
+(provide trajectory? trajectory-start trajectory-end trajectory-final-state
          trajectory-states trajectory-so-far
-         (rename-out [events-of trajectory-events] [method-of trajectory-method]))
+         (rename-out [events-of trajectory-events] [method-of trajectory-method])
+         ;; for those who make them
+         trajectory (struct-out step) (struct-out reading) state-within method-shown)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
 ;; reading : what makes states of steps; method : what it was integrated by, a name or a
@@ -84,6 +81,8 @@
               (reading (reached-exactly r) (reached-shown r) (lambda (s t) (step-inside s)))
               (if (symbol? m) m (method-shown m))))
 
+(define (method-shown m) (if (method-step m) m (method-name m)))
+
 (define a-trajectory "a trajectory, such as evolve-trajectory gives")
 
 (define (check-trajectory who tr)
@@ -95,77 +94,6 @@
 (define (step-times tr)
   (cons (first-time tr)
         (for/list ([s (in-vector (trajectory-steps tr))]) (step-to s))))
-
-;; ---------------------------------------------------------------------------
-;; Making one
-
-(define-plain (evolve-trajectory derivative state end
-                           #:tolerance [tolerance #f]
-                           #:events [events '()]
-                           #:method [method #f]
-                           #:longest-step [longest +inf.0]
-                           #:most-steps [most +inf.0]
-                           #:precision [bits (ode-precision)]
-                           #:progress [progress? (report-progress)])
-  (check-real 'evolve-trajectory "final time" end)
-  (define p
-    (make-plan 'evolve-trajectory tolerance method longest most
-               #:precision bits #:progress progress?))
-  (define all-events (check-events 'evolve-trajectory events))
-  (note-followed derivative '() state)
-  (if bits
-      (precise-trajectory p derivative state (real-number end) all-events)
-      (flonum-trajectory p derivative state (real->double-flonum (real-number end)) all-events)))
-
-(define (precise-trajectory p derivative state end events)
-  (define (make steps occurrences exactly shown state)
-    (trajectory (for/vector ([s (in-list steps)])
-                  (step (first s) (second s) (third s) (second s)))
-                occurrences
-                (reading exactly shown (lambda (s t) (state (step-inside s) t)))
-                'extrapolation))
-  (follow-precise-trajectory p derivative state end events make))
-
-(define (flonum-trajectory given derivative state end events)
-  (define s (for-one-integration (make-system 'evolve-trajectory derivative state)))
-  (define y (state-vector 'evolve-trajectory state))
-  (define p (suited given s y))
-  (define events-in
-    (watch-for 'evolve-trajectory events state (flvector-length y) (plan-tolerance p)))
-  (define start (start-time s y))
-  (define r (make-recording))
-  (define (stay)
-    (step start start (lambda (theta out) (flvector-copy! out y)) start))
-  (define (so-far)
-    (trajectory (list->vector (recorded-steps r stay)) (recorded-occurrences r)
-                (flonum-reading s) (method-shown (plan-method p))))
-  ;; -> is the integration to go on?
-  (define (visit from to interpolant)
-    (define at (interpolant))
-    (record-crossings! r (timed (events-in at) from to) to
-                       (lambda (t) (record-step! r (step from t at to)))
-                       #:state (lambda (t) (state-within s (step from to at to) t))
-                       #:shown values
-                       #:give-up (lambda (e t there) (raise-undefined e t there (so-far)))))
-  (keeping-so-far so-far (run-system p s y start end visit (lambda (state) (so-far))))
-  (so-far))
-
-;; Crossings at times in place of fractions of the step.
-(define (timed found from to)
-  (for/list ([c (in-list found)])
-    (crossing (time-within from to (crossing-at c)) (crossing-event c) (crossing-grazing? c))))
-
-(define (method-shown m) (if (method-step m) m (method-name m)))
-
-(define (flonum-reading s)
-  (reading real->double-flonum values (lambda (st t) (state-within s st t))))
-
-;; Reckoned from the nearer end, so that rounding does not lead beyond.
-(define (time-within from to theta)
-  (define length (fl- to from))
-  (if (fl< theta 0.5)
-      (fl+ from (fl* theta length))
-      (fl- to (fl* (fl- 1.0 theta) length))))
 
 ;; ---------------------------------------------------------------------------
 ;; Reading one
@@ -214,8 +142,4 @@
           [else (search low (- middle 1))])))
 
 (define (state-within s st x)
-  (define y (make-flvector (system-size s)))
-  (define length (fl- (step-end st) (step-from st)))
-  ((step-inside st) (if (fl= length 0.0) 0.0 (fl/ (fl- x (step-from st)) length)) y)
-  (when (system-clock? s) (flvector-set! y 0 x))
-  (system-state s y))
+  (system-state s (row-within s (step-inside st) (step-from st) (step-end st) x)))

@@ -3,7 +3,7 @@
 ;;
 ;; A *row* is an flvector of the coefficients of one quantity, from order 0 on.  The
 ;; coefficient k of a product is the convolution Σ a_j b_{k−j}; recurrences of functions are
-;; convolutions as well, over parts of that range.  Two terms are taken at a time, and several
+;; convolutions as well, over parts of that range.  Several terms are taken at a time, and several
 ;; sums in one loop: the compiler keeps them all in registers.
 
 (require racket/unsafe/ops)
@@ -17,18 +17,41 @@
 (define-syntax-rule (greater a b) (let ([x a] [y b]) (if (unsafe-fx< x y) y x)))
 
 ;; `result`, where each s is Σ a_j b_{k−j} for j from `first` to `last`.
-(define-syntax-rule (convolve k first last ([s a b] ...) result)
+(define-syntax convolve
+  (syntax-rules ()
+    [(_ k first last (one) result) (convolve-one k first last one result)]
+    [(_ k first last (one ...) result) (convolve-some k first last (one ...) result)]))
+
+;; Terms in pairs.
+(define-syntax-rule (convolve-some k first last ([s a b] ...) result)
   (let ([end last] [from first])
     (let loop ([i from] [j (unsafe-fx- k from)] [s 0.0] ...)
-      (cond [(unsafe-fx< i end)
-             (loop (unsafe-fx+ i 2) (unsafe-fx- j 2)
-                   (unsafe-fl+ s (unsafe-fl+ (unsafe-fl* (at a i) (at b j))
-                                             (unsafe-fl* (at a (unsafe-fx+ i 1))
-                                                         (at b (unsafe-fx- j 1)))))
-                   ...)]
-            [(unsafe-fx= i end)
-             (let ([s (unsafe-fl+ s (unsafe-fl* (at a i) (at b j)))] ...) result)]
+      (cond [(unsafe-fx< i end) (loop (unsafe-fx+ i 2) (unsafe-fx- j 2) (plus-two s a b i j) ...)]
+            [(unsafe-fx= i end) (let ([s (plus-one s a b i j)] ...) result)]
             [else result]))))
+
+;; A sum alone would wait for each addition: it is two.
+(define-syntax-rule (convolve-one k first last [s a b] result)
+  (let ([end last] [from first])
+    (let loop ([i from] [j (unsafe-fx- k from)] [s 0.0] [rest 0.0])
+      (define left (unsafe-fx- end i))
+      (define-syntax-rule (ending with-s) (let ([s with-s]) result))
+      (cond [(unsafe-fx> left 2)
+             (loop (unsafe-fx+ i 4) (unsafe-fx- j 4)
+                   (plus-two s a b i j)
+                   (plus-two rest a b (unsafe-fx+ i 2) (unsafe-fx- j 2)))]
+            [(unsafe-fx= left 2)
+             (ending (unsafe-fl+ (plus-two s a b i j)
+                                 (plus-one rest a b (unsafe-fx+ i 2) (unsafe-fx- j 2))))]
+            [(unsafe-fx= left 1) (ending (unsafe-fl+ (plus-two s a b i j) rest))]
+            [(unsafe-fx= left 0) (ending (plus-one (unsafe-fl+ s rest) a b i j))]
+            [else (ending (unsafe-fl+ s rest))]))))
+
+(define-syntax-rule (plus-one s a b i j) (unsafe-fl+ s (unsafe-fl* (at a i) (at b j))))
+
+(define-syntax-rule (plus-two s a b i j)
+  (unsafe-fl+ s (unsafe-fl+ (unsafe-fl* (at a i) (at b j))
+                            (unsafe-fl* (at a (unsafe-fx+ i 1)) (at b (unsafe-fx- j 1))))))
 
 ;; `result`, where each s is Σ a_j a_{k−j} for j from `first` to k − `first`: twice the sum
 ;; below the middle, and the square in it.

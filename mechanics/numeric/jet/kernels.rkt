@@ -11,10 +11,11 @@
          "convolution.rkt")
 
 (provide sum-kernels product-kernels square-kernels shared-product-kernels
-         differential-kernel pair-kernel leading-kernel differential-leading-kernel
+         differential-kernel leading-kernel differential-leading-kernel
          root-kernel power-kernel reciprocal-kernel
          derivative-kernel integral-kernel
-         itself (struct-out weighed) (struct-out product) (struct-out target))
+         itself (struct-out weighed) (struct-out product) (struct-out target)
+         last-index)
 
 ;; weight times a row; weight times a product of rows of the degrees given, or +inf.0 for one
 ;; that does not end
@@ -152,15 +153,6 @@
 (define (differential-kernel r weight d degree b base)
   (define end (last-index degree))
   (storing-kernel r k base (convolve 1 (smaller k end) ([s d b])) (unsafe-fl* weight s)))
-
-;; r' = u p a' and p' = v r a', given d of a
-(define (pair-kernel r u p v d degree)
-  (define end (last-index degree))
-  (lambda (k)
-    (define order (unsafe-fx->fl k))
-    (convolve k 1 (smaller k end) ([s d p] [t d r])
-              (begin (put! r k (unsafe-fl/ (unsafe-fl* u s) order))
-                     (put! p k (unsafe-fl/ (unsafe-fl* v t) order))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Equations l r = x for r, where x_k has been stored in r_k

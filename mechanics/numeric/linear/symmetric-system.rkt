@@ -9,10 +9,12 @@
 ;; by products of rows.  They take the place of the lower triangle, with 1/L_ii on the
 ;; diagonal.  Where L_ii² is not positive beyond rounding the matrix is indefinite or nearly
 ;; singular: it is restored from its upper triangle and left to elimination.
+;;
+;; For a few unknowns loops are the greater part of that: small-symmetric-system.rkt.
 
 (require racket/flonum
          racket/unsafe/ops
-         "factored-system.rkt")
+         "factored-system.rkt" "small-symmetric-system.rkt")
 
 (provide solve-symmetric!)
 
@@ -22,13 +24,18 @@
 ;; m : n² entries, which are changed; exchanges : room, as solve-dense! needs it
 ;; b, the right-hand side, becomes the solution, or nothing in it is a number.
 (define (solve-symmetric! m n exchanges b)
+  (unless (if (unsafe-fx<= n most-unknowns) (solve-small! m n b) (solve-by-rows! m n b))
+    (solve-dense! m n exchanges b)))
+
+;; -> whether m is positive definite; if not, it is as it was
+(define (solve-by-rows! m n b)
   (define diagonal (make-flvector n))
   (define rows (cholesky! m n diagonal))
-  (cond [(unsafe-fx= rows n) (solve-by-triangle! m n b)]
-        [else (restore! m n diagonal rows)
-              (solve-dense! m n exchanges b)]))
-
-(define least-part 1e-13)
+  (define definite? (unsafe-fx= rows n))
+  (if definite?
+      (solve-by-triangle! m n b)
+      (restore! m n diagonal rows))
+  definite?)
 
 ;; diagonal : where that of m is saved -> how many rows are done, n if m is positive definite
 (define (cholesky! m n diagonal)

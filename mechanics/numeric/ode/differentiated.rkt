@@ -6,9 +6,10 @@
 ;; decide how fast its equations are solved, not what the solution is.
 
 (require racket/flonum
+         "../../error/once.rkt"
          "../flvector.rkt")
 
-(provide differentiated jacobian-of)
+(provide differentiated jacobian-of differences when-asked)
 
 ;; run       : y dy -> void
 ;; jacobian! : y J -> void; stores the n² derivatives of f at y, those by the first
@@ -20,6 +21,11 @@
 ;; -> jacobian! of a right-hand side in n variables
 (define (jacobian-of f! n)
   (if (differentiated? f!) (differentiated-jacobian! f!) (differences f! n)))
+
+;; (make) : -> jacobian!, made when derivatives are first asked for: a method may never do so
+(define (when-asked make)
+  (define made (once make))
+  (lambda (y J) ((made) y J)))
 
 (define root-of-rounding 1.5e-8)
 

@@ -7,64 +7,32 @@
 ;;
 ;;     kᵢ = f(y + h Σⱼ aᵢⱼ kⱼ)
 ;;
-;; and lead to y + h Σ bᵢ kᵢ.  They are found by repetition from the slopes of the
-;; step before, until they change by rounding only.  Of order 2 it is the implicit
-;; midpoint rule.
+;; and lead to y + h Σ bᵢ kᵢ (gauss-equations.rkt says how they are found).  Of order 2 it is
+;; the implicit midpoint rule.
 
 (require racket/flonum
-         "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
-         (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt")
+         "gauss-equations.rkt" "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
+         "../flvector.rkt")
 
 (provide gauss-legendre-2 gauss-legendre-4 gauss-legendre-6)
 
-(define repetitions 100)
-
-;; y : the present state; A : rows of coefficients; ks : the slopes, as they are found
-(struct equations (f! n y A ks w new change) #:authentic)
-
-;; b : weights
-(define ((start A b) f! y0)
+;; b : weights; the tolerance has no effect
+(define ((start A b) f! y0 [tolerance #f])
   (define n (flvector-length y0))
   (define y (flvector-copy y0))
-  (define-vectors n z w new change first)
-  (define ks (for/list ([_ (in-list b)]) (make-flvector n)))
-  (define q (equations f! n y A ks w new change))
+  (define-vectors n z first)
+  (define q (make-equations f! y A))
   (define (try! h)
-    (define solved? (solve! q h))
+    (define solved? (solve-equations! q h))
     (add-slopes! q z h b)
     (if (and solved? (flvector-finite? z)) 0.0 +nan.0))
   (define (slope)
     (f! y first)
     first)
-  (for ([k (in-list ks)]) (f! y k))
   (make-stepper y z slope try! (by-shorter-steps (start A b) f! y)))
 
-;; -> did the repetitions converge?
-(define (solve! q h)
-  (define-fields equations q f! n y A ks w new change)
-  ;; -> the greatest change of a slope, relative to y
-  (define (repeat!)
-    (for/fold ([most 0.0]) ([row (in-list A)] [k (in-list ks)])
-      (add-slopes! q w h row)
-      (f! w new)
-      (weighted-sum! n change [h new] [(fl- 0.0 h) k])
-      (flvector-copy! k new)
-      (flmax most (root-mean-square change y y n))))
-  (let loop ([count 0] [last +inf.0])
-    (define size (repeat!))
-    (cond [(fl<= size rounding) #t]
-          [(or (= count repetitions) (not (fl< size +inf.0))) #f]
-          [(and (fl< size 1e-12) (fl>= size last)) #t]      ; rounding goes on for ever
-          [else (loop (+ count 1) size)])))
-
-;; out = y + h (a₁ k₁ + a₂ k₂ + ...)
-(define (add-slopes! q out h coefficients)
-  (define-fields equations q n y ks)
-  (flvector-copy! out y)
-  (for ([a (in-list coefficients)] [k (in-list ks)])
-    (combine! n out out (fl* h a) [1.0 k])))
-
-(define ((implicit name order A b) h) (fixed-step-method name order h (start A b)))
+(define ((implicit name order A b) h)
+  (fixed-step-method name order h (start A b) #:asks 'jacobian))
 
 (define gauss-legendre-2
   (implicit 'Gauss-Legendre-2 2 '((0.5)) '(1.0)))

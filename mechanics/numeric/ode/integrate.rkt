@@ -10,7 +10,7 @@
 ;; that was good.
 
 (require racket/flonum
-         "step-size.rkt" "stepper.rkt"
+         "lost-digits.rkt" "step-size.rkt" "stepper.rkt"
          (only-in "../constants.rkt" rounding) "../flvector.rkt"
          "../../error/failure.rkt")
 
@@ -30,6 +30,7 @@
 ;;                       steps are of such a length
 ;;         'boundary     f is not finite beyond
 ;;         'too-many-steps   as many were taken as allowed
+;;         'lost-digits  rounding in f demands steps that get nowhere (lost-digits.rkt)
 ;; -> the time reached and the state there, an flvector
 (define (integrate m f! y0 start end
                    #:tolerance [tolerance 1e-10]
@@ -44,10 +45,8 @@
   (begun (stepper-state s))
   (define give-up (giving-up f! s stuck))
   (define sign (if (fl< end start) -1.0 1.0))
-  (define first
-    (cond [(method-step m)]
-          [(foreseeing-stepper? s) longest]
-          [else (flmin longest (first-length m s f! tolerated sign (flabs (fl- end start))))]))
+  (define first (length-to-begin-with m s f! tolerated longest (fl- end start)))
+  (define c (make-crawl))
   (let loop ([t start] [h first] [count 0] [failures 0])
     (cond
       [(fl= t end) (values t (flvector-copy (stepper-state s)))]
@@ -57,9 +56,22 @@
        (define-values (now next finite?)
          (take-step m s tolerated t end sign (flmin longest h) give-up))
        (when clock (flvector-set! (stepper-state s) clock now))
-       (if (visit t now (stepper-interpolant s))
+       (define on? (visit t now (stepper-interpolant s)))
+       (when (and on? (not (fl= now end)) (lost? c f! s (fl- now t) tolerated))
+         (give-up now 'lost-digits))
+       (if on?
            (loop now next (+ count 1) (if finite? 0 (+ failures 1)))
            (values now (flvector-copy (stepper-state s))))])))
+
+(define (length-to-begin-with m s f! tolerated longest span)
+  (define sign (if (fl< span 0.0) -1.0 1.0))
+  (cond [(method-step m)]
+        [(foreseeing-stepper? s) longest]
+        [else (flmin longest (first-length m s f! tolerated sign (flabs span)))]))
+
+(define (lost? c f! s step tolerated)
+  (define h (flabs step))
+  (and (crawls? c h) (rounding-exceeds? f! (stepper-state s) h tolerated)))
 
 ;; One step of at most the length |h| in the direction of h.
 ;; -> the time and the state after it and, with its sign, the length for the next one

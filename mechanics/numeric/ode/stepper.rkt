@@ -32,8 +32,8 @@
     (write (if (method-step m) (list (method-name m) (method-step m)) (method-name m)) port)))
 
 (define (adaptive-method name order start #:asks [asks #f]) (method name order #f start asks #f))
-(define (fixed-step-method name order step start #:alternative [alternative #f])
-  (method name order step start #f alternative))
+(define (fixed-step-method name order step start #:asks [asks #f] #:alternative [alternative #f])
+  (method name order step start asks alternative))
 
 ;; state       : the flvector of the present state, which steps overwrite
 ;; slope       : -> the flvector f(state), good until a step is tried

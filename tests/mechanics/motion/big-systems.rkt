@@ -4,7 +4,7 @@
 (require racket/flonum
          (except-in rackunit fail)
          mechanics
-         (only-in mechanics/motion/Lagrangian-code Lagrangian-code)
+         (only-in mechanics/motion/system/Lagrangian-code Lagrangian-code)
          (only-in mechanics/value/shape structure->flvector flvector->structure shape-length))
 
 (define (code L state) (Lagrangian-code 'test (Lagrangian->state-derivative L) state))

@@ -4,7 +4,7 @@
 (require racket/flonum
          rackunit
          (prefix-in m: mechanics)
-         mechanics/motion/system mechanics/numeric/ode/gauss-legendre
+         mechanics/motion/system/make-system mechanics/motion/system/system mechanics/numeric/ode/gauss-legendre
          mechanics/numeric/ode/quality-controlled mechanics/numeric/ode/stepper
          mechanics/numeric/ode/symplectic)
 

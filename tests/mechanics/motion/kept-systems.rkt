@@ -4,8 +4,8 @@
 (require (except-in rackunit fail)
          mechanics
          (only-in mechanics/book L-harmonic)
-         (only-in mechanics/motion/kept-systems clear-kept-systems)
-         (only-in mechanics/motion/system make-system))
+         (only-in mechanics/motion/system/kept-systems clear-kept-systems)
+         (only-in mechanics/motion/system/make-system make-system))
 
 (define start (up 0 1 0))
 

@@ -5,6 +5,7 @@
          racket/flonum
          rackunit
          mechanics/numeric/linear/factored-system
+         mechanics/numeric/linear/small-symmetric-system
          mechanics/numeric/linear/symmetric-system)
 
 (random-seed 21)
@@ -49,3 +50,19 @@
 (test-case "zeros on the diagonal"
   (check-equal? (solution solve-symmetric! (flvector 0.0 2.0 2.0 0.0) 2 (flvector 2.0 4.0))
                 (flvector 2.0 1.0)))
+
+(test-case "small ones are read in the upper triangle alone, and left alone if not definite"
+  (for ([n (in-range 1 (+ most-unknowns 1))])
+    (define a (symmetric n (lambda (i) 1.0)))
+    (define b (random-vector n))
+    (define upper (flvector-copy a))
+    (for* ([i (in-range n)] [j (in-range i)]) (flvector-set! upper (+ (* i n) j) +nan.0))
+    (define x (flvector-copy b))
+    (check-true (solve-small! upper n x))
+    (for ([x (in-flvector x)] [y (in-flvector (solution solve-dense! a n b))])
+      (check-= x y 1e-9))
+    (define indefinite (symmetric n (lambda (i) (if (= i (- n 1)) -100.0 1.0))))
+    (define before (flvector-copy indefinite))
+    (define unsolved (flvector-copy b))
+    (check-false (solve-small! indefinite n unsolved))
+    (check-equal? (list indefinite unsolved) (list before b))))

@@ -137,9 +137,9 @@
                          #t))))
 
 (test-case "an implicit step that does not converge stops the integration"
-  (define (stiff! y dy) (flvector-set! dy 0 (* -1e6 (flvector-ref y 0))))
+  (define (steep! y dy) (flvector-set! dy 0 (exp (* 10.0 (flvector-ref y 0)))))
   (check-exn #rx"cannot be followed any further"
-             (lambda () (integrate (gauss-legendre-4 0.1) stiff! (flvector 1.0) 0.0 1.0))))
+             (lambda () (integrate (gauss-legendre-4 0.1) steep! (flvector 1.0) 0.0 1.0))))
 
 ;; ---------------------------------------------------------------------------
 

@@ -13,13 +13,13 @@
 
 (require racket/flonum
          (only-in racket/vector vector-copy)
-         "check.rkt"
-         "../compile/builder.rkt" "../compile/compile-function.rkt" "../compile/program.rkt"
-         "../compile/sweep.rkt"
-         "../generic/up-down.rkt"
-         "../lagrangian/state-derivative.rkt"
-         "../numeric/flvector.rkt"
-         "../value/structure.rkt")
+         "check.rkt" "mass-matrix.rkt"
+         "../../compile/builder.rkt" "../../compile/compile-function.rkt" "../../compile/program.rkt"
+         "../../compile/sweep.rkt"
+         "../../generic/up-down.rkt"
+         "../../lagrangian/state-derivative.rkt"
+         "../../numeric/flvector.rkt"
+         "../../value/structure.rkt")
 
 (provide Lagrangian-code)
 
@@ -56,27 +56,12 @@
   (define n (quotient (- inputs 1) 2))
   (define outputs (program-outputs gradient))
   (define (by-coordinate i) (vector-ref outputs (+ 2 i)))
-  (define velocities (for/vector ([i (in-range n)]) (place (+ 1 n i))))
+  (define velocities (for/list ([i (in-range n)]) (place (+ 1 n i))))
   (define b (reload gradient))
   (define momenta (vector-copy outputs (+ 2 n)))
-  (define last (last-dependent gradient momenta))
-  (define (along direction from) (momenta-along b gradient momenta last direction from))
-  (define known-rate
-    (along (lambda (k) (cond [(= k 0) 1] [(<= k n) (vector-ref velocities (- k 1))] [else 0])) 0))
-  (define columns
-    (for/vector ([j (in-range n)]) (along (lambda (k) (if (= k (+ 1 n j)) 1 0)) j)))
-  (define (mass i j) ((vector-ref columns (min i j)) (max i j)))
+  (define known-rate (known-rates b gradient momenta))
+  (define mass (mass-matrix b gradient momenta))
   (define system
     (for*/list ([i (in-range n)] [j (in-range (+ n 1))])
-      (if (= j n) (subtract! b (by-coordinate i) (known-rate i)) (mass i j))))
-  (builder->program b inputs (cons 1 (append (vector->list velocities) (solve! b system)))))
-
-;; direction : input index -> operand -> i ↦ the derivative of momentum i in it, for those from
-;; one on; last : of each value the last momentum that depends on it
-(define (momenta-along b gradient momenta last direction from)
-  (define tangents
-    (sweep-forward! b gradient (build-vector (program-inputs gradient) direction)
-                    (lambda (k) (>= (vector-ref last k) from))))
-  (lambda (i)
-    (define x (vector-ref momenta i))
-    (if (place? x) (vector-ref tangents (place-index x)) 0)))
+      (if (= j n) (subtract! b (by-coordinate i) (known-rate (vector-ref momenta i))) (mass i j))))
+  (builder->program b inputs (cons 1 (append velocities (solve! b system)))))

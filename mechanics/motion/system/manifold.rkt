@@ -6,12 +6,13 @@
 ;; the velocities, which is exact.  A motion must begin on the manifold; its steps end there.
 
 (require racket/flonum
-         "../compile/compile-function.rkt"
-         "../generic/kind.rkt" "../generic/value-struct.rkt"
-         "../numeric/ode/projected.rkt"
-         "../value/shape.rkt")
+         "../../compile/compile-function.rkt"
+         "../../generic/kind.rkt" "../../generic/value-struct.rkt"
+         "../../numeric/ode/projected.rkt"
+         "../../value/shape.rkt")
 
-(provide make-manifold-derivative manifold-derivative? prepare-motion derivative-from
+(provide make-manifold-derivative manifold-derivative?
+         (struct-out preparation) prepare-motion complete-motion derivative-from
          (struct-out corrections) projector method-on check-on)
 
 (define kind:manifold-derivative
@@ -21,7 +22,7 @@
              #:arity (lambda (d) 2)))
 
 ;; A state derivative.
-;; prepare : who state -> a state derivative for motions from there on, and corrections
+;; prepare : who state -> preparation
 (value-struct manifold-derivative (at prepare make-datum)
   #:kind kind:manifold-derivative
   #:constructor-name make-manifold-derivative
@@ -32,16 +33,27 @@
 ;; refuse : who state -> does not return; the state is not on the manifold
 (struct corrections (positions velocities refuse) #:authentic)
 
-;; -> a state derivative, and compiled corrections or #f
+;; What is known of motions from a state on.
+;; derivative : their state derivative
+;; mark       : what else they depend on, compared by equal?; or #f
+;; watched    : function of the state of whose values all that is compiled is made
+;; complete   : -> corrections or #f, and the compiled rates or #f if they are to be made of the
+;;              derivative
+(struct preparation (derivative mark watched complete) #:authentic)
+
 (define (prepare-motion who derivative state)
-  (cond [(manifold-derivative? derivative)
-         (define-values (ready c) ((manifold-derivative-prepare derivative) who state))
-         (define (code f) (and f (compile-function f state #:name who)))
-         (values ready
-                 (and c (corrections (code (corrections-positions c))
-                                     (code (corrections-velocities c))
-                                     (corrections-refuse c))))]
-        [else (values derivative #f)]))
+  (if (manifold-derivative? derivative)
+      ((manifold-derivative-prepare derivative) who state)
+      (preparation derivative #f derivative (lambda () (values #f #f)))))
+
+;; who p state -> corrections, compiled, or #f; and the compiled rates, or #f
+(define (complete-motion who p state)
+  (define (code f) (and f (if (compiled-function? f) f (compile-function f state #:name who))))
+  (define-values (c rates) ((preparation-complete p)))
+  (values (and c (corrections (code (corrections-positions c))
+                              (code (corrections-velocities c))
+                              (corrections-refuse c)))
+          rates))
 
 ;; m, with steps that end on the manifold, if there is one
 (define (method-on m c n)
@@ -61,9 +73,11 @@
 (define (derivative-from who derivative state)
   (define y (structure->flvector state (lambda (x) +nan.0)))
   (cond [(and (manifold-derivative? derivative) (for/and ([x (in-flvector y)]) (fl= x x)))
-         (define-values (ready c) (prepare-motion who derivative (flvector->structure state y)))
+         (define start (flvector->structure state y))
+         (define p (prepare-motion who derivative start))
+         (define-values (c rates) (complete-motion who p start))
          (check-on who c y state)
-         ready]
+         (preparation-derivative p)]
         [else derivative]))
 
 ;; -> (y -> the greatest change of a component of y, which is moved onto the manifold)

@@ -9,10 +9,10 @@
 (require racket/flonum
          racket/unsafe/ops
          "event-noise.rkt"
-         "../compile/jet-program.rkt" "../compile/program.rkt"
-         "../numeric/flvector.rkt" "../numeric/unboxed.rkt"
-         "../numeric/jet/expansion.rkt" "../numeric/jet/polynomial-zeros.rkt"
-         "../numeric/ode/taylor.rkt")
+         "../../compile/jet-program.rkt" "../../compile/program.rkt"
+         "../../numeric/flvector.rkt" "../../numeric/unboxed.rkt"
+         "../../numeric/jet/expansion.rkt" "../../numeric/jet/polynomial-zeros.rkt"
+         "../../numeric/ode/taylor-piece.rkt")
 
 (provide polynomial-along zeros-along polynomial-end (struct-out zero))
 

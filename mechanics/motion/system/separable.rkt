@@ -10,10 +10,10 @@
 
 (require racket/flonum
          "system.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt"
-         "../numeric/flvector.rkt"
-         "../numeric/ode/stepper.rkt")
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt"
+         "../../numeric/flvector.rkt"
+         "../../numeric/ode/stepper.rkt")
 
 (provide check-separable)
 

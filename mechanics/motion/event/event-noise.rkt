@@ -12,7 +12,7 @@
 ;; error but rounding.
 
 (require racket/flonum
-         "../numeric/constants.rkt")
+         "../../numeric/constants.rkt")
 
 (provide noise? vary-rows! row-size
          uncertainties vary-point!)

@@ -2,13 +2,13 @@
 ;; What integration is asked, checked once, at the edge.
 
 (require racket/flonum
-         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
-         "../numeric/finite.rkt"
-         "../value/shape.rkt")
+         "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
+         "../../algebra/expression/symbols.rkt"
+         "../../error/complain.rkt" "../../error/hint.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/kind.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../numeric/finite.rkt"
+         "../../value/shape.rkt")
 
 (provide
  ;; numbers

@@ -1,0 +1,93 @@
+#lang racket/base
+;; Events: when something happens along a trajectory.
+;;
+;; An event is a function of the state that passes through zero when it happens: the height
+;; above the table, the force of a constraint.  What happened is an occurrence.  How zeros are
+;; found: event-watch.rkt.
+
+(require "../system/check.rkt"
+         "../../algebra/expression/expression.rkt"
+         "../../error/complain.rkt" "../../error/failure.rkt" "../../error/hint.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/kind.rkt" "../../generic/notation.rkt" "../../generic/value-struct.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../value/shape.rkt")
+
+(provide event event? event-f event-name event-direction event-terminal?
+         event-value check-event-value raise-undefined
+         occurrence occurrence?
+         (rename-out [event-of-it occurrence-event] [time-of-it occurrence-time]
+                     [state-of-it occurrence-state] [grazing-at-it? occurrence-grazing?])
+         check-events
+         (struct-out crossing) (struct-out undefined))
+
+;; f : state -> real; direction : 'rising, 'falling or 'both
+(value-struct event (f name direction terminal?)
+  #:datum (lambda (e) (list 'event (event-name e)))
+  #:notation (lambda (e see) (statement (list 0 "event" (see (event-name e)))))
+  #:constructor-name make-event
+  #:omit-define-syntaxes)
+
+(define-plain (event f #:name [name (procedure-datum f)]
+               #:direction [direction 'both] #:terminal? [terminal? #f])
+  (unless (and (procedure? f) (accepts? f 1))
+    (complain 'event "expected a function of one state\n  given: ~a" (describe-function f)))
+  (unless (memq direction '(rising falling both))
+    (complain-of-argument 'event "'rising, 'falling or 'both" direction))
+  (make-event f name direction terminal?))
+
+;; -> list of events
+(define (check-events who events)
+  (define all (if (list? events) events (list events)))
+  (for ([e (in-list all)])
+    (unless (event? e)
+      (complain who
+                "expected events; (event f) makes one of a function of the state\n  given: ~a"
+                (describe-with-value e))))
+  all)
+
+;; An event, when it happened and the state then; grazing? : did its function only touch zero?
+(value-struct occurrence (event time state grazing?)
+  #:datum (lambda (o)
+            (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o)))
+  #:notation (lambda (o see)
+               (statement (list 0 "event" (see (event-name (occurrence-event o))) "at"
+                                (see (occurrence-state o))))))
+
+(define-parts occurrence? "an occurrence, one of those that (trajectory-events tr) gives"
+  [event-of-it occurrence-event] [time-of-it occurrence-time]
+  [state-of-it occurrence-state] [grazing-at-it? occurrence-grazing?])
+
+;; An event whose function has no real value.
+(struct undefined (event) #:authentic)
+
+;; What is found within a step: `event`, or that it is undefined, `at` a place, from 0 to 1,
+;; or a time; grazing? : is zero only touched?
+(struct crossing (at event grazing?) #:authentic)
+
+;; so-far : the trajectory up to there
+(define (raise-undefined e t state so-far)
+  (raise-singular 'evolve-trajectory "the function of an event has no real value" so-far
+                  "event" e
+                  "time" t
+                  "state" state))
+
+;; ---------------------------------------------------------------------------
+
+;; The value of the event's function at the state, #f where it has none.
+(define (event-value who e state)
+  (define (value)
+    (define x ((event-f e) (flvector->structure state (state-vector who state))))
+    (check-event-value who e x)
+    x)
+  (with-handlers ([exn:fail:mechanics:singular? (lambda (x) #f)]
+                  [exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+    (value)))
+
+(define (check-event-value who e x)
+  (unless (or (number? x) (other-number? x))
+    (complain who "the value of an event's function is a real number\n  event: ~a\n  value: ~a~a"
+              (value->text e) (describe-with-value x)
+              (cond [(boolean? x) "\n  it passes through zero: (- a b) where (< a b) changes"]
+                    [(symbolic? x) symbols-hint]
+                    [else ""]))))

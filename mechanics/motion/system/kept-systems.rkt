@@ -1,0 +1,65 @@
+#lang racket/base
+;; Systems kept with the state derivatives that they were made of.
+;;
+;; To evolve a system again costs the integration alone: what was traced and compiled for a
+;; state derivative is found with it as long as somebody holds it.  What it refers to may have
+;; changed, though: a mass that was set anew, a table that was filled.  So its values at two
+;; points are kept as well, and must be the same to the last digit; of a Lagrangian's state
+;; derivative those of the Lagrangian's gradient, which take less; of a constrained one those of
+;; the constraints as well.  One that decides by numbers is not kept, since two points may not
+;; show what became of its decisions.
+
+(require racket/list
+         "../../calculus/gradient.rkt"
+         "../../compile/checking.rkt"
+         "../../error/failure.rkt" "../../error/refusal.rkt"
+         "../../generic/up-down.rkt"
+         "../../lagrangian/state-derivative.rkt"
+         "../../value/shape.rkt")
+
+(provide keeping-system clear-kept-systems)
+
+;; shape  : a state; mark : what else a system was made for; points : flvectors
+;; values : of the function watched there; system : what was made
+(struct kept (shape mark points values system) #:authentic)
+
+;; state derivative -> its latest systems, for states of different shapes
+(define table (box (make-ephemeron-hasheq)))
+(define (clear-kept-systems) (set-box! table (make-ephemeron-hasheq)))
+(define most-shapes 4)
+
+;; (make) : -> a system; (keep? system), (good? system) : may it be kept, and used for the state?
+;; watched : function of the state; mark : compared by equal?
+(define (keeping-system derivative state #:make make #:keep? keep? #:good? good?
+                        #:watched [watched (watched-of derivative)] #:mark [mark #f])
+  (define known (hash-ref (unbox table) derivative '()))
+  (define same
+    (findf (lambda (k) (and (same-shape? (kept-shape k) state) (equal? mark (kept-mark k)))) known))
+  (cond [(and same (unchanged? watched same) (good? (kept-system same))) (kept-system same)]
+        [else
+         (define s (make))
+         (define k (and (keep? s) (keep watched state mark s)))
+         (define others (remq same known))
+         (hash-set! (unbox table) derivative
+                    (if k (cons k (first-few others)) others))
+         s]))
+
+(define (first-few known) (take known (min (length known) (- most-shapes 1))))
+
+(define (watched-of derivative)
+  (if (Lagrangian-derivative? derivative)
+      (gradient (Lagrangian-derivative-Lagrangian derivative))
+      derivative))
+
+;; #f where the function has no value at one of the points.
+(define (keep watched state mark s)
+  (define points (points-about (structure->flvector state (lambda (x) 0.0)) (shape-length state)))
+  (define values (values-at watched state points))
+  (and values (kept state mark points values s)))
+
+(define (unchanged? watched k)
+  (equal? (kept-values k) (values-at watched (kept-shape k) (kept-points k))))
+
+(define (values-at f state points)
+  (with-handlers ([no-value? (lambda (e) #f)] [raised? (lambda (e) #f)])
+    (for/list ([v (in-list points)]) (scalars (f (flvector->structure state v))))))

@@ -1,0 +1,78 @@
+#lang racket/base
+;; A state derivative ready for integration, and what methods are given of it.
+
+(require "manifold.rkt"
+         "../../numeric/ode/differentiated.rkt" "../../numeric/ode/expandable.rkt"
+         "../../numeric/ode/stepper.rkt"
+         "../../value/shape.rkt")
+
+(provide (struct-out system)
+         system-right-hand-side system-method system-state system-size system-expand check-start
+         for-one-integration call-for-passage)
+
+;; shape : a state; clock? : is its first scalar the time, with derivative 1?
+;; derivative     : state -> state
+;; make-slope!    : -> (y dy -> void), for one integration
+;; make-jacobian! : -> (y J -> void), for one integration, or #f if there are differences only;
+;;                  compiled when first asked for
+;; operations     : how many flonum operations its rates take, or #f
+;; expander       : -> expander (numeric/jet/expansion.rkt), or a string that says why there
+;;                  is none; found out when first asked for
+;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
+;; spares         : a box of right-hand sides that no integration uses any more
+;; separable      : a box: was that found out (separable.rkt)?
+;; own            : its right-hand side in one integration, or #f
+(struct system (shape clock? derivative make-slope! make-jacobian! operations expander corrections
+                spares separable own)
+  #:authentic)
+
+;; What a method integrates.
+(define (system-right-hand-side s m)
+  (cond [(eq? 'jacobian (method-asks m))
+         (define slope! ((system-make-slope! s)))
+         (define n (system-size s))
+         (differentiated slope!
+                         (when-asked
+                          (lambda () (or ((system-make-jacobian! s)) (differences slope! n)))))]
+        [else (or (system-own s) (new-right-hand-side s))]))
+
+(define (new-right-hand-side s) (expandable ((system-make-slope! s)) (system-expand s)))
+
+;; What makes Taylor coefficients of motions, or a string that says why there are none.
+(define (system-expand s) ((system-expander s)))
+
+;; What integrates it by a method.
+(define (system-method s m) (method-on m (system-corrections s) (system-size s)))
+
+;; s for one integration: a method that is tried goes on with what it worked out.
+(define (for-one-integration s) (with-own s (new-right-hand-side s)))
+
+;; (use s'), s' being s for one integration of which no interpolant is kept: what it works with,
+;; which takes longer to make than a few steps, is left to the next.
+(define (call-for-passage s use)
+  (define spares (system-spares s))
+  (define f! (or (take-spare! spares) (new-right-hand-side s)))
+  (begin0 (use (with-own s f!))
+          (rest! f!)
+          (give-back! spares f!)))
+
+(define (take-spare! spares)
+  (define all (unbox spares))
+  (cond [(null? all) #f]
+        [(box-cas! spares all (cdr all)) (car all)]
+        [else (take-spare! spares)]))
+
+;; Those of one integration are kept, a few.
+(define (give-back! spares f!)
+  (define all (unbox spares))
+  (when (< (length all) 8) (box-cas! spares all (cons f! all))))
+
+(define (with-own s f!)
+  (struct-copy system s [own f!]))
+
+;; Does a motion begin where it can?
+(define (check-start who s y) (check-on who (system-corrections s) y (system-state s y)))
+
+(define (system-state s y) (flvector->structure (system-shape s) y))
+
+(define (system-size s) (shape-length (system-shape s)))

@@ -1,0 +1,92 @@
+#lang racket/base
+;; Steps that crawl, because rounding in f is more than what is tolerated of a step.
+;;
+;; Near a place where a formula is 0/0 the slope has few digits left.  The error of a step is no
+;; shorter step's to mend then: a step of length h is wrong by h δ, where δ is what rounding
+;; makes of f, and h is made so short that this is tolerated.  The nearer the place, the shorter
+;; the steps, and an integration would go on for ever.
+;;
+;; What is looked at is a long row of steps that are much shorter than the longest, and get shorter
+;; still: a stiff system takes as many short ones, each a little wrong by rounding, and arrives.
+;; δ is what the sixth difference of f tells within a part of such a step, where nothing else is
+;; left of it.
+
+(require racket/flonum
+         "../flvector.rkt")
+
+(provide make-crawl crawls? rounding-exceeds?)
+
+;; longest     : of the steps so far
+;; short       : how many there are in the present row
+;; half        : when its lengths are compared, those of so many are to be the later ones
+;; early, late : the sums of lengths in both halves
+(struct crawl ([longest #:mutable] [short #:mutable] [half #:mutable]
+               [early #:mutable] [late #:mutable])
+  #:authentic)
+
+(define (make-crawl) (crawl 0.0 0 first-half 0.0 0.0))
+
+(define (begin-row! c)
+  (set-crawl-short! c 0)
+  (set-crawl-half! c first-half)
+  (set-crawl-early! c 0.0)
+  (set-crawl-late! c 0.0))
+
+(define much-shorter 1e-4)
+(define still-shorter 0.9)
+(define first-half 500)
+(define most-half 32000)
+
+;; Told of a step of length h: is it the last of a long row of short ones, which get shorter?
+;; Where a row does not tell, one of twice its length may: lengths fall as powers of the number
+;; of steps do.
+(define (crawls? c h)
+  (cond [(fl> h (fl* much-shorter (crawl-longest c)))
+         (when (fl> h (crawl-longest c)) (set-crawl-longest! c h))
+         (unless (eq? (crawl-short c) 0) (begin-row! c))
+         #f]
+        [else
+         (count-short! c h)
+         (and (= (crawl-short c) (* 2 (crawl-half c)))
+              (begin0 (fl< (crawl-late c) (fl* still-shorter (crawl-early c)))
+                      (lengthen-row! c)))]))
+
+(define (count-short! c h)
+  (set-crawl-short! c (+ 1 (crawl-short c)))
+  (if (<= (crawl-short c) (crawl-half c))
+      (set-crawl-early! c (fl+ h (crawl-early c)))
+      (set-crawl-late! c (fl+ h (crawl-late c)))))
+
+(define (lengthen-row! c)
+  (cond [(= (crawl-half c) most-half) (begin-row! c)]
+        [else
+         (set-crawl-half! c (* 2 (crawl-half c)))
+         (set-crawl-early! c (fl+ (crawl-early c) (crawl-late c)))
+         (set-crawl-late! c 0.0)]))
+
+;; Is h δ a fair part of the tolerance, relative to 1 + |y|, and δ more than rounding makes of f
+;; where nothing cancels?
+(define (rounding-exceeds? f! y h tolerated)
+  (define n (flvector-length y))
+  (define (slope-at y)
+    (define dy (make-flvector n))
+    (f! y dy)
+    dy)
+  (define here (slope-at y))
+  (define slopes
+    (for/list ([j (in-range -3 4)])
+      (slope-at (along y (fl* (->fl j) (fl* part h)) here))))
+  (define usual (fl* usual-noise (greatest here)))
+  (for/or ([x (in-flvector y)] [i (in-naturals)])
+    (define sum
+      (for/fold ([sum 0.0]) ([s (in-list slopes)] [c (in-list sixth-difference)])
+        (fl+ sum (fl* c (flvector-ref s i)))))
+    (define noise (fl/ (flabs sum) size-of-difference))
+    (not (fl<= noise
+               (flmax usual (fl/ (fl* (fl* fair-part tolerated) (fl+ 1.0 (flabs x))) h))))))
+
+(define part (fl/ 1.0 32.0))
+(define sixth-difference '(1.0 -6.0 15.0 -20.0 15.0 -6.0 1.0))
+(define size-of-difference (flsqrt 924.0))
+(define fair-part 0.1)
+(define usual-noise 1e-12)

@@ -1,0 +1,98 @@
+#lang racket/base
+;; Motions through places where coordinates are singular and the motion is not: a top through
+;; the vertical, with Euler angles.
+
+(require (except-in rackunit fail)
+         mechanics)
+
+(define-values (A C gMR) (values 6.96e-4 1.32e-4 .112))
+(define L
+  (lambda (s)
+    (define-values (theta thetadot phidot psidot)
+      (values (ref s 1 0) (ref s 2 0) (ref s 2 1) (ref s 2 2)))
+    (- (+ (* 1/2 A (+ (square thetadot) (* (square phidot) (square (sin theta)))))
+          (* 1/2 C (square (+ psidot (* phidot (cos theta))))))
+       (* gMR (cos theta)))))
+
+;; p_φ = p_ψ = p, just more than what keeps the top upright
+(define p (* 1.1 (sqrt (* 4 A gMR))))
+(define by-momenta (Hamiltonian->state-derivative (Lagrangian->Hamiltonian L)))
+(define momenta-at-start (up 0.0 (up 0.01 0.0 0.0) (down 0.0 p p)))
+(define by-velocities (Lagrangian->state-derivative L))
+(define velocities-at-start
+  (let ([precession (/ p (* A (+ 1 (cos 0.01))))])
+    (up 0.0 (up 0.01 0.0 0.0) (up 0.0 precession (- (/ p C) (* precession (cos 0.01)))))))
+
+;; -> message and the time reached
+(define (failure-of derivative start tolerance method)
+  (with-handlers ([exn:fail:mechanics:singular?
+                   (lambda (e) (values (exn-message e) (trajectory-end
+                                                        (exn:fail:mechanics:singular-where e))))])
+    (evolve-trajectory derivative start 0.3 #:tolerance tolerance #:method method)
+    (values "no failure" 0.3)))
+
+(define what-helps
+  (string-append
+   "\n  singular where (ref (coordinate state) 0) is 0, of which the coordinates may be the cause,"
+   " not the motion\n  use coordinates that are regular there, such as Euler angles about another"
+   " axis or\n  quaternions; or a greater tolerance, which may step over it"))
+(define no-inverse
+  #rx"\n  the mass matrix has no inverse there\n  no inertia in the direction: [^\n]*\n")
+
+(define (check-names-the-angle message)
+  (check-regexp-match #rx"^evolve-trajectory: the motion cannot be followed any further\n" message)
+  (check-regexp-match (string-append (regexp-quote what-helps) "$") message))
+
+;; the vertical is passed at 0.27018525
+(test-case "at a tolerance below the rounding of the formulas, the singular angle is named"
+  (for* ([method '(auto Taylor)] [tolerance '(1e-13 1e-15)])
+    (define-values (message end) (failure-of by-momenta momenta-at-start tolerance method))
+    (check-names-the-angle message)
+    (check-regexp-match no-inverse message)
+    (check-= end 0.270185 1e-6))
+  (define-values (message end) (failure-of by-velocities velocities-at-start 1e-8 'auto))
+  (check-names-the-angle message))
+
+(test-case "steps do not crawl towards it for ever"
+  (for ([method '(Dormand-Prince-853 Dormand-Prince-54)])
+    (define-values (message end) (failure-of by-momenta momenta-at-start 1e-14 method))
+    (check-names-the-angle message)
+    (check-regexp-match
+     #rx"\n  rounding in the state derivative is more than the tolerance allows\n" message)
+    (check-true (< 0.26 end 0.2702))))
+
+(test-case "the usual tolerance steps over it"
+  ;; θ and φ from a formula in which nothing cancels, with 150 bits
+  (define s ((state-advancer (lambda () by-momenta)) momenta-at-start 0.3 1e-10))
+  (check-= (ref s 1 0) -0.001724638834188983 1e-11)
+  (check-= (ref s 1 1) 4.186231403299509 1e-7))
+
+;; One degree of freedom, where p_φ = p_ψ is a parameter.
+(define (reduced s)
+  (define-values (theta ptheta) (values (coordinate s) (momentum s)))
+  (+ (/ (square ptheta) (* 2 A))
+     (/ (square (* p (- 1 (cos theta)))) (* 2 A (square (sin theta))))
+     (* gMR (cos theta))))
+(define reduced-derivative (Hamiltonian->state-derivative reduced))
+
+(test-case "a formula that is 0/0: bridged by the usual method, and said to be by the other"
+  (define energy (reduced (up 0.0 0.01 0.0)))
+  (for ([tolerance '(1e-10 1e-15)])
+    (define tr
+      (evolve-trajectory reduced-derivative (up 0.0 0.01 0.0) 2 #:tolerance tolerance))
+    (check-= (coordinate (tr 2)) 0.00590727411111281 (if (< tolerance 1e-12) 1e-12 1e-9))
+    (check-= (reduced (tr 2)) energy 1e-10))
+  (define-values (message end) (failure-of reduced-derivative (up 0.0 0.01 0.0) 1e-12 'Taylor))
+  (check-regexp-match #rx"singular where [(]coordinate state[)] is 0, of which" message))
+
+(test-case "at half a turn it is named, too"
+  (define-values (message end)
+    (failure-of by-momenta (up 0.0 (up (- :pi 0.01) 0.0 0.0) (down 0.0 (- p) p)) 1e-15 'auto))
+  (check-regexp-match #rx"where [(]ref [(]coordinate state[)] 0[)] is π, of which" message))
+
+(test-case "a collision is not the coordinates' fault"
+  (define (falling-in s) (up 1 (velocity s) (/ -1 (square (coordinate s)))))
+  (for ([method '(auto Taylor Dormand-Prince-853)])
+    (define-values (message end) (failure-of falling-in (up 0 0.01 0) 1e-10 method))
+    (check-regexp-match #rx"cannot be followed any further" message)
+    (check-false (regexp-match? #rx"coordinates" message))))
