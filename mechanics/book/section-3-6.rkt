@@ -2,21 +2,39 @@
 ;; SICM 3.6, Surfaces of Section (pp. 239–263), in the reader's own language.
 
 (require mechanics
-         (only-in "section-3-5.rkt" H-pend-sysder))
+         (only-in "section-1-7.rkt" pend-state-derivative)
+         "../generic/compare.rkt" "../generic/wrong-argument.rkt"
+         "../motion/system/check.rkt")
 
 (provide driven-pendulum-map
          HHpotential HHHam HHsysder section->state HHmap
          make-advance find-next-crossing refine-crossing)
 
 ;; The periodically driven pendulum looked at once in each period of the drive, at phase 0
-;; (p. 247).  A negative frequency leads back.
+;; (p. 247).  A negative frequency leads back.  The pivot is at rest then, so that the momentum is
+;; m l² θ'; and in between Lagrange's equation, which has fewer products than Hamilton's two, leads
+;; from look to look.
 (define (driven-pendulum-map m l g A omega)
-  (define advance (state-advancer H-pend-sysder m l g A omega))
+  (check-pendulum m l g A omega)
+  (define advance (state-advancer pend-state-derivative m l g A omega))
   (define period (/ :2pi omega))
+  (define inertia (* m l l))
   (define angle (principal-value :pi))
-  (lambda (theta p_theta return fail)
-    (define next (advance (up 0 theta p_theta) period 1e-12))
-    (return (angle (coordinate next)) (momentum next))))
+  (define (strobe theta p_theta return fail)
+    (define next (advance (up 0 theta (/ p_theta inertia)) period 1e-12))
+    (return (angle (coordinate next)) (* inertia (velocity next))))
+  (procedure-rename strobe 'driven-pendulum-map)) ; by which it is known in messages
+
+(define (check-pendulum m l g A omega)
+  (define who 'driven-pendulum-map)
+  (check-parameters who '(m l g A omega) (list m l g A omega))
+  (for ([x (in-list (list m l omega))] [name (in-list '(m l omega))])
+    (when (zero? (comparand x))
+      (complain-of-argument who (format "a parameter ~a that is not 0" name) x))))
+
+(define (check-parameters who names values)
+  (for ([x (in-list values)] [name (in-list names)])
+    (check-real who (format "parameter ~a" name) (comparand x))))
 
 ;; ---------------------------------------------------------------------------
 ;; Hénon and Heiles: a star in the field of a galaxy, or any two degrees of freedom
@@ -47,15 +65,17 @@
 ;; is followed to int-eps.  Crossings are zeros of the polynomials that the motion is along its
 ;; steps: none is missed, whatever dt, and each is found to rounding, nearer than sec-eps.
 (define (HHmap E dt sec-eps int-eps)
+  (check-parameters 'HHmap '(E dt sec-eps int-eps) (list E dt sec-eps int-eps))
   (define next-crossing
     (Poincare-map (HHsysder) (upwards) #:tolerance int-eps))
-  (lambda (y p_y return fail)
+  (define (section y p_y return fail)
     (define start (section->state E y p_y))
     (cond [start
            (define crossing (next-crossing start))
            (return (ref (coordinate crossing) 1)
                    (ref (momentum crossing) 1))]
-          [else (fail)])))
+          [else (fail)]))
+  (procedure-rename section 'HHmap))
 
 (define (upwards)
   (event (lambda (s) (ref (coordinate s) 0)) #:direction 'rising #:name 'section))

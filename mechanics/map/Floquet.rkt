@@ -4,18 +4,17 @@
 ;; state, which follow from the variational equations (motion/linearized-flow).
 
 (require racket/flonum
+         "period.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
          "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../motion/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
+         "../motion/system/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
          "../motion/linearized-flow.rkt"
          "../numeric/constants.rkt" "../numeric/linear/general-eigenvalues.rkt"
          "../numeric/whole-turns.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
 
-(provide Floquet-multipliers
-         ;; for exponents
-         timed-state?)
+(provide Floquet-multipliers)
 
 ;; How far from closed an orbit may be, beside 1 + |x|.
 (define closed 1e-6)
@@ -26,6 +25,7 @@
   (define who 'Floquet-multipliers)
   (check-derivative who derivative state)
   (check-real who "period" period)
+  (check-period who derivative state period)
   (define first (if (timed-state? derivative state) 1 0))
   (define-values (end columns) (displaced derivative state first period tolerance))
   (check-closed who derivative state end first)
@@ -44,22 +44,16 @@
   (define end (structure->list (call-unwatched advance)))
   (values (car end) (map scalars (cdr end))))
 
-;; Is the first scalar of the state the time?
-(define (timed-state? f state)
-  (and (tuple? state) (eqv? (car (scalars (f state))) 1)))
-
 ;; An angle may come back a whole turn on; another coordinate, or a momentum, may not.
 (define (check-closed who derivative start end first)
   (define gap
     (for/fold ([most 0.0]) ([a (in-list (scalars start))] [b (in-list (scalars end))]
                             [k (in-naturals)] #:when (>= k first))
       (define x (real->double-flonum (comparand a)))
-      (define on (fl- (real->double-flonum (comparand b)) x))
-      (define off (fl/ (flabs (whole-turns-less on)) (fl+ 1.0 (flabs x))))
-      (flmax most
-             (if (and (fl< off closed) (angle? derivative start k))
-                 off
-                 (fl/ (flabs on) (fl+ 1.0 (flabs x)))))))
+      (define moved (fl- (real->double-flonum (comparand b)) x))
+      (define (beside d) (fl/ (flabs d) (fl+ 1.0 (flabs x))))
+      (define-values (all part) (values (beside moved) (beside (whole-turns-less moved))))
+      (flmax most (if (and (fl< part closed all) (angle? derivative start k)) part all))))
   (unless (fl< gap closed)
     (complain who
               (string-append "the orbit is not closed after that period; its ends are ~a apart"

@@ -11,31 +11,34 @@
 ;; are 0, and to the fluctuations of what it meets where it is chaotic.
 
 (require racket/flonum
-         "Floquet.rkt" "compiled-map.rkt" "jacobian.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
+         "compiled-map.rkt" "jacobian.rkt" "map-of-the-plane.rkt" "period.rkt" "plane-points.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../motion/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
+         "../generic/wrong-argument.rkt"
+         "../motion/system/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
          "../motion/linearized-flow.rkt"
          "../numeric/flvector.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
 
-(provide Lyapunov-exponents maximal-Lyapunov-exponent
-         Lyapunov? Lyapunov-values Lyapunov-history Lyapunov-change)
+(provide Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov?
+         (rename-out [values-of Lyapunov-values] [history-of Lyapunov-history]
+                     [change-of Lyapunov-change]))
 
 ;; values : by falling size; history : of (cons time values)
 (value-struct growth (values history)
   #:text (lambda (g) (growth->text g)))
 
 (define (Lyapunov? x) (growth? x))
-(define (checked who g)
-  (unless (growth? g) (raise-argument-error who "Lyapunov?" g))
-  g)
-(define (Lyapunov-values g) (growth-values (checked 'Lyapunov-values g)))
-(define (Lyapunov-history g) (growth-history (checked 'Lyapunov-history g)))
+
+(define-parts growth? "what Lyapunov-exponents or maximal-Lyapunov-exponent gives"
+  [values-of Lyapunov-values] [history-of Lyapunov-history] [change-of Lyapunov-change])
+
+(define (Lyapunov-values g) (growth-values g))
+(define (Lyapunov-history g) (growth-history g))
 
 ;; By how much the exponents have changed over the last half of the time.
 (define (Lyapunov-change g)
-  (define history (growth-history (checked 'Lyapunov-change g)))
+  (define history (growth-history g))
   (define later (list-tail history (quotient (length history) 2)))
   (for/fold ([most 0.0]) ([entry (in-list later)])
     (for/fold ([most most]) ([x (in-list (cdr entry))] [end (in-list (growth-values g))])
@@ -73,7 +76,7 @@
   (when interval (check-positive who "interval" interval))
   (define all (unit-displacements state (if (timed-state? f state) 1 0)))
   (unless (or (not count) (and (exact-positive-integer? count) (<= count (length all))))
-    (raise-argument-error who (format "how many exponents, at most ~a" (length all)) count))
+    (complain-of-argument who (format "how many exponents, at most ~a" (length all)) count))
   (define n (or count (length all)))
   (define T (real->double-flonum (comparand duration)))
   (define steps (if interval (max 1 (exact-round (/ T (comparand interval)))) 1000))
@@ -133,7 +136,7 @@
 
 (define (exponent-of-map who map start n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error who "how many steps of the map, a positive integer" n))
+    (complain-of-argument who "how many steps of the map, a positive integer" n))
   (define p (flvector (start-abscissa who start) (start-ordinate who start)))
   (define run! (tangent-stepper who map p))
   (define interval (max 1 (quotient n 1000)))

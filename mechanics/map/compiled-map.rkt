@@ -18,7 +18,8 @@
 ;; -> the map as a compiled function from (up x y) to (up x y), or #f
 (define (compile-map map x y)
   (define (no-image) (complain 'map "a point without an image"))      ; a refusal
-  (define (image point) (map (ref point 0) (ref point 1) up no-image))
+  (define (image point)
+    (image-or-else 'map map (ref point 0) (ref point 1) up no-image))
   (compile-traced image (up x y) #:name 'iterated-map))
 
 ;; -> (p -> is there an image?), which moves the point in the flvector p to its image, a point

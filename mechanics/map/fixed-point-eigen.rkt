@@ -5,6 +5,7 @@
 (require "jacobian.rkt" "map-of-the-plane.rkt"
          "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/finite.rkt")
 
 (provide fixed-point-eigen)
@@ -17,7 +18,7 @@
   (define-values (x y step) (apply values (for/list ([z (in-list (list xe ye eps))])
                                             (define number (comparand z))
                                             (unless (finite? number)
-                                              (raise-argument-error who "a real number" z))
+                                              (complain-of-argument who "a real number" z))
                                             number)))
   (unless (and (procedure? continue) (accepts? continue 6))
     (complain who "expected a procedure of two multipliers, each with a direction~a\n  given: ~a"

@@ -10,12 +10,15 @@
 (require racket/flonum
          "jacobian.rkt" "map-on-tuples.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/linear/general-eigenvalues.rkt"
          "../numeric/search/newton.rkt")
 
 (provide find-fixed-point fixed-point?
-         fixed-point-coordinates fixed-point-period fixed-point-multipliers fixed-point-kind
-         fixed-point-rotation-angle fixed-point-determinant fixed-point-error
+         (rename-out [coordinates-of fixed-point-coordinates] [period-of fixed-point-period]
+                     [multipliers-at fixed-point-multipliers] [kind-at fixed-point-kind]
+                     [rotation-angle-at fixed-point-rotation-angle]
+                     [determinant-at fixed-point-determinant] [error-of fixed-point-error])
          ;; for those who look for many, or go on from one
          fixed-point-near fixed-point-map fixed-point-angles fixed-point-matrix)
 
@@ -25,9 +28,15 @@
               (coordinates period multipliers kind determinant error matrix angles map)
   #:text (lambda (p) (fixed-point->text p)))
 
+(define-parts fixed-point? "a fixed point, as find-fixed-point finds one"
+  [coordinates-of fixed-point-coordinates] [period-of fixed-point-period]
+  [multipliers-at fixed-point-multipliers] [kind-at fixed-point-kind]
+  [rotation-angle-at fixed-point-rotation-angle]
+  [determinant-at fixed-point-determinant] [error-of fixed-point-error])
+
 (define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])
   (unless (exact-positive-integer? period)
-    (raise-argument-error 'find-fixed-point "a period, a positive integer" period))
+    (complain-of-argument 'find-fixed-point "a period, a positive integer" period))
   (fixed-point-near 'find-fixed-point map guess period tolerance))
 
 ;; Newton's method for the displacement, the derivatives being exact where the map can be
@@ -79,7 +88,6 @@
 
 ;; By which neighbours of an elliptic point turn about it in a period; #f of others
 (define (fixed-point-rotation-angle p)
-  (unless (fixed-point? p) (raise-argument-error 'fixed-point-rotation-angle "fixed-point?" p))
   (and (eq? (fixed-point-kind p) 'elliptic)
        (abs (angle (car (fixed-point-multipliers p))))))
 

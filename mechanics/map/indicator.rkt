@@ -13,7 +13,7 @@
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
          "../error/complain.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          (only-in "../value/structure.rkt" ref))
 
 (provide fast-Lyapunov-indicator indicator-grid)
@@ -29,7 +29,7 @@
 
 (define (check-steps who n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error who "how many steps of the map, a positive integer" n)))
+    (complain-of-argument who "how many steps of the map, a positive integer" n)))
 
 ;; Of a grid of starts, xs by ys, flvectors -> flvector, row by row
 (define (indicator-grid who map xs ys n)
@@ -90,7 +90,7 @@
 ;; -> (-> step!), for one thread each; is it compiled?
 (define (displacement-stepper who map x y)
   (define (no-image) (complain who "a point without an image"))       ; a refusal
-  (define (image p) (map (ref p 0) (ref p 1) up no-image))
+  (define (image p) (image-or-else who map (ref p 0) (ref p 1) up no-image))
   (define (moved p)
     (define-values (to change)
       (value-and-derivative-along image (up (ref p 0) (ref p 1)) (up (ref p 2) (ref p 3))))
@@ -111,8 +111,8 @@
 
 ;; Of a map that cannot be compiled.
 (define (called-displacement who map x y)
-  (define (image? x y) (map x y (lambda (x y) #t) (lambda () #f)))
-  (define step! (orbit-stepper map x y))
+  (define (image? x y) (image-or-none who map x y (lambda (x y) #t)))
+  (define step! (orbit-stepper map x y who))
   (lambda (p q)
     (define-values (x y) (values (flvector-ref p 0) (flvector-ref p 1)))
     (define-values (u v) (values (flvector-ref p 2) (flvector-ref p 3)))

@@ -22,11 +22,13 @@
          "circle-equation.rkt" "invariant-curve.rkt" "jacobian.rkt" "map-of-the-plane.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt" "../numeric/periodic.rkt")
 
 (provide invariant-circle invariant-circle? invariant-circle-error invariant-circle-modes
-         invariant-circle-ordinate)
+         invariant-circle-ordinate
+         ;; for their limits
+         circle-for)
 
 ;; x, y : (angle -> value): the curve is (θ + x(θ), y(θ)); modes : terms of its Fourier series
 ;; error : the greatest |T(k(θ)) − k(θ + ω)| where it was computed
@@ -40,7 +42,7 @@
 (define (invariant-circle-modes c) (circle-modes (checked 'invariant-circle-modes c)))
 
 (define (checked who c)
-  (unless (circle? c) (raise-argument-error who "invariant-circle?" c))
+  (unless (circle? c) (complain-of-argument who "a circle, as invariant-circle finds one" c))
   c)
 
 (define (point-at c angle)
@@ -49,7 +51,7 @@
 
 (define (flonum who x)
   (define number (comparand x))
-  (unless (finite? number) (raise-argument-error who "a real number" x))
+  (unless (finite? number) (complain-of-argument who "a real number" x))
   (real->double-flonum number))
 
 ;; The ordinate of the circle at an abscissa, by the secant method.
@@ -86,14 +88,17 @@
 ;; between : two ordinates, at the angle 0, with the circle between them
 (define-plain (invariant-circle map rotation-number #:between [between #f]
                                 #:most-modes [most 4096])
-  (define who 'invariant-circle)
+  (circle-for 'invariant-circle map rotation-number between most))
+
+(define (circle-for who map rotation-number between most)
   (check-map who map)
   (define rotation (flonum who rotation-number))
   (define omega (fl* :2pi rotation))
   (define-values (low high) (ends who between omega))
   (check-keeps-areas who map (list (list 0.1 low) (list 1.0 omega) (list 4.0 high))
                      "invariant circles")
-  (define J (flonum who (find-invariant-curve map rotation 0 low high 1e-9)))
+  (check-irrational who rotation)
+  (define J (flonum who (curve-between who map rotation 0 low high 1e-9 between-hint)))
   (define equation (circle-equation who map J omega))
   (define orbit (curve-of-orbit map J omega))
   (define (found x y error)
@@ -110,12 +115,26 @@
           [last? (raise-none who rotation error (quotient n 2))]
           [else (refine (* 2 n) x y error)])))
 
+(define between-hint
+  "\n  #:between (list low high) says between which ordinates it is, at the abscissa 0")
+
 (define (raise-none who rotation error modes)
   (raise-not-convergent who
                         (string-append "no smooth invariant circle was found with so many terms; "
                                        "it may have broken up")
                         #f error #:show? #f
                         "rotation number" rotation "residual" error "terms" modes))
+
+;; On a circle whose rotation number is a fraction all orbits would be periodic; of such circles a
+;; map keeps none but those that it turns like a rotation.
+(define (check-irrational who rotation)
+  (define fraction (rationalize (inexact->exact rotation) 1/1000000000000))
+  (when (<= (denominator fraction) 100)
+    (complain who
+              (string-append "a circle that is kept has an irrational rotation number; this is ~a"
+                             "\n  given: ~a\n  (periodic-points map ~a region) finds what is left of "
+                             "such a circle")
+              fraction rotation (denominator fraction))))
 
 ;; Where actions are the angles by which they turn, as in the standard map, half a radian on both
 ;; sides of the rotation's is usually enough.

@@ -11,32 +11,37 @@
 (require racket/flonum
          "compiled-map.rkt" "map-of-the-plane.rkt"
          "../error/complain.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt"
          "../search/find-root.rkt")
 
-(provide find-invariant-curve which-way?)
+(provide find-invariant-curve which-way?
+         ;; for invariant circles
+         curve-between)
 
 ;; -> the action at the angle theta0
 (define (find-invariant-curve map rotation-number theta0 Jmin Jmax eps)
-  (define who 'find-invariant-curve)
+  (curve-between 'find-invariant-curve map rotation-number theta0 Jmin Jmax eps))
+
+;; hint : what else may be done where there is none
+(define (curve-between who map rotation-number theta0 Jmin Jmax eps [hint ""])
   (check-map who map)
   (for ([x (in-list (list rotation-number theta0 Jmin Jmax))]
         [what (in-list '("rotation number" "angle" "least action" "greatest action"))])
     (unless (finite? (comparand x))
-      (raise-argument-error who (format "a real number as ~a" what) x)))
+      (complain-of-argument who (format "a real number as ~a" what) x)))
   (define (ahead J) (which-way? rotation-number theta0 J map))
   (define-values (low high) (values (ahead Jmin) (ahead Jmax)))
-  (when (= low high (if (= low 0) 1 low)) (raise-no-bracket who rotation-number Jmin Jmax low))
+  (when (= low high (if (= low 0) 1 low)) (raise-no-bracket who rotation-number Jmin Jmax low hint))
   (bisect ahead Jmin Jmax eps))
 
-(define (raise-no-bracket who rotation-number Jmin Jmax way)
+(define (raise-no-bracket who rotation-number Jmin Jmax way hint)
   (complain who
             (string-append
              "the orbits from both ends are ~a the rotation: no curve is between them"
-             "\n  rotation number: ~a\n  actions: ~a and ~a")
+             "\n  rotation number: ~a\n  actions: ~a and ~a~a")
             (if (> way 0) "ahead of" "behind") (value->text rotation-number)
-            (value->text Jmin) (value->text Jmax)))
+            (value->text Jmin) (value->text Jmax) hint))
 
 ;; 1 if the orbit from (x0, y0) is found ahead of the rotation, -1 if behind, 0 if neither
 ;; within so many steps

@@ -15,7 +15,7 @@
          "plane-points.rkt" "unstable-manifold.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../numeric/finite.rkt" "../numeric/whole-turns.rkt"
          "../search/find-root.rkt"
          (only-in "../value/structure.rkt" ref))
@@ -184,10 +184,10 @@
       (complain who "the stable manifold is followed backwards: give the inverse map, #:inverse"))
     (check-map who inverse)
     (check-inverse who map inverse (fixed-point-coordinates p)))
-  (unless (memv side '(1 -1)) (raise-argument-error who "one of the branches 1 and -1" side))
+  (unless (memv side '(1 -1)) (complain-of-argument who "one of the branches 1 and -1" side))
   (for ([x (in-list (list length gap))] [what (in-list '("length" "gap"))])
     (unless (and (finite? (comparand x)) (positive? (comparand x)))
-      (raise-argument-error who (format "a positive ~a" what) x))))
+      (complain-of-argument who (format "a positive ~a" what) x))))
 
 (define (raise-too-long who far count)
   (raise-not-convergent who "the branch has more points than allowed" far #f #:show? #f

@@ -35,7 +35,8 @@
   (define (iterated x y return fail)
     (if (< n worthwhile)
         (image-by-calls map n x y return fail)
-        (map x y (lambda (x y) (further (- n 1) x y return fail)) fail)))
+        (image-or-else 'iterated-map map x y
+                       (lambda (x y) (further (- n 1) x y return fail)) fail)))
   (define (datum) (list 'iterated-map (value->datum map) n))
   (define call
     (case-lambda [(x y return fail) (iterated x y return fail)]
@@ -48,11 +49,15 @@
                                     "to do where there are none; it was given ~a")
                      (counted n "argument")))
 
+;; The first call shows whether it is a map.
 (define (image-by-calls map n x y return fail)
-  (let loop ([n n] [x x] [y y])
+  (define (loop n x y)
     (if (eqv? n 0)
         (return x y)
-        (map x y (lambda (x y) (loop (- n 1) x y)) fail))))
+        (map x y (lambda (x y) (loop (- n 1) x y)) fail)))
+  (if (eqv? n 0)
+      (return x y)
+      (image-or-else 'iterated-map map x y (lambda (x y) (loop (- n 1) x y)) fail)))
 
 ;; -> an flvector, or #f if a coordinate is not a number
 (define (compiled-image code n x y)

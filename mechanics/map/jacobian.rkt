@@ -14,6 +14,7 @@
          "../compile/compile-function.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/whole-turns.rkt"
          "../numeric/search/differences.rkt"
          "../value/shape.rkt")
@@ -49,7 +50,7 @@
 
 (define (number-or-refuse x)
   (define n (comparand (innermost x)))
-  (if (rational? n) n (raise-argument-error 'map-jacobian "a number" x)))
+  (if (rational? n) n (complain-of-argument 'map-jacobian "a number" x)))
 
 (define (by-differences who image x y step)
   (define-values (by-x by-y)

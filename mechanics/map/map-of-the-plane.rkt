@@ -6,11 +6,12 @@
 ;; none.
 
 (require "../calculus/perturbed.rkt"
-         "../error/complain.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt" "../error/words.rkt"
          "../generic/compare.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt")
 
-(provide check-map image-of point-image-of check-image raise-no-image image-or-none)
+(provide check-map map-hint image-of point-image-of check-image raise-no-image image-or-none
+         image-or-else)
 
 (define (check-map who map)
   (unless (and (procedure? map) (accepts? map 4))
@@ -18,17 +19,36 @@
               (string-append "expected a map, a procedure of two "
                              "coordinates and of two procedures"
                              "\n  given: ~a~a")
-              (describe-with-value map)
-              (if (and (procedure? map) (accepts? map 2))
-                  "\n  its image goes to the third argument: (define (map x y return fail) ...)"
-                  ""))))
+              (describe-function map)
+              (if (pointwise? map) (map-hint map) ""))))
+
+;; What may have been meant by a function of another number of arguments.
+(define (map-hint f)
+  (cond [(or (accepts? f 2) (accepts? f 3))
+         "\n  its image goes to the third argument: (define (map x y return fail) ...)"]
+        [(gives-functions? f)
+         (format "\n  parameters are supplied first: (~a ...)" (value->text f))]
+        [(of-states? f)
+         (string-append
+          "\n  it takes a state; with it a map of the plane is (define (map q p return fail) "
+          "(let ((s (f (up 0 q p)))) (return (coordinate s) (momentum s))))")]
+        [else ""]))
+
+;; Is it a map made of a motion (section.rkt)?
+(define (of-states? f)
+  (define d (value->datum f))
+  (and (pair? d) (memq (car d) '(stroboscopic-map Poincare-map)) #t))
+
+;; Has it parameters, as (standard-map K) has one?
+(define (gives-functions? f)
+  (define n (for/first ([n (in-list '(1 5 6))] #:when (accepts? f n)) n))
+  (and n
+       (with-handlers ([refusal? (lambda (e) #f)])
+         (pointwise? (apply f (for/list ([_ (in-range n)]) 1))))))
 
 ;; -> (up x' y'), of real numbers, which may be being differentiated
 (define (point-image-of who map x y)
   (define image (image-of who map x y up))
-  (unless (and (structure? image) (= 2 (structure-length image)))
-    (complain who "the map does not call `return` with the two coordinates of the image\n  ~a: ~a"
-              "map" (value->text map)))
   (check-image who map (vector->list (structure-elements image)))
   image)
 
@@ -41,7 +61,7 @@
 
 ;; -> (receive x' y'), where the map has an image
 (define (image-of who map x y receive)
-  (map x y receive (lambda () (raise-no-image who map x y))))
+  (image-or-else who map x y receive (lambda () (raise-no-image who map x y))))
 
 (define (raise-no-image who map x y)
   (complain who "the map has no image of a point that is needed\n  map: ~a\n  point: ~a"
@@ -50,39 +70,45 @@
 ;; ---------------------------------------------------------------------------
 ;; Maps that may be written wrongly
 
+;; -> (receive x' y'), or #f where the map has no image, which is one of numbers
+(define (image-or-none who map x y receive)
+  (image-or-else who map x y
+                 (lambda (x* y*)
+                   (unless (and (number? (comparand x*)) (number? (comparand y*)))
+                     (raise-misused who map x y (list x* y*) no-coordinates))
+                   (receive x* y*))
+                 (lambda () #f)))
+
+(define no-coordinates
+  "the map calls `return` with other things than the coordinates of an image")
+
 (define nowhere (string->uninterned-symbol "nowhere"))
 
-;; -> (receive x' y'), or #f where the map has no image; who complains of a map that does not
-;; end by calling one of its procedures, once and as it should
-(define (image-or-none who map x y receive)
+;; -> (receive x' y'), or (none); who complains of a map that does not end by calling one of its
+;; procedures, once and as it should
+(define (image-or-else who map x y receive none)
   (define calls 0)
   (define answer #f)
-  (define ((answered-by image) . given)
+  (define (answered by)
     (set! calls (+ calls 1))
-    (set! answer (image given))
-    answer)
-  (define (return given) (checked-image who map x y given))
-  (define (fail given) (checked-failure who map x y given))
-  (define value (map x y (answered-by return) (answered-by fail)))
+    (set! answer by)
+    by)
+  (define return
+    (case-lambda [(x* y*) (answered (cons x* y*))]
+                 [given (raise-misused who map x y given no-coordinates)]))
+  (define fail
+    (case-lambda [() (answered nowhere)]
+                 [given (raise-misused who map x y given
+                                       "the map calls `fail` with arguments; it takes none")]))
+  (define value (map x y return fail))
   (cond [(= calls 0) (raise-silent who map x y value)]
         [(> calls 1)
          (raise-misuse who map x y "the map calls `return` or `fail` more than once for one point")]
         [(not (eq? value answer))
          (raise-misuse who map x y (string-append "the map goes on after it has called `return` or "
                                                   "`fail`; what these give is to be its value"))]
-        [(eq? answer nowhere) #f]
+        [(eq? answer nowhere) (none)]
         [else (receive (car answer) (cdr answer))]))
-
-(define (checked-image who map x y given)
-  (unless (and (= (length given) 2) (for/and ([z (in-list given)]) (number? (comparand z))))
-    (raise-misused who map x y given
-                   "the map calls `return` with other things than the coordinates of an image"))
-  (cons (car given) (cadr given)))
-
-(define (checked-failure who map x y given)
-  (unless (null? given)
-    (raise-misused who map x y given "the map calls `fail` with arguments; it takes none"))
-  nowhere)
 
 (define (raise-misuse who map x y what . more)
   (complain who "~a\n  map: ~a\n  point: ~a~a" what (value->text map) (value->text (up x y))
@@ -95,6 +121,8 @@
 (define (raise-silent who map x y value)
   (raise-misuse who map x y "the map calls neither `return` nor `fail`"
                 (format "\n  value: ~a" (value->text value))
-                (if (or (tuple? value) (pair? value))
-                    "\n  the image goes to the third argument: (return x y)"
-                    "")))
+                (cond [(or (tuple? value) (pair? value))
+                       "\n  the image goes to the third argument: (return x y)"]
+                      [(pointwise? value)
+                       (format "\n  parameters are supplied first: (~a ...)" (value->text map))]
+                      [else ""])))

@@ -26,8 +26,8 @@
 (define (make-map-on-tuples who map at times)
   (define plane? (and (procedure? map) (accepts? map 4)))
   (unless (or plane? (and (procedure? map) (accepts? map 1)))
-    (complain who "expected a map of the plane, or a function of a state\n  given: ~a"
-              (describe-with-value map)))
+    (complain who "expected a map of the plane, or a function of a state\n  given: ~a~a"
+              (describe-function map) (if (pointwise? map) (map-hint map) "")))
   (define start (point-numbers who at plane?))
   (define once (if plane? (plane-image who map) (state-image who map at)))
   (define (image p) (for/fold ([p p]) ([_ (in-range times)]) (once p)))
@@ -50,7 +50,20 @@
                   "")))
   (define image (scalars value))
   (check-image who map image)
+  (when (and (timed? at) (eqv? 1 (car image)) (eqv? 1 (car (scalars (map (later at))))))
+    (raise-rates who map))
   (apply up (if (timed? at) (cdr image) image)))
+
+;; The rate of the time is 1 at any time.
+(define (later state)
+  (define all (list->vector (scalars state)))
+  (scalars->structure state (lambda (k) (if (= k 0) (+ 1 (vector-ref all 0)) (vector-ref all k)))))
+
+(define (raise-rates who map)
+  (complain who
+            (string-append "a state derivative gives rates, it is no map of states\n  given: ~a\n"
+                           "  (stroboscopic-map f period) and (Poincare-map f event) make maps of it")
+            (value->text map)))
 
 ;; Tuples answer `procedure?`, too.
 (define (plain-procedure? x) (and (procedure? x) (not (tuple? x))))

@@ -18,6 +18,7 @@
  ["invariant-curve.rkt" find-invariant-curve which-way?]
  ["invariant-circle.rkt" invariant-circle invariant-circle? invariant-circle-error
                          invariant-circle-modes invariant-circle-ordinate]
+ ["circle-limit.rkt" invariant-circle-limit]
  ["rotation-number.rkt" rotation-number rotation? rotation-value rotation-error
                         rotation-regular? rotation-steps-needed]
  ["Floquet.rkt" Floquet-multipliers]

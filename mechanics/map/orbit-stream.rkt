@@ -28,7 +28,8 @@
 (define (orbit-stream map x y)
   (check-map 'orbit-stream map)
   (let orbit ([x x] [y y])
-    (stream-cons (list x y) (map x y orbit (lambda () empty-stream)))))
+    (stream-cons (list x y)
+                 (image-or-else 'orbit-stream map x y orbit (lambda () empty-stream)))))
 
 ;; For each point of the orbit how many points before it have a lesser angle, angles being
 ;; between cut - 2 pi and cut.  before : the angles of points before the first one, rising

@@ -6,7 +6,7 @@
 (require "fixed-points.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt")
 
 (provide periodic-points)
@@ -15,7 +15,7 @@
 (define-plain (periodic-points map n region #:grid [grid '(20 20)])
   (define who 'periodic-points)
   (check-map who map)
-  (unless (exact-positive-integer? n) (raise-argument-error who "a period, a positive integer" n))
+  (unless (exact-positive-integer? n) (complain-of-argument who "a period, a positive integer" n))
   (define-values (x-min x-max y-min y-max) (checked-region who region))
   (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))
     (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"

@@ -4,7 +4,7 @@
 
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt"
          "../value/principal-value.rkt")
 
@@ -18,12 +18,14 @@
 (define (ordinate p) (component-of 'ordinate p 1 cdr))
 
 ;; As flonums.
-(define (start-abscissa who p) (number who (abscissa p)))
-(define (start-ordinate who p) (number who (ordinate p)))
+(define (start-abscissa who p) (start-number who p (component-of who p 0 car)))
+(define (start-ordinate who p) (start-number who p (component-of who p 1 cdr)))
 
-(define (number who x)
+(define (start-number who p x)
   (define value (comparand x))
-  (unless (rational? value) (complain who "expected a point of real numbers"))
+  (unless (finite? value)
+    (complain who "expected a point of real numbers, such as (up 0.1 0.2)\n  given: ~a"
+              (describe-with-value p)))
   (real->double-flonum value))
 
 ;; Of a tuple of two, or of what cons made, as pictures take it.
@@ -52,7 +54,7 @@
 (define (nearness who eps across up)
   (define distance (comparand eps))
   (unless (and (finite? distance) (positive? distance))
-    (raise-argument-error who "a distance, a positive number" eps))
+    (complain-of-argument who "a distance, a positive number" eps))
   (define greatest (* distance distance))
   (procedure-rename
    (lambda (p q)

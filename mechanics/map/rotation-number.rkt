@@ -12,23 +12,25 @@
 
 (require racket/flonum
          "compiled-map.rkt" "map-of-the-plane.rkt" "map-on-tuples.rkt" "plane-points.rkt"
-         "../error/complain.rkt"
-         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../numeric/constants.rkt" "../numeric/finite.rkt" "../numeric/flvector.rkt"
+         "../generic/define-plain.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../numeric/constants.rkt" "../numeric/flvector.rkt"
          "../numeric/whole-turns.rkt")
 
-(provide rotation-number rotation? rotation-value rotation-error rotation-regular?
-         rotation-steps-needed)
+(provide rotation-number rotation?
+         (rename-out [value-of rotation-value] [error-of rotation-error]
+                     [steps-needed-by rotation-steps-needed] [regular? rotation-regular?]))
 
 ;; value : turns for each step; error : how much the means over the halves differ; steps : of
 ;; the orbit; steps-needed : with how many they agree, or #f if that was not seen
 (value-struct rotation (value error steps steps-needed)
   #:text (lambda (r) (rotation->text r)))
 
-(define (rotation-regular? r)
-  (unless (rotation? r) (raise-argument-error 'rotation-regular? "rotation?" r))
-  (and (rotation-steps-needed r) #t))
+(define-parts rotation? "what (rotation-number map start) gives"
+  [value-of rotation-value] [error-of rotation-error]
+  [steps-needed-by rotation-steps-needed] [regular? rotation-regular?])
+
+(define (rotation-regular? r) (and (rotation-steps-needed r) #t))
 
 ;; Means that differ by more are not those of a regular orbit.
 (define least-irregular 1e-5)
@@ -38,7 +40,7 @@
   (define who 'rotation-number)
   (check-map who map)
   (unless (and (exact-integer? n) (>= n 100))
-    (raise-argument-error who "the length of the orbit, an integer of 100 or more" n))
+    (complain-of-argument who "the length of the orbit, an integer of 100 or more" n))
   (define p (point who start))
   (define angle
     (if about (angle-about who map (point who about)) (lambda (p) (flvector-ref p 0))))
@@ -73,10 +75,7 @@
   (values (mean 0 n) (flabs (fl- (mean 0 half) (mean half n)))))
 
 (define (point who p)
-  (define-values (x y) (values (comparand (abscissa p)) (comparand (ordinate p))))
-  (unless (and (finite? x) (finite? y))
-    (complain who "expected a point (up x y) of real numbers; given ~a" (describe-with-value p)))
-  (flvector (real->double-flonum x) (real->double-flonum y)))
+  (flvector (start-abscissa who p) (start-ordinate who p)))
 
 ;; Counterclockwise.  Coordinates of the map that are angles are taken by the shorter way.
 (define (angle-about who map center)

@@ -9,12 +9,14 @@
 
 (require racket/flonum
          (only-in racket/list remove-duplicates)
+         "period.rkt"
          "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/once.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt"
-         "../motion/check.rkt" "../motion/event.rkt" "../motion/evolution.rkt"
-         "../motion/plan.rkt" "../motion/system.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/wrong-argument.rkt"
+         "../motion/system/check.rkt" "../motion/event/event.rkt" "../motion/event/event-watch.rkt"
+         "../motion/evolution.rkt" "../motion/plan.rkt" "../motion/run-system.rkt"
+         "../motion/system/system.rkt"
          "../search/implicit.rkt"
          "../value/shape.rkt")
 
@@ -118,7 +120,15 @@
 (define-plain (stroboscopic-map derivative period #:tolerance [tolerance 1e-12])
   (check-state-derivative 'stroboscopic-map derivative)
   (check-real 'stroboscopic-map "period" period)
+  (when (zero? (comparand period))
+    (complain-of-argument 'stroboscopic-map "a period that is not 0" period))
   (check-tolerance 'stroboscopic-map tolerance)
   (define advance (state-advancer (lambda () derivative)))
+  (define checked? #f)
+  (define (next state)
+    (unless checked?
+      (check-period 'stroboscopic-map derivative state period)
+      (set! checked? #t))
+    (advance state period tolerance))
   (unary-function (lambda () (list 'stroboscopic-map (value->datum derivative) period)) (state)
-    (advance state period tolerance)))
+    (next state)))

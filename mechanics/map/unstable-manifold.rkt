@@ -9,7 +9,7 @@
          "../calculus/perturbed.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt"
+         "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../numeric/finite.rkt")
 
 (provide unstable-manifold)
@@ -22,7 +22,7 @@
                     (finite-number given))))
   (check-stretch stretch A)
   (unless (positive? nearest)
-    (raise-argument-error 'unstable-manifold "a positive distance from the fixed point" eps))
+    (complain-of-argument 'unstable-manifold "a positive distance from the fixed point" eps))
   (unary-function (lambda () (list 'unstable-manifold (value->datum T) xe ye dx dy A eps)) (s)
     (define n (times-stretched (finite-number (innermost s)) stretch nearest))
     (define start (g:/ s (expt stretch n)))
@@ -38,7 +38,7 @@
 (define (finite-number given)
   (define x (comparand given))
   (unless (finite? x)
-    (raise-argument-error 'unstable-manifold "a real number" given))
+    (complain-of-argument 'unstable-manifold "a real number" given))
   x)
 
 (define (check-stretch A given)

@@ -3,7 +3,7 @@
 
 (require racket/flonum
          "frame.rkt" "layer.rkt" "style.rkt"
-         "../generic/on-demand.rkt"
+         "../generic/on-demand.rkt" "../generic/wrong-argument.rkt"
          "../map/map-of-the-plane.rkt")
 
 (require-on-demand ["../map/indicator.rkt" indicator-grid])
@@ -31,7 +31,7 @@
         [(and (list? samples) (= (length samples) 2) (andmap count? samples))
          (values (car samples) (cadr samples))]
         [else
-         (raise-argument-error
+         (complain-of-argument
           who "how many starts to a side, from 1 to 5000, or a list of two such numbers" samples)]))
 
 ;; The middles of equal parts.

@@ -1,16 +1,24 @@
 #lang racket/base
 ;; An exploration written as a program that draws it again.
 
-(require "exploration.rkt" "orbit-worker.rkt" "view.rkt")
+(require "exploration.rkt" "orbit-worker.rkt" "unknown-names.rkt" "view.rkt")
 
-(provide write-exploration)
+(provide write-exploration names-missing)
 
 ;; source : the expression of the map, a datum, or #f if it is not known
 ;; picture : the name of the file that the program writes
-(define (write-exploration e v source picture port)
+;; missing : names in the source that the program does not know, or why the source is none
+(define (write-exploration e v source picture port #:missing [missing '()])
   (define frame (frame-expression v (exploration-bounds e)))
-  (for ([text (list opening (orbits->text e) (format redrawing frame) (ending source picture))])
+  (for ([text (list opening (orbits->text e) (format redrawing frame)
+                    (ending source picture missing))])
     (write-string text port)))
+
+(define modules '(mechanics mechanics/book mechanics/plot))
+
+;; -> list of symbols, or a string
+(define (names-missing source namespace)
+  (if source (unknown-names source modules namespace) '()))
 
 (define opening
   "#lang racket/base
@@ -45,11 +53,18 @@
   win)
 ")
 
-(define (ending source picture)
-  (if source
-      (format "\n(module+ main\n  (graphics-save (redraw ~s) ~s))\n" source picture)
-      (format "\n;; (graphics-save (redraw map) ~s) draws it, of the map that was explored.\n"
-              picture)))
+(define (ending source picture missing)
+  (cond [(and source (pair? missing))
+         (format "\n;; Here the following are not known; with them this draws it:~a\n#;\n~a"
+                 (apply string-append (for/list ([name (in-list missing)]) (format " ~a" name)))
+                 (main source picture))]
+        [(and source (null? missing)) (string-append "\n" (main source picture))]
+        [else
+         (format "\n;; (graphics-save (redraw map) ~s) draws it, of the map that was explored.\n"
+                 picture)]))
+
+(define (main source picture)
+  (format "(module+ main\n  (graphics-save (redraw ~s) ~s))\n" source picture))
 
 (define (frame-expression v bounds)
   (define (given key value) (if value (list key value) '()))

@@ -4,6 +4,7 @@
 
 (require racket/class
          "exploration.rkt" "exploration-program.rkt" "frame.rkt" "view.rkt" "window-screen.rkt"
+         "../error/once.rkt" "../error/words.rkt"
          "../generic/on-demand.rkt")
 
 (require-on-demand #:in-this-thread
@@ -23,12 +24,15 @@
                 "without one orbits start where that is said: ")
   (define v (frame-view f))
   (define folder (current-directory))
+  (define namespace (current-namespace))
+  (define missing (once (lambda () (names-missing source namespace))))
   (open-explorer (or (view-title v) "explore-map") (view-width v) (+ 40 (view-height v))
                  (make-exploration map n (view-bounds v))
                  starts
                  (background f)
                  (lambda (e picture)
-                   (parameterize ([current-directory folder]) (save e v source picture)))
+                   (parameterize ([current-directory folder])
+                     (save e v source (missing) picture)))
                  (lambda (e) (draw-explored who e f))))
 
 (define (draw-explored who e f)
@@ -48,15 +52,23 @@
 
 ;; ---------------------------------------------------------------------------
 
+;; missing : what the source needs beside what the program knows (exploration-program.rkt)
 ;; -> what was written, or why not
-(define (save e v source picture)
+(define (save e v source missing picture)
   (define name (free-name 1))
   (define-values (image program) (values (string-append name ".png") (string-append name ".rkt")))
   (with-handlers ([exn:fail:filesystem? exn-message])
     (send picture save-file image 'png)
     (call-with-output-file program
-      (lambda (port) (write-exploration e v source image port)))
-    (format "written: ~a and ~a" image program)))
+      (lambda (port) (write-exploration e v source image port #:missing missing)))
+    (format "written: ~a and ~a~a" image program (what-is-missing program missing))))
+
+(define (what-is-missing program missing)
+  (cond [(null? missing) ""]
+        [(string? missing) (format "; what #:source gives is no expression: ~a" missing)]
+        [else
+         (format "; ~a does not know ~a: add ~a" program (joined (map symbol->string missing))
+                 (if (null? (cdr missing)) "its definition" "their definitions"))]))
 
 (define (free-name k)
   (define name (format "explored-~a" k))

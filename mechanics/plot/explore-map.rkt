@@ -5,7 +5,7 @@
          "coordinate.rkt" "frame.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/on-demand.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../map/map-of-the-plane.rkt")
 
 (require-on-demand ["../map/compiled-map.rkt" orbit-stepper]
@@ -24,7 +24,7 @@
   (define who 'explore-map)
   (check-exploration who f map (or n 0))
   (unless (exact-nonnegative-integer? color)
-    (raise-argument-error who "a small natural number as the first color" color))
+    (complain-of-argument who "a small natural number as the first color" color))
   (define given (if from (checked-starts who f from) '()))
   (define starts (append given (if grid (grid-starts who f grid) '())))
   (cond [(not n) (collect-orbits who f map given (list-tail starts (length given)) window?)]
@@ -82,11 +82,14 @@
   (check-open who f)
   (check-map who map)
   (unless (exact-nonnegative-integer? n)
-    (raise-argument-error who "how many points an orbit has, a natural number" n)))
+    (complain-of-argument who "how many points an orbit has, a natural number" n)))
 
 (define (checked-starts who f from)
   (unless (list? from)
-    (complain who "#:from is a list of points to start at; given ~a" (describe-with-value from)))
+    (complain who "#:from is a list of points to start at; given ~a~a" (describe-with-value from)
+              (if (tuple? from)
+                  (format "\n  one point in a list: (list ~a)" (value->text from))
+                  "")))
   (for/list ([p (in-list from)] [k (in-naturals)])
     (define-values (x y) (plane-point who (lambda () (format "start ~a" k)) p))
     (cons x y)))

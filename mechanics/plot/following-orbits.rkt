@@ -8,7 +8,7 @@
 
 (require "draw.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../map/map-of-the-plane.rkt")
 
 (provide default-collector default-monitor)
@@ -20,7 +20,7 @@
               (describe-with-value monitor)))
   (check-map 'default-collector map)
   (unless (exact-nonnegative-integer? n)
-    (raise-argument-error 'default-collector "how many images are followed, a natural number" n))
+    (complain-of-argument 'default-collector "how many images are followed, a natural number" n))
   (let follow ([n n] [x x] [y y])
     (monitor x y)
     (if (= n 0)

@@ -10,10 +10,11 @@
          (only-in racket/list remove-duplicates)
          racket/vector
          "contour.rkt" "coordinate.rkt" "frame.rkt"
+         (only-in "../algebra/expression/expression.rkt" symbolic?)
          "../calculus/derivative.rkt"
          (only-in "../compile/compile-function.rkt" compile-function compiled-function-runner)
-         "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
+         "../generic/describe.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../numeric/finite.rkt"
          (only-in "../value/structure.rkt" ref))
 
@@ -28,7 +29,7 @@
   (check-open who f)
   (check-function who energy 1)
   (unless (and (exact-nonnegative-integer? orbits) (<= orbits 500))
-    (raise-argument-error who "how many orbits, from 0 to 500" orbits))
+    (complain-of-argument who "how many orbits, from 0 to 500" orbits))
   (define bounds (frame-bounds f))
   (define h (energy-on-plane who energy bounds))
   (define resting (places-of-rest who energy bounds))
@@ -61,8 +62,9 @@
   (unless (real? now)
     (complain who
               (string-append "expected the energy of a system of one degree of freedom, a function "
-                             "of a state (up t q p)\n  its value: ~a")
-              (describe-with-value now)))
+                             "of a state (up t q p)\n  its value: ~a~a")
+              (describe-with-value now)
+              (if (symbolic? now) symbols-hint "")))
   (unless (< (abs (- now later)) (* 1e-9 (+ 1.0 (abs now))))
     (complain who
               (string-append "the energy depends on the time, so that orbits cross in this plane"

@@ -69,10 +69,10 @@
  [(Lyapunov-exponents (HHsysder) (section->state 1/8 0.1 0) -1)
   "Lyapunov-exponents: expected a positive duration\n  given: the number -1"]
  [(Lyapunov-exponents (HHsysder) (section->state 1/8 0.1 0) 10 #:count 7)
-  "Lyapunov-exponents: contract violation\n  expected: how many exponents, at most 4\n  given: 7"]
+  "Lyapunov-exponents: expected how many exponents, at most 4\n  given: the number 7"]
  [(maximal-Lyapunov-exponent (standard-map 1) (up 0 0) 1.5)
-  "maximal-Lyapunov-exponent: contract violation\n"
-  "  expected: how many steps of the map, a positive integer\n  given: 1.5"])
+  "maximal-Lyapunov-exponent: expected "
+  "how many steps of the map, a positive integer\n  given: the number 1.5"])
 
 (test-case "an orbit that is not closed has no multipliers"
   (check-exn (regexp (string-append "Floquet-multipliers: the orbit is not closed after "

@@ -102,10 +102,11 @@
   "  of: (up 3.0 0.1)\n  value: standard-map\n"
   "  parameters are supplied first: (standard-map ...)"]
  [(find-fixed-point (lambda (x y return fail) (list y x)) (up 1 2))
-  "find-fixed-point: the map does not call `return` with the two coordinates of the image\n"
-  "  map: <function>"]
+  "find-fixed-point: the map calls neither `return` nor `fail`\n  map: <function>\n"
+  "  point: (up 1.0 2.0)\n  value: (2.0 1.0)\n"
+  "  the image goes to the third argument: (return x y)"]
  [(find-fixed-point shift (up 1 2) #:period 0)
-  "find-fixed-point: contract violation\n  expected: a period, a positive integer\n  given: 0"]
+  "find-fixed-point: expected a period, a positive integer\n  given: the number 0"]
  [(periodic-points shift 2 '(1 0 0 1))
   "periodic-points: expected a region, (list x-min x-max y-min y-max)\n"
   "  given: (1 0 0 1), a list"])

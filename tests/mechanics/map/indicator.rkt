@@ -47,8 +47,8 @@
 
 (says
  [(fast-Lyapunov-indicator (standard-map 1) (up 0 0) 0)
-  "fast-Lyapunov-indicator: contract violation\n"
-  "  expected: how many steps of the map, a positive integer\n  given: 0"]
+  "fast-Lyapunov-indicator: expected "
+  "how many steps of the map, a positive integer\n  given: the number 0"]
  [(fast-Lyapunov-indicator sin (up 0 0))
   "fast-Lyapunov-indicator: expected a map, a procedure of two coordinates and of two procedures\n"
-  "  given: the procedure `sin`"])
+  "  given: the procedure `sin`, which takes 1 argument"])

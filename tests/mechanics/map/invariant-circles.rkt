@@ -76,6 +76,15 @@
                               (regexp-match? #rx"it may have broken up" (exn-message e))))
              (lambda () (invariant-circle (standard-map 1.1) golden #:most-modes 256))))
 
+(test-case "up to which parameter a circle is found: nearer to where it breaks up with more terms"
+  (define (limit most)
+    (invariant-circle-limit standard-map golden 0.93 1.0 #:tolerance 0.01 #:most-modes most))
+  (define-values (few many) (values (limit 512) (limit 2048)))
+  (check-true (< (car few) (car many) 0.971635406))
+  (check-true (< 0 (- (cadr many) (car many)) 0.01))
+  (check-true (invariant-circle? (invariant-circle (standard-map (car many)) golden
+                                                   #:most-modes 2048))))
+
 (test-case "rotation numbers of regular orbits"
   (define r (rotation-number (standard-map 0.95) (up 0 2.1144605494391726)))
   (check-true (rotation-regular? r))
@@ -112,20 +121,42 @@
   (check-regexp-match #rx"^rotation number about 0[.]4[0-9]*, if there is one:\n  the orbit does"
                       (format "~a" r)))
 
+(define (limit-of . arguments) (apply invariant-circle-limit arguments))
+
+(says
+ [(limit-of standard-map golden 0.5 0.6)
+  "invariant-circle-limit: the circle is there at both ends\n"
+  "  rotation number: 0.3819660112501052\n  greatest parameter: 0.6"]
+ [(limit-of (standard-map 0.5) golden 0.5 0.6)
+  "invariant-circle-limit: expected a family of maps, a function of one parameter such as "
+  "standard-map\n  given: the procedure `standard-map`, which takes 4 arguments"]
+ [(limit-of standard-map 1/3 0.5 1.0)
+  "invariant-circle-limit: a circle that is kept has an irrational rotation number; this is 1/3\n"
+  "  given: 0.3333333333333333\n"
+  "  (periodic-points map 3 region) finds what is left of such a circle"]
+ [(limit-of (lambda (k) k) golden 0.5 1.0)
+  "invariant-circle-limit: expected a map, a procedure of two coordinates and of two procedures\n"
+  "  given: the number 0.5"]
+ [(limit-of standard-map golden 'low 0.6)
+  "invariant-circle-limit: expected a real number as the parameter\n  given: the symbol low"]
+ [(invariant-circle-limit standard-map golden 0.9 1.0 #:tolerance 0)
+  "invariant-circle-limit: expected a tolerance, a positive number\n  given: the number 0"])
+
 (define (hole x y return fail) (if (< x 3) (return (+ x 1) y) (fail)))
 
 (says
  [(invariant-circle (standard-map 0.5) golden #:between 3)
   "invariant-circle: #:between is a list of two ordinates at the angle 0; given the number 3"]
  [(invariant-circle (standard-map 0.5) golden #:between '(2.7 3.0))
-  "find-invariant-curve: the orbits from both ends are ahead of the rotation: no curve is "
-  "between them\n  rotation number: 0.3819660112501052\n  actions: 2.7 and 3.0"]
+  "invariant-circle: the orbits from both ends are ahead of the rotation: no curve is "
+  "between them\n  rotation number: 0.3819660112501052\n  actions: 2.7 and 3.0\n"
+  "  #:between (list low high) says between which ordinates it is, at the abscissa 0"]
  [(rotation-number hole (up 0.5 0))
   "rotation-number: the map has no image of a point that is needed\n  map: hole\n"
   "  point: (up 3.5 0.0)"]
  [(rotation-number (standard-map 0.5) (up 0 0) 3)
-  "rotation-number: contract violation\n"
-  "  expected: the length of the orbit, an integer of 100 or more\n  given: 3"])
+  "rotation-number: expected "
+  "the length of the orbit, an integer of 100 or more\n  given: the number 3"])
 
 (define (shrinking theta I return fail)
   (define next (+ (* 0.9 I) 0.3 (* 0.5 (sin theta))))

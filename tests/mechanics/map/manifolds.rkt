@@ -73,9 +73,9 @@
   "invariant-manifold: expected a fixed point, as find-fixed-point finds one; given (up 0 0), "
   "an up tuple of 2"]
  [(invariant-manifold T saddle #:branch 2)
-  "invariant-manifold: contract violation\n  expected: one of the branches 1 and -1\n  given: 2"]
+  "invariant-manifold: expected one of the branches 1 and -1\n  given: the number 2"]
  [(invariant-manifold T saddle #:length -1)
-  "invariant-manifold: contract violation\n  expected: a positive length\n  given: -1"])
+  "invariant-manifold: expected a positive length\n  given: the number -1"])
 
 (test-case "an inverse that is none is found out"
   (define K (standard-map 1.4))

@@ -48,8 +48,8 @@
 
 (says
  [(chaos-map (section) (standard-map 1.0) 100 #:samples 0)
-  "chaos-map: contract violation\n"
-  "  expected: how many starts to a side, from 1 to 5000, or a list of two such numbers\n"
-  "  given: 0"]
+  "chaos-map: expected "
+  "how many starts to a side, from 1 to 5000, or a list of two such numbers\n"
+  "  given: the number 0"]
  [(chaos-map 3 (standard-map 1.0))
   "chaos-map: expected a frame, such as (frame 0 1 -1 1)\n  given: the number 3"])

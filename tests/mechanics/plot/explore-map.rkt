@@ -118,16 +118,16 @@
   "explore-map: start 0 is no point of the plane, such as (up x y) or (cons x y)\n"
   "  given: the number 3"]
  [(explore-map win T -1 #:from '())
-  "explore-map: contract violation\n  expected: how many points an orbit has, a natural number\n"
-  "  given: -1"]
+  "explore-map: expected how many points an orbit has, a natural number\n"
+  "  given: the number -1"]
  [(explore-map win T 1 #:from '() #:color -1)
-  "explore-map: contract violation\n  expected: a small natural number as the first color\n"
-  "  given: -1"]
+  "explore-map: expected a small natural number as the first color\n"
+  "  given: the number -1"]
  [(explore-map win T 1 #:grid 5)
   "explore-map: #:grid is a list of two numbers of starts, across and up; given the number 5"]
  [(explore-map win sin 1 #:grid '(5 5))
   "explore-map: expected a map, a procedure of two coordinates and of two procedures\n"
-  "  given: the procedure `sin`"])
+  "  given: the procedure `sin`, which takes 1 argument"])
 
 ;; ---------------------------------------------------------------------------
 ;; Collectors
@@ -168,7 +168,7 @@
   "default-collector: what shows points is a procedure of two coordinates; given the number 3"]
  [((default-collector void sin 10) 1 1 list void)
   "default-collector: expected a map, a procedure of two coordinates and of two procedures\n"
-  "  given: the procedure `sin`"]
+  "  given: the procedure `sin`, which takes 1 argument"]
  [((default-collector void T -1) 1 1 list void)
-  "default-collector: contract violation\n  expected: how many images are followed, a natural "
-  "number\n  given: -1"])
+  "default-collector: expected how many images are followed, a natural "
+  "number\n  given: the number -1"])

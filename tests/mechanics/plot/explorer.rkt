@@ -8,6 +8,7 @@
          "../support/display.rkt" "../support/skip.rkt")
 
 (define-runtime-path program "../runner/fixture/explorer.rkt")
+(define-runtime-path in-DrRacket "../runner/fixture/explorer-as-in-DrRacket.rkt")
 
 (skip-unless (eq? (system-type) 'unix) "this system has no displays that could be missing"
   (test-case "without a display there is a message, the same every time, and no window"
@@ -30,3 +31,11 @@
    "written: explored-1.png and explored-1.rkt" "closed, with its orbit in the frame" "redrawn"
    "other clicks do not wait" "says what failed"
    "told of 0.5" "told of 1.5" "told of 2.5" "told of 3.5" "and goes on" "done"))
+
+(skip-unless (find-executable-path "xdotool")
+             "xdotool (Debian: apt install xdotool) is not installed: nobody moves the mouse"
+  (test-windows
+   "as DrRacket runs a program: it waits, its value is a picture, Stop ends it"
+   in-DrRacket
+   '("shown" "the program waits" "closed, and the program goes on"
+     "its value is a picture of the orbits" "shown" "stopped" "and the window is gone")))

@@ -14,6 +14,7 @@
 
 (define-runtime-path figures "../../../examples/mechanics/figures")
 (define-runtime-path constraints "../../../examples/mechanics/constraints")
+(define-runtime-path manual "../../../scribblings/mechanics")
 
 (define (name-of file) (path->string (file-name-from-path file)))
 
@@ -21,6 +22,18 @@
   (for/list ([file (in-list (directory-list figures #:build? #t))]
              #:when (regexp-match? #rx"^[^.].*-.*[.]rkt$" (name-of file)))
     file))
+
+;; In the manual's sources
+(test-case "the manual leads to each figure"
+  (define text
+    (string-append*
+     (for/list ([f (in-directory manual)] #:when (path-has-extension? f #".scrbl"))
+       (file->string f))))
+  (check-equal? (for/list ([program (in-list programs)]
+                           #:unless (string-contains? text (string-append "figures/"
+                                                                          (name-of program))))
+                  (name-of program))
+                '()))
 
 (define-namespace-anchor here)
 
@@ -42,7 +55,7 @@
              "the shared libraries of racket/draw are not installed: no figures"
 
   (test-case "all figures are there"
-    (check-equal? (length programs) 63))
+    (check-equal? (length programs) 79))
 
   (for ([program (in-list programs)] [extension (in-cycle '("svg" "png" "pdf"))])
     (define name (name-of (path-replace-extension program #"")))

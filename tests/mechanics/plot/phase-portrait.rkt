@@ -65,4 +65,4 @@
   "plot-phase-portrait: the energy depends on the time, so that orbits cross in this plane\n"
   "  a stroboscopic-map shows them once in each period"]
  [(plot-phase-portrait win pendulum #:orbits -1)
-  "plot-phase-portrait: contract violation\n  expected: how many orbits, from 0 to 500\n  given: -1"])
+  "plot-phase-portrait: expected how many orbits, from 0 to 500\n  given: the number -1"])

@@ -7,7 +7,7 @@
          mechanics/plot
          (only-in mechanics/plot/exploration
                   make-exploration add-orbit! add-points! zoom! exploration->dots)
-         (only-in mechanics/plot/exploration-program write-exploration)
+         (only-in mechanics/plot/exploration-program names-missing write-exploration)
          (only-in mechanics/plot/frame frame-view)
          (only-in mechanics/plot/on-demand why-not)
          (only-in mechanics/plot/orbit-worker start-worker ask-worker stop-worker)
@@ -46,9 +46,10 @@
 
 (define (section) (frame 0 6.29 0 6.29 #:title "kicks" #:width 300 #:height 200))
 
-(define (save e source)
+(define (save e source [missing '()])
   (call-with-output-file "saved.rkt" #:exists 'truncate
-    (lambda (port) (write-exploration e (frame-view (section)) source "saved.png" port))))
+    (lambda (port)
+      (write-exploration e (frame-view (section)) source "saved.png" port #:missing missing))))
 
 (define (redrawn map)
   (define namespace (loaded-from here 'mechanics 'mechanics/book 'mechanics/plot))
@@ -99,6 +100,18 @@
    (check-redrawn e down)))
 
 ;; ---------------------------------------------------------------------------
+;; Names that the program does not know
+
+(define (missing source)
+  (names-missing source (loaded-from here 'mechanics 'mechanics/book 'mechanics/plot)))
+
+(test-case "names of the map's expression that the program does not know"
+  (check-equal? (missing '(standard-map 0.6)) '())
+  (check-equal? (missing #f) '())
+  (check-equal? (missing '(lambda (x y return fail) (return (+ x (* my-K y)) y))) '(my-K))
+  (check-regexp-match #rx"^if: bad syntax" (missing '(if))))
+
+;; ---------------------------------------------------------------------------
 ;; As a program
 
 ;; What the program prints, where no screen is.
@@ -117,6 +130,21 @@
        (plot-point f (cadr d) (caddr d) #:color (car d) #:size 1.0))
      (graphics-save f "expected.png")
      (check-equal? (file->bytes "saved.png") (file->bytes "expected.png"))))
+
+  (test-case "where it does not know a name it says so, runs, and with a definition draws"
+    (in-a-folder
+     (define unknown (missing '(my-map (* 2 K))))
+     (check-equal? unknown '(K my-map))
+     (save (explored T 5 starts) '(my-map (* 2 K)) unknown)
+     (check-equal? (run-saved) "")
+     (check-false (file-exists? "saved.png"))
+     (define text (file->string "saved.rkt"))
+     (check-regexp-match #rx"known; with them this draws it: K my-map\n#;\n[(]module[+] main" text)
+     (define completed
+       (regexp-replace "#;\n" text "(define K 0.3)\n(define my-map standard-map)\n"))
+     (display-to-file completed "saved.rkt" #:exists 'truncate)
+     (check-equal? (run-saved) "")
+     (check-true (file-exists? "saved.png"))))
 
   (test-case "without the expression of the map it tells how it is drawn"
     (in-a-folder
