@@ -26,14 +26,16 @@
   (check-both who H S)
   (make-function (residual who H S) 4 (lambda () (list who (value->datum H) (value->datum S)))))
 
-(define ((residual who H S) t q)
-  (define value (S t q))
-  (unless (scalar? value)
-    (complain who "the value of ~a is to be a number; it is ~a"
-              (value->text S) (describe-with-value value)))
-  (define state (up t q (derivative-at (lambda (q) (S t q)) q)))
-  (check-H-state who state)
-  (g:+ (derivative-at (lambda (t) (S t q)) t) (H state)))
+(define (residual who H S)
+  (define (value-at t q)
+    (define value (S t q))
+    (unless (scalar? value)
+      (complain who "the value of ~a is to be a number; it is ~a"
+                (value->text S) (describe-with-value value)))
+    (define state (up t q (derivative-at (lambda (q) (S t q)) q)))
+    (check-H-state who state)
+    (g:+ (derivative-at (lambda (t) (S t q)) t) (H state)))
+  (procedure-rename value-at who))
 
 ;; The verdict at a time and coordinates that are symbols.
 (define (verify-Hamilton-Jacobi H S t q)
@@ -46,6 +48,9 @@
               #:again (lambda (change) (verify-Hamilton-Jacobi (change H) (change S) t q))))
 
 (define (check-both who H S)
+  (when (and (procedure? H) (procedure? S) (accepts? H 2) (not (accepts? H 1)) (accepts? S 1))
+    (complain who "the Hamiltonian comes first, then the principal function: (~a H S); given ~a, ~a"
+              who (value->text H) (value->text S)))
   (check-Hamiltonian who H)
   (unless (and (procedure? S) (accepts? S 2))
     (complain who

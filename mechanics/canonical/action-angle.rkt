@@ -5,10 +5,10 @@
 ;; period T, and turns at ω = 2π/T = dE/dI.  The angle is ω times the time since the motion passed
 ;; a given coordinate, forwards.  A coordinate that is an angle may close by a turn.
 
-(require "momentum-of-action.rkt"
+(require "closed-orbit.rkt" "momentum-of-action.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
@@ -16,102 +16,27 @@
          "../numeric/constants.rkt")
 
 (require-on-demand
- ["../motion/trajectory.rkt" evolve-trajectory trajectory-events trajectory-final-state]
- ["../motion/event.rkt" event occurrence-state occurrence-time])
+ ["../motion/evolve-trajectory.rkt" evolve-trajectory]
+ ["../motion/trajectory.rkt" trajectory-events trajectory-final-state]
+ ["../motion/event/event.rkt" event occurrence-state occurrence-time])
 
 (provide action-of-orbit frequency-of-orbit state->action-angle action-angle->state)
 
 ;; ---------------------------------------------------------------------------
 ;; Orbits
 
-(struct orbit (period action) #:authentic)
-
 ;; turn : of a coordinate that is an angle, or #f; longest : the time after which to give up
 (define-plain (action-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
                                #:longest [longest 1e4])
-  (orbit-action (closed-orbit 'action-of-orbit H state turn tolerance longest)))
+  (define who 'action-of-orbit)
+  (check-options who turn tolerance longest)
+  (orbit-action (closed-orbit who H state turn tolerance longest)))
 
 (define-plain (frequency-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
                                   #:longest [longest 1e4])
-  (/ (* 2 pi) (orbit-period (closed-orbit 'frequency-of-orbit H state turn tolerance longest))))
-
-;; The motion goes away, and comes back where it began going the same way: the distance along the
-;; first velocity passes 0, falling and then rising; where it does so elsewhere, it goes on.
-(define (closed-orbit who H state turn tolerance longest)
-  (define start (checked-start who H state))
-  (define flow (Hamiltonian->state-derivative H))
-  (define first-rate (flow start))
-  (define (away s)
-    (define inner (inner-state s))
-    (g:+ (g:* (coordinate first-rate) (apart (coordinate inner) (coordinate start) turn))
-         (g:* (momentum first-rate) (g:- (momentum inner) (momentum start)))))
-  (define (until direction s)
-    (define passing (event away #:direction direction #:terminal? #t))
-    (define motion
-      (evolve-trajectory (with-area flow) s longest #:events passing #:tolerance tolerance))
-    (define end (trajectory-final-state motion))
-    (when (null? (trajectory-events motion)) (raise-not-closed who state longest end))
-    (check-time-free who H (inner-state end))
-    end)
-  (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
-    (define end (until 'rising (until 'falling s)))
-    (if (near? (inner-state end) start turn)
-        (orbit (time end) (/ (abs (part end 2)) (* 2 pi)))
-        (follow end))))
-
-(define (raise-not-closed who state longest end)
-  (raise-not-convergent who (format "the motion through ~a did not close by the time ~a"
-                                    (value->text state) longest)
-                        end +inf.0 #:show? #f))
-
-;; (t, (q, p), area), of which the area grows as p dq
-(define ((with-area flow) s)
-  (define inner (inner-state s))
-  (define rate (flow inner))
-  (up 1
-      (up (coordinate rate) (momentum rate))
-      (g:* (momentum inner) (coordinate rate))))
-
-(define (inner-state s) (up (time s) (part (part s 1) 0) (part (part s 1) 1)))
-(define (part s i) (vector-ref (tuple-elements s) i))
-
-;; q − q₀, and what is like it nearby and comes again at each turn
-(define (apart q q0 turn)
-  (if turn
-      (g:* (/ turn (* 2 pi)) (g:sin (g:* (/ (* 2 pi) turn) (g:- q q0))))
-      (g:- q q0)))
-
-(define closeness 1e-5)
-(define longest-orbit 1e4)       ; the time after which it is given up, where nobody says
-
-(define (near? s start turn)
-  (define dq (- (coordinate s) (coordinate start)))
-  (define folded (if turn (- dq (* turn (round (/ dq turn)))) dq))
-  (define size (+ 1 (abs (coordinate start)) (abs (momentum start))))
-  (< (+ (abs folded) (abs (- (momentum s) (momentum start)))) (* closeness size)))
-
-;; -> the state in flonums, with the time 0
-(define (checked-start who H state)
-  (check-Hamiltonian who H)
-  (check-H-state who state)
-  (define-values (q p) (values (coordinate state) (momentum state)))
-  (unless (and (real? q) (real? p))
-    (complain who "expected a state of one coordinate, in numbers; given ~a" (value->text state)))
-  (when (at-rest? H state)
-    (complain who "a state at rest has no period; given ~a" (value->text state)))
-  (define start (up 0 (exact->inexact q) (exact->inexact p)))
-  (check-time-free who H start)
-  start)
-
-(define (at-rest? H state)
-  (define rate ((Hamiltonian->state-derivative H) state))
-  (and (zero? (coordinate rate)) (zero? (momentum rate))))
-
-;; Asked where the motion begins and where it comes to, at a few times
-(define (check-time-free who H state)
-  (define (energy t) (H (up t (coordinate state) (momentum state))))
-  (unless (for/and ([t '(0.7318 2.913)]) (equal? (energy t) (energy 0.0)))
-    (complain who "~a depends on the time, and its motions have no action" (value->text H))))
+  (define who 'frequency-of-orbit)
+  (check-options who turn tolerance longest)
+  (/ (* 2 pi) (orbit-period (closed-orbit who H state turn tolerance longest))))
 
 ;; ---------------------------------------------------------------------------
 ;; Action and angle
@@ -122,6 +47,7 @@
                                    #:tolerance [tolerance 1e-11])
   (define who 'state->action-angle)
   (check-Hamiltonian who H)
+  (check-options who turn tolerance longest-orbit center)
   (unary-function (lambda () (list who (value->datum H))) (state)
     (define o (closed-orbit who H state turn tolerance longest-orbit))
     (define wait (time-to-center who H state center turn tolerance (orbit-period o)))
@@ -161,6 +87,7 @@
                                    #:tolerance [tolerance 1e-11])
   (define who 'action-angle->state)
   (check-Hamiltonian who H)
+  (check-options who turn tolerance longest-orbit center)
   (unary-function (lambda () (list who (value->datum H))) (state)
     (define-values (angle J) (values (coordinate state) (momentum state)))
     (unless (and (real? angle) (real? J) (> J 0))

@@ -12,7 +12,9 @@
 ;; to keep J, which takes a gradient (a, b, c) to (0, c, −b), and K has to make up for the time
 ;; in C.
 
-(require "transformation.rkt"
+(require racket/list
+         "transformation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
@@ -20,7 +22,8 @@
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/compose.rkt" "../value/structure.rkt")
+         "../value/compose.rkt" "../value/shape.rkt" "../value/structure.rkt"
+         "../value/symbols-like.rkt")
 
 (provide canonical? compositional-canonical? canonical-H? canonical-K? qp-canonical?
          time-independent-canonical?
@@ -35,18 +38,33 @@
 
 ;; The same where the new Hamiltonian is the composition of the old one with C.
 (define (compositional-canonical? C H)
-  (define who 'compositional-canonical?)
-  (check-both who C H)
-  (residual who C H (compose H C) Hamiltonian->state-derivative))
+  (composed-residual 'compositional-canonical? C H 1))
 
 ;; Without the clock (p. 348): the terms with the derivatives of H.
-(define (canonical-H? C H)
-  (check-both 'canonical-H? C H)
-  (residual 'canonical-H? C H (compose H C) D-phase-space))
+(define (canonical-H? C H) (composed-residual 'canonical-H? C H 0))
 
-(define (check-both who C H)
-  (check-transformation who C)
-  (check-Hamiltonian who H))
+;; With H∘C for the new Hamiltonian, of which the derivatives are those of H at the old state, by
+;; the chain rule: so H is differentiated once.  clock : the rate of the time, 0 or 1
+(define (composed-residual who C H clock)
+  (check-Hamiltonian who H)
+  (define checked (checked-transformation who C))
+  (define gradient (D H))
+  (unary-function (lambda () (cons who (map value->datum (list C H)))) (state)
+    (define-values (image slopes) (image-and-slopes checked state))
+    (void ((number-valued who H) image))
+    (define DH (gradient image))
+    (define new-rates
+      (rates-of-state (for/list ([slope (in-list (cdr slopes))]) (g:* DH slope))))
+    (define moved
+      (for/fold ([sum (g:* clock (car slopes))])
+                ([rate (in-list new-rates)] [slope (in-list (cdr slopes))])
+        (g:+ sum (g:* rate slope))))
+    (g:- (up clock (s:ref DH 2) (g:negate (s:ref DH 1))) moved)))
+
+;; The derivatives by n coordinates and n momenta, in a list -> the rates of these
+(define (rates-of-state slopes)
+  (define-values (by-q by-p) (split-at slopes (quotient (length slopes) 2)))
+  (append by-p (map g:negate by-q)))
 
 (define (residual who C H H-prime flow)
   (define checked (checked-transformation who C))
@@ -68,9 +86,9 @@
 
 ;; The terms with the derivatives of H, through J: a test of C although H occurs in it.
 (define (qp-canonical? C H)
-  (check-both 'qp-canonical? C H)
   (define checked (checked-transformation 'qp-canonical? C))
-  (define-values (slope composed-slope) (values (D H) (D (compose H C))))
+  (check-Hamiltonian 'qp-canonical? H)
+  (define-values (slope composed-slope) (values (D H) (D (compose H checked))))
   (unary-function (lambda () (list 'qp-canonical? (value->datum C) (value->datum H))) (state)
     (define direction (J-func (composed-slope state)))
     (define-values (image moved) (value-and-derivative-along checked state direction))
@@ -85,8 +103,17 @@
   (define checked (checked-transformation who C))
   (unary-function (lambda () (list who (value->datum C))) (state)
     (define slope ((D checked) state))
-    (define v (compatible-shape state))
+    (define v (unknown-gradient state (checked state)))
     (g:- (J-func v) (g:* slope (J-func (g:* v slope))))))
+
+;; Symbols x0, x1, …, or, where C or the state is made of these, some that nobody could have written
+(define (unknown-gradient state image)
+  (define v (compatible-shape state))
+  (define taken? (occurrence (append (scalars state) (scalars image))))
+  (if (ormap taken? (scalars v)) (typical-object v) v))
+
+(define ((occurrence leaves) name)
+  (for/or ([x (in-list leaves)]) (and (expression? x) (occurs? name x))))
 
 ;; ---------------------------------------------------------------------------
 ;; Linear functions of states
@@ -98,9 +125,11 @@
 
 ;; The direction (0, c, −b) in which the gradient (a, b, c) of a Hamiltonian moves a state
 (define (J-func gradient)
-  (unless (and (tuple? gradient) (= (structure-length (adopt gradient)) 3))
-    (complain 'J-func "expected the derivative of a function of the state, (down a b c); given ~a"
-              (describe-with-value gradient)))
+  (unless (and (tuple? gradient) (not (up? gradient))
+               (= (structure-length (adopt gradient)) 3))
+    (complain 'J-func "expected the derivative of a function of the state, (down a b c); given ~a~a"
+              (describe-with-value gradient)
+              (if (H-state? gradient) "\n  of H at a state: (J-func ((D H) state))" "")))
   (up 0 (s:ref gradient 2) (g:negate (s:ref gradient 1))))
 
 ;; v ↦ A v

@@ -9,13 +9,13 @@
 ;;
 ;; no equations are solved; what is integrated is closed, as M is symplectic at all times.
 
-(require "canonical.rkt" "closed-form.rkt" "symplectic-transformation.rkt" "transformation.rkt"
-         "../calculus/derivative.rkt"
+(require "any-state.rkt" "canonical.rkt" "closed-form.rkt"
+         "symplectic-transformation.rkt" "transformation.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt"
          "../hamiltonian/H-state.rkt"
-         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
+         "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
@@ -26,9 +26,7 @@
 ;; C, a state of symbols -> K, with which C passes canonical-K?
 (define (C->K C state)
   (define who 'C->K)
-  (check-transformation who C)
-  (check-H-state who state)
-  (check-symbols who state "state")
+  (check-for-any-state who C state)
   (define names (scalars state))
   (check-clock who C state)
   (when (refuted? (prove-zero ((symplectic-transform? C) state))) (raise-not-canonical who C))
@@ -44,16 +42,10 @@
 
 ;; The components of Mᵀ J ∂₀C
 (define (gradient-of-correction C state)
-  (define (along k)
-    (define direction (scalars->structure state (lambda (j) (if (= j k) 1 0))))
-    (define-values (_image rate) (value-and-derivative-along C state direction))
-    (values (scalars (coordinate rate)) (scalars (momentum rate))))
-  (define-values (q-rates p-rates) (along 0))
-  (for/list ([k (in-range 1 (shape-length state))])
-    (define-values (q-slopes p-slopes) (along k))
-    (for/fold ([sum 0]) ([dq (in-list q-slopes)] [dp (in-list p-slopes)]
-                         [q-rate (in-list q-rates)] [p-rate (in-list p-rates)])
-      (g:+ sum (g:- (g:* dq p-rate) (g:* dp q-rate))))))
+  (define-values (_image slopes) (image-and-slopes C state))
+  (define rate (car slopes))
+  (for/list ([slope (in-list (cdr slopes))])
+    (g:- (g:* (momentum rate) (coordinate slope)) (g:* (momentum slope) (coordinate rate)))))
 
 ;; ---------------------------------------------------------------------------
 ;; What has none

@@ -5,14 +5,16 @@
 ;; functions a(x, y), b(x, y), found from C; if C is canonical, a dx + b dy is closed, and F is
 ;; the function of which it is the differential (closed-form.rkt).
 
-(require "closed-form.rkt" "mixed-variables.rkt" "generating-function.rkt" "transformation.rkt"
+(require racket/string
+         "any-state.rkt" "closed-form.rkt" "mixed-variables.rkt"
+         "generating-function.rkt" "transformation.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/up-down.rkt"
-         "../hamiltonian/H-state.rkt"
-         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt" "../value/symbols-like.rkt"
+         "../generic/wrong-argument.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (require-on-demand ["../calculus/expression-function.rkt" evaluate-generically])
@@ -27,21 +29,15 @@
   (define who 'verify-generating-function)
   (define k (type-numbered who number))
   (check-generator who k F)
-  (check-question who C state)
+  (check-for-any-state who C state)
   (define-values (residual survey)
     (survey-derivatives (lambda () (relations k F (transformed who C state) state))
                         (scalars state)))
   (prove-zero residual #:variables (scalars state) #:surveys (list survey)))
 
-(define (check-question who C state)
-  (check-transformation who C)
-  (check-H-state who state)
-  (check-symbols who state "state")
-  (void (transformed who C state)))
-
 (define (type-numbered who number)
   (unless (memv number '(1 2 3 4))
-    (raise-argument-error who "the type of a generating function: 1, 2, 3 or 4" number))
+    (complain-of-argument who "the type of a generating function: 1, 2, 3 or 4" number))
   (type-of number))
 
 ;; (up r₁ r₂), zero if F generates what takes the new state to the old one
@@ -60,37 +56,47 @@
 (define-plain (generating-function C state #:type [number 1])
   (define who 'generating-function)
   (define k (type-numbered who number))
-  (check-question who C state)
-  (define like-x (part (transformed who C state) (type-old k)))
-  (define-values (t x y)
-    (values (string->uninterned-symbol "t") (symbols-like like-x "x")
-            (symbols-like (part state (type-new k)) "y")))
-  (define-values (a b) (coefficients who k C state t x y))
+  (check-for-any-state who C state)
+  (define-values (x y) (mixed-variables k C state))
+  (define-values (a b)
+    (coefficients who k C state x y (lambda () (raise-no-formula who k C state))))
   (define variables (append (scalars x) (scalars y)))
   (define form (map simplify (append (scalars a) (scalars b))))
   (check-closed who C form variables)
-  (define e (integrated who form variables))
-  (define F
-    (make-function
-     (lambda (t1 x1 y1)
-       (evaluate-generically e (cons (cons t t1) (map cons variables
-                                                      (append (scalars x1) (scalars y1))))))
-     8
-     (lambda () (list 'generating-function (value->datum C) '#:type number))))
+  (define F (function-of (integrated who form variables) (cons (time state) variables)
+                         (lambda () (list who (value->datum C) '#:type number))))
   (check-generated who F C state number)
   F)
 
+;; The F of e, an expression in t, x and y
+(define (function-of e names datum)
+  (define (generating-function t x y)
+    (evaluate-generically e (map cons names (cons t (append (scalars x) (scalars y))))))
+  (make-function generating-function 8 datum))
+
+;; Symbols: of the old variable of their own, of the new one those of the state
+(define (mixed-variables k C state)
+  (define x (part (transformed 'generating-function C state) (type-old k)))
+  (define n (shape-length x))
+  (define (name i) (string->uninterned-symbol (format "old_~a~a" (type-old k) (if (= n 1) "" i))))
+  (values (scalars->structure x name) (part state (type-new k))))
+
 ;; What is integrated is closed unless the contrary was shown: so the answer is put to the test.
+;; An angle that C gives has a jump, which is no fault of F.
 (define (check-generated who F C state number)
   (define v (verify-generating-function F C state #:type number))
-  (unless (proved? v)
+  (unless (or (proved? v) (zero-but-for-jumps? v))
     (raise-no-answer who
                      (string-append "a function was found, but not shown to generate ~a"
                                     "\n  is it canonical? (verify-canonical C state)")
                      (value->text C))))
 
+(define (zero-but-for-jumps? v) (eq? (verdict-reason v) 'kinks))
+
 ;; -> ∂F/∂x and ∂F/∂y at x, y, from C
-(define (coefficients who k C state t x y)
+;; no-formula : what is done where none is found for the variable that F does not hold
+(define (coefficients who k C state x y no-formula)
+  (define t (time state))
   (define (old z) (transformed who C (state-of t (type-new k) y z)))
   (define s
     (make-solver who
@@ -98,10 +104,30 @@
                  (format "old ~a and new ~a" (named (type-old k)) (named (type-new k)))
                  (lambda (place z)
                    (part (C (state-of (tuple-part place 0) (type-new k) (tuple-part place 1) z))
-                         (type-old k)))))
+                         (type-old k)))
+                 no-formula))
   (define z (solution-at s (up t y) (part state (other (type-new k))) x))
   (values (signed (old-sign k) (part (old z) (other (type-old k))))
           (signed (new-sign k) z)))
+
+;; Of another type there may be one.
+(define (raise-no-formula who k C state)
+  (define others
+    (for/list ([n (in-range 1 5)] #:unless (= n (type-number k))
+                                  #:when (has-formula? who (type-of n) C state))
+      (format "#:type ~a" n)))
+  (complain who "no formula was found for the new ~a from the old ~a and the new ~a~a"
+            (named (other (type-new k))) (named (type-old k)) (named (type-new k))
+            (if (null? others)
+                ""
+                (format "\n  there is one for ~a" (string-join others " and ")))))
+
+(define (has-formula? who k C state)
+  (define-values (x y) (mixed-variables k C state))
+  (let/ec return
+    (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+      (coefficients who k C state x y (lambda () (return #f)))
+      #t)))
 
 (define (tuple-part x i) (vector-ref (tuple-elements x) i))
 

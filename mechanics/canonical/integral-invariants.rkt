@@ -34,6 +34,6 @@
     (if H (g:- action (g:* (H state) (time rate))) action)))
 
 (define (check-loop who loop)
-  (unless (and (procedure? loop) (accepts? loop 1))
+  (unless (and (of-functions? loop) (accepts? loop 1))
     (complain who "expected a loop, a function of one parameter with states as values; given ~a"
               (describe-function loop))))

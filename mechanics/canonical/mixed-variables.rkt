@@ -28,18 +28,21 @@
 (provide make-solver solution-at)
 
 ;; who : complains, of unknowns that are to follow from data, two strings
-;; f : given, x -> value;  known : way or #f
-(struct solver (who unknowns data f [known #:mutable]) #:authentic)
+;; f : given, x -> value;  no-formula : -> an error of those who can use none but formulas, or #f
+;; known : way or #f
+(struct solver (who unknowns data f no-formula [known #:mutable]) #:authentic)
 (struct way (shape how declared) #:authentic)
 (struct formula (given y x) #:authentic)
 
-(define (make-solver who unknowns data f) (solver who unknowns data f #f))
+(define (make-solver who unknowns data f [no-formula #f])
+  (solver who unknowns data f no-formula #f))
 
 ;; The x of the shape `like` with f(given, x) = y
 (define (solution-at s given like y)
   (define how (how-to s given like y))
   (define (f x) ((solver-f s) given x))
   (cond [(eq? how 'exactly) (linear-solution s f like y)]
+        [(and (eq? how 'by-numbers) (solver-no-formula s)) ((solver-no-formula s))]
         [(eq? how 'by-numbers) (numeric-solution s f like y)]
         [else (formula-at how given y)]))
 

@@ -18,21 +18,24 @@
  ["generated.rkt" generating-function verify-generating-function]
  ["correction.rkt" C->K]
  ["time-evolution.rkt" shift-t C->Cp H->Hp]
- ["Lie-derivative.rkt" Lie-derivative flow-derivative]
- ["Lie-series.rkt" Lie-transform flow-transform Lie-transformation]
- ["Baker-Campbell-Hausdorff.rkt" Baker-Campbell-Hausdorff]
+ ["Lie/Lie-derivative.rkt" Lie-derivative Lie-derivative-procedure flow-derivative]
+ ["Lie/Lie-series.rkt" Lie-transform flow-transform Lie-transformation]
+ ["Lie/Baker-Campbell-Hausdorff.rkt" Baker-Campbell-Hausdorff]
  ["Hamilton-Jacobi.rkt" Hamilton-Jacobi-residual verify-Hamilton-Jacobi]
- ["perturbation.rkt" perturbation-series]
- ["found-perturbation.rkt" perturbation? perturbation-Hamiltonian perturbation-generators
-                           perturbation-divisors perturbation-resonances]
- ["perturbed-motion.rkt" perturbation-transformation perturbation-inverse perturbation-solution
-                         verify-perturbation]
- ["Birkhoff.rkt" Birkhoff-normal-form normal-form? normal-form-Hamiltonian
-                 normal-form-generators normal-form-frequencies normal-form-resonances
-                 normal-form-divisors]
- ["normal-coordinates.rkt" normal-form-transformation normal-form-inverse verify-normal-form]
+ ["perturbation/perturbation.rkt" perturbation-series]
+ ["perturbation/found-perturbation.rkt"
+  perturbation? perturbation-Hamiltonian perturbation-generators
+  perturbation-divisors perturbation-resonances]
+ ["perturbation/perturbed-motion.rkt"
+  perturbation-transformation perturbation-inverse perturbation-solution]
+ ["perturbation/perturbation-verdicts.rkt" verify-perturbation perturbation-verdicts]
+ ["perturbation/Birkhoff.rkt"
+  Birkhoff-normal-form normal-form? normal-form-Hamiltonian normal-form-generators
+  normal-form-frequencies normal-form-resonances normal-form-divisors]
+ ["perturbation/normal-coordinates.rkt"
+  normal-form-transformation normal-form-inverse verify-normal-form]
  ["integral-invariants.rkt" loop-integral loop-integrand]
- ["resonance-width.rkt" resonance-width resonance-center]
+ ["perturbation/resonance-width.rkt" resonance-width resonance-center]
  ["action-angle.rkt" action-of-orbit frequency-of-orbit state->action-angle
                      action-angle->state]
  ["verify.rkt" verify-canonical verify-symplectic])

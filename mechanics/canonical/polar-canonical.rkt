@@ -20,6 +20,7 @@
 
 ;; (t, θ, I) ↦ (t, x, p), of one coordinate or of each of several
 (define (polar-canonical alpha)
+  (check-parameter 'polar-canonical "alpha" alpha)
   (unary-function (lambda () (list 'polar-canonical (value->datum alpha))) (state)
     (by-degrees 'polar-canonical state
                 (lambda (theta I)
@@ -28,6 +29,7 @@
 
 ;; (t, x, p) ↦ (t, θ, I)
 (define (polar-canonical-inverse alpha)
+  (check-parameter 'polar-canonical-inverse "alpha" alpha)
   (unary-function (lambda () (list 'polar-canonical-inverse (value->datum alpha))) (state)
     (by-degrees 'polar-canonical-inverse state
                 (lambda (x p)
@@ -49,6 +51,11 @@
                      (list->structure-like p (map cdr pairs)))])))
   (up (time state) q p))
 
+(define (check-parameter who what x)
+  (unless (scalar? x)
+    (complain who "~a is a number or a symbol; given ~a~a" what (describe-with-value x)
+              (if (H-state? x) "\n  was a parameter left out? the state comes after it" ""))))
+
 (define (list->structure-like s xs) (same-orientation (adopt s) (list->vector xs)))
 
 ;; ---------------------------------------------------------------------------
@@ -57,6 +64,8 @@
 ;; state with (up x₁ x₂) ↦ (up X x), the centre of mass and x₂ − x₁
 (define (two-particle-center-of-mass m1 m2)
   (define who 'two-particle-center-of-mass)
+  (check-parameter who "a mass" m1)
+  (check-parameter who "a mass" m2)
   (unary-function (lambda () (list who (value->datum m1) (value->datum m2))) (state)
     (define-values (x1 x2) (two who (coordinate state)))
     (up (g:/ (g:+ (g:* m1 x1) (g:* m2 x2)) (g:+ m1 m2))
@@ -65,6 +74,8 @@
 ;; The same with the momenta: p₁ + p₂, and (m₁ p₂ − m₂ p₁)/(m₁ + m₂)
 (define (two-particle-center-of-mass-canonical m1 m2)
   (define who 'two-particle-center-of-mass-canonical)
+  (check-parameter who "a mass" m1)
+  (check-parameter who "a mass" m2)
   (define positions (two-particle-center-of-mass m1 m2))
   (unary-function (lambda () (list who (value->datum m1) (value->datum m2))) (state)
     (check-H-state who state)

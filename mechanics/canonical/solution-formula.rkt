@@ -3,17 +3,18 @@
 ;; to a positive x, or else the first one.
 ;;
 ;; A root that holds the unknown may go by squaring; of what is found then only what leads back is
-;; a solution.
+;; a solution.  An angle (atan b a) = θ is two equations of degree 1, b = ρ sin θ and a = ρ cos θ,
+;; with one more unknown: so rectangular coordinates follow from polar ones.
 
 (require racket/list
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
-         "../generic/arithmetic.rkt" "../generic/on-demand.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt")
 
 (require-on-demand
- ["../algebra/rewriting/solve.rkt" solve-equations]
+ ["../algebra/solve/solve-equations.rkt" solve-equations]
  ["../hamiltonian/velocity-formula.rkt" without-root])
 
 (provide solution-formula)
@@ -26,7 +27,8 @@
   (define complete (complete-solutions equations unknowns))
   (or (findf good? complete)
       (and (pair? complete) (car complete))
-      (findf good? (complete-solutions (map (rootless unknowns) equations) unknowns))))
+      (findf good? (complete-solutions (map (rootless unknowns) equations) unknowns))
+      (findf good? (solutions-by-angle values target unknowns))))
 
 ;; -> lists of expressions for the unknowns
 (define (complete-solutions equations unknowns)
@@ -38,6 +40,31 @@
               #:when (for/and ([u (in-list unknowns)]) (assq u (car solution))))
     (smoothed (for/list ([u (in-list unknowns)]) (cdr (assq u (car solution))))
               unknowns equations)))
+
+;; The equations of angles come first, for what they give makes the others simple; the ρ are left
+;; out of what is found.
+(define (solutions-by-angle images target unknowns)
+  (define-values (angles others)
+    (partition (lambda (pair) (angle? (car pair))) (map cons (scalars images) (scalars target))))
+  (define radii (for/list ([_ (in-list angles)]) (string->uninterned-symbol "rho")))
+  (define equations
+    (append (append-map polar-equations angles radii)
+            (for/list ([o (in-list others)]) (g:- (car o) (cdr o)))))
+  (if (null? angles)
+      '()
+      (for/list ([found (in-list (call-assuming
+                                  (for/list ([rho (in-list radii)]) `(>= ,rho 0))
+                                  (lambda ()
+                                    (complete-solutions equations (append unknowns radii)))))])
+        (take found (length unknowns)))))
+
+;; ((atan b a) . θ) and ρ -> a − ρ cos θ and b − ρ sin θ
+(define (polar-equations angle rho)
+  (define-values (b a) (apply values (node-args (car angle))))
+  (list (g:- a (g:* rho (g:cos (cdr angle)))) (g:- b (g:* rho (g:sin (cdr angle))))))
+
+(define (angle? e)
+  (and (node? e) (eq? (node-head e) op:atan) (= (length (node-args e)) 2)))
 
 ;; What is squared has more solutions; those that lead back are solutions where signs are as
 ;; there.

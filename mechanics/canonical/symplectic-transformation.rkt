@@ -10,17 +10,18 @@
 ;; Such a matrix is antisymmetric: n (2n − 1) brackets decide.
 
 (require "transformation.rkt"
-         "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt"
          "../value/linear/matrix.rkt")
 
 (provide J-matrix symplectic-unit symplectic-matrix? symplectic? symplectic-transform?
-         canonical-transform? qp-submatrix D-as-matrix symplectic-two-form)
+         canonical-transform? qp-submatrix D-as-matrix symplectic-two-form
+         ;; for verdicts
+         matrix-residual)
 
 ;; ---------------------------------------------------------------------------
 ;; Matrices
@@ -37,7 +38,7 @@
 
 (define (check-count who n)
   (unless (exact-positive-integer? n)
-    (raise-argument-error who "a number of coordinates, at least 1" n)))
+    (complain-of-argument who "a number of coordinates, at least 1" n)))
 
 (define (J-entry n i j)
   (cond [(= j (+ i n)) 1]
@@ -49,9 +50,11 @@
   (if (or (= i 0) (= j 0)) 0 (J-entry n (- i 1) (- j 1))))
 
 ;; J − M J Mᵀ, all zero if M is symplectic
-(define (symplectic-matrix? M)
+(define (symplectic-matrix? M) (matrix-residual 'symplectic-matrix? M))
+
+(define (matrix-residual who M)
   (unless (and (matrix? M) (= (m:num-rows M) (m:num-cols M)) (even? (m:num-rows M)))
-    (complain 'symplectic-matrix?
+    (complain who
               "a symplectic matrix is square, with an even number of rows; given ~a~a"
               (describe-with-value M)
               (if (and (pair? M) (andmap list? M))
@@ -95,13 +98,8 @@
 
 ;; -> for each scalar of F(state) the list of its derivatives by the scalars of the state
 (define (rows-of-derivatives F state)
-  (define names (scalars state))
-  (define columns
-    (for/list ([x (in-list names)] [k (in-naturals)])
-      (define direction (scalars->structure state (lambda (j) (if (= j k) 1 0))))
-      (define-values (_value slope) (value-and-derivative-along F state direction))
-      (scalars slope)))
-  (apply map list columns))
+  (define-values (_image slopes) (image-and-slopes F state))
+  (apply map list (map scalars slopes)))
 
 ;; Without the row and the column of the time.
 (define (qp-submatrix M)

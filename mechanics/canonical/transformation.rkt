@@ -2,32 +2,40 @@
 ;; Transformations of phase space: functions C that take a new state (t, q', p') to the old one
 ;; (t, q, p); and what is wrong with those that are none.
 
-(require "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+(require "../calculus/derivative.rkt"
+         "../error/complain.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
-         "../value/structure.rkt")
+         "../value/shape.rkt" "../value/structure.rkt")
 
-(provide check-transformation transformed checked-transformation)
+(provide check-transformation transformed checked-transformation image-and-slopes)
 
 (define (check-transformation who C)
   (unless (and (of-functions? C) (accepts? C 1))
     (complain who
               "expected a transformation, a function of the state (up t q p); given ~a~a"
               (describe-function C)
-              (if (of-functions? C)
-                  (format "\n  if it takes parameters first, supply them: (~a (~a ...) ...)"
-                          who (value->text C))
-                  ""))))
+              (cond [(H-state? C) "\n  the transformation comes first, the state after it"]
+                    [(of-functions? C)
+                     (format "\n  if it takes parameters first, supply them: (~a (~a ...) ...)"
+                             who (value->text C))]
+                    [else ""]))))
 
 ;; C at a state, refusing what is not a state of as many coordinates.
 (define (transformed who C state)
   (check-H-state who state)
   (define old (C state))
-  (unless (H-state? old) (raise-no-state who C old state))
+  (unless (H-state? old) (raise-no-state who C (underlying old) state))
   (unless (= (degrees-of-freedom old) (degrees-of-freedom state))
-    (complain who "~a takes ~a coordinates to ~a; a canonical transformation keeps their number"
-              (value->text C) (degrees-of-freedom state) (degrees-of-freedom old)))
+    (complain who "~a takes ~a ~a to ~a; a canonical transformation keeps their number"
+              (value->text C) (degrees-of-freedom state)
+              (if (= (degrees-of-freedom state) 1) "coordinate" "coordinates")
+              (degrees-of-freedom old)))
   old)
+
+;; A scalar without the derivatives that it carries
+(define (underlying x) (if (scalar? x) (comparand x) x))
 
 ;; C with that check.
 (define (checked-transformation who C)
@@ -42,10 +50,23 @@
   (define (part i) (vector-ref (tuple-elements old) i))
   (define (parts n) (and (tuple? old) (= (structure-length (adopt old)) n)))
   (define (like-state? x i) (same-shape? x (vector-ref (tuple-elements state) i)))
-  (cond [(pointwise? old) "\n  was a parameter left out?"]
+  (cond [(scalar? old)
+         "\n  that is no state, but what a Hamiltonian gives; the transformation comes first"]
+        [(pointwise? old) "\n  was a parameter left out?"]
         [(and (parts 2) (like-state? (part 0) 1) (like-state? (part 1) 2))
          "\n  the time is missing: (up t q p)"]
         [(and (parts 3) (up? old) (like-state? (part 1) 1))
          "\n  the third part is to be the momenta, dual to the coordinates"]
         [else
          "\n  a transformation of the coordinates alone is extended by (F->CH F)"]))
+
+;; ---------------------------------------------------------------------------
+;; Derivatives
+
+;; F at a state, and the list of its derivatives by the scalars of the state
+(define (image-and-slopes F state)
+  (for/fold ([image #f] [slopes '()] #:result (values image (reverse slopes)))
+            ([k (in-range (shape-length state))])
+    (define direction (scalars->structure state (lambda (j) (if (= j k) 1 0))))
+    (define-values (value slope) (value-and-derivative-along F state direction))
+    (values (or image value) (cons slope slopes))))

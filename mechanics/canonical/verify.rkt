@@ -7,12 +7,13 @@
 ;; H' = H∘C/λ, and the verdict, a refutation, says so.
 
 (require racket/list
-         "canonical.rkt" "symplectic-transformation.rkt" "transformation.rkt"
+         "any-state.rkt" "canonical.rkt" "exponents.rkt" "symplectic-transformation.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt" "../error/words.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
-         "../lagrangian/generic-state.rkt"
+         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../value/algebra.rkt" make-meaning)
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/linear/matrix.rkt"
@@ -29,22 +30,23 @@
      (check-Hamiltonian 'verify-canonical H-prime)
      (check-question 'verify-canonical state C H H-prime)
      (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
-             (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state)))]
+             (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state))
+             (lambda () (remarks-on-time C state)))]
     [arguments
      (complain-of-arity 'verify-canonical
                         (string-append "takes a transformation and a state, or a transformation, "
                                        "the old and the new Hamiltonian and a state; "
-                                       "it was given ~a arguments")
-                        (length arguments))]))
+                                       "it was given ~a")
+                        (counted (length arguments) "argument"))]))
 
 ;; Of a transformation, or of a matrix of 2n rows
 (define verify-symplectic
   (case-lambda
     [(M)
-     (unless (matrix? M)
+     (when (and (procedure? M) (not (matrix? M)))
        (complain 'verify-symplectic
                  "a transformation is asked about at a state: (verify-symplectic C state)"))
-     (prove-zero (symplectic-matrix? M))]
+     (prove-zero (matrix-residual 'verify-symplectic M))]
     [(C state) (verify-brackets 'verify-symplectic C state symplectic-transform?)]))
 
 (define (verify-brackets who C state residual)
@@ -54,22 +56,33 @@
           (lambda () (remarks-on-brackets C state))))
 
 (define (check-question who state C . Hs)
-  (check-transformation who C)
-  (check-H-state who state)
-  (check-symbols who state "state")
-  (void (transformed who C state))
-  (for ([f (in-list (cons C Hs))]) (check-parameters who f state "state")))
+  (check-for-any-state who C state)
+  (for ([H (in-list Hs)]) (check-parameters who H state "state")))
 
 ;; about : the transformation, and Hamiltonians; find-residual : -> the residual, differentiated
 ;; while kinks are noted
 (define (judged state about find-residual again [remarks (lambda () '())])
   (define-values (residual survey) (survey-derivatives find-residual (scalars state)))
+  (define (meaning) (meaning-of about state))
   (define v (prove-zero residual #:variables (scalars state) #:surveys (list survey)
-                        #:meaning (lambda () (meaning-of about state))
-                        #:again again))
+                        #:meaning meaning #:again again))
   (if (refuted? v)
-      (for/fold ([v v]) ([text (in-list (remarks))]) (with-remark v text))
+      (for/fold ([v v]) ([text (in-list (append (remarks)
+                                                (remark-on-exponents v residual state meaning)))])
+        (with-remark v text))
       v))
+
+;; Where no condition was found it may be one on an exponent.
+(define (remark-on-exponents v residual state meaning)
+  (define condition
+    (and (null? (verdict-alternatives v))
+         (condition-on-exponents (entries residual) (scalars state) meaning)))
+  (if condition (list (format "it is zero at all states if ~a" condition)) '()))
+
+(define (entries x)
+  (if (matrix? x)
+      (append-map vector->list (vector->list (matrix-rows x)))
+      (scalars x)))
 
 ;; Under a condition all must have values, and the transformation an inverse, as before.
 (define (meaning-of about state)
@@ -80,6 +93,17 @@
      (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j)))
    '()
    (scalars state)))
+
+;; A canonical transformation that depends on the time asks for a term beside H∘C.
+(define (remarks-on-time C state)
+  (define-values (_image rate) (value-and-derivative-along C state (rate-of-clock state)))
+  (if (and (refuted? (prove-zero (up (coordinate rate) (momentum rate))))
+           (proved? (prove-zero ((symplectic-transform? C) state))))
+      (list (string-append "the transformation depends on the time: the new Hamiltonian is "
+                           "H∘C + K with the K of (C->K C state)"))
+      '()))
+
+(define (rate-of-clock state) (scalars->structure state (lambda (k) (if (= k 0) 1 0))))
 
 ;; ---------------------------------------------------------------------------
 ;; All brackets multiplied by one number

@@ -15,7 +15,7 @@
          momentum momenta state->p P state->qp
          literal-Hamiltonian-state degrees-of-freedom
          ;; for the functions of states
-         check-H-state state-of-momenta? asked-for-momentum?)
+         check-H-state check-state-like state-of-momenta? asked-for-momentum?)
 
 (define (->H-state t q p) (up t q p))
 
@@ -95,6 +95,12 @@
               (describe-with-value state) (list-hint state "(up t q p)")))
   (define-values (q p) (values (part state 1) (part state 2)))
   (unless (dual? q p) (raise-not-dual who q p)))
+
+;; A state of as many coordinates as another
+(define (check-state-like who model state)
+  (check-H-state who state)
+  (unless (same-shape? state model)
+    (complain who "expected a state like ~a; given ~a" (value->text model) (value->text state))))
 
 (define (raise-not-dual who q p)
   (complain who "~a\n  coordinates: ~a\n  in their place: ~a~a"

@@ -11,7 +11,7 @@
 ;; x, (g(x d) − b − M d) d = 0.
 ;;
 ;; An equation in one unknown is solved if it is a polynomial that can be
-;; (algebra/rewriting/solve.rkt), or one in the unknown and a square root R: e(R) = 0 implies
+;; (algebra/solve/), or one in the unknown and a square root R: e(R) = 0 implies
 ;; e(R) e(−R) = 0, in which R has gone.  What this adds is left out, since each solution is put
 ;; into the equation.
 ;;
@@ -20,7 +20,7 @@
 
 (require "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt"
-         "../algebra/rewriting/solve.rkt"
+         "../algebra/solve/solve-equations.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../value/assumptions.rkt" "../value/rewrite.rkt" "../value/shape.rkt"

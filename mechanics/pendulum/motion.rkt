@@ -17,21 +17,30 @@
 ;; (((pendulum-advance α β) state) t) : the state at the time t
 (define (pendulum-advance alpha beta)
   (of-state (state) (pendulum-advance alpha beta)
+    (define who 'pendulum-advance)
     (define E (energy alpha beta state))
-    (define-values (angle momentum-of dt)
-      (if (swinging? 'pendulum-advance beta E)
-          (values pendulum-oscillating-angle pendulum-oscillating-angular-momentum
-                  pendulum-oscillating-dt)
-          (values pendulum-circulating-angle pendulum-circulating-angular-momentum
-                  pendulum-circulating-dt)))
-    (define down? (and (not (swinging? 'pendulum-advance beta E))
-                       (downwards? 'pendulum-advance state)))
-    (define start ((dt alpha beta) (if down? (mirrored state) state)))
-    (unary-function (lambda () (list 'pendulum-advance (value->datum state))) (t)
-      (define since (g:+ start (g:- t (time state))))
-      (define there
-        (up t ((angle alpha beta E) since) ((momentum-of alpha beta E) since)))
-      (if down? (mirrored there) there))))
+    (define swings? (swinging? who alpha beta E))
+    (define at
+      (cond [(at-rest? who beta E)
+             (lambda (t) (up t (in-turn (coordinate state)) (momentum state)))]
+            [swings?
+             (moving state (pendulum-oscillating-angle alpha beta E)
+                     (pendulum-oscillating-angular-momentum alpha beta E)
+                     (pendulum-oscillating-dt alpha beta))]
+            [else
+             (moving state (pendulum-circulating-angle alpha beta E)
+                     (pendulum-circulating-angular-momentum alpha beta E)
+                     (pendulum-circulating-dt alpha beta)
+                     (downwards? who state))]))
+    (unary-function (lambda () (list who (value->datum state))) (t) (at t))))
+
+;; dt : the time of a state since θ = 0;  down? : is its motion seen from the other side?
+(define (moving state angle momentum-of dt [down? #f])
+  (define (seen s) (if down? (mirrored s) s))
+  (define start (dt (seen state)))
+  (lambda (t)
+    (define since (g:+ start (g:- t (time state))))
+    (seen (up t (angle since) (momentum-of since)))))
 
 ;; The same by integration
 (define (pendulum-integration alpha beta tolerance)
@@ -46,7 +55,7 @@
   (of-state (state) (pendulum-solution-series alpha beta)
     (define E (energy alpha beta state))
     (define omega (pendulum-frequency alpha beta E))
-    (define swings? (swinging? 'pendulum-solution-series beta E))
+    (define swings? (swinging? 'pendulum-solution-series alpha beta E))
     (define-values (k rate)
       (if swings?
           (values (modulus beta E) (g:sqrt (g:/ beta alpha)))

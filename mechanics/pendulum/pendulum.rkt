@@ -29,7 +29,7 @@
          pendulum-oscillating-action pendulum-circulating-action pendulum-separatrix-action
          gudermannian inverse-gudermannian
          ;; for phases and series
-         modulus swinging? number-of)
+         modulus swinging? check-swinging check-turning number-of)
 
 ;; A function of the state, or of the time, that prints as its call.
 (define-syntax-rule (function-of (x) (name argument ...) body ...)
@@ -52,22 +52,28 @@
   r)
 
 ;; Does it swing at that energy, rather than turn?
-(define (swinging? who beta E)
+(define (swinging? who alpha beta E)
   (define-values (b e) (values (number-of who "beta" beta) (number-of who "the energy" E)))
-  (unless (> b 0) (complain who "beta is positive; given ~a" (describe-with-value beta)))
+  (check-positive who "alpha" alpha (comparand alpha))
+  (check-positive who "beta" beta b)
   (when (< e (- b))
     (complain who "the energy of a pendulum is at least -beta; given ~a, with beta = ~a" E beta))
   (when (= e b)
     (complain who "on the separatrix, with the energy beta, there is no period; given ~a" E))
   (< e b))
 
-(define (check-swinging who beta E)
-  (unless (swinging? who beta E)
+;; r : x as a number, where it is one
+(define (check-positive who what x r)
+  (when (and (number? r) (not (and (real? r) (> r 0))))
+    (complain who "~a is positive; given ~a" what (describe-with-value x))))
+
+(define (check-swinging who alpha beta E)
+  (unless (swinging? who alpha beta E)
     (complain who "with an energy of more than beta the pendulum turns; given ~a, with beta = ~a"
               E beta)))
 
-(define (check-turning who beta E)
-  (when (swinging? who beta E)
+(define (check-turning who alpha beta E)
+  (when (swinging? who alpha beta E)
     (complain who "with an energy of less than beta the pendulum swings; given ~a, with beta = ~a"
               E beta)))
 
@@ -81,20 +87,20 @@
 ;; Frequencies and actions
 
 (define (pendulum-frequency alpha beta E)
-  (if (swinging? 'pendulum-frequency beta E)
+  (if (swinging? 'pendulum-frequency alpha beta E)
       (pendulum-oscillating-frequency alpha beta E)
       (pendulum-circulating-frequency alpha beta E)))
 
 (define (pendulum-oscillating-frequency alpha beta E)
-  (check-swinging 'pendulum-oscillating-frequency beta E)
+  (check-swinging 'pendulum-oscillating-frequency alpha beta E)
   (g:/ (g:* pi (omega-0 alpha beta)) (g:* 2.0 (first-elliptic-integral (modulus beta E)))))
 
 (define (pendulum-circulating-frequency alpha beta E)
-  (check-turning 'pendulum-circulating-frequency beta E)
+  (check-turning 'pendulum-circulating-frequency alpha beta E)
   (g:/ (g:* pi (omega-R alpha beta E)) (first-elliptic-integral (g:/ 1 (modulus beta E)))))
 
 (define (pendulum-oscillating-action alpha beta E)
-  (check-swinging 'pendulum-oscillating-action beta E)
+  (check-swinging 'pendulum-oscillating-action alpha beta E)
   (define k (modulus beta E))
   (elliptic-integrals
    k
@@ -102,7 +108,7 @@
      (g:* (/ 8.0 pi) (g:sqrt (g:* alpha beta)) (g:- E (g:* (g:- 1.0 (g:square k)) K))))))
 
 (define (pendulum-circulating-action alpha beta E)
-  (check-turning 'pendulum-circulating-action beta E)
+  (check-turning 'pendulum-circulating-action alpha beta E)
   (define k (g:/ 1 (modulus beta E)))
   (g:/ (g:* (/ 4.0 pi) (g:sqrt (g:* alpha beta)) (second-elliptic-integral k)) k))
 
@@ -113,14 +119,14 @@
 ;; Motions: functions of the time since θ = 0
 
 (define (pendulum-oscillating-angle alpha beta E)
-  (check-swinging 'pendulum-oscillating-angle beta E)
+  (check-swinging 'pendulum-oscillating-angle alpha beta E)
   (define k (modulus beta E))
   (function-of (t) (pendulum-oscillating-angle alpha beta E)
     (Jacobi-elliptic-functions (g:* (omega-0 alpha beta) t) k
                                (lambda (sn cn dn) (g:* 2.0 (g:asin (g:* k sn)))))))
 
 (define (pendulum-oscillating-angular-momentum alpha beta E)
-  (check-swinging 'pendulum-oscillating-angular-momentum beta E)
+  (check-swinging 'pendulum-oscillating-angular-momentum alpha beta E)
   (define-values (k omega) (values (modulus beta E) (omega-0 alpha beta)))
   (function-of (t) (pendulum-oscillating-angular-momentum alpha beta E)
     (Jacobi-elliptic-functions (g:* omega t) k
@@ -128,12 +134,12 @@
 
 ;; Between −π and π, of the turn that t is in
 (define (pendulum-circulating-angle alpha beta E)
-  (check-turning 'pendulum-circulating-angle beta E)
+  (check-turning 'pendulum-circulating-angle alpha beta E)
   (function-of (t) (pendulum-circulating-angle alpha beta E)
     (in-turn alpha beta E t (lambda (sn cn dn) (g:* 2.0 (g:asin sn))))))
 
 (define (pendulum-circulating-angular-momentum alpha beta E)
-  (check-turning 'pendulum-circulating-angular-momentum beta E)
+  (check-turning 'pendulum-circulating-angular-momentum alpha beta E)
   (function-of (t) (pendulum-circulating-angular-momentum alpha beta E)
     (in-turn alpha beta E t
              (lambda (sn cn dn) (g:* 2.0 alpha (omega-R alpha beta E) dn)))))

@@ -25,7 +25,7 @@
          pendulum-circulating-state-to-aa-state pendulum-circulating-aa-state-to-state
          pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state
          ;; for motions
-         of-state energy in-turn mirrored downwards?)
+         of-state energy at-rest? in-turn mirrored downwards?)
 
 (define-syntax-rule (of-state (state) (name argument ...) body ...)
   (unary-function (lambda () (list 'name (value->datum argument) ...)) (state)
@@ -41,44 +41,50 @@
 ;; The time since θ = 0 with p > 0
 (define (pendulum-oscillating-dt alpha beta)
   (of-state (state) (pendulum-oscillating-dt alpha beta)
-    (define E (energy alpha beta state))
-    (check-not-at-rest 'pendulum-oscillating-dt beta E)
-    (define omega (pendulum-oscillating-frequency alpha beta E))
-    (define k (modulus beta E))
-    (define s (g:/ (g:sin (g:* 1/2 (coordinate state))) k))
-    (define u (elliptic-integral-F (asin-within s) k))
-    (define dt (g:/ u (g:sqrt (g:/ beta alpha))))
-    (if (negative? (number-of 'pendulum-oscillating-dt "the momentum" (momentum state)))
-        (g:- (g:/ pi omega) dt)
-        dt)))
+    (time-of-swing 'pendulum-oscillating-dt alpha beta state)))
+
+(define (time-of-swing who alpha beta state)
+  (define E (energy alpha beta state))
+  (check-swinging who alpha beta E)
+  (when (at-rest? who beta E) (complain who "a pendulum at rest has no phase"))
+  (define k (modulus beta E))
+  (define s (g:/ (g:sin (g:* 1/2 (coordinate state))) k))
+  (define dt (g:/ (elliptic-integral-F (asin-within s) k) (g:sqrt (g:/ beta alpha))))
+  (if (negative? (number-of who "the momentum" (momentum state)))
+      (g:- (g:/ pi (pendulum-oscillating-frequency alpha beta E)) dt)
+      dt))
 
 ;; Rounding may take the sine of the greatest angle beyond 1.
 (define (asin-within s)
   (define r (comparand s))
   (if (and (real? r) (>= (abs r) 1)) (if (> r 0) :pi/2 (- :pi/2)) (g:asin s)))
 
-(define (check-not-at-rest who beta E)
-  (when (= (number-of who "the energy" E) (- (number-of who "beta" beta)))
-    (complain who "a pendulum at rest has no phase")))
+(define (at-rest? who beta E)
+  (= (number-of who "the energy" E) (- (number-of who "beta" beta))))
 
 (define (pendulum-circulating-dt alpha beta)
   (of-state (state) (pendulum-circulating-dt alpha beta)
-    (define E (energy alpha beta state))
-    (define omega (pendulum-circulating-frequency alpha beta E)) ; checks E
-    (define k (g:/ 1 (modulus beta E)))
-    (define u (elliptic-integral-F (g:* 1/2 (in-turn (coordinate state))) k))
-    (g:/ u (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha))))))
+    (time-of-turn 'pendulum-circulating-dt alpha beta state)))
+
+(define (time-of-turn who alpha beta state)
+  (define E (energy alpha beta state))
+  (check-turning who alpha beta E)
+  (define k (g:/ 1 (modulus beta E)))
+  (define u (elliptic-integral-F (g:* 1/2 (in-turn (coordinate state))) k))
+  (g:/ u (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha)))))
 
 ;; The angle, between −π and π
 (define (pendulum-oscillating-phase alpha beta)
   (of-state (state) (pendulum-oscillating-phase alpha beta)
-    (in-turn (g:* (pendulum-oscillating-frequency alpha beta (energy alpha beta state))
-                  ((pendulum-oscillating-dt alpha beta) state)))))
+    (phase 'pendulum-oscillating-phase alpha beta state time-of-swing)))
 
 (define (pendulum-circulating-phase alpha beta)
   (of-state (state) (pendulum-circulating-phase alpha beta)
-    (in-turn (g:* (pendulum-circulating-frequency alpha beta (energy alpha beta state))
-                  ((pendulum-circulating-dt alpha beta) state)))))
+    (phase 'pendulum-circulating-phase alpha beta state time-of-turn)))
+
+(define (phase who alpha beta state time-of)
+  (define dt (time-of who alpha beta state))
+  (in-turn (g:* (pendulum-frequency alpha beta (energy alpha beta state)) dt)))
 
 ;; ---------------------------------------------------------------------------
 ;; Energies of actions
@@ -112,15 +118,17 @@
 
 (define (pendulum-oscillating-state-to-aa-state alpha beta)
   (of-state (state) (pendulum-oscillating-state-to-aa-state alpha beta)
-    (aa-state alpha beta state pendulum-oscillating-phase pendulum-oscillating-action)))
+    (aa-state 'pendulum-oscillating-state-to-aa-state alpha beta state
+              time-of-swing pendulum-oscillating-action)))
 
 (define (pendulum-circulating-state-to-aa-state alpha beta)
   (of-state (state) (pendulum-circulating-state-to-aa-state alpha beta)
-    (aa-state alpha beta state pendulum-circulating-phase pendulum-circulating-action)))
+    (aa-state 'pendulum-circulating-state-to-aa-state alpha beta state
+              time-of-turn pendulum-circulating-action)))
 
-(define (aa-state alpha beta state phase action)
+(define (aa-state who alpha beta state time-of action)
   (up (time state)
-      ((phase alpha beta) state)
+      (phase who alpha beta state time-of)
       (action alpha beta (energy alpha beta state))))
 
 (define (pendulum-oscillating-aa-state-to-state alpha beta)
@@ -152,7 +160,7 @@
   (define who 'pendulum-state-to-global-aa-state)
   (of-state (state) (pendulum-state-to-global-aa-state alpha beta)
     (cond
-      [(swinging? who beta (energy alpha beta state))
+      [(swinging? who alpha beta (energy alpha beta state))
        ((pendulum-oscillating-state-to-aa-state alpha beta) state)]
       [else
        (define down? (downwards? who state))

@@ -14,7 +14,7 @@
 (require "../canonical/transformation.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")
@@ -44,6 +44,9 @@
 ;; ((periodic-extension H ω) (up s (up φ q) (down P p))) = ω P + H(φ/ω, q, p)
 (define (periodic-extension H omega)
   (check-Hamiltonian 'periodic-extension H)
+  (when (or (not (scalar? omega)) (eqv? omega 0))
+    (complain 'periodic-extension "the frequency is a number other than 0, or a symbol; given ~a"
+              (describe-with-value omega)))
   (unary-function (lambda () (list 'periodic-extension (value->datum H) (value->datum omega)))
       (state)
     (define inner (reduced 'periodic-extension state))

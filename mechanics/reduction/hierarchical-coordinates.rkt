@@ -19,7 +19,7 @@
 (require racket/list
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")
@@ -88,7 +88,7 @@
 ;; (0 1) (1 2) ⋯ of n bodies
 (define (Jacobi-links n)
   (unless (and (exact-integer? n) (>= n 2))
-    (raise-argument-error 'Jacobi-links "a number of bodies, at least 2" n))
+    (complain-of-argument 'Jacobi-links "a number of bodies, at least 2" n))
   (for/list ([k (in-range 1 n)]) (list (sub1 k) k)))
 
 ;; The index of the coordinate that is the centre of mass of n bodies, or #f if none is

@@ -13,7 +13,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
@@ -102,7 +102,7 @@
 
 (define (check-index who k)
   (unless (exact-nonnegative-integer? k)
-    (raise-argument-error who "the index of a coordinate" k)))
+    (complain-of-argument who "the index of a coordinate" k)))
 
 (define (check-place who k state)
   (define n (if (tuple? (coordinate state)) (structure-length (adopt (coordinate state))) 1))

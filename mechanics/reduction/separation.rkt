@@ -7,15 +7,14 @@
 ;; as functions of the state, are conserved.
 
 (require racket/string
-         "momentum-by-energy.rkt" "split.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "momentum-by-energy.rkt" "what-separates.rkt" "split.rkt"
          "../calculus/expression-function.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/on-demand.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
-         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../verdict/prove-zero.rkt")
 
@@ -26,7 +25,7 @@
          separation-momenta separation-constants separation-integrals separation-function
          verify-separation
          ;; for actions and frequencies
-         (struct-out separation) momentum-of degree-of)
+         (struct-out separation) check-separation pieces-by-coordinate momentum-of degree-of)
 
 ;; pieces : in the order in which they were found; the last has the energy for its constant
 (value-struct separation (H state energy pieces)
@@ -37,39 +36,46 @@
   (define who 'separate-Hamilton-Jacobi)
   (define e (checked-value who H state energy))
   (define-values (qs ps) (values (scalars (coordinate state)) (scalars (momentum state))))
-  (define result (split (g:- e energy) qs ps (constant-name who e energy)))
+  (define result (split (g:- e energy) qs ps (constant-name e energy)))
   (when (unsplit? result) (raise-not-separable who H result))
   (for ([x (in-list result)])
     (unless (memv (degree-of x) '(1 2)) (raise-no-momentum who H x)))
   (separation H state energy result))
 
+(define (check-separation who s)
+  (unless (separation? s)
+    (complain who "expected what separate-Hamilton-Jacobi gives; given ~a"
+              (describe-with-value s))))
+
 ;; ---------------------------------------------------------------------------
 ;; What was found
 
-(define (momenta-by-coordinate s)
+(define (pieces-by-coordinate s)
   (for/list ([q (in-list (scalars (coordinate (separation-state s))))])
-    (momentum-of (findf (lambda (x) (eq? (piece-q x) q)) (separation-pieces s)))))
+    (findf (lambda (x) (eq? (piece-q x) q)) (separation-pieces s))))
+
+(define (momenta-by-coordinate s) (map momentum-of (pieces-by-coordinate s)))
 
 ;; The p of a piece, by its equation
 (define (momentum-of x)
-  (define (f p) (evaluate-generically (piece-equation x) (list (cons (piece-p x) p))))
-  (simplify (momentum-by-energy f (degree-of x) 0 1)))
+  (simplify (momentum-by-energy (lambda (p) (equation-at x p)) (degree-of x) 0 1)))
 
-(define (degree-of x)
-  (degree-in (lambda (p) (evaluate-generically (piece-equation x) (list (cons (piece-p x) p))))
-             (piece-p x)))
+(define (degree-of x) (degree-in (lambda (p) (equation-at x p)) (piece-p x)))
 
 ;; ∂S/∂q, of the shape of the momenta: that of each coordinate with + of its root
 (define (separation-momenta s)
+  (check-separation 'separation-momenta s)
   (define ps (momenta-by-coordinate s))
   (scalars->structure (momentum (separation-state s)) (lambda (k) (list-ref ps k))))
 
 ;; The energy, and the others in the order found
 (define (separation-constants s)
+  (check-separation 'separation-constants s)
   (cons (separation-energy s) (filter values (map piece-constant (separation-pieces s)))))
 
 ;; The same as functions of the state
 (define (separation-integrals s)
+  (check-separation 'separation-integrals s)
   (define names (scalars (separation-state s)))
   (define H (separation-H s))
   (define (value-at at)
@@ -79,24 +85,24 @@
   (cons H
         (for/list ([c (in-list (cdr (separation-constants s)))])
           (unary-function (lambda () c) (at)
-            (check-H-state 'separation-integrals at)
+            (check-state-like 'separation-integrals (separation-state s) at)
             (cdr (assq c (value-at at)))))))
 
 ;; S(t, q) = Σ ∫ pᵢ dqⁱ − E t.  from : coordinates where integrals without a formula begin, or #f
 (define-plain (separation-function s #:from [from #f])
   (define who 'separation-function)
+  (check-separation who s)
   (define qs (scalars (coordinate (separation-state s))))
   (check-from who s from)
   (define terms
     (for/list ([p (in-list (momenta-by-coordinate s))] [q (in-list qs)] [k (in-naturals)])
       (primitive who p q (and from (list-ref (scalars from) k)))))
-  (make-function
-   (lambda (t q)
-     (for/fold ([S (g:* -1 (separation-energy s) t)])
-               ([W (in-list terms)] [x (in-list (scalars q))])
-       (g:+ S (W x))))
-   4
-   (lambda () (list who (value->datum (separation-H s))))))
+  (define (principal-function t q)
+    (for/fold ([S (g:* -1 (separation-energy s) t)])
+              ([W (in-list terms)] [x (in-list (scalars q))])
+      (g:+ S (W x))))
+  (make-function (procedure-rename principal-function who) 4
+                 (lambda () (list who (value->datum (separation-H s))))))
 
 ;; ∫ p dq as a function, by a formula or by numbers from where it begins
 (define (primitive who p q start)
@@ -119,49 +125,11 @@
 
 ;; Do the momenta found solve H(q, p(q)) = E?
 (define (verify-separation s)
+  (check-separation 'verify-separation s)
   (define state (separation-state s))
   (prove-zero (g:- ((separation-H s) (up (time state) (coordinate state) (separation-momenta s)))
                    (separation-energy s))
               #:variables (scalars (coordinate state))))
-
-;; ---------------------------------------------------------------------------
-;; What is given
-
-(define (checked-value who H state energy)
-  (check-Hamiltonian who H)
-  (check-H-state who state)
-  (check-symbols who state "state")
-  (define e ((number-valued who H) state))
-  (check-parameters who H state "state")
-  (unless (scalar? energy)
-    (complain who "the energy is a symbol or a number; given ~a" (describe-with-value energy)))
-  (define simple (simplify-strictly e))
-  (when (holds? simple (time state))
-    (complain who
-              (string-append "~a depends on the time ~a; extended-Hamiltonian makes the time a "
-                             "coordinate\n  its value: ~a")
-              (value->text H) (time state) (value->text simple)))
-  (for ([p (in-list (scalars (momentum state)))] #:unless (holds? simple p))
-    (complain who
-              "~a does not depend on the momentum ~a: its coordinate rests, and separates nothing"
-              (value->text H) p))
-  (for ([x (in-list (scalars state))] #:when (and (not (symbol? energy)) (holds? energy x)))
-    (complain who "the energy is constant, and does not depend on the state; given ~a"
-              (value->text energy)))
-  (when (or (and (symbol? energy) (holds? simple energy)) (memq energy (scalars state)))
-    (complain who
-              (string-append "the symbol ~a, for the energy, stands in ~a or in the state, too; "
-                             "#:energy names another")
-              energy (value->text H)))
-  simple)
-
-(define (holds? e x) (and (expression? e) (symbol? x) (occurs? x e)))
-
-;; alpha_q, primed where that is taken
-(define ((constant-name who e energy) q)
-  (let retry ([name (format "alpha_~a" q)])
-    (define symbol (string->symbol name))
-    (if (or (holds? e symbol) (eq? symbol energy)) (retry (string-append name "prime")) symbol)))
 
 ;; ---------------------------------------------------------------------------
 ;; What does not separate

@@ -18,7 +18,7 @@
          (only-in "../value/algebra.rkt" expand-expression numerator-and-denominator)
          "../value/assumptions.rkt" "../value/simplify.rkt")
 
-(provide split denominator-of (struct-out piece) (struct-out unsplit))
+(provide split denominator-of holds? equation-at (struct-out piece) (struct-out unsplit))
 
 ;; equation : an expression in q, p and constants, 0 along the motion; integral : an expression
 ;; in them that is equal to `constant`, or #f of the last one; cyclic? : is it p itself?
@@ -49,6 +49,9 @@
 
 (define (with e x value) (evaluate-generically e (list (cons x value))))
 
+;; The equation of a piece, with a value in place of its momentum
+(define (equation-at x p) (with (piece-equation x) (piece-p x) p))
+
 ;; -> (list (q . p) its-part the-rest), or #f
 (define (parted G open)
   (or (parted-after G open 1)
@@ -71,7 +74,7 @@
 
 (define (terms-of e) (if (and (node? e) (eq? (node-head e) op:+)) (node-args e) (list e)))
 (define (sum terms) (simplify-strictly (for/fold ([s 0]) ([t (in-list terms)]) (g:+ s t))))
-(define (holds? e x) (and (expression? e) (occurs? x e)))
+(define (holds? e x) (and (expression? e) (symbol? x) (occurs? x e)))
 
 (define (expanded e)
   (define-values (x _assumed) (expand-expression (simplify-strictly e) (assumptions-in-force)))

@@ -103,8 +103,7 @@
   "  move it there, by a translation of coordinates and momenta"]
  [(Birkhoff-normal-form (lambda (s) (+ (square (momentum s)) (square (coordinate s)) )) line
                         #:degree 2)
-  "Birkhoff-normal-form: contract violation\n"
-  "  expected: the degree of the last terms, at least 3\n  given: 2"]
+  "Birkhoff-normal-form: expected the degree of the last terms, at least 3\n  given: the number 2"]
  [(Birkhoff-normal-form (lambda (s) (+ (square (momentum s)) (* 3 (square (coordinate s))))) line)
   "Birkhoff-normal-form: the terms of degree 2 are to be oscillators, the sum of ω (q² + p²)/2 for "
   "each coordinate; they are (+ (expt p_0 2) (* 3 (expt q_0 2)))\n"

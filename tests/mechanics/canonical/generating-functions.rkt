@@ -125,8 +125,7 @@
   "generating-function: not-canonical has no generating function: it is not canonical\n"
   "  for what it misses: (verify-canonical C state)"]
  [(generating-function (polar-canonical 'alpha) line #:type 5)
-  "generating-function: contract violation\n"
-  "  expected: the type of a generating function: 1, 2, 3 or 4\n  given: 5"])
+  "generating-function: expected the type of a generating function: 1, 2, 3 or 4\n  given: the number 5"])
 
 ;; Of a root that is nowhere real nothing is proved or refuted.
 (define (nowhere-real (up t q p)) (up t (* (sqrt (- -1 (square 'a))) q) p))

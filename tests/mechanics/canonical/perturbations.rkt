@@ -2,6 +2,8 @@
 ;; Perturbation theory as a procedure: what is removed, what stays, what is divided by.
 
 (require mechanics
+         (prefix-in found: mechanics/canonical/perturbation/found-perturbation)
+         (only-in mechanics/canonical/perturbation/Poisson-series series-scale)
          rackunit
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
@@ -68,6 +70,33 @@
     (check-true (< (size (- (momentum back) 'p)) (* 10 (expt e 3))))))
 
 ;; ---------------------------------------------------------------------------
+;; Each claim, order by order
+
+(define (statuses P claim)
+  (for/list ([v (in-list (perturbation-verdicts P))] #:when (eq? (car v) claim))
+    (list (cadr v) (verdict-status (caddr v)))))
+
+(test-case "each claim of the pendulum's perturbation is proved in each order"
+  (define P (perturbation-series rotor gravity line #:order 2))
+  (for ([claim '(transformed without-angles)])
+    (check-equal? (statuses P claim) '((0 proved) (1 proved) (2 proved))))
+  (for ([claim '(canonical inverse)])
+    (check-equal? (statuses P claim) '((1 proved) (2 proved)))))
+
+;; Another generator removes nothing; its transformation is canonical all the same.
+(test-case "a generator of the wrong sign is found out, in the order that it is of"
+  (define P (perturbation-series rotor gravity line #:order 2))
+  (define wrong
+    (found:perturbation (found:perturbation-state P) (found:perturbation-given P) 'epsilon
+                        (found:perturbation-terms P)
+                        (cons (series-scale -1 (car (found:perturbation-Ws P)))
+                              (cdr (found:perturbation-Ws P)))
+                        (found:perturbation-removals P)))
+  (check-equal? (statuses wrong 'transformed) '((0 proved) (1 refuted) (2 refuted)))
+  (check-equal? (statuses wrong 'canonical) '((1 proved) (2 proved)))
+  (check-pred refuted? (verify-perturbation wrong)))
+
+;; ---------------------------------------------------------------------------
 ;; Resonances
 
 (define (driven-rotor (up t (up theta phi) (down p P)))
@@ -90,6 +119,12 @@
   (check-identity (caddr (car (perturbation-resonances P))) (* 'gamma (cos (- 'theta 'phi))))
   (check-false (member '(1 -1) (map cadr (perturbation-divisors P))))
   (check-pred proved? (verify-perturbation P)))
+
+(test-case "a resonance that is kept leaves angles in its order, and is no mistake"
+  (define P (perturbation-series driven-rotor drive two #:order 2 #:keep '((1 -1))))
+  (check-equal? (statuses P 'transformed) '((0 proved) (1 proved) (2 proved)))
+  (check-equal? (statuses P 'without-angles) '((0 proved) (1 refuted) (2 proved)))
+  (check-equal? (statuses P 'inverse) '((1 proved) (2 proved))))
 
 (test-case "what no choice of momenta removes is kept, and named"
   (define (oscillators (up t q (down I J))) (+ (* 2 I) J))
@@ -153,7 +188,7 @@
   "perturbation-series: the waves to be kept are lists of one integer, one for each angle, such "
   "as ((1)); given (1)"]
  [(perturbation-series rotor gravity line #:order 0)
-  "perturbation-series: contract violation\n  expected: the order, at least 1\n  given: 0"]
+  "perturbation-series: expected the order, at least 1\n  given: the number 0"]
  [(perturbation-series 'H0 gravity line)
   "perturbation-series: a Hamiltonian is a function of the state (up t q p); given the symbol H0"]
  [(perturbation-inverse 3)
@@ -166,10 +201,10 @@
 (test-case "what takes a perturbation says so of other things"
   (for ([take (list perturbation-Hamiltonian perturbation-generators perturbation-divisors
                     perturbation-resonances perturbation-transformation perturbation-inverse
-                    perturbation-solution verify-perturbation)]
+                    perturbation-solution verify-perturbation perturbation-verdicts)]
         [name '(perturbation-Hamiltonian perturbation-generators perturbation-divisors
                 perturbation-resonances perturbation-transformation perturbation-inverse
-                perturbation-solution verify-perturbation)])
+                perturbation-solution verify-perturbation perturbation-verdicts)])
     (check-message
      (format "~a: expected what perturbation-series gives; given the procedure `rotor`" name)
      (take rotor) exn:fail:contract?)))

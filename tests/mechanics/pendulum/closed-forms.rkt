@@ -117,6 +117,9 @@
                 ((pendulum-oscillating-dt 1 9.8) state))
                1.0 1e-12))
 
+(test-case "a pendulum at rest stays where it is"
+  (check-equal? (((pendulum-advance 1 9.8) (up 0 0 0)) 3) (up 3 0 0)))
+
 (says
  [(pendulum-frequency 1 9.8 -10)
   "pendulum-frequency: the energy of a pendulum is at least -beta; given -10, with beta = 9.8"]
@@ -133,7 +136,17 @@
   "pendulum-circulating-angle: with an energy of less than beta the pendulum swings; given 0, "
   "with beta = 9.8"]
  [((pendulum-oscillating-phase 1 9.8) (up 0 0 0))
-  "pendulum-oscillating-dt: a pendulum at rest has no phase"]
+  "pendulum-oscillating-phase: a pendulum at rest has no phase"]
+ [((pendulum-oscillating-state-to-aa-state 1 9.8) (up 0 0 0))
+  "pendulum-oscillating-state-to-aa-state: a pendulum at rest has no phase"]
+ [((pendulum-oscillating-phase 1 9.8) (up 0 1 100))
+  "pendulum-oscillating-phase: with an energy of more than beta the pendulum turns; "
+  "given 4994.705037402492, with beta = 9.8"]
+ [((pendulum-circulating-dt 1 9.8) (up 0 1 0))
+  "pendulum-circulating-dt: with an energy of less than beta the pendulum swings; "
+  "given -5.29496259750777, with beta = 9.8"]
+ [(pendulum-frequency -1 9.8 0)
+  "pendulum-frequency: alpha is positive; given the number -1"]
  [((pendulum-oscillating-action-to-E 1 1) 3)
   "pendulum-oscillating-action-to-E: the action is to be between 0 and 2.5464790894703255; given 3"]
  [((Hpendulum 1 9.8) 3)

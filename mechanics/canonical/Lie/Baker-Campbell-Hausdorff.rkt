@@ -11,11 +11,11 @@
 ;; stand for their Lie derivatives, and [L_f, L_g] = L_{g, f} by Jacobi's identity.
 
 (require (only-in math/number-theory bernoulli-number)
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../hamiltonian/Poisson-bracket.rkt"
-         "../value/operator.rkt"
-         "../value/series/coefficients.rkt" "../value/series/series.rkt")
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../hamiltonian/Poisson-bracket.rkt"
+         "../../value/operator.rkt"
+         "../../value/series/coefficients.rkt" "../../value/series/series.rkt")
 
 (provide Baker-Campbell-Hausdorff)
 

@@ -10,24 +10,32 @@
 ;; the derivative as it stands is kept: the next would be that of thousands of terms.  Where
 ;; functions make nothing of symbols, brackets of functions have to do.
 
-(require "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
-         "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/on-demand.rkt" "../generic/up-down.rkt"
-         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
-         "../hamiltonian/Hamiltonian.rkt" "../hamiltonian/Poisson-bracket.rkt"
-         "../value/assumptions.rkt" "../value/operator.rkt" "../value/shape.rkt"
-         "../value/simplify.rkt" "../value/symbols-like.rkt")
+(require "../../algebra/expression/expression.rkt" "../../algebra/expression/flat-graph.rkt"
+         "../../calculus/derivative.rkt"
+         "../../error/complain.rkt" "../../error/refusal.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
+         "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamilton-equations.rkt"
+         "../../hamiltonian/Hamiltonian.rkt" "../../hamiltonian/Poisson-bracket.rkt"
+         "../../value/assumptions.rkt" "../../value/operator.rkt" "../../value/shape.rkt"
+         "../../value/simplify.rkt" "../../value/symbols-like.rkt")
 
-(require-on-demand ["../calculus/expression-function.rkt" evaluate-generically])
+(require-on-demand ["../../calculus/expression-function.rkt" evaluate-generically])
 
-(provide Lie-derivative flow-derivative
+(provide Lie-derivative Lie-derivative-procedure flow-derivative
          ;; for what is made of it
          on-quantity)
 
 ;; F ↦ {F, H}
 (define (Lie-derivative H) (derivation-of 'Lie-derivative H 0))
+
+;; The same as a function, which the book makes an operator of (p. 448)
+(define (Lie-derivative-procedure H)
+  (define who 'Lie-derivative-procedure)
+  (check-Hamiltonian who H)
+  (unary-function (lambda () (list who (value->datum H))) (F)
+    (check-quantity who F)
+    (Poisson-bracket F H)))
 
 ;; F ↦ ∂₀F + {F, H}
 (define (flow-derivative H) (derivation-of 'flow-derivative H 1))

@@ -6,20 +6,25 @@
 ;; separatrix is 2 √(V/A) high on either side: momenta are moved by up to that times k.
 ;; Resonances of which the widths overlap make the motion chaotic (Chirikov 1979).
 
-(require "Poisson-series.rkt"
-         "../calculus/derivative.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/up-down.rkt"
-         "../hamiltonian/H-state.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt")
+(require "Poisson-series.rkt" "unperturbed.rkt"
+         "../../calculus/derivative.rkt"
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
+         "../../generic/elementary.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../value/shape.rkt" "../../value/simplify.rkt")
 
 (provide resonance-width resonance-center)
 
 ;; The greatest shift of the momenta from the middle of the resonance, a tuple like these.
 ;; H0, H1 : functions of the state; k : integers; state : on the resonance
 (define (resonance-width H0 H1 k state)
+  (check-Hamiltonian 'resonance-width H0)
+  (check-Hamiltonian 'resonance-width H1)
+  (check-H-state 'resonance-width state)
+  (check-unperturbed 'resonance-width H0 (unknowns-like state))
   (define-values (names wave) (wave-of 'resonance-width H1 k state))
   (define A (curvature H0 k state))
   (when (g:zero? A)
@@ -44,27 +49,45 @@
 ;; The value of the momentum of index j that puts a state on the resonance k, the others being
 ;; as they are: where k·ω is of degree 1 in it.
 (define (resonance-center H0 k state j)
-  (check-H-state 'resonance-center state)
+  (define who 'resonance-center)
+  (check-Hamiltonian who H0)
+  (check-H-state who state)
   (define I (scalars (momentum state)))
+  (check-integers who k (length I))
+  (check-unperturbed who H0 (unknowns-like state))
+  (unless (and (exact-nonnegative-integer? j) (< j (length I)))
+    (complain-of-argument who (format "the index of a momentum, below ~a" (length I)) j))
   (define (slope x)
     (define p (scalars->structure (momentum state) (lambda (i) (if (= i j) x (list-ref I i)))))
     (define omegas
       (scalars (derivative-at (lambda (p) (H0 (up (time state) (coordinate state) p))) p)))
     (for/fold ([sum 0]) ([n (in-list k)] [omega (in-list omegas)]) (g:+ sum (g:* n omega))))
   (define rate (simplify (derivative-at slope 0)))
-  (when (g:zero? rate)
-    (complain 'resonance-center "the frequency of the wave ~a does not depend on the momentum ~a"
-              k j))
+  (check-linear who slope rate k j)
   (simplify (g:negate (g:/ (slope 0) rate))))
+
+;; slope : p -> k·ω;  rate : its derivative at 0
+(define (check-linear who slope rate k j)
+  (define p (string->uninterned-symbol "p"))
+  (unless (eqv? 0 (simplify-strictly (g:- (derivative-at slope p) rate)))
+    (complain who
+              (string-append "the frequency of the wave ~a is not of degree 1 in the momentum ~a"
+                             "\n  its zeros are found by (find-root f low high)")
+              k j))
+  (when (g:zero? rate)
+    (complain who "the frequency of the wave ~a does not depend on the momentum ~a" k j)))
+
+(define (check-integers who k n)
+  (unless (and (list? k) (= (length k) n) (andmap exact-integer? k))
+    (complain who "expected the integers of a wave, a list of ~a; given ~a" n
+              (describe-with-value k))))
 
 ;; -> symbols, and the wave of H1 at these
 (define (wave-of who H1 k state)
   (check-H-state who state)
   (define place (scalars->structure state (lambda (i) (string->uninterned-symbol "x"))))
   (define angles (scalars (coordinate place)))
-  (unless (and (list? k) (= (length k) (length angles)) (andmap exact-integer? k))
-    (complain who "expected the integers of a wave, a list of ~a; given ~a" (length angles)
-              (describe-with-value k)))
+  (check-integers who k (length angles))
   (define (fail part)
     (complain who "~a is no sum of sines and cosines of the angles: there is ~a"
               (value->text H1) (value->text part)))

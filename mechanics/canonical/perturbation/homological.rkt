@@ -8,8 +8,8 @@
 ;; which cannot be removed, and those that are asked for.
 
 (require "Poisson-series.rkt" "vanishing-divisor.rkt"
-         "../generic/arithmetic.rkt"
-         "../value/simplify.rkt")
+         "../../generic/arithmetic.rkt"
+         "../../value/simplify.rkt")
 
 (provide solve-homological divisor
          (struct-out removed))

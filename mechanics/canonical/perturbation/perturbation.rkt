@@ -6,15 +6,16 @@
 ;; is not to be, stays: resonances.  All that was divided by is kept with the answer, for where
 ;; it is small the answer is worth nothing.
 
-(require "Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt" "homological.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../calculus/derivative.rkt"
-         "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
-         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
-         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt")
+(require "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt" "homological.rkt"
+         "unperturbed.rkt"
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
+         "../../calculus/derivative.rkt"
+         "../../error/complain.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
+         "../../lagrangian/generic-state.rkt" "../../lagrangian/local-tuple.rkt"
+         "../../value/shape.rkt" "../../value/simplify.rkt")
 
 (provide perturbation-series)
 
@@ -59,18 +60,11 @@
   (check-H-state who state)
   (check-symbols who state "state")
   (unless (exact-positive-integer? order)
-    (raise-argument-error who "the order, at least 1" order))
+    (complain-of-argument who "the order, at least 1" order))
   (for ([H (in-list given)])
     ((number-valued who H) state)
     (check-parameters who H state "state"))
-  (define free ((car given) state))
-  (for ([angle (in-list (scalars (coordinate state)))]
-        #:when (and (expression? free) (occurs? angle (simplify-strictly free))))
-    (complain who
-              (string-append "the Hamiltonian without the perturbation is to depend on the momenta "
-                             "alone, but ~a depends on the angle ~a\n  its value: ~a"
-                             "\n  action and angle make it so: for an oscillator, polar-canonical")
-              (value->text (car given)) angle (value->text (simplify-strictly free)))))
+  (check-unperturbed who (car given) state))
 
 ;; ε is nothing that the Hamiltonians are made of.
 (define (check-parameter who parameter given state)
@@ -103,8 +97,10 @@
     (cond [(< k (length given))
            (define H (list-ref given k))
            (define e (H state))
+           (define waves
+             (expression->Poisson-series e angles (lambda (part) (raise-no-waves who H part))))
            (check-time who H e (time state))
-           (expression->Poisson-series e angles (lambda (part) (raise-no-waves who H angles part)))]
+           waves]
           [else (zero-series (length angles))])))
 
 (define (check-time who H e t)
@@ -114,7 +110,7 @@
                              "\n  its value: ~a")
               (value->text H) t (value->text e))))
 
-(define (raise-no-waves who H angles part)
+(define (raise-no-waves who H part)
   (complain who
             (string-append "a perturbation is a sum of sines and cosines of integer multiples of "
                            "the angles, with coefficients in the momenta; in ~a there is ~a")

@@ -7,13 +7,14 @@
 ;; with −ε is the inverse.
 
 (require "Lie-derivative.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
-         "../hamiltonian/H-state.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../value/operator.rkt"
-         "../value/series/access.rkt")
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/elementary.rkt"
+         "../../generic/function.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../hamiltonian/H-state.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../value/operator.rkt"
+         "../../value/series/access.rkt")
 
 (provide Lie-transform flow-transform Lie-transformation)
 
@@ -35,7 +36,7 @@
 ;; up to order n; canonical up to terms of order n + 1.
 (define (Lie-transformation W epsilon order)
   (unless (exact-nonnegative-integer? order)
-    (raise-argument-error 'Lie-transformation "the order of the last term" order))
+    (complain-of-argument 'Lie-transformation "the order of the last term" order))
   (define E (exponential 'Lie-transformation Lie-derivative W epsilon))
   (define-values (q p) (values (E coordinate) (E momentum)))
   (define (name) (list 'Lie-transformation (value->datum W) (value->datum epsilon) order))

@@ -7,21 +7,21 @@
 
 (require racket/list
          "Poisson-series.rkt" "homological.rkt"
-         "../calculus/expression-function.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt"
-         "../generic/function.rkt"
-         "../generic/value-struct.rkt"
-         "../hamiltonian/H-state.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt"
-         "../value/series/access.rkt")
+         "../../calculus/expression-function.rkt"
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
+         "../../generic/elementary.rkt"
+         "../../generic/function.rkt"
+         "../../generic/value-struct.rkt"
+         "../../hamiltonian/H-state.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../value/shape.rkt" "../../value/simplify.rkt"
+         "../../value/series/access.rkt")
 
 (provide perturbation? perturbation-Hamiltonian perturbation-generators
          perturbation-divisors perturbation-resonances
          ;; for what makes it, and what is made of it
-         (struct-out perturbation) check-perturbation actions-of angles-of)
+         (struct-out perturbation) check-perturbation actions-of angles-of term-function)
 
 ;; state : of symbols; given : functions H₀, H₁, …; terms, Ws : Poisson series, of H' and
 ;; the Wₙ; removals : for each order the list of what was removed
@@ -44,7 +44,7 @@
   (define e (simplify-strictly (series->expression s (angles-of P))))
   (define names (scalars state))
   (unary-function (lambda () (value->datum e)) (at)
-    (check-H-state 'perturbation-series at)
+    (check-state-like 'perturbation-series state at)
     (evaluate-generically e (map cons names (scalars at)))))
 
 ;; The series of functions H'₀ + ε H'₁ + ⋯ of the new state

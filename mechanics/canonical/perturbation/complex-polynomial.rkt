@@ -10,7 +10,7 @@
 
 (require racket/list
          "expression-in-ring.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/elementary.rkt")
 
 (provide polynomial-sum polynomial-scale polynomial-product polynomial-bracket
          expression->polynomial polynomial->expression polynomial-of exponents-apart)

@@ -9,11 +9,11 @@
 ;; the angles themselves are series.
 
 (require "expression-in-ring.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/symbols.rkt"
-         "../calculus/expression-function.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../value/simplify.rkt")
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
+         "../../algebra/expression/symbols.rkt"
+         "../../calculus/expression-function.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/elementary.rkt"
+         "../../value/simplify.rkt")
 
 (provide (struct-out wave) Poisson-series? constant-series zero-series angle-series one-wave
          expression->Poisson-series series-sum series-scale series-product series-bracket
@@ -148,7 +148,8 @@
 ;; sin or cos of k·θ + b
 (define (walk-wave sine? argument angles fail)
   (define k
-    (for/list ([a (in-list angles)]) (simplify-strictly (expression-derivative argument a))))
+    (for/list ([a (in-list angles)])
+      (whole-number (simplify-strictly (expression-derivative argument a)))))
   (cond
     [(andmap exact-integer? k)
      (define still (map (lambda (a) (cons a 0)) angles))
@@ -156,6 +157,9 @@
      (define-values (c s) (values (g:cos b) (g:sin b)))
      (make (list (cons k (if sine? (wave s c) (wave c (g:negate s))))) (zeros (length angles)))]
     [else (fail)]))
+
+;; A whole number that is written as a decimal, as it is counted with
+(define (whole-number x) (if (and (real? x) (integer? x)) (inexact->exact x) x))
 
 ;; thetas : values of the angles
 (define (series->expression s thetas)

@@ -7,26 +7,37 @@
 ;; a = b, and otherwise is a resonance of the frequencies.
 
 (require racket/list
-         "Lie-triangle.rkt" "complex-polynomial.rkt" "vanishing-divisor.rkt"
-         "../algebra/expression/expression.rkt"
-         "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/value-struct.rkt"
-         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
-         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt" "../value/rewrite.rkt"
-         "../value/series/access.rkt")
+         "../Lie/Lie-triangle.rkt" "complex-polynomial.rkt" "vanishing-divisor.rkt"
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
+         "../../calculus/derivative.rkt" "../../calculus/expression-function.rkt"
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/define-plain.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
+         "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
+         "../../lagrangian/generic-state.rkt" "../../lagrangian/local-tuple.rkt"
+         "../../value/shape.rkt" "../../value/simplify.rkt" "../../value/rewrite.rkt"
+         "../../value/series/access.rkt")
 
-(provide Birkhoff-normal-form normal-form-Hamiltonian normal-form-generators
+(provide Birkhoff-normal-form normal-form? normal-form-Hamiltonian normal-form-generators
          normal-form-resonances
+         (rename-out [frequencies-asked normal-form-frequencies]
+                     [divisors-asked normal-form-divisors])
          ;; for what is made of it
-         (struct-out normal-form) polynomial-function)
+         normal-form-state normal-form-given normal-form-terms normal-form-Ws
+         check-normal-form polynomial-function)
 
 ;; given, terms : the polynomials of degree 2, 3, … of H and of its normal form; Ws : of degree
 ;; 3, …; divisors : ((degree k . ω·k) …)
 (value-struct normal-form (state frequencies given terms Ws divisors)
   #:text (lambda (N) (normal-form->text N)))
+
+(define (check-normal-form who N)
+  (unless (normal-form? N)
+    (complain who "expected what Birkhoff-normal-form gives; given ~a" (describe-with-value N))))
+
+(define-parts normal-form? "what Birkhoff-normal-form gives"
+  [frequencies-asked normal-form-frequencies] [divisors-asked normal-form-divisors])
 
 ;; ---------------------------------------------------------------------------
 
@@ -70,14 +81,15 @@
   (check-symbols who state "state")
   (check-parameters who H state "state")
   (unless (and (exact-integer? degree) (> degree 2))
-    (raise-argument-error who "the degree of the last terms, at least 3" degree)))
+    (complain-of-argument who "the degree of the last terms, at least 3" degree)))
 
 ;; The polynomials of degree 2, …, of the Taylor series of H at the origin.
 (define (homogeneous-parts who H state degree)
   (define-values (q p t) (values (coordinate state) (momentum state) (time state)))
   (define (along s) (H (->H-state t (g:* s q) (g:* s p))))
+  (check-time-free who H state)
   (define taylor
-    (for/list ([d (in-list (derivatives-at along 0 degree))] [k (in-naturals)])
+    (for/list ([d (in-list (values-at-origin who H along degree))] [k (in-naturals)])
       (g:/ d (for/product ([i (in-range 1 (add1 k))]) i))))
   (define-values (qs ps) (values (scalars q) (scalars p)))
   (define parts
@@ -89,6 +101,20 @@
                              "\n  move it there, by a translation of coordinates and momenta")
               (value->text H) (value->text (simplify (cadr taylor)))))
   (cdr parts))
+
+;; The derivatives by s of H at s q, s p, at 0
+(define (values-at-origin who H along degree)
+  (with-handlers ([exn:fail:contract:divide-by-zero?
+                   (lambda (e)
+                     (complain who "~a has no Taylor series at the origin: it divides by zero there"
+                               (value->text H)))])
+    (derivatives-at along 0 degree)))
+
+(define (check-time-free who H state)
+  (define e (simplify-strictly (H state)))
+  (when (and (expression? e) (occurs? (time state) e))
+    (complain who "~a depends on the time ~a, and has no normal form; its value: ~a"
+              (value->text H) (time state) (value->text e))))
 
 (define (raise-no-number who H part)
   (complain who
@@ -122,16 +148,18 @@
 
 ;; The series of functions of the new state, by degree from 2 on
 (define (normal-form-Hamiltonian N)
+  (check-normal-form 'normal-form-Hamiltonian N)
   (apply series (map (lambda (f) (polynomial-function N f)) (normal-form-terms N))))
 
 (define (normal-form-generators N)
+  (check-normal-form 'normal-form-generators N)
   (map (lambda (f) (polynomial-function N f)) (normal-form-Ws N)))
 
 (define (polynomial-function N f)
   (define e (polynomial-expression N f))
   (define names (scalars (normal-form-state N)))
   (unary-function (lambda () (value->datum e)) (at)
-    (check-H-state 'Birkhoff-normal-form at)
+    (check-state-like 'Birkhoff-normal-form (normal-form-state N) at)
     (evaluate-generically e (map cons names (scalars at)))))
 
 (define (polynomial-expression N f)
@@ -141,6 +169,7 @@
 
 ;; The integers k with k·ω = 0 of the monomials that stayed beside those of a = b
 (define (normal-form-resonances N)
+  (check-normal-form 'normal-form-resonances N)
   (remove-duplicates
    (for*/list ([f (in-list (normal-form-terms N))]
                [exponents (in-list (hash-keys f))]

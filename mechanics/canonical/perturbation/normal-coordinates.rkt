@@ -4,16 +4,16 @@
 ;; Coordinates and momenta are polynomials of degree 1, and go through the exponentials of the
 ;; generators as the Hamiltonian does; each generator raises the degree by one more.
 
-(require "Birkhoff.rkt" "Lie-derivative.rkt" "Lie-triangle.rkt" "complex-polynomial.rkt"
-         "../calculus/expression-function.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
-         "../hamiltonian/H-state.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt"
-         (only-in "../value/structure.rkt" s:map/r)
-         "../verdict/prove-zero.rkt")
+(require "Birkhoff.rkt" "complex-polynomial.rkt"
+         "../Lie/Lie-derivative.rkt" "../Lie/Lie-triangle.rkt"
+         "../../calculus/expression-function.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/function.rkt"
+         "../../generic/up-down.rkt"
+         "../../hamiltonian/H-state.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../value/shape.rkt"
+         (only-in "../../value/structure.rkt" s:map/r)
+         "../../verdict/prove-zero.rkt")
 
 (provide normal-form-transformation normal-form-inverse verify-normal-form)
 
@@ -33,10 +33,6 @@
 ;; ((n . Wₙ) …)
 (define (in-order N)
   (for/list ([W (in-list (normal-form-Ws N))] [n (in-naturals 1)]) (cons n W)))
-
-(define (check-normal-form who N)
-  (unless (normal-form? N)
-    (complain who "expected what Birkhoff-normal-form gives; given ~a" (describe-with-value N))))
 
 (define (carried who N numbered sign)
   (define state (normal-form-state N))
@@ -58,7 +54,7 @@
   (define names (scalars state))
   (define entries (list->vector (scalars formula)))
   (unary-function (lambda () (list who 'N)) (at)
-    (check-H-state who at)
+    (check-state-like who state at)
     (define point (map cons names (scalars at)))
     (scalars->structure at (lambda (k) (evaluate-generically (vector-ref entries k) point)))))
 

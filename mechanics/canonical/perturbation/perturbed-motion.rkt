@@ -6,57 +6,59 @@
 ;; the angles turn at the frequencies of the new Hamiltonian: forth, on, and back is the solution.
 
 (require racket/list
-         "Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt"
-         "Lie-derivative.rkt"
-         "../calculus/expression-function.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
-         "../hamiltonian/H-state.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt"
-         "../verdict/prove-zero.rkt")
+         "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt"
+         "../../calculus/expression-function.rkt"
+         "../../error/complain.rkt" "../../error/failure.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
+         "../../generic/elementary.rkt"
+         "../../generic/function.rkt" "../../generic/up-down.rkt"
+         "../../hamiltonian/H-state.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../value/shape.rkt" "../../value/simplify.rkt")
 
 (provide perturbation-transformation perturbation-inverse perturbation-solution
-         verify-perturbation)
+         ;; for verdicts
+         images numbered)
 
 ;; new state ↦ old state, to the order of P
 (define (perturbation-transformation P)
   (define who 'perturbation-transformation)
   (check-perturbation who P)
-  (transformation who P (lambda (terms) (carried P terms (in-order P) 1))))
+  (transformation who P 1))
 
 ;; old state ↦ new state
 (define (perturbation-inverse P)
   (define who 'perturbation-inverse)
   (check-perturbation who P)
-  (transformation who P (lambda (terms) (carried P terms (reverse (in-order P)) -1))))
+  (transformation who P -1))
 
-;; ((n . Wₙ) …)
-(define (in-order P) (for/list ([W (in-list (perturbation-Ws P))] [n (in-naturals 1)]) (cons n W)))
+;; For each angle and each action the terms of its image, from order 0 on
+;; sign : 1 from new states to old ones, −1 back
+(define (images P sign)
+  (define n (length (angles-of P)))
+  (define nothing (for/list ([_ (in-list (perturbation-Ws P))]) (zero-series n)))
+  (define (image first) (carried P (cons first nothing) sign))
+  (append (for/list ([j (in-range n)]) (image (angle-series n j)))
+          (for/list ([I (in-list (actions-of P))]) (image (constant-series n I)))))
 
-(define (carried P terms numbered sign)
+(define (carried P terms sign)
   (define actions (actions-of P))
-  (for/fold ([terms terms]) ([entry (in-list numbered)])
+  (for/fold ([terms terms]) ([entry (in-list (numbered (perturbation-Ws P) sign))])
     (exponentiate terms (car entry) (cdr entry)
                   (lambda (F W) (series-bracket F W actions)) series-sum series-scale
                   #:sign sign)))
 
-;; carry : the terms of a component -> those of its image
-(define (transformation who P carry)
-  (define order (length (perturbation-Ws P)))
+;; ((n . Wₙ) …), backwards for the inverse
+(define (numbered Ws sign)
+  (define all (for/list ([W (in-list Ws)] [n (in-naturals 1)]) (cons n W)))
+  (if (= sign 1) all (reverse all)))
+
+(define (transformation who P sign)
+  (define formulas (for/list ([terms (in-list (images P sign))]) (summed P terms)))
   (define n (length (angles-of P)))
-  (define (component first) (carry (cons first (for/list ([_ (in-range order)]) (zero-series n)))))
-  (define formulas
-    (for/list ([terms (in-list
-                       (append (for/list ([j (in-range n)]) (component (angle-series n j)))
-                               (for/list ([I (in-list (actions-of P))])
-                                 (component (constant-series n I)))))])
-      (summed P terms)))
   (define names (scalars (perturbation-state P)))
   (unary-function (lambda () (list who 'P)) (state)
-    (check-H-state who state)
+    (check-state-like who (perturbation-state P) state)
     (check-divisors who P state)
     (define point (map cons names (scalars state)))
     (define-values (q p)
@@ -118,27 +120,3 @@
       (C (up t
              (g:+ (coordinate new) (g:* rates (g:- t (time state))))
              (momentum new))))))
-
-;; ---------------------------------------------------------------------------
-;; The verdict
-
-;; Order by order: is the Hamiltonian, transformed by the Lie derivatives of the generators as
-;; functions, the new one?  A down tuple of the differences.
-(define (verify-perturbation P)
-  (check-perturbation 'verify-perturbation P)
-  (define order (length (perturbation-Ws P)))
-  (define given (perturbation-given P))
-  (define (none state) 0)
-  (define start
-    (for/list ([k (in-range (add1 order))])
-      (if (< k (length given)) (list-ref given k) none)))
-  (define end
-    (for/fold ([terms start]) ([W (in-list (perturbation-generators P))] [n (in-naturals 1)])
-      (define L (Lie-derivative W))
-      (exponentiate terms n W (lambda (F W) (L F)) g:+ g:*)))
-  (define state (perturbation-state P))
-  (prove-zero
-   (apply down
-          (for/list ([F (in-list end)] [s (in-list (perturbation-terms P))])
-            (g:- (F state) (series->expression s (angles-of P)))))
-   #:variables (scalars state)))

@@ -1,0 +1,125 @@
+#lang racket/base
+;; A motion of one coordinate that closes: its period and what it encloses.
+;;
+;; It is followed by integration until it comes back to where it began, going the same way.  A
+;; coordinate that is an angle may close by a turn.
+
+(require "../error/complain.rkt" "../error/failure.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt" "../generic/on-demand.rkt"
+         "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
+         "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../motion/system/check.rkt"
+         "../numeric/constants.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt")
+
+(require-on-demand
+ ["../motion/evolve-trajectory.rkt" evolve-trajectory]
+ ["../motion/trajectory.rkt" trajectory-events trajectory-final-state]
+ ["../motion/event/event.rkt" event])
+
+(provide (struct-out orbit) closed-orbit at-rest? apart longest-orbit check-options)
+
+(struct orbit (period action) #:authentic)
+
+;; The motion goes away, and comes back where it began going the same way: the distance along the
+;; first velocity passes 0, falling and then rising; where it does so elsewhere, it goes on.
+(define (closed-orbit who H state turn tolerance longest)
+  (define start (checked-start who H state))
+  (define flow (Hamiltonian->state-derivative H))
+  (define first-rate (flow start))
+  (define (away s)
+    (define inner (inner-state s))
+    (g:+ (g:* (coordinate first-rate) (apart (coordinate inner) (coordinate start) turn))
+         (g:* (momentum first-rate) (g:- (momentum inner) (momentum start)))))
+  (define (until direction s)
+    (define passing (event away #:direction direction #:terminal? #t))
+    (define motion
+      (with-handlers ([exn:fail:mechanics:singular? (lambda (e) (raise-runs-away who state e))])
+        (evolve-trajectory (with-area flow) s longest #:events passing #:tolerance tolerance)))
+    (define end (trajectory-final-state motion))
+    (when (null? (trajectory-events motion)) (raise-not-closed who state longest end))
+    (check-time-free who H (inner-state end))
+    end)
+  (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
+    (define end (until 'rising (until 'falling s)))
+    (if (near? (inner-state end) start turn)
+        (orbit (time end) (/ (abs (part end 2)) (* 2 pi)))
+        (follow end))))
+
+(define (raise-runs-away who state e)
+  (raise-not-convergent who (format "the motion through ~a does not close: ~a" (value->text state)
+                                    (after-name (exn-message e)))
+                        (exn:fail:mechanics:singular-where e) +inf.0 #:show? #f))
+
+;; "evolve-trajectory: the motion …" without who said so
+(define (after-name message) (regexp-replace #rx"^[^ ]*: " message ""))
+
+(define (raise-not-closed who state longest end)
+  (raise-not-convergent who (format "the motion through ~a did not close by the time ~a"
+                                    (value->text state) longest)
+                        end +inf.0 #:show? #f))
+
+;; (t, (q, p), area), of which the area grows as p dq
+(define ((with-area flow) s)
+  (define inner (inner-state s))
+  (define rate (flow inner))
+  (up 1
+      (up (coordinate rate) (momentum rate))
+      (g:* (momentum inner) (coordinate rate))))
+
+(define (inner-state s) (up (time s) (part (part s 1) 0) (part (part s 1) 1)))
+(define (part s i) (vector-ref (tuple-elements s) i))
+
+;; q − q₀, and what is like it nearby and comes again at each turn
+(define (apart q q0 turn)
+  (if turn
+      (g:* (/ turn (* 2 pi)) (g:sin (g:* (/ (* 2 pi) turn) (g:- q q0))))
+      (g:- q q0)))
+
+(define closeness 1e-5)
+(define longest-orbit 1e4)       ; the time after which it is given up, where nobody says
+
+(define (near? s start turn)
+  (define dq (- (coordinate s) (coordinate start)))
+  (define folded (if turn (- dq (* turn (round (/ dq turn)))) dq))
+  (define size (+ 1 (abs (coordinate start)) (abs (momentum start))))
+  (< (+ (abs folded) (abs (- (momentum s) (momentum start)))) (* closeness size)))
+
+;; What is the same for all orbits
+(define (check-options who turn tolerance [longest longest-orbit] [center 0])
+  (when turn (check-positive who "turn of the coordinate" turn))
+  (check-tolerance who tolerance)
+  (check-positive who "time after which to give up" longest)
+  (check-real who "center" center))
+
+;; -> the state in flonums, with the time 0
+(define (checked-start who H state)
+  (check-Hamiltonian who H)
+  (check-H-state who state)
+  (define-values (q p) (values (coordinate state) (momentum state)))
+  (unless (and (real? q) (real? p))
+    (complain who "expected a state of one coordinate, in numbers; given ~a" (value->text state)))
+  (check-numbers who H state)
+  (when (at-rest? H state)
+    (complain who "a state at rest has no period; given ~a" (value->text state)))
+  (define start (up 0 (exact->inexact q) (exact->inexact p)))
+  (check-time-free who H start)
+  start)
+
+(define (check-numbers who H state)
+  (for ([x (in-list (scalars ((Hamiltonian->state-derivative H) state)))] #:unless (real? x))
+    (complain who "the parameters of ~a are to be numbers; there is ~a~a" (value->text H)
+              (value->text (simplify x)) "\n  (H state) is to be a number")))
+
+(define (at-rest? H state)
+  (define rate ((Hamiltonian->state-derivative H) state))
+  (and (zero? (coordinate rate)) (zero? (momentum rate))))
+
+;; Asked where the motion begins and where it comes to, at a few times
+(define (check-time-free who H state)
+  (define (energy t) (H (up t (coordinate state) (momentum state))))
+  (unless (for/and ([t '(0.7318 2.913)]) (equal? (energy t) (energy 0.0)))
+    (complain who "~a depends on the time, and its motions have no action" (value->text H))))

@@ -1,0 +1,101 @@
+#lang racket/base
+;; What a perturbation claims, put to the test order by order.
+;;
+;; What was found by the algebra of waves is tested by Lie derivatives and brackets of functions,
+;; which know nothing of waves:
+;;
+;;     transformed      the term of H' is that of H, carried along by the generators
+;;     without-angles   it does not depend on the angles
+;;     canonical        the brackets of the old coordinates and momenta, as series in ε, have no
+;;                      term of this order
+;;     inverse          nor has the image of a new state under C and then its inverse, which is that
+;;                      of the formulas
+
+(require racket/list
+         "found-perturbation.rkt" "perturbed-motion.rkt"
+         "../Lie/Lie-derivative.rkt" "../Lie/Lie-triangle.rkt"
+         "../../calculus/derivative.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/up-down.rkt"
+         "../../hamiltonian/H-state.rkt" "../../hamiltonian/Poisson-bracket.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../value/shape.rkt"
+         "../../verdict/prove-zero.rkt")
+
+(provide verify-perturbation perturbation-verdicts)
+
+;; The verdict on the first claim in all orders: a down tuple of the differences
+(define (verify-perturbation P)
+  (check-perturbation 'verify-perturbation P)
+  (zero-at P (apply down (differences P))))
+
+;; ((claim order verdict) …)
+(define (perturbation-verdicts P)
+  (check-perturbation 'perturbation-verdicts P)
+  (define (judged claim first values)
+    (for/list ([value (in-list values)] [n (in-naturals first)])
+      (list claim n (zero-at P value))))
+  (append (judged 'transformed 0 (differences P))
+          (judged 'without-angles 0 (slopes-by-angles P))
+          (judged 'canonical 1 (brackets P))
+          (judged 'inverse 1 (round-trips P))))
+
+(define (zero-at P value)
+  (prove-zero value #:variables (scalars (perturbation-state P))))
+
+(define (functions P terms) (for/list ([s (in-list terms)]) (term-function P s)))
+
+;; The terms of exp(± …) F of functions, by their Lie derivatives
+(define (carried-functions P terms sign)
+  (for/fold ([terms terms]) ([entry (in-list (numbered (perturbation-generators P) sign))])
+    (define L (Lie-derivative (cdr entry)))
+    (exponentiate terms (car entry) (cdr entry) (lambda (F W) (L F)) g:+ g:* #:sign sign)))
+
+;; ---------------------------------------------------------------------------
+;; The claims, each a list of values that are to be 0
+
+(define (differences P)
+  (define state (perturbation-state P))
+  (define given (perturbation-given P))
+  (define start
+    (for/list ([k (in-range (length (perturbation-terms P)))])
+      (if (< k (length given)) (list-ref given k) nothing)))
+  (for/list ([F (in-list (carried-functions P start 1))]
+             [K (in-list (functions P (perturbation-terms P)))])
+    (g:- (F state) (K state))))
+
+(define (nothing state) 0)
+
+(define (slopes-by-angles P)
+  (for/list ([K (in-list (functions P (perturbation-terms P)))])
+    (((partial 1) K) (perturbation-state P))))
+
+;; Order m of {a, b} is the sum of {aᵢ, bⱼ} with i + j = m.
+(define (brackets P)
+  (define components (for/list ([terms (in-list (images P 1))]) (functions P terms)))
+  (for/list ([m (in-range 1 (length (perturbation-terms P)))])
+    (apply up (for/list ([pair (in-combinations components 2)])
+                (define-values (a b) (values (car pair) (cadr pair)))
+                (for/fold ([sum 0]) ([i (in-range (add1 m))])
+                  (g:+ sum ((Poisson-bracket (list-ref a i) (list-ref b (- m i)))
+                            (perturbation-state P))))))))
+
+;; C, followed by its inverse as a Lie transform, and what the formulas of perturbation-inverse
+;; miss that by
+(define (round-trips P)
+  (define (back terms) (carried-functions P terms -1))
+  (define (told sign) (for/list ([terms (in-list (images P sign))]) (functions P terms)))
+  (define nothings (for/list ([_ (in-list (perturbation-Ws P))]) nothing))
+  (define ends (map back (told 1)))
+  (define inverse (for/list ([f (in-list (parts-of-state P))]) (back (cons f nothings))))
+  (define state (perturbation-state P))
+  (define (at m) (lambda (terms) ((list-ref terms m) state)))
+  (for/list ([m (in-range 1 (length (perturbation-terms P)))])
+    (apply up (append (map (at m) ends)
+                      (map g:- (map (at m) inverse) (map (at m) (told -1)))))))
+
+;; Each angle and each action as a function of the state
+(define (parts-of-state P)
+  (define (parts part)
+    (for/list ([k (in-range (length (angles-of P)))])
+      (lambda (state) (list-ref (scalars (part state)) k))))
+  (append (parts coordinate) (parts momentum)))
