@@ -8,7 +8,7 @@
 (require file/sha1
          racket/fasl
          "batch.rkt" "task.rkt"
-         "../error/complain.rkt")
+         "../error/complain.rkt" "../error/machine.rkt")
 
 (provide open-checkpoint checkpointed keep! close-checkpoint task-fingerprint)
 
@@ -27,13 +27,21 @@
     (if (and (file-exists? file) (positive? (file-size file)))
         (call-with-input-file file (lambda (in) (read-checkpoint who file print in)))
         (values (make-hasheqv) 0)))
-  (define port (open-output-file file #:exists 'can-update))
-  (file-truncate port good)
-  (file-position port good)
-  (when (= good 0)
-    (write-bytes title port)
-    (send print port))
-  (checkpoint who file found port))
+  (writing who file ""
+    (define port (open-output-file file #:exists 'can-update))
+    (file-truncate port good)
+    (file-position port good)
+    (when (= good 0)
+      (write-bytes title port)
+      (send print port))
+    (checkpoint who file found port)))
+
+(define-syntax-rule (writing who file effect body ...)
+  (with-handlers ([exn:fail? (lambda (e) (raise-not-kept who file effect e))]) body ...))
+
+(define (raise-not-kept who file effect e)
+  (raise-unwritable who "the checkpoint cannot be written~a\n  file: ~a\n  reason: ~a"
+                    effect file (exn-message e)))
 
 ;; -> the batches found, and how long the file is as far as it is whole
 (define (read-checkpoint who file print in)
@@ -46,7 +54,8 @@
   (unless (equal? whose print)
     (complain who
               (string-append "the checkpoint is of another ensemble: another system, end,"
-                             " tolerance or method; it is left as it is\n  file: ~a")
+                             " tolerance, method, #:collect or #:events; it is left as it is"
+                             "\n  file: ~a")
               file))
   (let loop ([good (file-position in)])
     (define record (with-handlers ([exn:fail? (lambda (e) eof)]) (receive in longest)))
@@ -55,18 +64,30 @@
            (hash-set! found (finished-index (cdr record)) record)
            (loop (file-position in))])))
 
-;; -> finished, if the batch was
+;; -> finished, if the batch was.  One that was the last, and is longer or shorter now that there
+;; are more starts or fewer, is done again.
 (define (checkpointed c b)
   (define record (hash-ref (checkpoint-found c) (batch-index b) #f))
   (define f (and record (cdr record)))
+  (define-values (kept now)
+    (values (if f (length (finished-outcomes f)) 0) (length (batch-starts b))))
   (cond [(not f) #f]
-        [(and (equal? (car record) (fingerprint b))) f]
-        [else
-         (complain (checkpoint-who c)
-                   (string-append "the checkpoint has other starts or parameters, from start ~a"
-                                  " on; it is left as it is\n  file: ~a")
-                   (batch-index b) (checkpoint-file c))]))
+        [(equal? (car record) (fingerprint b)) f]
+        [(= kept now) (refuse c b "has other starts or parameters, from start ~a on")]
+        [(last-kept? c b) #f]
+        [else (refuse c b (format "has batches of ~a where there are ~a now, from start ~~a on"
+                                  kept now))]))
 
-(define (keep! c b f) (send (cons (fingerprint b) f) (checkpoint-port c)))
+(define (last-kept? c b)
+  (for/and ([index (in-hash-keys (checkpoint-found c))]) (<= index (batch-index b))))
+
+(define (refuse c b what)
+  (complain (checkpoint-who c)
+            (string-append "the checkpoint " what "; it is left as it is\n  file: ~a")
+            (batch-index b) (checkpoint-file c)))
+
+(define (keep! c b f)
+  (writing (checkpoint-who c) (checkpoint-file c) "; the batches that are in it stay there"
+    (send (cons (fingerprint b) f) (checkpoint-port c))))
 
 (define (close-checkpoint c) (close-output-port (checkpoint-port c)))

@@ -5,19 +5,21 @@
 ;; the order of the starts whatever is finished first, so that sums do not depend on chance.
 
 (require racket/future
-         (only-in racket/path path-only)
-         "ordered.rkt" "perform.rkt" "prepared.rkt" "run.rkt" "start-rows.rkt" "task.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/once.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/value-struct.rkt"
-         "../motion/check.rkt" "../motion/choice.rkt" "../motion/event.rkt"
+         "check-wanted.rkt" "ordered.rkt" "perform.rkt" "prepared.rkt" "run.rkt" "start-rows.rkt"
+         "task.rkt"
+         "../error/failure.rkt" "../error/once.rkt"
+         "../generic/define-plain.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
+         "../motion/system/check.rkt" "../motion/event/event.rkt"
          "../motion/followed.rkt"
-         (only-in "../motion/system.rkt" derivative-for)
+         (only-in "../motion/system/parametric-system.rkt" derivative-for)
          "../numeric/progress.rkt"
          "../value/shape.rkt")
 
 (provide evolve-ensemble
-         ensemble-failure? ensemble-failure-index ensemble-failure-message ensemble-failure-state)
+         ensemble-failure?
+         (rename-out [index-of ensemble-failure-index] [message-of ensemble-failure-message]
+                     [state-of ensemble-failure-state]))
 
 (define who 'evolve-ensemble)
 
@@ -27,6 +29,10 @@
   #:datum (lambda (f) (list 'ensemble-failure (ensemble-failure-index f)
                             (ensemble-failure-message f))))
 
+(define-parts ensemble-failure? "a failure, as evolve-ensemble gives it for a start"
+  [index-of ensemble-failure-index] [message-of ensemble-failure-message]
+  [state-of ensemble-failure-state])
+
 ;; maker : a state derivative, or what makes one of the parameters
 ;; starts : sequence of states; #:parameters : sequence of lists of them, one for each start
 ;; -> list of values in the order of the starts; or what #:fold makes of them from #:from on
@@ -34,32 +40,36 @@
                                #:parameters [parameters #f] #:events [events '()]
                                #:tolerance [tolerance 1e-10] #:method [method 'auto]
                                #:collect [collect #f] #:on-each [on-each void]
-                               #:fold [fold #f] #:from [from '()]
+                               #:fold [fold #f] #:from [from (void)]
                                #:jobs [jobs (processor-count)] #:batch [batch-size 16]
                                #:checkpoint [file #f] #:progress [progress? (report-progress)])
   (check-argument-order maker starts end)
   (check-settings end tolerance method jobs batch-size file)
   (define watched (check-events who events))
-  (check-callbacks collect (pair? watched) on-each fold)
-  (define rows (start-rows starts parameters))
-  (define-values (example ps) (first-row rows))
-  (define-values (t perform value-of)
-    (prepare maker example ps watched collect (number end) (number tolerance) method))
-  (define-values (add! result) (in-order (or fold cons) from on-each value-of))
-  (call-with-progress
-   progress?
-   (lambda (note!)
-     (run t (batches rows example ps batch-size note!) perform jobs add! file)))
+  (check-callbacks collect (pair? watched) on-each fold from)
+  (define-values (next t perform value-of)
+    (prepare maker (start-rows starts parameters) batch-size watched collect
+             (number end) (number tolerance) method))
+  (define-values (add! result)
+    (in-order (or fold cons) (if fold from '()) on-each value-of))
+  (call-with-progress progress?
+                      (lambda (note!) (run t (next note!) perform (useful jobs) add! file)))
   (if fold (result) (reverse (result))))
 
-;; -> task or #f, (start parameters -> outcome), (index outcome -> value)
-(define (prepare maker example ps events collect end tolerance method)
+;; More workers than that would share the cores, and need memory each.
+(define (useful jobs) (min jobs (* 4 (processor-count))))
+
+;; -> (note! -> (-> batch or #f)), task or #f, (start parameters -> outcome),
+;; (index outcome -> value)
+(define (prepare maker rows batch-size events collect end tolerance method)
+  (define-values (example ps) (first-row rows))
   (check-maker who maker ps)
   (check-first maker ps example)
   (note-followed maker ps example)
   (define (make how) (how who maker example ps events collect end tolerance method))
   (define-values (t shape) (make make-task))
-  (values t
+  (values (lambda (note!) (batches rows example ps batch-size note!))
+          t
           (if t (performer-here t) (make generically))
           (outcome->value example events collect shape)))
 
@@ -95,42 +105,3 @@
 (define (happening h events example)
   (occurrence (list-ref events (happened-event h)) (happened-time h)
               (vector->structure example (happened-state h)) (happened-grazing? h)))
-
-;; ---------------------------------------------------------------------------
-
-(define (check-argument-order maker starts end)
-  (when (and (procedure? starts) (sequence? maker) (not (procedure? maker)))
-    (complain who "the state derivative comes first, then the starts\n  given first: ~a"
-              (describe-with-value maker)))
-  (when (and (real? starts) (sequence? end) (not (real? end)))
-    (complain who "the starts come before the time where they end\n  given second: ~a"
-              (describe-with-value starts))))
-
-(define (check-settings end tolerance method jobs batch-size file)
-  (check-real who "end" end)
-  (check-tolerance who tolerance)
-  (check-method who method)
-  (unless (symbol? method)
-    (complain who "methods are told to other processes by name\n  given: ~a" (value->text method)))
-  (for ([x (in-list (list jobs batch-size))] [what (in-list '("#:jobs" "#:batch"))])
-    (unless (exact-positive-integer? x)
-      (complain who "~a is a positive integer\n  given: ~a" what (value->text x))))
-  (unless (or (not file) (path-string? file))
-    (complain who "expected the name of a file as checkpoint\n  given: ~a" (value->text file)))
-  (when file (check-file-place file)))
-
-(define (check-file-place file)
-  (define folder (path-only (path->complete-path file)))
-  (unless (directory-exists? folder)
-    (complain who "there is no such folder for the checkpoint\n  folder: ~a" folder)))
-
-(define (check-callbacks collect events? on-each fold)
-  (if events?
-      (check-callback "#:collect" collect 2 "a state and a list of occurrences, with #:events")
-      (check-callback "#:collect" collect 1 "a state"))
-  (check-callback "#:on-each" on-each 2 "an index and a value")
-  (check-callback "#:fold" fold 2 "a value and what was made of those before"))
-
-(define (check-callback what f arguments takes)
-  (unless (or (not f) (and (procedure? f) (accepts? f arguments)))
-    (complain who "~a is a procedure of ~a\n  given: ~a" what takes (describe-with-value f))))

@@ -3,10 +3,11 @@
 
 (require racket/flonum
          "task.rkt" "watching.rkt"
-         "../compile/code.rkt" "../compile/jet-program.rkt" "../compile/program.rkt"
+         "../compile/code.rkt" "../compile/program.rkt"
          "../error/failure.rkt" "../error/once.rkt"
          "../generic/up-down.rkt"
-         "../motion/evolution.rkt" "../motion/plan.rkt" "../motion/system.rkt"
+         "../motion/plan.rkt" "../motion/system/rates-code.rkt" "../motion/run-system.rkt"
+         "../motion/system/system.rkt"
          "../value/shape.rkt")
 
 (provide performer)
@@ -46,18 +47,17 @@
   (define slope-maker (program->maker (task-slope t)))
   (define jacobian-maker
     (once (lambda () (and (task-jacobian t) (program->maker (task-jacobian t))))))
-  (define expansions (once (lambda () (program->expansion-maker (task-slope t) n))))
   (lambda (parameters)
-    (define slope! (fixed (slope-maker) n parameters))
+    (define slope! (fix-parameters (slope-maker) n parameters))
     (define (derivative state)
       (define rates (make-flvector n))
       (slope! (structure->flvector state values) rates)
       (flvector->structure shape rates))
     (system shape (task-clock? t) derivative
-            (lambda () (fixed (slope-maker) n parameters))
-            (lambda () (and (jacobian-maker) (fixed ((jacobian-maker)) n parameters)))
+            (lambda () (fix-parameters (slope-maker) n parameters))
+            (lambda () (and (jacobian-maker) (fix-parameters ((jacobian-maker)) n parameters)))
             (program-length (task-slope t))
-            (once (lambda () (expander-with (expansions) n parameters)))
+            (once (lambda () (program-expander (task-slope t) n parameters)))
             #f (box '()) (box #f) #f)))
 
 (define (failed e)
@@ -68,21 +68,6 @@
   (outcome #f (exn-message e)
            (and (tuple? where) (list->vector (scalars where)))
            '()))
-
-;; run of state and parameters -> of the state alone
-(define (fixed run n parameters)
-  (define inputs (with-parameters n parameters))
-  (lambda (y out)
-    (for ([k (in-range n)]) (flvector-set! inputs k (flvector-ref y k)))
-    (run inputs out)))
-
-(define (with-parameters n parameters)
-  (define inputs (make-flvector (+ n (flvector-length parameters))))
-  (for ([p (in-flvector parameters)] [k (in-naturals n)]) (flvector-set! inputs k p))
-  inputs)
-
-(define (expander-with make n parameters)
-  (if (string? make) make (maker->expander make (with-parameters n parameters))))
 
 ;; -> (last state -> what is wanted of it), flvectors
 (define (collector t)

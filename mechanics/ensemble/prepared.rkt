@@ -4,12 +4,12 @@
 
 (require (only-in racket/list index-of)
          "task.rkt"
-         "../compile/compile-function.rkt" "../compile/program.rkt"
-         "../compile/tangent-program.rkt"
+         "../compile/compile-function.rkt"
          "../error/failure.rkt"
          "../generic/up-down.rkt"
-         "../motion/event.rkt" "../motion/method.rkt" "../motion/system.rkt"
-         "../motion/trajectory.rkt"
+         "../motion/event/event.rkt" "../motion/evolve-trajectory.rkt" "../motion/method.rkt"
+         "../motion/system/clock.rkt" "../motion/system/parametric-system.rkt"
+         "../motion/system/rates-code.rkt" "../motion/trajectory.rkt"
          (only-in "../numeric/ode/stepper.rkt" method-asks)
          "../value/shape.rkt" (only-in "../value/structure.rkt" ref structure->list))
 
@@ -26,7 +26,7 @@
     (and code collect (null? events) (compile-traced collect example #:name who)))
   (define slope (and code (compiled-function-program code)))
   (values (and slope
-               (task slope (and (asks-for-jacobian? who method) (by-state slope n))
+               (task slope (and (asks-for-jacobian? who method) (rates-jacobian slope n))
                      (and collecting (compiled-function-program collecting))
                      watches
                      n
@@ -54,14 +54,6 @@
 
 ;; Implicit methods do; for others it is not worked out.
 (define (asks-for-jacobian? who method) (eq? 'jacobian (method-asks (method-of who method))))
-
-;; The derivatives by the state, as implicit methods take them: one column after the other.
-(define (by-state slope n)
-  (define J (tangent-program slope))
-  (define width (program-inputs slope))
-  (program (program-inputs J) (program-instructions J)
-           (for*/vector ([j (in-range n)] [i (in-range n)])
-             (vector-ref (program-outputs J) (+ (* i width) j)))))
 
 ;; (start parameters -> outcome) by the generic arithmetic; example, parameters : for their shapes;
 ;; what is collected is left to others

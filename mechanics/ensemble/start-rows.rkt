@@ -6,22 +6,19 @@
          "batch.rkt" "task.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../motion/check.rkt"
-         "../numeric/progress.rkt"
-         "../value/shape.rkt")
+         "../motion/system/check.rkt"
+         "../numeric/finite.rkt" "../numeric/flvector.rkt" "../numeric/progress.rkt"
+         "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
 
 (provide start-rows first-row batches)
 
 (define who 'evolve-ensemble)
 
 (define (start-rows starts parameters)
-  (unless (and (sequence? starts) (not (tuple? starts)))
-    (complain who "expected the starts as a list or another sequence of states\n  given: ~a"
-              (describe-with-value starts)))
-  (unless (or (not parameters) (and (sequence? parameters) (not (tuple? parameters))))
-    (complain who
-              "expected the parameters as a sequence of lists, one for each start\n  given: ~a"
-              (describe-with-value parameters)))
+  (check-rows starts "expected the starts as a list or another sequence of states")
+  (when parameters
+    (check-rows parameters
+                "expected the parameters as a sequence of lists, one for each start"))
   (define-values (more-starts? next-start) (sequence-generate starts))
   (define-values (more-parameters? next-parameters)
     (if parameters (sequence-generate parameters) (values void (lambda () '()))))
@@ -34,16 +31,27 @@
     (and more? (cons (next-start) (next-parameters))))
   (rows next #f))
 
+;; Numbers, texts and hashes are sequences, too, but not of these.
+(define (check-rows x expected)
+  (when (or (not (sequence? x)) (tuple? x) (number? x) (string? x) (bytes? x) (hash? x))
+    (complain who "~a\n  given: ~a" expected (describe-with-value x))))
+
 ;; next : k -> (cons state parameters) or #f; ahead : one that was looked at, or #f
 (struct rows (next [ahead #:mutable]) #:authentic)
 
+;; -> a state and its parameters
 (define (first-row r)
   (define row ((rows-next r) 0))
   (unless row (complain who "there are no starts"))
   (set-rows-ahead! r row)
   (check-parameter-list 0 (cdr row))
   (state-vector who (car row))
-  (values (car row) (cdr row)))
+  (values (car row) (as-flonums (cdr row))))
+
+;; As workers have them.
+(define (as-flonums ps)
+  (define all (apply up ps))
+  (structure->list (flvector->structure all (structure->flvector all values))))
 
 (define (take-row! r k)
   (define ahead (rows-ahead r))
@@ -53,12 +61,11 @@
 ;; -> (-> batch or #f)
 (define (batches r example parameters size note!)
   (define k 0)
-  (define n (shape-length example))
-  (define m (shape-length (apply up parameters)))
+  (define shape (apply up parameters))
   (define (next-pair)
     (define row (take-row! r k))
     (and row
-         (begin0 (cons (start-vector k (car row) n) (parameter-vector k (cdr row) m))
+         (begin0 (cons (start-vector k (car row) example) (parameter-vector k (cdr row) shape))
                  (set! k (+ k 1)))))
   (lambda ()
     (define index k)
@@ -69,29 +76,34 @@
     (note-progress note! (format "~a: ~a motions begun" who k))
     (and (pair? pairs) (batch index (map car pairs) (map cdr pairs)))))
 
-(define (start-vector k state n)
+(define (start-vector k state example)
   (define (fail x) (raise-bad-start k state))
   (define y (structure->flvector state fail))
+  (define n (shape-length example))
   (unless (= n (flvector-length y))
     (complain who "start ~a has ~a numbers, the first one ~a\n  start: ~a"
               k (flvector-length y) n (value->text state)))
-  (for ([x (in-flvector y)]) (unless (< -inf.0 x +inf.0) (fail x)))
+  (unless (same-shape? state example)
+    (complain who "start ~a is of another shape than the first one\n  start: ~a\n  first: ~a"
+              k (value->text state) (value->text example)))
+  (unless (flvector-finite? y) (fail state))
   (flvector->vector y))
 
 (define (raise-bad-start k state)
   (complain who "start ~a is not made of finite real numbers\n  start: ~a" k (value->text state)))
 
 (define (check-parameter-list k ps)
-  (unless (and (list? ps) (for*/and ([p (in-list ps)] [x (in-list (scalars p))]) (real? x)))
+  (unless (and (list? ps) (for*/and ([p (in-list ps)] [x (in-list (scalars p))]) (finite? x)))
     (complain who
-              (string-append "the parameters of a start are a list of numbers and tuples of"
-                             " them\n  of start ~a: ~a")
+              (string-append "the parameters of a start are a list of finite numbers and tuples"
+                             " of them\n  of start ~a: ~a")
               k (value->text ps))))
 
-(define (parameter-vector k ps m)
+;; shape : of the parameters of the first start, as a tuple
+(define (parameter-vector k ps shape)
   (check-parameter-list k ps)
-  (define v (structure->flvector (apply up ps) values))
-  (unless (= m (flvector-length v))
-    (complain who "start ~a has ~a parameters, the first one ~a\n  parameters: ~a"
-              k (flvector-length v) m (value->text ps)))
-  (flvector->vector v))
+  (define all (apply up ps))
+  (unless (same-shape? all shape)
+    (complain who "start ~a has parameters of another shape than the first one\n  ~a: ~a\n  ~a: ~a"
+              k "parameters" (value->text ps) "of the first" (value->text (structure->list shape))))
+  (flvector->vector (structure->flvector all values)))

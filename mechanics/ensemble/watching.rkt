@@ -4,8 +4,8 @@
 (require racket/flonum
          "task.rkt"
          "../compile/compile-function.rkt"
-         "../motion/event.rkt" "../motion/evolution.rkt" "../motion/recording.rkt"
-         "../motion/system.rkt"
+         "../motion/event/event.rkt" "../motion/event/event-watch.rkt" "../motion/recording.rkt"
+         "../motion/run-system.rkt" "../motion/system/system.rkt" "../motion/event/within-step.rkt"
          "../value/shape.rkt")
 
 (provide watching)
@@ -19,8 +19,8 @@
     (define stopped #f)                 ; the state at a terminal event
     (define (visit from to interpolant)
       (define at (interpolant))
-      (define (state-at x) (state-within s at from to x))
-      (record-crossings! r (timed (found-in at) from to) to
+      (define (state-at x) (row-within s at from to x))
+      (record-crossings! r (crossings-in-time (found-in at) from to) to
                          (lambda (x) (unless (fl= x to) (set! stopped (state-at x))))
                          #:state state-at
                          #:shown values
@@ -39,18 +39,6 @@
     (for/list ([w (in-list watches)])
       (program->compiled-function (watch-program w) 0 'event)))
   (watches-by-code events codes (task-size t) (task-tolerance t)))
-
-;; Crossings at times in place of fractions of the step.
-(define (timed found from to)
-  (for/list ([c (in-list found)])
-    (crossing (fl+ from (fl* (crossing-at c) (fl- to from)))
-              (crossing-event c) (crossing-grazing? c))))
-
-(define (state-within s at from to x)
-  (define y (make-flvector (system-size s)))
-  (at (fl/ (fl- x from) (fl- to from)) y)
-  (when (system-clock? s) (flvector-set! y 0 x))
-  y)
 
 (define (occurrence->happened o)
   (happened (event-name (occurrence-event o)) (occurrence-time o)

@@ -9,8 +9,9 @@
          racket/path
          "C.rkt" "JAX.rkt" "exported-system.rkt" "names.rkt" "python.rkt"
          "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt")
+         "../error/complain.rkt" "../error/machine.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/up-down.rkt")
 
 (provide export-system
          ;; for a system that is ready
@@ -31,6 +32,9 @@
   (define text (checked-name name))
   (check-order parameters)
   (define to (checked-folder who folder replace? "#:replace? #t"))
+  (when (and (tuple? derivative) (not (tuple? example)))
+    (complain who "the state derivative comes first, then an example of a state\n  given first: ~a"
+              (describe-with-value derivative)))
   (define s (make-exported who derivative example text parameters derivatives?))
   (write-folder who to (files-of who s))
   (path->string to))
@@ -92,9 +96,13 @@
 ;; files : alist of names and texts
 (define (write-folder who to files)
   (define all (append files (list (cons list-file (names->text (map car files))))))
-  (if (directory-exists? to)
-      (write-over to all)
-      (write-whole who to all)))
+  (define (refused e)
+    (raise-unwritable who "the folder cannot be written\n  folder: ~a\n  reason: ~a"
+                      to (exn-message e)))
+  (with-handlers ([exn:fail:filesystem? refused])
+    (if (directory-exists? to)
+        (write-over to all)
+        (write-whole who to all))))
 
 (define (names->text names)
   (apply string-append (for/list ([n (in-list names)]) (string-append n "\n"))))

@@ -8,9 +8,9 @@
          "suggested-names.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../compile/tangent-program.rkt" "../compile/trace.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
-         (only-in "../motion/check.rkt" check-rates)
+         "../error/complain.rkt" "../error/hint.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+         (only-in "../motion/system/check.rkt" check-rates)
          "../value/shape.rkt")
 
 (provide (struct-out exported) make-exported exported-size exported-parameter-count)
@@ -38,12 +38,16 @@
               (describe-with-value derivative)))
   (define given (given-names who example))
   (define (parameters-in es) (check-parameters who order (free-symbols es) given))
-  (define-values (p value)
+  (define (trace-it)
     (trace who derivative example #:further-inputs parameters-in
            #:names (for/list ([x (in-list given)] [k (in-naturals)])
                      (or x (string->symbol (format "x~a" k))))
            #:unknown (if otherwise (unknown-for otherwise) raise-no-value)))
-  (when (string? p) ((or otherwise (no-code who derivative)) p))
+  (define fail (or otherwise (no-code who derivative)))
+  (define-values (p value) (trace-it))
+  (when (string? p) (fail p))
+  (define-values (again other-value) (trace-it))
+  (unless (equal? p again) (fail "it is another one each time it is called"))
   (check-rates who derivative example value)
   (define parameters (parameters-in (scalars value)))
   (define clock? (eqv? 1 (car (scalars value))))
@@ -66,6 +70,9 @@
 
 ;; Symbols of the example, and #f where it holds numbers.
 (define (given-names who example)
+  (unless (tuple? example)
+    (complain who "the example is a state, a tuple such as (up 't 'q 'v)\n  given: ~a~a"
+              (describe-with-value example) (list-hint example)))
   (define names
     (for/list ([x (in-list (scalars example))])
       (cond [(free-symbol? x) x]
@@ -105,7 +112,7 @@
 
 ;; variables : names given by the user, or #f -> the parameters found, in the order wanted
 (define (check-parameters who order found variables)
-  (define both (for/first ([s (in-list found)] #:when (memq s variables)) s))
+  (define both (for/first ([s (in-list (or order found))] #:when (memq s variables)) s))
   (when both
     (complain who
               (string-append "the symbol ~a is a parameter of the state derivative, and names a"

@@ -1,17 +1,18 @@
 #lang racket/base
-;; Many motions: by one process and by several, interrupted and taken up again, with workers
-;; that are killed.
+;; Many motions: by one process and by several, with events, with workers that are killed.
 
-(require racket/file
+(require compiler/find-exe
          (only-in racket/list last range remove-duplicates)
          racket/port
+         racket/runtime-path
+         racket/system
          (only-in racket/sequence sequence-map)
          (except-in rackunit fail)
          mechanics/book
          mechanics/ensemble/batch mechanics/ensemble/crew mechanics/ensemble/task
          mechanics/compile/program
          mechanics
-         tests/mechanics/support/messages tests/mechanics/support/own-process
+         tests/mechanics/support/own-process
          tests/mechanics/support/skip)
 
 (define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
@@ -19,9 +20,8 @@
 (define starts (for/list ([k count]) (up 0 (* 0.02 k) 0.1)))
 (define parameters (for/list ([k count]) (list 1.0 (+ 1 (* 0.01 k)) 9.8)))
 
-(define (follow #:jobs [jobs 2] #:checkpoint [file #f] #:on-each [each void])
-  (evolve-ensemble pendulum starts 5 #:parameters parameters #:jobs jobs
-                   #:checkpoint file #:on-each each))
+(define (follow #:jobs [jobs 2] #:on-each [each void])
+  (evolve-ensemble pendulum starts 5 #:parameters parameters #:jobs jobs #:on-each each))
 
 (define alone (follow #:jobs 1))
 
@@ -143,6 +143,23 @@
     (check-equal? all alone)
     (check-equal? (reverse seen) (range count))))
 
+;; As Ctrl-C does, which a terminal tells all processes of a group.
+(define-runtime-path long-ensemble "../support/ensembles/long-ensemble.rkt")
+(define kill (find-executable-path "kill"))
+
+(test-case "an interrupt is told once, and no worker is left"
+  (skip-unless kill "ensembles: nothing to interrupt processes with (kill)"
+    (define-values (process out in errors)
+      (parameterize ([subprocess-group-enabled #t])
+        (subprocess #f #f #f (find-exe) long-ensemble)))
+    (check-equal? (read-line out) "begun")
+    (system* kill "-INT" "--" (format "-~a" (subprocess-pid process)))
+    (define said (port->string errors)) ; to the end of all that could say anything
+    (subprocess-wait process)
+    (close-output-port in)
+    (check-regexp-match #rx"^user break" said)
+    (check-false (regexp-match? #rx"worker" said))))
+
 (test-case "batches of more than a pipe holds do not stop the crew"
   (define many (for/list ([k 6000]) (up 0.0 (* 1e-4 k) 0.0)))
   (define ends (evolve-ensemble (pendulum 1.0 1.0 9.8) many 0.01 #:batch 2000 #:jobs 2))
@@ -161,117 +178,3 @@
                      (lambda (f) (error "nothing was to be done"))
                      (lambda (b) (set! given-up (cons (batch-index b) given-up)))))
   (check-equal? (sort given-up <) '(0 1)))
-
-;; ---------------------------------------------------------------------------
-;; Checkpoints
-
-(define-syntax-rule (with-file file body ...)
-  (let ([file (make-temporary-file "ensemble~a")])
-    (dynamic-wind void
-                  (lambda () (delete-file file) body ...)
-                  (lambda () (when (file-exists? file) (delete-file file))))))
-
-(test-case "an interrupted run goes on where it was, though its last words were cut off"
-  (with-file file
-    (check-exn #rx"enough"
-               (lambda ()
-                 (follow #:jobs 1 #:checkpoint file
-                         #:on-each (lambda (k v) (when (= k 47) (error "enough"))))))
-    (define kept (file-size file))
-    (check-true (> kept 1000))
-    (call-with-output-file file #:exists 'append (lambda (port) (write-bytes #"\5\0\0\0" port)))
-    (check-equal? (follow #:checkpoint file) alone)
-    ;; all of it is there now
-    (define whole (file-size file))
-    (check-equal? (follow #:jobs 1 #:checkpoint file) alone)
-    (check-equal? (file-size file) whole)))
-
-(test-case "a break in mid-run leaves a checkpoint that the same call goes on from"
-  (with-file file
-    (define here (current-thread))
-    (define broken?
-      (with-handlers ([exn:break? (lambda (e) #t)])
-        (follow #:checkpoint file #:on-each (lambda (k v) (when (= k 40) (break-thread here))))
-        #f))
-    (check-true broken?)
-    (define kept (file-size file))
-    (check-true (> kept 1000))
-    (define seen 0)
-    (check-equal? (follow #:checkpoint file #:on-each (lambda (k v) (set! seen (+ seen 1)))) alone)
-    (check-equal? seen count)
-    (check-true (>= (file-size file) kept))))
-
-(test-case "a checkpoint of another system, or of other events, is refused"
-  (with-file file
-    (define (sideways m l g) (Lagrangian->state-derivative (L-pendulum (* -1 g) m l)))
-    (define (again #:maker [maker pendulum] #:events [events '()])
-      (evolve-ensemble maker starts 5 #:parameters parameters #:jobs 1 #:checkpoint file
-                       #:events events))
-    (again)
-    (define before (file->bytes file))
-    (for ([call (list (lambda () (again #:maker sideways)) (lambda () (again #:events bottom)))])
-      (check-exn #rx"checkpoint is of another ensemble" call)
-      (check-equal? (file->bytes file) before))))
-
-(test-case "a checkpoint of something else is refused and left as it is"
-  (with-file file
-    (follow #:jobs 1 #:checkpoint file)
-    (define before (file->bytes file))
-    (check-exn #rx"checkpoint is of another ensemble"
-               (lambda () (evolve-ensemble pendulum starts 6 #:parameters parameters
-                                           #:checkpoint file)))
-    (check-exn #rx"other starts or parameters, from start 0"
-               (lambda () (evolve-ensemble pendulum (reverse starts) 5 #:parameters parameters
-                                           #:checkpoint file)))
-    (check-equal? (file->bytes file) before)
-    (call-with-output-file file #:exists 'truncate (lambda (port) (write-string "my notes" port)))
-    (check-exn #rx"no checkpoint" (lambda () (follow #:checkpoint file)))
-    (check-equal? (file->string file) "my notes")))
-
-;; ---------------------------------------------------------------------------
-
-(test-case "a Lagrangian is no state derivative"
-  (check-exn #rx"another shape than the state.*[(]Lagrangian->state-derivative L[)] makes"
-             (lambda () (evolve-ensemble (L-pendulum 9.8 1 1) (list (up 0 1 0)) 1))))
-
-(define free (pendulum 1 1 9.8))
-
-(says
- [(evolve-ensemble free '() 1) "evolve-ensemble: there are no starts"]
- [(evolve-ensemble free (up 0 1 0) 1)
-  "evolve-ensemble: expected the starts as a list or another sequence of states\n"
-  "  given: (up 0 1 0), an up tuple of 3"]
- [(evolve-ensemble free (list (up 0 1 0) (up 0 1)) 1)
-  "evolve-ensemble: start 1 has 2 numbers, the first one 3\n  start: (up 0 1)"]
- [(evolve-ensemble free (list (up 0 1 0) (up 0 +nan.0 0)) 1)
-  "evolve-ensemble: start 1 is not made of finite real numbers\n  start: (up 0 +nan.0 0)"]
- [(evolve-ensemble free (list (up 0 1 0) (up 0 'x 0)) 1)
-  "evolve-ensemble: start 1 is not made of finite real numbers\n  start: (up 0 x 0)"]
- [(evolve-ensemble pendulum (list (up 0 1 0) (up 0 1 0)) 1 #:parameters '((1 1 9.8)))
-  "evolve-ensemble: there are more starts than rows of parameters\n  from: 1"]
- [(evolve-ensemble pendulum (list (up 0 1 0)) 1 #:parameters '(1 1 9.8))
-  "evolve-ensemble: the parameters of a start are a list of numbers and tuples of them\n"
-  "  of start 0: 1"]
- [(evolve-ensemble (lambda (s) (up 1 (ref s 2) (ref s 1) 7)) (list (up 0 1.0 0.0)) 2)
-  "evolve-ensemble: the state derivative is of another shape than the state\n"
-  "  state: (up 0 1.0 0.0)\n  derivative: (up 1 0.0 1.0 7)"]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:checkpoint "/no/such/folder/a")
-  "evolve-ensemble: there is no such folder for the checkpoint\n  folder: /no/such/folder/"]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:jobs 0)
-  "evolve-ensemble: #:jobs is a positive integer\n  given: 0"]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:method (leapfrog 0.1))
-  "evolve-ensemble: methods are told to other processes by name\n  given: (leapfrog 0.1)"]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:collect 3)
-  "evolve-ensemble: #:collect is a procedure of a state\n  given: the number 3"]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:events 3)
-  "evolve-ensemble: expected events; (event f) makes one of a function of the state\n"
-  "  given: the number 3"]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:collect (lambda (s) s))
-  "evolve-ensemble: #:collect is a procedure of a state and a list of occurrences, with #:events\n"
-  "  given: a function without a name"]
- [(evolve-ensemble (list (up 0 1 0)) free 1)
-  "evolve-ensemble: the state derivative comes first, then the starts\n"
-  "  given first: ((up 0 1 0)), a list"]
- [(evolve-ensemble free 1 (list (up 0 1 0)))
-  "evolve-ensemble: the starts come before the time where they end\n"
-  "  given second: the number 1"])

@@ -38,7 +38,7 @@
     (format "~a/~a" folder file)))
 
 ;; They define functions that follow motions, for others.
-(define for-others '("figures/orbits.rkt"))
+(define for-others '("figures/orbits.rkt" "figures/star.rkt" "figures/swarm.rkt"))
 
 ;; Does its own text, without its submodules, follow a motion?
 (define (follows? file)

@@ -4,7 +4,7 @@
 (require racket/file
          (except-in rackunit fail)
          mechanics mechanics/book
-         tests/mechanics/support/messages)
+         tests/mechanics/support/messages tests/mechanics/support/skip)
 
 (define free (Lagrangian->state-derivative (L-pendulum 'g 'm 'l)))
 (define state (up 't 'theta 'thetadot))
@@ -44,9 +44,29 @@
  [(export-system (lambda (s) (up 1 ((literal-function 'f) (ref s 1)))) (up 't 'x))
   "export-system: (f x), a number-like expression is left in the function's value, but has no numeric value\n"
   "  a literal function stands for any function; put a definite one in its place"]
+ [(export-system free '(t theta thetadot))
+  "export-system: the example is a state, a tuple such as (up 't 'q 'v)\n"
+  "  given: (t theta thetadot), a list\n  a list is not a tuple; use (up x y ...)"]
+ [(export-system free 3)
+  "export-system: the example is a state, a tuple such as (up 't 'q 'v)\n  given: the number 3"]
+ [(export-system state free)
+  "export-system: the state derivative comes first, then an example of a state\n"
+  "  given first: (up t theta thetadot), an up tuple of 3"]
+ [(export-system free state #:parameters '(g m l t))
+  "export-system: the symbol t is a parameter of the state derivative, and names a variable of"
+  " the state, too\n  give one of them another name"]
+ [(export-system (lambda (s) (up 1 (* (random) (ref s 1)))) (up 't 'x))
+  "export-system: this state derivative has no code in other languages\n  of: <function>\n"
+  "  reason: it is another one each time it is called"]
  [(export-system (lambda (s) (up 1 2 3)) (up 't 'x))
   "export-system: the state derivative is of another shape than the state\n"
   "  state: (up t x)\n  derivative: (up 1 2 3)"])
+
+;; Nobody makes folders in /proc, not even root.
+(test-case "a folder that cannot be written is told by its name"
+  (skip-unless (directory-exists? "/proc") "exports: there is no /proc"
+    (check-exn #rx"export-system: the folder cannot be written\n  folder: /proc/it\n  reason: "
+               (lambda () (export-system free state #:folder "/proc/it")))))
 
 (define-syntax-rule (in-new-folder folder body ...)
   (let ([folder (make-temporary-file "export~a" 'directory)])

@@ -1,0 +1,98 @@
+#lang racket/base
+;; What evolve-ensemble says of what it cannot follow.
+
+(require (except-in rackunit fail)
+         mechanics/book
+         mechanics
+         tests/mechanics/support/messages)
+
+(define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
+(define (plane s) (up 1 (ref s 1)))
+(define bottom (event (lambda (s) (ref s 1)) #:name 'bottom #:direction 'falling))
+
+(test-case "a Lagrangian is no state derivative"
+  (check-exn #rx"another shape than the state.*[(]Lagrangian->state-derivative L[)] makes"
+             (lambda () (evolve-ensemble (L-pendulum 9.8 1 1) (list (up 0 1 0)) 1))))
+
+(define free (pendulum 1 1 9.8))
+
+(says
+ [(evolve-ensemble free '() 1) "evolve-ensemble: there are no starts"]
+ [(evolve-ensemble free (up 0 1 0) 1)
+  "evolve-ensemble: expected the starts as a list or another sequence of states\n"
+  "  given: (up 0 1 0), an up tuple of 3"]
+ [(evolve-ensemble free (list (up 0 1 0) (up 0 1)) 1)
+  "evolve-ensemble: start 1 has 2 numbers, the first one 3\n  start: (up 0 1)"]
+ [(evolve-ensemble free (list (up 0 1 0) (up 0 +nan.0 0)) 1)
+  "evolve-ensemble: start 1 is not made of finite real numbers\n  start: (up 0 +nan.0 0)"]
+ [(evolve-ensemble free (list (up 0 1 0) (up 0 'x 0)) 1)
+  "evolve-ensemble: start 1 is not made of finite real numbers\n  start: (up 0 x 0)"]
+ [(evolve-ensemble pendulum (list (up 0 1 0) (up 0 1 0)) 1 #:parameters '((1 1 9.8)))
+  "evolve-ensemble: there are more starts than rows of parameters\n  from: 1"]
+ [(evolve-ensemble pendulum (list (up 0 1 0)) 1 #:parameters '(1 1 9.8))
+  "evolve-ensemble: the parameters of a start are a list of finite numbers and tuples of"
+  " them\n  of start 0: 1"]
+ [(evolve-ensemble (lambda (s) (up 1 (ref s 2) (ref s 1) 7)) (list (up 0 1.0 0.0)) 2)
+  "evolve-ensemble: the state derivative is of another shape than the state\n"
+  "  state: (up 0 1.0 0.0)\n  derivative: (up 1 0.0 1.0 7)"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:checkpoint "/no/such/folder/a")
+  "evolve-ensemble: there is no such folder for the checkpoint\n  folder: /no/such/folder/"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:jobs 0)
+  "evolve-ensemble: #:jobs is a positive integer\n  given: 0"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:method (leapfrog 0.1))
+  "evolve-ensemble: methods are told to other processes by name\n  given: (leapfrog 0.1)"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:collect 3)
+  "evolve-ensemble: #:collect is a procedure of a state\n  given: the number 3"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:events 3)
+  "evolve-ensemble: expected events; (event f) makes one of a function of the state\n"
+  "  given: the number 3"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:collect (lambda (s) s))
+  "evolve-ensemble: #:collect is a procedure of a state and a list of occurrences, with #:events\n"
+  "  given: a function without a name"]
+ [(evolve-ensemble (list (up 0 1 0)) free 1)
+  "evolve-ensemble: the state derivative comes first, then the starts\n"
+  "  given first: ((up 0 1 0)), a list"]
+ [(evolve-ensemble free 1 (list (up 0 1 0)))
+  "evolve-ensemble: the starts come before the time where they end\n"
+  "  given second: the number 1"]
+ [(evolve-ensemble free 12 1)
+  "evolve-ensemble: expected the starts as a list or another sequence of states\n"
+  "  given: the number 12"]
+ [(evolve-ensemble free (hash 'a (up 0 1 0)) 1)
+  "evolve-ensemble: expected the starts as a list or another sequence of states\n"
+  "  given: #hash((a . (up 0 1 0)))"]
+ [(evolve-ensemble pendulum (list (up 0 1 0)) 1 #:parameters 3)
+  "evolve-ensemble: expected the parameters as a sequence of lists, one for each start\n"
+  "  given: the number 3"]
+ [(evolve-ensemble plane (list (up 0 (up 1 2)) (up 0 1 2)) 1)
+  "evolve-ensemble: start 1 is of another shape than the first one\n  start: (up 0 1 2)\n"
+  "  first: (up 0 (up 1 2))"]
+ [(evolve-ensemble pendulum (list (up 0 1 0) (up 0 1 0)) 1 #:parameters '((1 1 9.8) (1 +nan.0 9.8)))
+  "evolve-ensemble: the parameters of a start are a list of finite numbers and tuples of them\n"
+  "  of start 1: (1 +nan.0 9.8)"]
+ [(evolve-ensemble pendulum (list (up 0 1 0) (up 0 1 0)) 1 #:parameters '((1 1 9.8) (1 1)))
+  "evolve-ensemble: start 1 has parameters of another shape than the first one\n"
+  "  parameters: (1 1)\n  of the first: (1.0 1.0 9.8)"]
+ [(evolve-ensemble free (list (up 0 1 0)) 'later)
+  "evolve-ensemble: expected a final time that is a real number\n  given: the symbol later\n"
+  "  give its symbols values first"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:batch -1)
+  "evolve-ensemble: #:batch is a positive integer\n  given: -1"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:fold +)
+  "evolve-ensemble: #:fold begins with something, #:from: 0 for sums, '() for lists"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:from 0)
+  "evolve-ensemble: #:from is what #:fold begins with, and there is no #:fold\n  given: 0"]
+ [(ensemble-failure-index 3)
+  "ensemble-failure-index: expected a failure, as evolve-ensemble gives it for a start\n"
+  "  given: the number 3"])
+
+(test-case "a parameter that is nothing makes motions fail, the first as any other"
+  (for ([l '(0 0.0)])
+    (define all
+      (evolve-ensemble pendulum (list (up 0 1 0) (up 0 1 0)) 1 #:jobs 1
+                       #:parameters (list (list 1 l 9.8) (list 1 l 9.8))))
+    (check-true (andmap ensemble-failure? all))))
+
+(test-case "a thousand jobs are as many as are of use"
+  (check-equal? (evolve-ensemble free (list (up 0 1 0) (up 0 2 0)) 1 #:jobs 1000 #:batch 1)
+                (evolve-ensemble free (list (up 0 1 0) (up 0 2 0)) 1 #:jobs 1)))
