@@ -1,7 +1,7 @@
 #lang mechanics
 ;; Exercise 3.13 (SICM 3.9): Hénon's quadratic map
-;; Checked: its inverse, that it keeps areas, its fixed points and the multipliers at these
-;; How: with symbols; numbers at α = 1.32 against formulas
+;; Checked: its inverse, areas, its fixed points, what happens between α = 1.32 and α = 1.2
+;; How: with symbols; numbers at α = 1.32 against formulas; the ring of five as α falls
 
 (require mechanics/book)
 
@@ -42,6 +42,20 @@ keeps-areas
 (define five (periodic-points H 5 (list -0.8 0.8 -0.8 0.8)))
 (map fixed-point-kind five)
 
+;; What happens between α = 1.32 and 1.2: at the origin a fifth of a turn is passed, at α = 2π/5.
+;; The ring comes in as √(α − 2π/5), and is gone.  At 1.2 orbits that turn a sixth are far enough
+;; out to be seen: a ring of six.
+(define fifth (/ :2pi 5))
+(define (radius p)
+  (define v (fixed-point-coordinates p))
+  (sqrt (+ (square (ref v 0)) (square (ref v 1)))))
+(define (ring alpha n)
+  (filter (lambda (p) (eq? (fixed-point-kind p) 'elliptic))
+          (periodic-points (Henon-map alpha) n (list -0.9 0.9 -0.9 0.9))))
+(define (mean-radius alpha) (/ (apply + (map radius (ring alpha 5))) 5))
+(define-values (near nearer) (values (mean-radius (+ fifth 0.02)) (mean-radius (+ fifth 0.005))))
+(list near nearer (length (ring 1.25 5)) (length (ring 1.2 6)))
+
 (module+ test
   (require rackunit)
   (test-case "inverse and areas"
@@ -56,4 +70,10 @@ keeps-areas
   (test-case "points of period 5, as many stable as not"
     (define kinds (map fixed-point-kind five))
     (check-equal? (length (filter (lambda (k) (eq? k 'elliptic)) kinds)) 5)
-    (check-equal? (length (filter (lambda (k) (eq? k 'hyperbolic)) kinds)) 5)))
+    (check-equal? (length (filter (lambda (k) (eq? k 'hyperbolic)) kinds)) 5))
+  (test-case "the ring of five comes into the origin, and one of six is left"
+    (check-= (/ near nearer) 2 0.1)
+    (check-equal? (length (ring (+ fifth 0.005) 5)) 5)
+    (check-equal? (ring (- fifth 0.005) 5) '())
+    (check-equal? (ring 1.2 5) '())
+    (check-equal? (length (ring 1.2 6)) 6)))

@@ -1,7 +1,7 @@
 #lang mechanics
 ;; Exercise 3.14 (SICM 3.11): the periodically driven pendulum
-;; Checked: where the pendulum upside down is stable, and where doubling begins
-;; How: traces of the one-period map, by Floquet multipliers; against the averaged potential
+;; Checked: where the pendulum upside down is stable, what doubling leads to, how far chaos comes
+;; How: traces of the one-period map, by Floquet multipliers; periodic points and orbits followed
 
 (require mechanics/book
          (only-in racket/base real-part))
@@ -32,6 +32,32 @@
 (define doubling-ends (bisect (lambda (omega) (+ (hanging 0.98 omega) 2)) 1.6 2.0 1e-8))
 (list doubling-ends doubling-begins)
 
+;; What it leads to, at this amplitude: a stable motion of two periods, through θ = 0 with momenta
+;; ±p in turn.  Where the frequency has come down by d from where doubling begins, p grows as √d.
+(define (doubled omega theta p)
+  (find-fixed-point (driven-pendulum-map m l g 0.98 omega) (up theta p) #:period 2))
+(define (momentum-through-0 omega)
+  (ref (fixed-point-coordinates (doubled omega 0. 110.)) 1))
+(define momenta (map momentum-through-0 '(2.2 2. 1.8)))
+momenta
+
+;; It outlives the range: below, where the pendulum that hangs is stable again, it is still there,
+;; and between the two an unstable one that rests at angles ±θ.  A slip: that it has ended.
+(define between (doubled 1.8 0.6 0.))
+(list (fixed-point-kind between) (ref (fixed-point-coordinates between) 0))
+
+;; How far chaos comes: an orbit from near the top, at ω = 4.2, is about the separatrix until the
+;; drive is strong enough; then it comes beyond the islands that go round with the drive, where
+;; p = m l² ω.
+(define (greatest-momentum A)
+  (define T (driven-pendulum-map m l g A 4.2))
+  (define most
+    (for/fold ([theta 3.1] [p 0.] [most 0.] #:result most) ([k 2000])
+      (T theta p (lambda (theta p) (values theta p (max most (abs p)))) void)))
+  (/ most (* m (square l) 4.2)))
+(define reached (map (lambda (part) (greatest-momentum (* part l))) '(0.02 0.04 0.08)))
+reached
+
 (module+ test
   (require rackunit)
   (test-case "the averaged potential tells when it stands upside down"
@@ -42,4 +68,19 @@
   (test-case "between two frequencies on both sides of 2 the period is doubled"
     (check-true (< doubling-ends 2 doubling-begins))
     (check-true (< (hanging 0.98 2.) -2))
-    (check-true (< (abs (hanging 0.98 (+ doubling-begins 0.05))) 2))))
+    (check-true (< (abs (hanging 0.98 (+ doubling-begins 0.05))) 2)))
+  (test-case "the doubled motion begins as a root, and is stable"
+    (define (square-for d) (square (momentum-through-0 (- doubling-begins d))))
+    (check-= (/ (square-for 0.02) (square-for 0.005)) 4 0.1)
+    (check-true (apply < momenta))
+    (for ([omega '(2.2 2. 1.8)])
+      (check-equal? (fixed-point-kind (doubled omega 0. 110.)) 'elliptic)))
+  (test-case "below the range hanging and doubled are both stable, with an unstable one between"
+    (check-true (< 1.8 doubling-ends))
+    (check-true (< (abs (hanging 0.98 1.8)) 2))
+    (check-equal? (fixed-point-kind between) 'hyperbolic)
+    (check-= (ref (fixed-point-coordinates between) 1) 0 1e-8)
+    (check-true (> (abs (ref (fixed-point-coordinates between) 0)) 0.3)))
+  (test-case "the chaotic zones are linked at A = 0.08 l, not at 0.04 l"
+    (check-true (< (car reached) (cadr reached) 0.8))
+    (check-true (> (caddr reached) 1.2))))

@@ -23,6 +23,16 @@ unit
                 (+ (* M (symplectic-matrix? N) (transpose M)) (symplectic-matrix? M))))
 general
 
+;; The inverse of a matrix misses J by what the matrix does, seen through it: M (what M⁻¹ misses) Mᵀ
+;; is − (what M misses). And one that is known in closed form:
+(define any-matrix (matrix-by-rows '(a b) '(c d)))
+(define inverse
+  (verify-equal (* any-matrix (symplectic-matrix? (/ any-matrix)) (transpose any-matrix))
+                (- (symplectic-matrix? any-matrix))))
+inverse
+(define back (verify-canonical (polar-canonical-inverse 'alpha) (up 't 'x 'p)))
+(verdict-residual back)
+
 ;; The slip: the sum of two.
 (define slip (verify-symplectic (+ (symplectic-unit 2) (identity-matrix 4))))
 (verdict-status slip)
@@ -31,5 +41,9 @@ general
   (require rackunit)
   (test-case "products and the identity"
     (for ([v (list product unit general)]) (check-pred proved? v)))
+  (test-case "inverses"
+    (check-pred proved? inverse)
+    ;; its angle has a jump, on the negative half of the axis
+    (check-equal? (verdict-reason back) 'kinks))
   (test-case "sums are not in it"
     (check-pred refuted? slip)))

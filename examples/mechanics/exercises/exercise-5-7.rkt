@@ -1,7 +1,7 @@
 #lang mechanics
 ;; Exercise 5.7 (SICM 5.2.2): powers of the momentum for the radius
 ;; Checked: which powers and factors are canonical
-;; How: the residual for any power and factor, and verdicts with their condition
+;; How: the residual for any power and factor, and verdicts with their conditions
 
 ;; x = β I^α sin θ and p = β I^α cos θ: for which α and β is that symplectic?
 
@@ -18,6 +18,9 @@ residual
   (verify-equal residual
                 (- 1 (* 'alpha (square 'beta) (expt 'I (- (* 2 'alpha) 1))))))
 right
+;; The verdict says so, too; with the power known there are two factors.
+(define told (verdict-remarks (verify-symplectic (powers 'alpha 'beta) state)))
+told
 (define roots (verify-symplectic (powers 1/2 'beta) state))
 (verdict-alternatives roots)
 (define both
@@ -32,6 +35,7 @@ right
   (require rackunit)
   (test-case "half the square of the radius is the momentum"
     (check-pred proved? right)
+    (check-equal? told '("it is zero at all states if alpha = 1/2 and (expt beta 2) = 2"))
     (check-equal? (verdict-alternatives roots) '(((= (expt beta 2) 2))))
     (for ([v both]) (check-pred proved? v)))
   (test-case "the radius itself is not, with any factor"

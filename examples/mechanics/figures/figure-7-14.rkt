@@ -7,7 +7,7 @@
 ;;
 ;; Note: the cos 2θ of the averaged Hamiltonian has a minus here, where the book's (7.85) prints a
 ;; plus; with a plus the top would never be stable.  The tests prove the minus, and that it gives
-;; the book's condition (7.88).
+;; the book's condition (7.88), which is 2γ² > αβω²: (7.87) prints it without the 2.
 
 (require mechanics/plot (only-in "resonances.rkt" boundary))
 

@@ -44,7 +44,9 @@ picture
   (test-case "at first it is better than one step by far"
     (for ([two (misses told)] [one (misses ((first-step 4) (start 0.7)))])
       (check-true (< (* 3 two) one))))
-  ;; There is no third order: it would be the mean of an odd number of cosines.
+  (test-case "there is no third order: what W makes of the second one is zero"
+    (check-pred proved?
+                (prove-zero (((expt (Lie-derivative (W 'alpha 'beta)) 2) (H1 'beta)) state))))
   (test-case "the angle is told up to the fourth order: with ε halved"
     (define (off epsilon)
       (define s (((two-steps W-secular free #:epsilon epsilon) (start 0.7)) 2.))

@@ -1,9 +1,11 @@
 #lang mechanics
-;; Sections of the motion of Hénon and Heiles, for the figures of sections 3.6.3 and 3.7.
+;; Sections of the motion of Hénon and Heiles, and orbits in the plane, for the figures of sections
+;; 3.6.3 and 3.7.
 
 (require mechanics/plot mechanics/book)
 
-(provide star-section star-map star-distances energy-curve)
+(provide star-section star-map star-distances energy-curve
+         star-energy star-orbit draw-star-orbit spin-of)
 
 (define (star-map E) (HHmap E 0.1 1e-10 1e-12))
 
@@ -25,3 +27,26 @@
     (define-values (a2 b2) (values (moved a) (moved b)))
     (define d (- a2 b2))
     (values (cons (sqrt (+ (square (ref d 0)) (square (ref d 1)))) all) a2 b2)))
+
+;; ---------------------------------------------------------------------------
+;; Orbits of the energy 1/8 in the plane
+
+(define star-energy 1/8)
+
+;; From (y, p_y) on the section.
+(define (star-orbit y p duration)
+  (evolve-trajectory (HHsysder) (section->state star-energy y p) duration #:tolerance 1e-11))
+
+;; An orbit within the contour that it cannot leave, both moved aside by `shift`.
+(define (draw-star-orbit picture orbit #:shift [shift 0] #:color [color 'black])
+  (define (V x y) (HHpotential (up 0 (up (- x shift) y) (down 0 0))))
+  (plot-trajectory picture orbit
+                   (lambda (s) (+ shift (ref s 1 0)))
+                   (lambda (s) (ref s 1 1))
+                   #:color color)
+  (plot-contours picture
+                 (lambda (x y) (if (< (abs (- x shift)) 0.7) (- (V x y) star-energy) 1))
+                 '(0) #:samples 201 #:color 'gray))
+
+;; The angular momentum about the bottom of the bowl.
+(define (spin-of s) (- (* (ref s 1 0) (ref s 2 1)) (* (ref s 1 1) (ref s 2 0))))
