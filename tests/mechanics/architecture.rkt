@@ -181,7 +181,7 @@
   (check-not-false (member "algebra/expression/expression.rkt" names))
   (check-not-false (member "algebra/expression/operation.rkt"
                            (hash-ref graph "algebra/expression/expression.rkt")))
-  (check-not-false (member "motion/trajectory.rkt" (hash-ref graph "motion/on-demand.rkt"))))
+  (check-not-false (member "motion/evolve-trajectory.rkt" (hash-ref graph "motion/on-demand.rkt"))))
 
 (test-case "every file is in a room of the map"
   (check-equal? (unplaced-files graph) '()))

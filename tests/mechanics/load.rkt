@@ -31,7 +31,7 @@
 ;; once: of those, what is asked for on demand must not be.
 (define rooms-on-demand
   '("algebra/polynomial" "algebra/kernel" "algebra/field" "algebra/simplify"
-    "algebra/presentation" "algebra/rewriting" "algebra/zero"
+    "algebra/presentation" "algebra/rewriting" "algebra/solve" "algebra/zero"
     "constraint" "force" "map" "rigid" "plot" "numeric/search" "numeric/bigfloat" "worksheet"))
 
 (define files-on-demand (append-map on-demand-imports (map full-path (library-files))))

@@ -12,6 +12,7 @@
          (prefix-in racket: racket/base)
          (except-in rackunit fail)
          mechanics
+         (only-in mechanics/book standard-map)
          mechanics/plot)
 
 ;; (bad x) gives x at first, or fails, or gives something else.
@@ -124,6 +125,7 @@
 
 (define golden (- 1 (/ 1 golden-ratio)))
 (define saddle (find-fixed-point twist (up 3.0 0.1)))
+(define broken (standard-map 1.1))
 
 (define maps
   (map-rows (m)
@@ -141,6 +143,9 @@
     [find-invariant-curve (find-invariant-curve m golden 0.0 2.0 2.8 1e-6)]
     [which-way? (which-way? golden 0.0 2.0 m 1000)]
     [invariant-circle (invariant-circle m golden)]
+    [invariant-circle-limit
+     (invariant-circle-limit (lambda (k) (if (> k 0.5) broken m)) golden 0.0 1.0 #:tolerance 1.0
+                             #:most-modes 128)]
     [rotation-number (rotation-number m (up 0.1 2.0) 100)]))
 
 (define pictures

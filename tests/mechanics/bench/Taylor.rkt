@@ -6,9 +6,9 @@
 
 (require racket/flonum racket/string
          (only-in mechanics/compile/trace trace)
-         (only-in mechanics/motion/event event)
-         (only-in mechanics/motion/evolution state-advancer)
-         (only-in mechanics/motion/trajectory evolve-trajectory)
+         (only-in mechanics/motion/event/event event)
+         (only-in mechanics/motion/evolution evolve state-advancer)
+         (only-in mechanics/motion/evolve-trajectory evolve-trajectory)
          (only-in mechanics/value/shape structure->flvector)
          (only-in mechanics ref)
          "clock.rkt" "motion-systems.rkt" "program-text.rkt" "python.rkt" "table.rkt")
@@ -48,9 +48,17 @@
                        (define-values (r ms) (call/cpu thunk))
                        ms))))
 
+;; Where outputs are wanted, each of them is a state that a monitor sees.
 (define ((advancing s) method)
-  (define advance (state-advancer (lambda () (motion-derivative s))))
-  (lambda () (advance (motion-start s) (motion-end s) (motion-tolerance s) #:method method)))
+  (define (maker) (motion-derivative s))
+  (define advance (state-advancer maker))
+  (define follow (evolve maker))
+  (define-values (start end tolerance)
+    (values (motion-start s) (motion-end s) (motion-tolerance s)))
+  (define step (motion-output-step s))
+  (if (> step 0.0)
+      (lambda () (follow start void step end tolerance #:method method))
+      (lambda () (advance start end tolerance #:method method))))
 
 (define ((crossing s) method)
   (define section (event (lambda (s) (ref s 1 0)) #:direction 'rising))
@@ -73,8 +81,11 @@
   (format #<<PYTHON
 import time
 import heyoka as hy
+import numpy as np
 from heyoka import sin, cos, tan, exp, log, sqrt
 n = ~a
+end = ~a
+outputs = ~a
 y = [hy.time] + list(hy.make_vars(*["y%d" % k for k in range(1, n)]))
 def system():
     dy = [0.0]*n
@@ -92,11 +103,16 @@ for _ in range(~a):
     ta.time = 0.0
     ta.state[:] = start[1:]
     before = time.process_time()
-    ta.propagate_until(~a)
+    if outputs: ta.propagate_grid(np.linspace(0.0, end, outputs + 1))
+    else: ta.propagate_until(end)
     best = min(best, time.process_time() - before)
 print("%.4f %.4f" % (1e3*best, 1e3*compiled))
 PYTHON
-          (flvector-length y) text
+          (flvector-length y) (motion-end s) (output-count s) text
           (string-join (for/list ([x (in-flvector y)]) (number->string x)) ", ")
           (if events? "True" "False")
-          (motion-tolerance s) repetitions (motion-end s)))
+          (motion-tolerance s) repetitions))
+
+(define (output-count s)
+  (define step (motion-output-step s))
+  (if (> step 0.0) (inexact->exact (round (/ (motion-end s) step))) 0))

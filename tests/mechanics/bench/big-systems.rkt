@@ -7,8 +7,8 @@
 
 (require racket/format
          (only-in mechanics/compile/cache clear-compiled-programs)
-         (only-in mechanics/motion/kept-systems clear-kept-systems)
-         (only-in mechanics/motion/trajectory evolve-trajectory)
+         (only-in mechanics/motion/system/kept-systems clear-kept-systems)
+         (only-in mechanics/motion/evolve-trajectory evolve-trajectory)
          "clock.rkt" "motion-systems.rkt" "python.rkt" "table.rkt")
 
 (provide big-systems-heading big-systems-rows)

@@ -15,7 +15,7 @@
                          calculus/integral
                          compile/compile-function compile/one-variable
                          map/iterated-map
-                         motion/evolution motion/find-path motion/trajectory))])
+                         motion/evolution motion/evolve-trajectory motion/find-path))])
     (dynamic-require (string->symbol (format "mechanics/~a" file)) #f)))
 
 (define (measure-task t)

@@ -7,9 +7,9 @@
 (require racket/cmdline
          racket/file
          racket/runtime-path
-         "big-systems.rkt" "derivatives.rkt" "ensembles.rkt" "gradients.rkt" "maps.rkt"
-         "measure.rkt" "native.rkt" "peers.rkt" "Taylor.rkt" "table.rkt" "task.rkt" "tasks.rkt"
-         "teaching.rkt")
+         "big-systems.rkt" "derivatives.rkt" "ensembles.rkt" "gradients.rkt" "long-runs.rkt"
+         "maps.rkt" "measure.rkt" "native.rkt" "peers.rkt" "stiff.rkt" "Taylor.rkt" "table.rkt"
+         "task.rkt" "tasks.rkt" "teaching.rkt")
 
 (define-runtime-path build "../../../build")
 
@@ -154,8 +154,13 @@
     (table ensembles-heading (ensembles-rows)))
   (when (wanted? 'Taylor)
     (table Taylor-heading (Taylor-rows)))
+  (when (wanted? 'long)
+    (table long-runs-heading (long-runs-rows)))
   (when (wanted? 'big)
     (table big-systems-heading (big-systems-rows)))
+  (when (wanted? 'stiff)
+    (table stiff-heading (stiff-rows))
+    (table projected-heading (projected-rows)))
   (when (wanted? 'maps)
     (table maps-heading (maps-rows))
     (table sections-heading (sections-rows)))
@@ -165,7 +170,7 @@
     (table load-heading (load-rows runs))))
 
 (define further-tables
-  '(growth orders gradients chains native ensembles Taylor big maps class30 load))
+  '(growth orders gradients chains native ensembles Taylor long big stiff maps class30 load))
 
 (define (check-names names)
   (for ([name (in-list names)])

@@ -3,10 +3,11 @@
 
 (require (prefix-in m: mechanics)
          (only-in mechanics/map/iterated-map iterated-map)
-         (only-in mechanics/motion/event event)
+         (only-in mechanics/motion/event/event event)
          (only-in mechanics/motion/evolution evolve state-advancer)
          (only-in mechanics/motion/find-path find-path)
-         (only-in mechanics/motion/trajectory evolve-trajectory trajectory-events)
+         (only-in mechanics/motion/evolve-trajectory evolve-trajectory)
+         (only-in mechanics/motion/trajectory trajectory-events)
          "motion-systems.rkt" "task.rkt")
 
 (provide motion-tasks motion-growth-sizes motion-growth-tasks)

@@ -6,10 +6,18 @@
 ;; two: the operations our compiler found, one after the other, so that what is compared
 ;; is the machine code; and formulas a programmer would have written down.  Steps and
 ;; evaluations are counted on both sides: they are to be the same.
+;;
+;; What is left between the two, by samples of both programs on the rigid body (117 and 65 ns an
+;; evaluation): 18 ns are sine and cosine of one angle, which C takes by one call of `sincos`.  Ours
+;; are two calls, and each waits for what came before it: their argument is moved to a register
+;; that keeps its upper half (a pair takes 18 to 40 ns; 10 to 14 in C).  12 ns are arithmetic:
+;; flonums that live across such a call stay in memory.  10 ns are the loops over stages, which
+;; for seven components and more are within 1.08 of C's.
 
-(require racket/flonum racket/runtime-path racket/string
+(require racket/fixnum racket/flonum racket/runtime-path racket/string
          (only-in mechanics/compile/trace trace)
-         (only-in mechanics/motion/system make-system system-make-slope!)
+         (only-in mechanics/motion/system/make-system make-system)
+         (only-in mechanics/motion/system/system system-make-slope!)
          (only-in mechanics/value/shape structure->flvector)
          mechanics/numeric/ode/dormand-prince-853 mechanics/numeric/ode/integrate
          "C.rkt" "clock.rkt" "motion-systems.rkt" "program-text.rkt" "python.rkt"
@@ -66,22 +74,22 @@
       ms))
   (values (apply min times) (format "~a, ~a" steps evaluations)))
 
-;; Interpolates the state every `step`, or never if that is 0.
+;; Interpolates the state every `step`, or never if that is 0, as dop853.c does.
 (define (sampler step n)
   (define out (make-flvector n))
+  (define sum (make-flvector 1))
   (define shown 1)
-  (define sum 0.0)
-  (define (next) (fl* (->fl shown) step))
+  (define (due k) (fl* (fx->fl k) step))
   (define (show from to interpolant)
-    (when (fl<= (next) to)
-      (define at (interpolant))
-      (let loop ()
-        (when (fl<= (next) to)
-          (at (fl/ (fl- (next) from) (fl- to from)) out)
-          (set! sum (fl+ sum (flvector-ref out 1)))
-          (set! shown (+ shown 1))
-          (loop))))
+    (when (fl<= (due shown) to)
+      (set! shown (show-until (interpolant) from to shown)))
     #t)
+  (define (show-until at from to k)
+    (cond [(fl<= (due k) to)
+           (at (fl/ (fl- (due k) from) (fl- to from)) out)
+           (flvector-set! sum 0 (fl+ (flvector-ref sum 0) (flvector-ref out 1)))
+           (show-until at from to (fx+ k 1))]
+          [else k]))
   (if (fl> step 0.0) show (lambda (from to interpolant) #t)))
 
 ;; ---------------------------------------------------------------------------

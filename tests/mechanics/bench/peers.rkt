@@ -2,7 +2,8 @@
 ;; CPU milliseconds of other systems on a 2-core x86-64 machine, first run in a
 ;; fresh process, best of several, and what we mean to reach.  scmutils on MIT
 ;; Scheme 12.1 (native) and on Chez Scheme, rktsicm on Racket 8.7, Emmy on the
-;; JVM, SymPy 1.14.
+;; JVM, SymPy 1.14.  Emmy's figures of C1 to C5 are those of its sources of October 2024 on Clojure
+;; 1.11 and OpenJDK 17, of the thread that computes; C2 and C4 were given up after four minutes.
 
 (provide peer-names
          peer-figures      ; name -> list of number or #f, as long as peer-names
@@ -37,10 +38,10 @@
            (Z1 . (50 #f #f #f #f #f))
            (Z2 . (50 #f #f #f #f #f))
            (Z3 . (2000 #f #f #f #f #f))
-           (C1 . (20 #f #f 1300 #f #f))
-           (C3 . (10 #f #f 113 #f #f))
+           (C1 . (20 #f #f 1300 362 #f))
+           (C3 . (10 #f #f 113 605 #f))
            (C4 . (50 #f #f #f #f #f))
-           (C5 . (5 #f #f 14 #f #f))
+           (C5 . (5 #f #f 14 340 #f))
            (C6 . (1000 #f #f #f #f #f))
            (D1 . (15 130 90 300 #f #f))
            (P3 . (20 1950 900 470 185 #f))

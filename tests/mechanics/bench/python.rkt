@@ -26,7 +26,8 @@
     [else
      (define-values (process out in err)
        (parameterize ([current-subprocess-custodian-mode 'kill])
-         (subprocess #f #f #f interpreter "-c" program)))
+         (subprocess #f #f #f interpreter "-")))
+     (write-string program in)
      (close-output-port in)
      (define finished? (sync/timeout 60 process))
      (unless finished? (subprocess-kill process #t))

@@ -105,7 +105,8 @@
     ("5.3 Invariants of canonical transformations (pp. 357-364)"
      omega symplectic-two-form)
     ("5.4 Generating functions (pp. 364-394)"
-     F1->C F2->C F3->C F4->C F2->C-inv F1-flip F2-identity F1-polar-canonical s:inverse)
+     F1->C F2->C F3->C F4->C F2->C-inv F1-flip F2-identity F1-polar-canonical s:inverse
+     typical-object)
     ("5.5 Extended phase space (pp. 394-402)"
      extended-Hamiltonian extended-transformation extended-state reduced-state
      H-restricted-three-body rotating-polar loop-integral)
@@ -116,8 +117,8 @@
     ("6.2 Time evolution is canonical (pp. 426-437)"
      C->Cp shift-t H->Hp C*)
     ("6.4-6.5 Lie series, exponential identities (pp. 443-453)"
-     Lie-derivative Lie-transform make-operator exp series:for-each H-central-polar
-     flow-derivative flow-transform)
+     Lie-derivative Lie-derivative-procedure Lie-transform make-operator exp series:for-each
+     H-central-polar flow-derivative flow-transform)
     ("6.7 Symplectic integration (p. 456)" HH-collector)
     ("7.1-7.2 Perturbation theory with Lie series (pp. 457-478)"
      H0 H1 H-pendulum-series W C C-inv solution0 solution series series:sum series:print

@@ -117,10 +117,11 @@
  [(abscissa '(1 2))
   "abscissa: expected a point of the plane, such as (make-point x y)\n  given: (1 2), a list"]
  [(plane-near? -1)
-  "plane-near?: contract violation\n  expected: a distance, a positive number\n  given: -1"]
+  "plane-near?: expected a distance, a positive number\n  given: the number -1"]
  [(radially-mapping-points (standard-map 0) 0.1 0.2 1.0 1e-8)
-  "bisect: the function has the same sign at both ends of the interval\n  from: 0.1\n"
-  "  to: 0.2\n  value at the first: -0.10000000000000009\n  value at the second: -0.19999999999999996"]
+  "radially-mapping-points: the map turns the angle the same way at both actions; one between "
+  "them need not keep it\n  angle: 1.0\n  at the action 0.1 it turns by 0.10000000000000009\n"
+  "  at the action 0.2 it turns by 0.19999999999999996"]
  [(fixed-point-eigen T 0 0 1e-8 (lambda (x) x))
   "fixed-point-eigen: expected a procedure of two multipliers, each with a direction: "
   "(lambda (A dx dy B dx dy) ...)\n  given: a function without a name"]

@@ -216,8 +216,8 @@
   "symplectic-transform?: a transformation takes a state (up t q p) to another one; "
   "state->qp gives (up (up r phi) (down p_r p_phi)), an up tuple of 2\n  the time is missing: (up t q p)"]
  [(verify-canonical polar-canonical line)
-  "verify-canonical: a transformation takes a state (up t q p) to another one; polar-canonical "
-  "gives (polar-canonical (up t theta I)), a function\n  was a parameter left out?"]
+  "polar-canonical: alpha is a number or a symbol; given (up t theta I), an up tuple of 3\n"
+  "  was a parameter left out? the state comes after it"]
  [((canonical? dropped (H-harmonic 'm 'k) (H-harmonic 'm 'k)) polar)
   "canonical?: dropped takes 2 coordinates to 1; a canonical transformation keeps their number"]
  [(canonical? 'C (H-harmonic 'm 'k) (H-harmonic 'm 'k))
@@ -237,10 +237,10 @@
   "symplectic-matrix?: a symplectic matrix is square, with an even number of rows; given "
   "(matrix-by-rows (list 1 0 0) (list 0 1 0) (list 0 0 1)), a 3 by 3 matrix"]
  [(J-matrix 0)
-  "J-matrix: contract violation\n  expected: a number of coordinates, at least 1\n  given: 0"]
+  "J-matrix: expected a number of coordinates, at least 1\n  given: the number 0"]
  [(symplectic-unit 'n)
-  "symplectic-unit: contract violation\n  expected: a number of coordinates, at least 1\n"
-  "  given: 'n"]
+  "symplectic-unit: expected a number of coordinates, at least 1\n"
+  "  given: the symbol n"]
  [((two-particle-center-of-mass 1 2) (up 't 'x 'p))
   "two-particle-center-of-mass: expected the state of two particles, (up t (up x1 x2) (down p1 p2))"
   "; given the symbol x"])

@@ -152,7 +152,7 @@
   "reduced-Hamiltonian: the reduced state (up x q p) has 1 coordinate beside the one of index 5, "
   "which comes from a state of more; given (up r phi p_phi), an up tuple of 3"]
  [(reduced-Hamiltonian H-flat 'r 'E)
-  "reduced-Hamiltonian: contract violation\n  expected: the index of a coordinate\n  given: 'r"]
+  "reduced-Hamiltonian: expected the index of a coordinate\n  given: the symbol r"]
  [((state->reduced-state 2) polar)
   "state->reduced-state: there is no coordinate of index 2 beside others; given "
   "(up t (up r theta) (down p_r p_theta)), an up tuple of 3"]
@@ -168,4 +168,4 @@
   "heliocentric-canonical: expected the masses of the bodies, a list of at least two; given the "
   "symbol m"]
  [(Jacobi-links 1)
-  "Jacobi-links: contract violation\n  expected: a number of bodies, at least 2\n  given: 1"])
+  "Jacobi-links: expected a number of bodies, at least 2\n  given: the number 1"])

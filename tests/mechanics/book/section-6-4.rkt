@@ -8,8 +8,8 @@
 
 (define (bracket F G)
   (- (* ((partial 1) F) ((partial 2) G)) (* ((partial 2) F) ((partial 1) G))))
-(define ((Lie-derivative-procedure H) F) (bracket F H))
-(define (Lie-of H) (make-operator (Lie-derivative-procedure H) (list 'Lie-derivative H)))
+(define ((procedure-of H) F) (bracket F H))
+(define (Lie-of H) (make-operator (procedure-of H) (list 'Lie-derivative H)))
 (define (Lie-transform-of H t) (exp (* t (Lie-of H))))
 
 (define ((H-harmonic m k) (up t q p))
@@ -60,6 +60,14 @@
                   (+ (((partial 0) G) line) ((Poisson-bracket G H) line)))
   (define (rate G) (+ ((partial 0) G) (Poisson-bracket G H)))
   (check-identity (((expt (flow-derivative H) 2) G) line) ((rate (rate G)) line)))
+
+(test-case "p. 448, footnote: the function that the operator is made of"
+  (check-identity (((Lie-derivative-procedure F) coordinate) line)
+                  (((Lie-derivative F) coordinate) line))
+  ;; as a function its product is one of values, as an operator it is a composition
+  (define L (make-operator (Lie-derivative-procedure F) 'L))
+  (check-identity (((* L L) coordinate) line) (((expt (Lie-derivative F) 2) coordinate) line))
+  (check-equal? (format "~a" (Lie-derivative-procedure F)) "(Lie-derivative-procedure F)"))
 
 (test-case "the series are those of the operator written as in the book"
   (for ([Q (list coordinate momentum F)])
@@ -121,12 +129,16 @@
   "Lie-derivative: a Hamiltonian is a function of the state (up t q p); given the number 3"]
  [(Lie-transform F sin)
   "Lie-transform: the parameter of a Lie series is a number or a symbol; given the procedure `sin`"]
+ [(Lie-derivative-procedure 3)
+  "Lie-derivative-procedure: a Hamiltonian is a function of the state (up t q p); given the number 3"]
+ [((Lie-derivative-procedure F) 3)
+  "Lie-derivative-procedure: a quantity is a function of the state (up t q p); given the number 3"]
  [((Lie-derivative F) 3)
   "Lie-derivative: a quantity is a function of the state (up t q p); given the number 3"]
  [(((Lie-derivative F) coordinate) 3)
   "Lie-derivative: expected a Hamiltonian state (up t q p); given the number 3"]
  [(Lie-transformation F 'e 'n)
-  "Lie-transformation: contract violation\n  expected: the order of the last term\n  given: 'n"])
+  "Lie-transformation: expected the order of the last term\n  given: the symbol n"])
 
 ;; ---------------------------------------------------------------------------
 ;; 7.2: the pendulum as a perturbed rotor

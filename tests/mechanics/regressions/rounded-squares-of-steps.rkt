@@ -1,6 +1,8 @@
 #lang racket/base
 ;; A step of the Taylor method with 53 digits had a rounded square, by which all even and odd
-;; terms were multiplied: the energy of long runs was wrong by twice as much.
+;; terms were multiplied: one rounding more a step.  That is a sixth of the error of long runs (64
+;; motions of 1,000 turns: 7.3e-15 of the energy beside 6.2e-15), too little to be told by a few of
+;; them; so the bound here is on what all roundings of a step do together.
 
 (require racket/flonum
          rackunit
@@ -31,6 +33,7 @@
   ((evolve (lambda () Henon-Heiles)) start note (/ end 2000.0) end 1e-15 #:method 'Taylor)
   (/ (apply + squares) (length squares)))
 
-(test-case "eight motions of a thousand turns keep their energy to 8e-15"
-  (define squares (for/list ([k (in-range 8)]) (mean-square (+ 0.1 (* k 1e-6)))))
-  (check-true (< (sqrt (/ (apply + squares) 8)) 8e-15)))
+(test-case "motions of a thousand turns keep their energy to 1e-14, in the mean of many"
+  ;; 7.5e-15 in the mean of 320; that of 64 varies by a tenth, that of eight by a half
+  (define squares (for/list ([k (in-range 64)]) (mean-square (+ 0.1 (* k 1e-6)))))
+  (check-true (< (sqrt (/ (apply + squares) 64)) 1e-14)))

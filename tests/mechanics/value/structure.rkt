@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/generic/arithmetic
-         mechanics/value/structure
+         mechanics/value/structure mechanics/value/symbols-like
          mechanics/calculus/literal-function
          "../support/messages.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/random/element.rkt")
@@ -104,6 +104,11 @@
   (check-equal? (zero-like s) (up 0 (up 0 0) (down 0 (up 0 0))))
   (check-equal? (g:* (compatible-zero s) s) 0)
   (check-equal? (list (compatible-shape 1) (compatible-zero 'a) (zero-like 3)) '(x0 0 0)))
+
+(test-case "a typical object is of symbols that nobody could have written"
+  (check-equal? (format "~a" (typical-object (up 1 (down 2 3)))) "(up x0 (down x1 x2))")
+  (check-false (equal? (typical-object 'a) (typical-object 'a)))
+  (check-false (equal? (typical-object 'a) 'x0)))
 
 ;; ---------------------------------------------------------------------------
 ;; Products

@@ -108,4 +108,29 @@
   (check-regexp-match #rx"there is no file nine.rkt; did you mean none.rkt"
                       (cadr (answer "nine.rkt"))))
 
+;; A program may end itself: from its last form, or from a procedure that is called for each
+;; motion of an ensemble.
+(test-case "what a program did before it ended itself is exported, and that is told"
+  (define lines
+    '("(define (turn s) (up 1 (* 2 (ref s 1))))"
+      "(define ends"
+      "  (evolve-ensemble turn (list (up 0 1.0) (up 0 2.0)) 1 #:jobs 1"
+      "                   #:on-each (lambda (k s) (exit 3))))"
+      "(define after (evolve-trajectory (lambda (s) (up 1 1)) (up 0 1.0) 1))"))
+  (apply program "ending.rkt" lines)
+  (check-equal? (answer "ending.rkt" "--to" "jax" "-o" "ended")
+                (list 0 (string-append
+                         "export: ending.rkt ended itself, by (exit); what it would do after that"
+                         " is not looked at\n"
+                         "ended\n  turn: turn, of ending.rkt\n"
+                         "      variables t x1; parameters none\n")))
+  (check-true (wrote? "ended" "turn.py"))
+  (program "early.rkt" "(exit)" "(define f (Lagrangian->state-derivative (lambda (s) 1)))")
+  (check-equal? (answer "early.rkt")
+                (list 1 (string-append
+                         "export: early.rkt ended itself, by (exit); before that it follows no"
+                         " motion and defines no state derivative\n"
+                         "  one is made by (define motion (Lagrangian->state-derivative L));\n"
+                         "  submodules, as main and test, are not run\n"))))
+
 (delete-directory/files folder)

@@ -58,6 +58,12 @@ end
 end
                 ))
 
+(test-case "arguments of functions are listed by commas, and sequences tell of what"
+  (define card (text 'evolve-ensemble))
+  (for ([line '("  fold         value, so far → so far\n" "  starts       sequence of states\n"
+                "  parameters   sequence of lists of parameters\n")])
+    (check-true (string-contains? card line) line)))
+
 (test-case "the card of a name of another library says which"
   (check-true (string-contains? (text 'L-harmonic) "\n  (require mechanics/book) provides it.\n")))
 
