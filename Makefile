@@ -4,6 +4,8 @@
 RACKET ?= racket
 RACO    = $(RACKET) -N raco -l- raco
 JOBS   ?= 2
+# Of tests one more: some wait for windows, pipes and seconds.
+WAITING_JOBS ?= $(shell expr $(JOBS) + 1)
 
 # The checkout comes first among the places where Racket looks for collections.
 export PLTCOLLECTS := $(CURDIR):$(PLTCOLLECTS)
@@ -89,7 +91,7 @@ check-file:
 # What takes long says so at once.
 test: begin-tests compile libraries
 	@$(RACO) make tests/mechanics/runner/main.rkt tests/mechanics/runner/child.rkt
-	@$(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(JOBS) $(TESTS)
+	@$(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(WAITING_JOBS) $(TESTS)
 
 begin-tests:
 	@echo 'Looking for what is to be compiled ...'

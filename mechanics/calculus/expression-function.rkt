@@ -21,11 +21,13 @@
   (cond [(literal-head? head) (apply-head head arguments)]
         [(eq? head op:up) (apply up arguments)]
         [(eq? head op:down) (apply down arguments)]
-        [else (apply (generic-procedure head) arguments)]))
+        [else (apply (generic-procedure head (length arguments)) arguments)]))
 
-(define (generic-procedure head)
+;; Of as many arguments: atan has two procedures.
+(define (generic-procedure head n)
   (for/first ([o (in-sequences arithmetic-operations elementary-operations)]
-              #:when (eq? (generic-op-operation o) head))
+              #:when (and (eq? (generic-op-operation o) head)
+                          (procedure-arity-includes? (generic-op-procedure o) n)))
     (generic-op-procedure o)))
 
 ;; ∂e/∂x, an expression

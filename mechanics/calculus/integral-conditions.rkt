@@ -13,7 +13,7 @@
          "expression-function.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/rewriting/solve.rkt"
+         "../algebra/solve/factors.rkt"
          "../algebra/simplify/known-sign.rkt" "../algebra/simplify/simplify-expression.rkt")
 
 (provide integral-conditions-of never-holds?)

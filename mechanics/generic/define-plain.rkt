@@ -22,8 +22,10 @@
 ;; f by that name and with messages of its own
 (define (telling-what-it-takes who f)
   (define-values (required known) (procedure-keywords f))
+  (define mask (arity-mask f))
   (define (check-count arguments)
-    (unless (accepts? f (length arguments)) (raise-other-count who f known (length arguments))))
+    (unless (bitwise-bit-set? mask (length arguments))
+      (raise-other-count who f known (length arguments))))
   (define (apply-with names values . arguments)
     (for ([name (in-list names)])
       (unless (memq name known) (raise-unknown-keyword who name known)))

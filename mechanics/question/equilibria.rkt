@@ -8,7 +8,7 @@
          "equilibrium.rkt" "argument-order.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
          "../algebra/expression/symbols.rkt"
-         "../algebra/rewriting/solve.rkt"
+         "../algebra/solve/angles-in.rkt" "../algebra/solve/solve-equations.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/as-Lagrangian.rkt"

@@ -18,7 +18,7 @@
          "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "argument-order.rkt"
          "small-oscillations.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/rewriting/solve.rkt"
+         "../algebra/solve/factors.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"

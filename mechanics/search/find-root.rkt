@@ -89,8 +89,9 @@
 ;; The root x, at the flvector v, as it varies with what f depends on
 (define (varying who f x jacobian v value)
   (define (slopes)
-    (unless (steady? jacobian v (value v)) (raise-no-derivative who x))
-    (jacobian v))
+    (define J (jacobian v))
+    (unless (steady? jacobian J v (value v)) (raise-no-derivative who x))
+    J)
   (varying-root who f x slopes))
 
 (define (check-count who start y)

@@ -14,7 +14,8 @@
 
 (provide minimum-between minima-between (struct-out found))
 
-;; kind : 'inside, 'flat, 'low or 'high, the end where it is; steps : of the method
+;; kind : 'inside, 'flat, 'pole, where there is none, 'low or 'high, the end where it is
+;; steps : of the method
 ;; evaluations : of the function, but for samples where all minima are looked for
 (struct found (x y kind steps evaluations) #:authentic)
 
@@ -23,29 +24,16 @@
 (define (minimum-between who f low high method)
   (check-interval who low high)
   (define s (make-survey who f))
-  (define x+y+steps (method (survey-function s) low high))
-  (define at (first x+y+steps))
-  (define from (and (survey-level? s) (lower-sample s low high (second x+y+steps))))
-  (cond
-    [from
-     (define again (method (survey-function s) (first from) (second from)))
-     (with-bottom s (at-end-or-inside s (first again) (second again) (third again) low high)
-       low high)]
-    [(survey-level? s) (found at (second x+y+steps) 'flat (third x+y+steps) (survey-count s))]
-    [else
-     (with-bottom s (at-end-or-inside s at (second x+y+steps) (third x+y+steps) low high)
-       low high)]))
+  (define (search a b) (apply judged s low high (method (survey-function s) a b)))
+  (define m (search low high))
+  (define from (and (eq? 'flat (found-kind m)) (lower-sample s low high (found-y m))))
+  (define best (if from (search (first from) (second from)) m))
+  (when (pole? best)
+    (raise-singular who "no minimum found: the function falls without bound, at a pole"
+                    (found-x best) "near" (found-x best) "value there" (found-y best)))
+  best)
 
-;; What was found, unless it is a pole
-(define (with-bottom s m low high)
-  (when (pole? s m low high)
-    (raise-singular (survey-who s) "no minimum found: the function falls without bound, at a pole"
-                    (found-x m) "near" (found-x m) "value there" (found-y m)))
-  m)
-
-(define (pole? s m low high)
-  (and (eq? 'inside (found-kind m))
-       (bottomless? (lambda (x) (value-there s x)) (found-x m) (found-y m) low high)))
+(define (pole? m) (eq? 'pole (found-kind m)))
 
 ;; ---------------------------------------------------------------------------
 ;; The values there were
@@ -72,17 +60,27 @@
   (if (rational? y) (real->double-flonum y) +inf.0))
 
 ;; ---------------------------------------------------------------------------
-;; Ends
+;; Which kind it is
 
-;; Is it the end that x is next to?
-(define (at-end-or-inside s x y steps low high)
+;; Nothing is known of x where all values are the same.
+(define (judged s low high x y steps)
+  (if (survey-level? s)
+      (found x y 'flat steps (survey-count s))
+      (at-end-or-inside s low high x y steps)))
+
+;; Is it the end that x is next to, or a pole?
+(define (at-end-or-inside s low high x y steps)
   (define (near? end)
     (<= (abs (- x end)) (* 1e-5 (max (abs x) (* 1e-2 (abs (- high low)))))))
   (define (the-end end kind)
     (define there (and (near? end) (value-there s (real->double-flonum end))))
     (and there (<= there y)
          (found (real->double-flonum end) there kind steps (survey-count s))))
-  (or (the-end low 'low) (the-end high 'high) (found x y 'inside steps (survey-count s))))
+  (define (value x) (value-there s x))
+  (or (the-end low 'low)
+      (the-end high 'high)
+      (let ([kind (if (bottomless? value x y low high) 'pole 'inside)])
+        (found x y kind steps (survey-count s)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Samples
@@ -159,8 +157,8 @@
      (define-values (x y) (if (<= (second x+y+steps) (sampled-y lowest))
                               (values (first x+y+steps) (second x+y+steps))
                               (values (sampled-x lowest) (sampled-y lowest))))
-     (define m (at-end-or-inside s x y (third x+y+steps) low high))
-     (and (not (pole? s m low high)) m)]))
+     (define m (at-end-or-inside s low high x y (third x+y+steps)))
+     (and (not (pole? m)) m)]))
 
 (define (note-more who count distance)
   (note-once

@@ -14,9 +14,8 @@
 
 (provide steady?)
 
-;; jacobian : flvector -> vector of rows; x : the root; y : the values there
-(define (steady? jacobian x y)
-  (define J (jacobian x))
+;; jacobian : flvector -> vector of rows, which are J at the root x; y : the values there
+(define (steady? jacobian J x y)
   (and (all-entries? finite? J)
        (let-values ([(u least v) (least-singular J)])
          (define step (/ (- (dot y u)) least))

@@ -4,7 +4,10 @@
 
 (require "shape.rkt")
 
-(provide symbols-like)
+(provide symbols-like typical-object)
 
 (define (symbols-like x name)
   (scalars->structure x (lambda (k) (string->uninterned-symbol (format "~a~a" name k)))))
+
+;; What scmutils has for that
+(define (typical-object s) (symbols-like s "x"))

@@ -23,10 +23,15 @@
   (define all (findings-systems f))
   (cond [(findings-error f) (tell-error file (findings-error f))]
         [(null? all) (tell-none file f)]
-        [(wish-list? w) (print-systems all) 0]
         [else
-         (define chosen (choose file all w))
-         (write-systems chosen w)]))
+         (when (findings-exited? f) (note-exit file))
+         (if (wish-list? w)
+             (begin (print-systems all) 0)
+             (write-systems (choose file all w) w))]))
+
+(define (note-exit file)
+  (eprintf "export: ~a ended itself, by (exit); what it would do after that is not looked at\n"
+           file))
 
 (define (read-arguments arguments)
   (define-values (to out systems) (values "c" #f '()))
@@ -128,7 +133,8 @@
 
 (define (tell-none file f)
   (define shapeless (findings-shapeless f))
-  (eprintf "export: ~a follows no motion~a\n" file
+  (eprintf "export: ~a~a follows no motion~a\n" file
+           (if (findings-exited? f) " ended itself, by (exit); before that it" "")
            (if (null? shapeless)
                (string-append
                 " and defines no state derivative\n  one is made by (define motion"

@@ -9,15 +9,16 @@
          "../program-file.rkt"
          "../../generic/describe.rkt"
          "../../motion/followed.rkt"
-         (only-in "../../motion/system.rkt" derivative-for)
+         (only-in "../../motion/system/parametric-system.rkt" derivative-for)
          "../../generic/up-down.rkt")
 
 (provide program-systems (struct-out findings))
 
 ;; systems   : found ones, in the order in which they are followed
 ;; shapeless : names of state derivatives of which no state is known
-;; error     : how the program ended before its last form, a text, or #f
-(struct findings (systems shapeless error) #:authentic)
+;; error     : what ended the program before its last form, a text, or #f
+;; exited?   : did it end itself, by `exit`?  Then nothing beyond is known
+(struct findings (systems shapeless error exited?) #:authentic)
 
 ;; who : in whose name is complained; name : of the file, as it was given -> findings
 (define (program-systems who file name #:derivatives? [derivatives? #f])
@@ -29,13 +30,14 @@
   (define o
     (call-watching-systems (lambda (maker ps state) (register! r maker ps state))
                            (lambda () (run-program stx file #:shown void #:look look))))
+  (define end (outcome-end o))
   (define k (make-knowledge stx defined file))
   (define all (reverse (register-all r)))
   (define-values (unfollowed shapeless) (defined-only all defined k))
   (findings (systems-of (append all unfollowed) k derivatives?)
             shapeless
-            (let ([end (outcome-end o)])
-              (and end (or (early-end-message end) "the program ended itself")))))
+            (and end (early-end-message end))
+            (and end (not (early-end-message end)))))
 
 ;; ---------------------------------------------------------------------------
 ;; What is followed

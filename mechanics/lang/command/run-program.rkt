@@ -24,7 +24,8 @@
 
 ;; stx : of a module; file : where it was read -> outcome
 ;; shown : result -> what is kept of it
-;; look  : called with the namespace of the program's definitions once it has run
+;; look  : called with the namespace of the program's definitions once it has run, or when it ends
+;; itself
 (define (run-program stx file #:shown [shown value->shown] #:look [look void])
   (define custodian (make-custodian))
   (define o #f)
@@ -39,16 +40,22 @@
 ;; ---------------------------------------------------------------------------
 ;; In the thread of the program
 
-;; shown, look : as above; number : of the form that runs, or #f; items : what came of it, latest
-;; first
-(struct recorder (found printed shown look [number #:mutable] [items #:mutable]) #:authentic)
+;; shown, look : as above; module : its name; number : of the form that runs, or #f
+;; items : what came of it, latest first
+(struct recorder (found printed shown look module [number #:mutable] [items #:mutable]) #:authentic)
 
 (define (run stx file shown look)
   (define found (make-vector (length (module-forms stx)) '()))
-  (define r (recorder found (open-output-string) shown look #f '()))
+  (define name (string->uninterned-symbol (path->string (file-name-from-path file))))
+  (define r
+    (recorder found (open-output-string) shown look (make-resolved-module-path name) #f '()))
   (define ended
     (let/ec stop
-      (parameterize ([exit-handler (lambda (code) (stop (early-end (recorder-number r) #t #f)))])
+      ;; what is defined by then is looked at, as at the end
+      (define (exit-by-program code)
+        (when (recorder-number r) (look-at-definitions r))
+        (stop (early-end (recorder-number r) #t #f)))
+      (parameterize ([exit-handler exit-by-program])
         (with-handlers ([(lambda (e) (not (exn:break? e)))
                          (lambda (e)
                            (define running? (and (recorder-number r) #t))
@@ -67,7 +74,7 @@
   (define (begins number)
     (finish-form! r)
     (set-recorder-number! r number))
-  (define name (string->uninterned-symbol (path->string (file-name-from-path file))))
+  (define module (recorder-module r))
   (parameterize ([current-namespace (program-namespace)]
                  [current-load-relative-directory (path-only file)]
                  [current-command-line-arguments (vector)]
@@ -76,12 +83,13 @@
                  [current-error-port printed]
                  [print-as-expression #t]
                  [current-print (output-receiver receive printed)])
-    (parameterize ([current-module-declare-name (make-resolved-module-path name)]
+    (parameterize ([current-module-declare-name module]
                    [current-module-declare-source file])
       (eval (with-watched-forms stx begins)))
-    (define module (make-resolved-module-path name))
     (dynamic-require module #f)
-    ((recorder-look r) (module->namespace module))))
+    (look-at-definitions r)))
+
+(define (look-at-definitions r) ((recorder-look r) (module->namespace (recorder-module r))))
 
 ;; The program shares the library with those who show its results.
 (define-namespace-anchor here)

@@ -10,7 +10,7 @@
          "../../error/once.rkt"
          "../../export/exported-system.rkt" "../../export/names.rkt"
          "../../generic/describe.rkt"
-         (only-in "../../motion/system.rkt" derivative-for)
+         (only-in "../../motion/system/parametric-system.rkt" derivative-for)
          "../../value/shape.rkt")
 
 (provide (struct-out followed) (struct-out found)

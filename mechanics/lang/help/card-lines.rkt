@@ -74,11 +74,11 @@
         [(tells? (argument-what a)) (format "~a; ~a unless given" (argument-what a) default)]
         [else (format "~a unless given" default)]))
 
-;; "constraint, list or #f" -> "constraint or list"
+;; "constraint, list or #f" -> "constraint or list"; commas before an arrow are between arguments
 (define (without-false what)
   (define found (regexp-match #rx"^(.*) or #f$" what))
   (if found
-      (regexp-replace #rx", ([^,]*)$" (cadr found) " or \\1")
+      (regexp-replace #rx", ([^,→]*)$" (cadr found) " or \\1")
       what))
 
 (define (pad text n) (string-append text (make-string (- n (string-length text)) #\space)))

@@ -157,6 +157,7 @@
            [(or/c) (string-join (move-false-last parts) ", " #:before-last " or ")]
            [(listof) (format "list of ~a" (plural (car parts)))]
            [(list/c) (format "list of ~a" (string-join parts " and "))]
+           [(sequence/c) (format "sequence of ~a" (plural (car parts)))]
            [(vectorof) (format "vector of ~a" (plural (car parts)))]
            [(quote) (format "'~s" (cadr contract))]
            [(->) (function-words contract)]

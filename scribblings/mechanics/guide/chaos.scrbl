@@ -20,7 +20,10 @@ pendulum rests, which of these places are saddles, and draws what passes through
 (plot-phase-portrait (frame :-pi :pi -9 9 #:width 400 #:height 250) H)]
 
 The separatrix, in red, parts swinging from going round. A motion on it takes for ever to come
-to the top. It is where chaos begins.
+to the top. It is where chaos begins. How it begins, as the drive is turned on, show the undriven
+pendulum (@program-link["figures/figure-4-1.rkt"]), the same looked at from time to time
+(@program-link["figures/figure-4-2.rkt"]), and one that is driven a little
+(@program-link["figures/figure-4-3.rkt"]).
 
 @section{Shaken: a look once in each period}
 
@@ -53,7 +56,9 @@ displacements.
 upright]
 
 The sum of the multipliers is the trace of the map's derivative; where its size is less than 2 the
-point is stable. Shaken fast enough, a pendulum stands on its head:
+point is stable (@program-link["figures/figure-4-4.rkt"] shows where they can be, and
+@program-link["figures/figure-4-5.rkt"] what is new with more degrees of freedom). Shaken
+fast enough, a pendulum stands on its head:
 
 @examples[#:eval session #:label #f
 (find-fixed-point (driven-pendulum-map 1.0 1.0 9.8 0.2 (* 20 (sqrt 9.8))) (up 3.1 0))]
@@ -70,6 +75,11 @@ are left (@sicm{4.5, p. 316}): where it is 1/6, six islands.
 (list (fixed-point-kind island) (fixed-point-coordinates island))
 (define between (find-fixed-point T (up 2.1 0) #:period 6))
 (list (fixed-point-kind between) (fixed-point-coordinates between))]
+
+Why they are left, and in equal numbers, shows the curve of points that come back to their angle:
+its image has the same area below it, so the two cross, and where they cross is what was looked
+for. It is computed for a driven rotor in @program-link["figures/figure-4-16.rkt"] and, where the
+rotor goes round once in three periods, in @program-link["figures/figure-4-18.rkt"].
 
 @section{Regular or chaotic?}
 
@@ -98,8 +108,11 @@ cross without end (@sicm{4.3, p. 303}). Where the manifolds of the standard map 
 (homoclinic-points kicked saddle #:inverse (standard-map-inverse 1.4)
                    #:stable-branch -1 #:length 5)]
 
-The tangle of the pendulum is a figure of its own,
-@program-link["figures/figure-4-9.rkt"].
+Of the pendulum, how the crossings come about is told in three steps, by
+@program-link["figures/figure-4-6.rkt"], @program-link["figures/figure-4-7.rkt"] and
+@program-link["figures/figure-4-8.rkt"]: manifolds touch the directions of the linear motion; the
+images of one crossing are crossings; between two of them is one in the other sense. The tangle
+itself is @program-link["figures/figure-4-9.rkt"].
 
 @section{The last curves}
 
@@ -112,6 +125,15 @@ golden ratio as its rotation number; it is found to rounding, or said not to be 
 circle
 (invariant-circle-ordinate circle 0)
 (eval:error (invariant-circle (standard-map 1.1) golden #:most-modes 256))]
+
+Up to which kick it is found, with so many terms of its series:
+
+@examples[#:eval session #:label #f
+(invariant-circle-limit standard-map golden 0.9 1.0 #:tolerance 0.01 #:most-modes 1024)]
+
+On the way there some angles are visited ever less (@program-link["figures/figure-4-22.rkt"]). At
+the last @italic{K} that has the curve, 0.971635406, orbits of long periods beside it tell of what
+it has become (@program-link["figures/figure-4-23.rkt"]).
 
 @section[#:tag "chaos-trust"]{How far each number is to be believed}
 
@@ -147,9 +169,45 @@ along it, do not depend on them")
   (list @elem{@racket[invariant-circle]}
         @elem{@racket[invariant-circle-error] is the greatest distance between the circle and its
               image. That it is rounding makes the circle plausible; it does not prove it})
+  (list @elem{@racket[invariant-circle-limit]}
+        "a lower bound of the parameter at which the circle breaks up, with so many terms")
   (list @elem{@racket[find-invariant-curve]}
         "1/n² after n steps, so some 1e-13; beyond the critical parameter it ends in a gap")
   (list @elem{@racket[periodic-points]}
         "each is as good as a fixed point; a grid may miss some"))]
+
+@section[#:tag "chapter-4-figures"]{The figures of chapter 4}
+
+Each is a program that draws it and tests what it shows.
+
+@tabular[#:style 'boxed #:row-properties '(bottom-border) #:sep (hspace 2)
+         #:column-properties '(top top)
+ (list
+  (list @bold{Figure} @bold{Shows})
+  (list @program-link["figures/figure-4-1.rkt"] "the phase plane of the undriven pendulum")
+  (list @program-link["figures/figure-4-2.rkt"]
+        "its section: points on contours, few of them where periods are commensurate")
+  (list @program-link["figures/figure-4-3.rkt"]
+        "driven a little: islands, a chain of six, chaos about the separatrix")
+  (list @program-link["figures/figure-4-4.rkt"]
+        "multipliers of a map of the plane: real, or on the unit circle")
+  (list @program-link["figures/figure-4-5.rkt"]
+        "a quartet of multipliers, of a body at the corner of a triangle")
+  (list @program-link["figures/figure-4-6.rkt"]
+        "manifolds upside down, and those of the linear motion")
+  (list @program-link["figures/figure-4-7.rkt"] "the central crossing and its images")
+  (list @program-link["figures/figure-4-8.rkt"] "two families of crossings, in opposite senses")
+  (list @program-link["figures/figure-4-9.rkt"] "the tangle")
+  (list @program-link["figures/figure-4-16.rkt"]
+        "the construction of Poincaré and Birkhoff, once round in each period of the drive")
+  (list @program-link["figures/figure-4-17.rkt"] "the section with these islands")
+  (list @program-link["figures/figure-4-18.rkt"] "the construction, once round in three periods")
+  (list @program-link["figures/figure-4-19.rkt"] "the section with these three islands")
+  (list @program-link["figures/figure-4-20.rkt"] "the golden curve, beside a chaotic zone")
+  (list @program-link["figures/figure-4-21.rkt"] "the same, magnified")
+  (list @program-link["figures/figure-4-22.rkt"] "how often its angles are visited")
+  (list @program-link["figures/figure-4-23.rkt"] "the same where the curve breaks up"))]
+
+Figures 4.10 to 4.15 illustrate an argument; they have no system to be computed.
 
 @(close-session session)

@@ -190,15 +190,17 @@ pendulum, @program-link["figures/figure-3-9.rkt"], and the same motion with two 
 @program-link["figures/figure-3-10.rkt"]. Of those from 3.6 on, sections of the driven pendulum,
 @program-link["figures/figure-3-12.rkt"], @program-link["figures/figure-3-13.rkt"] and
 @program-link["figures/figure-3-14.rkt"]; the potential of Hénon and Heiles,
-@program-link["figures/figure-3-15.rkt"], and sections, @program-link["figures/figure-3-19.rkt"],
-@program-link["figures/figure-3-20.rkt"] and @program-link["figures/figure-3-21.rkt"]; how orbits
-part, @program-link["figures/figure-3-23.rkt"] and @program-link["figures/figure-3-24.rkt"]; regions
+@program-link["figures/figure-3-15.rkt"], orbits in the plane, regular ones and a chaotic one,
+@program-link["figures/figure-3-16.rkt"] and @program-link["figures/figure-3-17.rkt"], and sections,
+@program-link["figures/figure-3-19.rkt"], @program-link["figures/figure-3-20.rkt"] and
+@program-link["figures/figure-3-21.rkt"]; a top with three moments of inertia,
+@program-link["figures/figure-3-22.rkt"]; how orbits part,
+@program-link["figures/figure-3-23.rkt"] and @program-link["figures/figure-3-24.rkt"]; regions
 of the phase plane moved on, @program-link["figures/figure-3-25.rkt"] and
 @program-link["figures/figure-3-26.rkt"]; the standard map,
-@program-link["figures/figure-3-28.rkt"],
-@program-link["figures/figure-3-27.rkt"] and
-@program-link["figures/chaos-by-colours.rkt"]; a tangle,
-@program-link["figures/figure-4-9.rkt"].
+@program-link["figures/figure-3-27.rkt"], @program-link["figures/figure-3-28.rkt"] and
+@program-link["figures/chaos-by-colours.rkt"]. Figures 3.3, 3.11 and 3.18 are drawings of an idea,
+and no programs. Those of chapter 4 are in @secref["chapter-4-figures"].
 
 @section[#:tag "chapter-3-exercises"]{Exercises}
 

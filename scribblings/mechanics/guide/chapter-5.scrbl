@@ -68,13 +68,15 @@ it is not so, and the condition under which it is:
 (define ((stretched a b) (up t q p)) (up t (* a q) (/ p b)))
 (verify-canonical (stretched 'a 'b) (up 't 'q 'p))]
 
-Is x = c√I sin θ, p = c√I cos θ canonical, for some c?
+Are x = c Iᵃ sin θ, p = c Iᵃ cos θ canonical, for some c and a? The exponent is told first, and
+with it the factor:
 
 @examples[#:eval session #:label #f
-(define (C? s)
-  (define r (* 'c (sqrt (momentum s))))
+(define ((C? c a) s)
+  (define r (* c (expt (momentum s) a)))
   (up (time s) (* r (sin (coordinate s))) (* r (cos (coordinate s)))))
-(verdict-conditions (verify-canonical C? (up 't 'theta 'I)))]
+(verdict-remarks (verify-canonical (C? 'c 'a) (up 't 'theta 'I)))
+(verdict-conditions (verify-canonical (C? 'c 1/2) (up 't 'theta 'I)))]
 
 @section{5.3 Invariants}
 
@@ -104,7 +106,10 @@ From a transformation back to what generates it:
 @examples[#:eval session #:label #f
 (define F (generating-function (polar-canonical 'alpha) (up 't 'theta 'I)))
 (F 't 'x 'theta)
-(verify-generating-function F (polar-canonical 'alpha) (up 't 'theta 'I))]
+(verify-generating-function F (polar-canonical 'alpha) (up 't 'theta 'I))
+(define to-polar (F->CH r->p))
+(define rectangular (up 't (up 'x 'y) (down 'p_x 'p_y)))
+((generating-function to-polar rectangular #:type 2) 't (up 'r 'phi) (down 'p_x 'p_y))]
 
 A boost by F@subscript{2}: the free particle is free again.
 

@@ -28,7 +28,9 @@ The book's W removes the first order, and leaves what is of the second:
 (define P (perturbation-series (H0 'alpha) (H1 'beta) a-state #:order 4))
 P
 ((car (perturbation-generators P)) a-state)
-(verify-perturbation P)]
+(verify-perturbation P)
+(for ([v (perturbation-verdicts P)] #:when (= (cadr v) 4))
+  (printf "~a, order 4: ~a\n" (car v) (verdict-status (caddr v))))]
 
 Against the pendulum in closed form: the frequency at the action 3, for β = 0.3.
 

@@ -140,4 +140,8 @@ shows its frame and, run in a checkout, writes it:
 That one follows two double pendulums that begin a ten-billionth of a metre apart
 (@sicm{1.7, exercise 1.44}), and draws the logarithm of their distance.
 
+Others of chapter 1 are the angle of the driven pendulum, @program-link["figures/figure-1-7.rkt"],
+and where a third body cannot go, @program-link["figures/zero-velocity-curves.rkt"]; those of later
+chapters are linked from the pages about them.
+
 @(close-session session)

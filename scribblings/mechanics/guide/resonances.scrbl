@@ -94,6 +94,9 @@ Its separatrix bounds the island, 2√(αγ) on either side:
 (plot-contours island energy 1/4 #:samples 201 #:color 'red)
 island]
 
+The picture as a program, which tests it against the formula:
+@program-link["figures/figure-7-8.rkt"].
+
 @section{Theory and section, in numbers}
 
 The island of the section is not symmetrical. The transformation that removed the other waves
@@ -159,9 +162,28 @@ order has a potential energy that the drive makes.
                  (* 'beta (cos 'theta))))
 (((expt D 2) potential) pi)]
 
-At the top it curves upwards for 2γ² > αβω², that is for (ω/ω_s)(A/l) > √2
-(@sicm{7.4.5, p. 492}; the cosine of 2θ has a minus here, which (7.85) lacks). One period of the
-motion about the top, followed by integration, agrees: its trace is within −2 and 2.
+At the top it curves upwards for 2γ² > αβω². The condition need not be read off: asked about the
+top, the library finds it, in these letters and in lengths and masses. The function says that it is
+a Hamiltonian, which one of (up t q p) with a single coordinate does not show.
+
+@examples[#:eval session #:label #f
+(define ((on-average alpha beta gamma omega) (up t theta p))
+  (+ (/ (square p) (* 2 alpha))
+     (* -1 beta (cos theta))
+     (/ (square (* gamma (sin theta))) (* alpha (square omega)))))
+(define (H-on-average alpha beta gamma omega)
+  (make-Hamiltonian (on-average alpha beta gamma omega)))
+(assume '(> alpha 0) '(> omega 0))
+(equilibrium-stability (H-on-average 'alpha 'beta 'gamma 'omega) ':pi)
+(assume '(> m 0) '(> l 0))
+(equilibrium-stability (H-on-average (* 'm (square 'l)) (* 'm 'g 'l)
+                                     (* 1/2 'm 'l 'A (square 'omega)) 'omega)
+                       ':pi)
+(forget-assumptions)]
+
+That is (ω/ω_s)(A/l) > √2 (@sicm{7.4.5, p. 492}, (7.88); there the cosine of 2θ has a minus, which
+(7.85) and (7.86) lack, and γ² a factor of 2, which (7.87) lacks). One period of the motion about
+the top, followed by integration, agrees: its trace is within −2 and 2.
 
 @examples[#:eval session #:label #f
 (define (trace-at-the-top A omega)

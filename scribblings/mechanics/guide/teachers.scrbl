@@ -86,7 +86,8 @@ and listed; they never count as wrong.}
 @item{Where an item is answered twice the last answer is judged, and the report says so; so it
 does where one was given under a misspelt name.}
 @item{A file with a mistake for which Racket would not run it loses the answer with the mistake, and
-no other. What is wrong with it is told at its head.}]
+no other. What is wrong with it is told at its head. Of a parenthesis that is not closed Racket
+cannot tell how much it was meant to hold: such a file loses what follows it, too.}]
 
 @section[#:tag "what-students-can-do"]{What a submission can do}
 

@@ -17,17 +17,24 @@ Chapters 5 to 7 of the book. A @italic{transformation} C is a function that take
 @racket[(up t q p)] to the old one. The procedures of the book whose names end in a question
 mark return residuals: structures or matrices that are zero if what is asked holds. Those that
 begin with @racketidfont{verify-} return verdicts. All of this is loaded when it is first
-called.
+called. Units are any consistent ones.
+
+Refused everywhere, with a message: a transformation that is no function of one argument, or gives
+no state, or one of another number of coordinates; a Hamiltonian of which the same is true or the
+value is no number; states whose momenta are not dual to their coordinates; and for verdicts, and
+what else is to hold at all states, a state that is not made of symbols, each there once and none of
+them a parameter of the functions.
 
 @section{Point transformations}
 
 @deftogether[(@defproc[((F->CH [F procedure?]) [state structure?]) structure?]
               @defproc[((F->CT [F procedure?]) [state structure?]) structure?])]{
 
-The transformation of phase space that goes with a transformation of coordinates: F gives the
-old coordinates as a function of the new state, and the momenta are p (∂@subscript{1}F)⁻¹. The
-first edition calls it @racket[F->CT]. Coordinates that do not determine each other are an
-@racket[exn:fail:mechanics:singular:matrix].
+The transformation of phase space that goes with a transformation of coordinates: F gives the old
+coordinates as a function of the new state, and the momenta are p (∂@subscript{1}F)⁻¹. The first
+edition calls it @racket[F->CT]. Coordinates that do not determine each other are an
+@racket[exn:fail:mechanics:singular:matrix]; as many old ones as new ones are wanted, without the
+time and momenta.
 
 @examples[#:eval session
 ((F->CH p->r) polar)
@@ -38,7 +45,9 @@ first edition calls it @racket[F->CT]. Coordinates that do not determine each ot
 
 @defproc[((F->K [F procedure?]) [state structure?]) scalar]{
 
-What the new Hamiltonian gets beside H∘C if the coordinates move: −p ∂@subscript{0}F.
+What the new Hamiltonian gets beside H∘C if the coordinates move: −p ∂@subscript{0}F. It refuses
+what
+@racket[F->CH] refuses.
 
 @examples[#:eval session
 ((F->K (turning 'n)) (up 't (up 'x 'y) (down 'p_x 'p_y)))]
@@ -68,7 +77,10 @@ The residual @racket[canonical?] with H∘C for the new Hamiltonian.
 
 @examples[#:eval session
 (define (H-free state) (/ (square (momentum state)) (* 2 'm)))
-((compositional-canonical? (F->CH p->r) H-free) polar)]}
+((compositional-canonical? (F->CH p->r) H-free) polar)
+(eval:error ((compositional-canonical? H-free (F->CH p->r)) polar))]
+
+SICM, first edition; @sicm{5.2, p. 344}}
 
 @deftogether[(@defproc[((canonical-H? [C procedure?] [H procedure?]) [state structure?])
                        structure?]
@@ -91,7 +103,9 @@ itself, and that without, in which K makes up for the time in C.
 
 The part with the derivatives of H, written with @racket[J-func].
 
-@examples[#:eval session ((qp-canonical? (F->CH p->r) H-free) polar)]}
+@examples[#:eval session ((qp-canonical? (F->CH p->r) H-free) polar)]
+
+Of scmutils; @sicm{5.2.2, p. 351}}
 
 @section{Residuals of the transformation alone}
 
@@ -127,7 +141,9 @@ v of unknowns.
 
 @examples[#:eval session
 ((time-independent-canonical? (F->CH p->r)) polar)
-((time-independent-canonical? not-canonical) (up 't 'theta 'p))]}
+((time-independent-canonical? not-canonical) (up 't 'theta 'p))]
+
+SICM, first edition.}
 
 @section{Verdicts}
 
@@ -137,7 +153,8 @@ v of unknowns.
 
 Is a transformation canonical: does it keep all Poisson brackets, or does it take the motions of
 H-prime to those of H? The state is made of symbols. Where parameters of C have to be chosen,
-the verdict says how; if all brackets come out multiplied by one constant, it says so.
+the verdict says how, exponents in a remark; if all brackets come out multiplied by one constant, it
+says so.
 
 @examples[#:eval session
 (verify-canonical (F->CH p->r) polar)
@@ -145,6 +162,10 @@ the verdict says how; if all brackets come out multiplied by one constant, it sa
 (define verdict (verify-canonical (stretched 'a 'b) (up 't 'q 'p)))
 (verdict-conditions verdict)
 (verdict-remarks verdict)
+(define ((powers factor exponent) (up t theta I))
+  (define r (* factor (expt I exponent)))
+  (up t (* r (sin theta)) (* r (cos theta))))
+(verdict-remarks (verify-canonical (powers 'c 'a) (up 't 'theta 'I)))
 (verify-canonical C H-free (+ (compose H-free C) (F->K (turning 'n))) plane)]
 
 @sicm{5.2, pp. 344–357}}
@@ -152,11 +173,15 @@ the verdict says how; if all brackets come out multiplied by one constant, it sa
 @defproc*[([(verify-symplectic [C procedure?] [state structure?]) verdict?]
            [(verify-symplectic [M matrix?]) verdict?])]{
 
-Are the derivatives of a transformation, or is a matrix, symplectic?
+Are the derivatives of a transformation, or is a matrix, symplectic? A matrix is to be square, with
+an even number of rows.
 
 @examples[#:eval session
 (verify-symplectic (polar-canonical 'alpha) line)
-(verify-symplectic (matrix-by-rows '(a b) '(c d)))]}
+(verify-symplectic (matrix-by-rows '(a b) '(c d)))
+(eval:error (verify-symplectic (matrix-by-rows '(a b c) '(d e f))))]
+
+@sicm{5.2.2, p. 355}}
 
 @section{Matrices and forms}
 
@@ -173,7 +198,8 @@ Another n than a positive integer is an error.
 
 @defproc[(symplectic-matrix? [M matrix?]) matrix?]{
 
-The residual J − M J M@superscript{T} of a matrix of an even number of rows.
+The residual J − M J M@superscript{T} of a matrix, square and with an even number of rows; others
+are errors.
 
 @examples[#:eval session
 (symplectic-matrix? (matrix-by-rows '(1 t) '(0 1)))
@@ -184,8 +210,8 @@ The residual J − M J M@superscript{T} of a matrix of an even number of rows.
 @deftogether[(@defproc[((D-as-matrix [F procedure?]) [state structure?]) matrix?]
               @defproc[(qp-submatrix [M matrix?]) matrix?])]{
 
-The derivatives of a transformation as a matrix, a row for each scalar of its value; and a
-matrix without the row and the column of the time.
+The derivatives of a function of the state as a matrix, a row for each scalar of its value; and a
+matrix, of two rows and columns at least, without the row and the column of the time.
 
 @examples[#:eval session
 ((D-as-matrix (polar-canonical 1)) line)
@@ -197,10 +223,11 @@ matrix without the row and the column of the time.
 
 The symplectic form of two increments of a state, p@subscript{2} q@subscript{1} −
 p@subscript{1} q@subscript{2}, which canonical transformations keep. In the book it is
-@racketidfont{omega}.
+@racketidfont{omega}. Increments of states of different shapes are an error.
 
 @examples[#:eval session
-(symplectic-two-form (up 0 'dq_1 'dp_1) (up 0 'dq_2 'dp_2))]
+(symplectic-two-form (up 0 'dq_1 'dp_1) (up 0 'dq_2 'dp_2))
+(eval:error (symplectic-two-form (up 0 'dq 'dp) polar))]
 
 @sicm{5.3, p. 361}}
 
@@ -208,7 +235,7 @@ p@subscript{1} q@subscript{2}, which canonical transformations keep. In the book
               @defproc[(J-func [gradient structure?]) structure?])]{
 
 The rate of a state of which only the time moves; and the direction in which a Hamiltonian with
-that derivative moves the state.
+that derivative, a down tuple of three, moves the state. A state in its place is an error.
 
 @examples[#:eval session
 (T-func polar)
@@ -232,7 +259,9 @@ multiplies by; and what multiplies w from the left as A does from the right.
 ((Phi* A) (down 'p 'q))
 ((transpose-function A) (down 'p 'q))
 (linear-function->multiplier (Phi A) (up 'x 'y))
-((multiplicative-transpose (down 'p 'q)) A)]}
+((multiplicative-transpose (down 'p 'q)) A)]
+
+SICM, first edition; @sicm{5.2.2, pp. 351–353}}
 
 @section{Transformations}
 
@@ -242,7 +271,7 @@ multiplies by; and what multiplies w from the left as A does from the right.
 
 From an angle and its momentum to x = √(2I/α) sin θ and p = √(2Iα) cos θ, and back; of several
 coordinates each with its momentum. With α = √(km) they make the energy of an oscillator
-√(k/m) I.
+√(k/m) I. An α that is no scalar, as a state where it was left out, is an error.
 
 @examples[#:eval session
 ((polar-canonical 'alpha) line)
@@ -257,12 +286,16 @@ coordinates each with its momentum. With α = √(km) they make the energy of an
                         [state structure?]) structure?])]{
 
 The centre of mass of two particles and the way from the first to the second; and the
-transformation with the momenta that belong to these.
+transformation with the momenta that belong to these. The coordinates of the state are those of the
+two particles, scalars or tuples; masses are scalars.
 
 @examples[#:eval session
 (define pair (up 't (up 'x_1 'x_2) (down 'p_1 'p_2)))
 ((two-particle-center-of-mass 'm_1 'm_2) pair)
-(verify-canonical (two-particle-center-of-mass-canonical 'm_1 'm_2) pair)]}
+(verify-canonical (two-particle-center-of-mass-canonical 'm_1 'm_2) pair)
+(eval:error ((two-particle-center-of-mass 'm_1 'm_2) line))]
+
+@sicm{5.4.4, pp. 378–381}}
 
 @section[#:tag "generating-functions"]{Generating functions}
 
@@ -282,7 +315,10 @@ The transformation that a function generates, from new states to old ones, and i
 equation that holds the unknown old variable (or the new one) is solved exactly if it is linear
 in it, by formula if there is one, and else numerically, with derivatives. A function whose
 mixed second derivatives have the determinant 0 generates nothing: that is an
-@racket[exn:fail:mechanics:singular:matrix].
+@racket[exn:fail:mechanics:singular:matrix]. Where there is no formula a state or parameters with
+symbols are an error, and a search that finds nothing is an
+@racket[exn:fail:mechanics:not-convergent]. A function of other than three arguments, or with a
+value that is no number, is an error.
 
 @examples[#:eval session
 ((F1->C (lambda (t x theta) (* 1/2 'alpha (square x) (cot theta)))) line)
@@ -294,7 +330,8 @@ mixed second derivatives have the determinant 0 generates nothing: that is an
 ((F1->C-inv (lambda (t q qq) (* q qq))) (up 't 'q 'p))
 ((F4->C-inv (lambda (t p pp) (* p pp))) (up 't 'q 'p))
 ((F2->C (lambda (t q p) (+ (* q p) (* 0.1 (sin q) (square p))))) (up 0 1.0 2.0))
-(eval:error ((F2->C (lambda (t q p) (+ q p))) (up 't 'q 'p)))]
+(eval:error ((F2->C (lambda (t q p) (+ q p))) (up 't 'q 'p)))
+(eval:error ((F2->C (lambda (t q p) (+ (* q p) (* 'e (sin q) (square p))))) (up 't 'q 'p)))]
 
 @sicm{5.4.1 and 5.4.3, pp. 366–374}}
 
@@ -303,14 +340,17 @@ mixed second derivatives have the determinant 0 generates nothing: that is an
               @defproc[((F3->K [F procedure?]) [state structure?]) scalar]
               @defproc[((F4->K [F procedure?]) [state structure?]) scalar])]{
 
-What the new Hamiltonian gets beside H∘C: ∂@subscript{0}F, at the new state.
+What the new Hamiltonian gets beside H∘C: ∂@subscript{0}F, at the new state. What is refused is as
+for the transformations.
 
 @examples[#:eval session
 (define (moving t q p) (* p (- q (* 'v t))))
 ((F2->K moving) (up 't 'q 'p))
 ((F1->K (lambda (t q qq) (* (sin t) q qq))) (up 't 'q 'p))
 ((F3->K (lambda (t p q) (* (exp t) p q))) (up 't 'q 'p))
-((F4->K (lambda (t p pp) (+ (* p pp) (* t pp)))) (up 't 'q 'p))]}
+((F4->K (lambda (t p pp) (+ (* p pp) (* t pp)))) (up 't 'q 'p))]
+
+@sicm{5.4.3, pp. 373–374, (5.150)}}
 
 @defproc[(generating-function [C procedure?] [state structure?]
                               [#:type type (or/c 1 2 3 4) 1])
@@ -319,12 +359,17 @@ What the new Hamiltonian gets beside H∘C: ∂@subscript{0}F, at the new state.
 A function that generates C, found by integrating the differential that C makes of it; the state
 is made of symbols and says of what shape states are. That C is canonical is seen from the
 differential, which is closed. With roots in C it holds where the variables are positive; where
-else, @racket[verify-generating-function] says.
+else, @racket[verify-generating-function] says. A C that is not canonical is an error, and one of
+which the variable that F does not hold is not determined by the others an
+@racket[exn:fail:mechanics:singular:matrix]. Where no formula is found for that variable the error
+names the types that have one; where the differential has no antiderivative that was found, it is an
+@racket[exn:fail:mechanics] that shows what was to be integrated.
 
 @examples[#:eval session
 (define F (generating-function (polar-canonical 'alpha) line))
 (F 't 'x 'theta)
 ((generating-function (F->CH p->r) polar #:type 3) 't (down 'p_x 'p_y) (up 'r 'phi))
+(eval:error (generating-function (F->CH p->r) polar #:type 2))
 (eval:error (generating-function not-canonical (up 't 'theta 'p)))]
 
 @sicm{5.4.2, pp. 368–373}}
@@ -333,12 +378,15 @@ else, @racket[verify-generating-function] says.
                                      [#:type type (or/c 1 2 3 4) 1])
          verdict?]{
 
-Does F generate C: do its derivatives at the old and the new state give the other variables?
+Does F generate C: do its derivatives at the old and the new state give the other variables? An F of
+other than three arguments is an error.
 
 @examples[#:eval session
 (verify-generating-function F (polar-canonical 'alpha) line)
 (verdict-status
- (verify-generating-function (lambda (t x theta) (* x theta)) (polar-canonical 'alpha) line))]}
+ (verify-generating-function (lambda (t x theta) (* x theta)) (polar-canonical 'alpha) line))]
+
+@sicm{5.4.1 and 5.4.3, pp. 366–374}}
 
 @defproc[(C->K [C procedure?] [state structure?]) procedure?]{
 
@@ -363,7 +411,9 @@ error; one whose gradient has no antiderivative that was found is an
          scalar]{
 
 The residual ∂@subscript{0}S + H(t, q, ∂@subscript{1}S) of a principal function S(t, q), zero if
-S generates coordinates and momenta that rest.
+S generates coordinates and momenta that rest; of a characteristic function W(q) with the energy E
+the principal function is W − E t. An S that does not take the time and the coordinates,
+two arguments, or with a value that is no number, is an error.
 
 @examples[#:eval session
 (define H (H-harmonic 'm 'k))
@@ -373,19 +423,23 @@ S generates coordinates and momenta that rest.
 
 @defproc[(verify-Hamilton-Jacobi [H procedure?] [S procedure?] [t symbol?] [q value]) verdict?]{
 
-Is the residual zero at all times and coordinates?
+Is the residual zero at all times and coordinates? These are symbols, each there once.
 
 @examples[#:eval session
 (verify-Hamilton-Jacobi (lambda (state) (/ (square (momentum state)) (* 2 'm)))
                         (lambda (t q) (/ (* 'm (square (- q 'a))) (* 2 t)))
-                        't 'q)]}
+                        't 'q)]
+
+@sicm{6.1, p. 411, (6.4)}}
 
 @section{Action and angle}
 
 Systems with one coordinate, in numbers, whose motion closes: after one swing, or, where the
 coordinate is an angle that comes again after @racket[turn], after one turn. The motion is
-integrated to a tolerance; one that has not closed by the time @racket[longest] is an
-@racket[exn:fail:mechanics:not-convergent]. The pendulum is there in closed form, too:
+integrated to a tolerance; one that has not closed by the time @racket[longest], or runs away, is
+an @racket[exn:fail:mechanics:not-convergent]. Errors are a state at rest, a state of several
+coordinates or with symbols, parameters of H that are no numbers, an H that depends on the time,
+and a tolerance, turn or time that is not positive. The pendulum is there in closed form, too:
 @secref["reference-pendulum"].
 
 @deftogether[(@defproc[(action-of-orbit [H procedure?] [state structure?]
@@ -406,7 +460,8 @@ The action ∮ p dq/2π of the motion through a state, and its angular frequency
   (+ (/ (square (momentum state)) 2) (/ (expt (coordinate state) 4) 4)))
 (action-of-orbit quartic (up 0 1 0))
 (frequency-of-orbit quartic (up 0 1 0))
-(frequency-of-orbit (Hpendulum 1 9.8) (up 0 0 9) #:turn (* 2 pi))]
+(frequency-of-orbit (Hpendulum 1 9.8) (up 0 0 9) #:turn (* 2 pi))
+(eval:error (action-of-orbit (H-harmonic 'm 'k) (up 0 1 0)))]
 
 H. Goldstein 1980, 10-5.}
 
@@ -419,12 +474,14 @@ H. Goldstein 1980, 10-5.}
                                              [#:tolerance eps real? 1e-11])
                         [state structure?]) structure?])]{
 
-From a state to (up t angle action), with the angle counted from where the coordinate passes
-@racket[center] forwards, and back.
+From a state to (up t angle action), with the angle between 0 and 2π counted from where the
+coordinate passes @racket[center] forwards, and back. A motion that does not pass it, or turns
+backwards, and an action that is not positive, or of which no motion was found, are errors.
 
 @examples[#:eval session
 ((state->action-angle quartic) (up 0 0.5 -0.25))
-((action-angle->state quartic) ((state->action-angle quartic) (up 0 0.5 -0.25)))]}
+((action-angle->state quartic) ((state->action-angle quartic) (up 0 0.5 -0.25)))
+(eval:error ((state->action-angle quartic #:center 3) (up 0 1 0)))]}
 
 @section{Integral invariants}
 
@@ -435,7 +492,7 @@ From a state to (up t angle action), with the angle counted from where the coord
 
 The integral ∮ p dq of a closed curve of states, a function of one parameter, which canonical
 transformations keep; with a Hamiltonian ∮ p dq − H dt, which the motion keeps, whatever the
-times of the states.
+times of the states. A loop is a function of one parameter; values that are no states are errors.
 
 @examples[#:eval session
 (define (loop x) (up 0 (+ 1 (* 0.2 (cos x))) (+ 2 (* 0.3 (sin x)))))
@@ -444,12 +501,15 @@ times of the states.
 
 @sicm{5.3, pp. 362–364; 5.5.1, p. 402}}
 
-@defproc[((loop-integrand [loop procedure?]) [x scalar]) scalar]{
+@defproc[((loop-integrand [loop procedure?] [H (or/c procedure? #f) #f]) [x scalar]) scalar]{
 
-What is integrated, p Dq.
+What is integrated, p Dq, or p Dq − H Dt.
 
 @examples[#:eval session
-((loop-integrand (lambda (x) (up 0 (cos x) (sin x)))) 'x)]}
+((loop-integrand (lambda (x) (up 0 (cos x) (sin x)))) 'x)
+((loop-integrand (lambda (x) (up x (cos x) (sin x))) (H-harmonic 'm 'k)) 'x)]
+
+@sicm{5.3, pp. 362–364; 5.5.1, p. 402}}
 
 @section{The evolution in time}
 
@@ -458,7 +518,8 @@ What is integrated, p Dq.
               @defproc[(((H->Hp [delta-t scalar]) [H procedure?]) [state structure?]) scalar])]{
 
 A state with its time moved on; a motion @racket[((C delta-t) state)] as a transformation of
-states at one time; and the Hamiltonian that goes with it.
+states at one time; and the Hamiltonian that goes with it. A C that is no function of the time step,
+or gives no transformation, is an error.
 
 @examples[#:eval session
 ((shift-t 'delta) (up 't 'q 'p))
@@ -475,20 +536,36 @@ states at one time; and the Hamiltonian that goes with it.
               @defproc[(flow-derivative [H procedure?]) operator?])]{
 
 The operator F ↦ {F, H}, and with the explicit time F ↦ ∂@subscript{0}F + {F, H}, the rate of F
-along the motion. Its powers are found from expressions, each from the one before.
+along the motion. Its powers are found from expressions, each from the one before. It takes one
+function of the state, or a tuple of such, and what it gives takes the state: both at once are an
+error.
 
 @examples[#:eval session
 (((Lie-derivative H) coordinate) (up 't 'x 'p))
 (((expt (Lie-derivative H) 4) coordinate) (up 't 'x 'p))
-(((flow-derivative H) (lambda (state) (* (time state) (coordinate state)))) (up 't 'x 'p))]
+(((flow-derivative H) (lambda (state) (* (time state) (coordinate state)))) (up 't 'x 'p))
+(eval:error ((Lie-derivative H) coordinate (up 't 'x 'p)))]
 
 @sicm{6.4, p. 448}}
+
+@defproc[((Lie-derivative-procedure [H procedure?]) [F procedure?]) procedure?]{
+
+The function that @racket[Lie-derivative] makes an operator of, as the book has it: of functions
+products are of values, of operators they are compositions.
+
+@examples[#:eval session
+(((Lie-derivative-procedure H) coordinate) (up 't 'x 'p))
+(define L (make-operator (Lie-derivative-procedure H) 'L))
+(((* L L) coordinate) (up 't 'x 'p))]
+
+@sicm{6.4, p. 448, footnote}}
 
 @deftogether[(@defproc[(Lie-transform [H procedure?] [epsilon scalar]) operator?]
               @defproc[(flow-transform [H procedure?] [epsilon scalar]) operator?])]{
 
-The operator exp(ε L) with L the Lie derivative, or the one with explicit time: what it makes of
-a function is, at a state, the series of its value a time ε later.
+The operator exp(ε L) with L the Lie derivative, or the one with explicit time: what it makes of a
+function is, at a state, the series of its value a time ε later. An ε that is no scalar is an
+error.
 
 @examples[#:eval session
 (series:for-each print-expression (((Lie-transform H 'dt) coordinate) (up 0 'x 'p)) 5)
@@ -504,12 +581,16 @@ a function is, at a state, the series of its value a time ε later.
          structure?]{
 
 The state whose coordinates and momenta are the Lie series of W summed up to an order: a
-transformation that is canonical up to the next one. With −ε it is the inverse, to that order.
+transformation that is canonical up to the next one. With −ε it is the inverse, to that order. An
+order that is no natural number is an error.
 
 @examples[#:eval session
 (define (W state) (* (momentum state) (square (coordinate state))))
 ((Lie-transformation W 'epsilon 2) (up 't 'q 'p))
-((Lie-transformation H 0.1 20) (up 0 1.0 0.0))]}
+((Lie-transformation H 0.1 20) (up 0 1.0 0.0))
+(eval:error (Lie-transformation W 'epsilon 'n))]
+
+@sicm{6.4, pp. 443–451}}
 
 @defproc[(Baker-Campbell-Hausdorff [A (or/c operator? procedure?)]
                                    [B (or/c operator? procedure?)])
@@ -517,7 +598,7 @@ transformation that is canonical up to the next one. With −ε it is the invers
 
 The series Z@subscript{1} + Z@subscript{2} + ⋯ with exp(A) exp(B) = exp(Z), the term of order n
 made of brackets of n factors. Of two Hamiltonians it is the series of Hamiltonians whose Lie
-derivatives that is.
+derivatives that is. One of each kind is an error.
 
 @examples[#:eval session
 (define Z (Baker-Campbell-Hausdorff (Lie-derivative (literal-function 'f (Hamiltonian 1)))
@@ -544,13 +625,21 @@ so that waves disappear, order by order. It prints as the new Hamiltonian, order
 what was divided by. Waves whose frequency is 0 whatever the momenta, and those asked for, a list
 of the integers of each, stay: resonances. The state is made of symbols.
 
+Errors are an H0 that depends on the coordinates; a perturbation that is no finite sum of sines and
+cosines of integer multiples of them (it is shown what is not), or depends on the time
+(@racket[periodic-extension] makes that an angle); an order that is no positive integer; a parameter
+that stands in the Hamiltonians or the state; and waves to be kept that are no lists of as many
+integers as there are angles.
+
 @examples[#:eval session
 (define (rotor state) (/ (square (momentum state)) (* 2 'alpha)))
 (define (gravity state) (* -1 'beta (cos (coordinate state))))
 (define a-state (up 't 'theta 'p))
 (define P (perturbation-series rotor gravity a-state #:order 2))
 P
-(eval:error (perturbation-series gravity rotor a-state))]
+(eval:error (perturbation-series gravity rotor a-state))
+(eval:error (perturbation-series rotor (lambda (s) (square (coordinate s))) a-state))
+(eval:error (perturbation-series rotor gravity a-state #:order 1/2))]
 
 @sicm{7.1–7.2, pp. 457–478}; A. J. Dragt and J. M. Finn 1976.}
 
@@ -558,12 +647,15 @@ P
               @defproc[(perturbation-Hamiltonian [P perturbation?]) series?]
               @defproc[(perturbation-generators [P perturbation?]) (listof procedure?)])]{
 
-The new Hamiltonian as a series of functions of the state, and the W of each order.
+The new Hamiltonian as a series of functions of the state, and the W of each order. What was not
+made by @racket[perturbation-series], and a state of another shape, are errors, here and below.
 
 @examples[#:eval session
 (perturbation? P)
 ((perturbation-Hamiltonian P) a-state)
-((car (perturbation-generators P)) a-state)]}
+((car (perturbation-generators P)) a-state)]
+
+@sicm{7.1, pp. 458–460}}
 
 @deftogether[(@defproc[(perturbation-divisors [P perturbation?]) list?]
               @defproc[(perturbation-resonances [P perturbation?]) list?])]{
@@ -589,6 +681,7 @@ waves that stayed, as lists of the order, the integers and the wave.
 From new states to old ones, back, and the state at a time of the motion through a state: into
 the new one, on with constant frequencies, and back, all to the order of P. A state whose
 frequencies make a divisor 0 is an @racket[exn:fail:mechanics:singular] that names the resonance.
+Where waves were kept the new motion is no rotation, and its solution an error: integrate it.
 
 @examples[#:eval session
 ((perturbation-transformation (perturbation-series rotor gravity a-state)) a-state)
@@ -602,12 +695,24 @@ frequencies make a divisor 0 is an @racket[exn:fail:mechanics:singular] that nam
 
 @sicm{7.2, p. 464}}
 
-@defproc[(verify-perturbation [P perturbation?]) verdict?]{
+@deftogether[(@defproc[(verify-perturbation [P perturbation?]) verdict?]
+              @defproc[(perturbation-verdicts [P perturbation?])
+                       (listof (list/c symbol? exact-nonnegative-integer? verdict?))])]{
 
 Is the Hamiltonian, transformed by the Lie derivatives of the generators as functions, the new
-one in each order?
+one in each order? And each claim of a perturbation, order by order: that the new Hamiltonian is
+the old one @racket['transformed]; that it is @racket['without-angles], which is refuted where a
+resonance stays; that the transformation to old states is @racket['canonical], and what is called
+its inverse the @racket['inverse], up to that order.
 
-@examples[#:eval session (verify-perturbation P)]}
+@examples[#:eval session
+(verify-perturbation P)
+(for ([v (perturbation-verdicts P)])
+  (printf "~a, order ~a: ~a\n" (car v) (cadr v) (verdict-status (caddr v))))
+(define kept (perturbation-series H0 H1 two-angles #:keep '((1 -1))))
+(caddr (list-ref (perturbation-verdicts kept) 3))]
+
+@sicm{7.1–7.2, pp. 457–478}}
 
 @deftogether[(@defproc[(resonance-width [H0 procedure?] [H1 procedure?]
                                         [k (listof exact-integer?)] [state structure?])
@@ -620,13 +725,19 @@ How far a resonance moves the momenta from its middle at most: half the height o
 of the pendulum that the wave k of H1 makes of H0 there, for each momentum. And the value of the
 momentum of index j that puts a state on the resonance.
 
+A list of other than as many integers as there are angles, a wave that H1 does not have, one whose
+frequency does not change along it, an index that no momentum has, and a frequency that is not of
+degree 1 in that momentum are errors.
+
 @examples[#:eval session
 (define (driven-H0 (up t q (down P p))) (+ (/ (square p) 2) (* 5 P)))
 (define (driven-H1 (up t (up phi theta) p))
   (+ (* -0.05 (cos theta)) (* 0.05 (+ (cos (+ theta phi)) (cos (- theta phi))))))
 (define rest-state (up 0 (up 0 0) (down 0 0)))
 (resonance-center driven-H0 '(1 -1) rest-state 1)
-(resonance-width driven-H0 driven-H1 '(1 -1) rest-state)]
+(resonance-width driven-H0 driven-H1 '(1 -1) rest-state)
+(eval:error (resonance-width driven-H0 driven-H1 '(2 1) rest-state))
+(eval:error (resonance-center driven-H0 '(1 0) rest-state 1))]
 
 @sicm{7.4, pp. 479–490}; B. V. Chirikov 1979.}
 
@@ -640,13 +751,18 @@ The normal form of H near the origin, an equilibrium where the terms of degree 2
 those that commute with the oscillators. The parameters of H are numbers; with exact ones all is
 exact. A constant term is left out.
 
+Errors are a degree below 3, symbols left in the coefficients, an H that depends on the time or
+divides by zero at the origin, terms of degree 1, and terms of degree 2 that are no such
+oscillators.
+
 @examples[#:eval session
 (define (Henon-Heiles (up t (up x y) p))
   (+ (* 1/2 (+ (square p) (square x) (square y))) (* (square x) y) (* -1/3 (cube y))))
 (define plane-state (up 't (up 'x 'y) (down 'p_x 'p_y)))
 (define N (Birkhoff-normal-form Henon-Heiles plane-state #:degree 4))
 (define pendulum (lambda (s) (- (/ (square (momentum s)) 2) (cos (coordinate s)))))
-(Birkhoff-normal-form pendulum (up 't 'q 'p) #:degree 6)]
+(Birkhoff-normal-form pendulum (up 't 'q 'p) #:degree 6)
+(eval:error (Birkhoff-normal-form (H-harmonic 1 4) (up 't 'q 'p)))]
 
 G. D. Birkhoff 1927; F. G. Gustavson 1966.}
 
@@ -659,7 +775,9 @@ G. D. Birkhoff 1927; F. G. Gustavson 1966.}
 
 The terms of the normal form by degree, from 2 on, as functions of the state; the W of degrees
 from 3 on; the frequencies; the integers of the resonances among them that were met; and what was
-divided by, as lists of the degree and the integers with the divisor at the end.
+divided by, as lists of the degree and the integers with the divisor at the end. What was not made
+by
+@racket[Birkhoff-normal-form], and a state of another shape, are errors, here and below.
 
 @examples[#:eval session
 (normal-form? N)
@@ -669,7 +787,10 @@ divided by, as lists of the degree and the integers with the divisor at the end.
               (/ (- (* 7 (square L)) (* 5 (square I))) 12))
 ((car (normal-form-generators N)) plane-state)
 (list (normal-form-frequencies N) (normal-form-resonances N))
-(normal-form-divisors N)]}
+(normal-form-divisors N)
+(eval:error (normal-form-frequencies Henon-Heiles))]
+
+F. G. Gustavson 1966.}
 
 @deftogether[(@defproc[((normal-form-transformation [N normal-form?]) [state structure?])
                        structure?]
@@ -682,6 +803,8 @@ derivatives of the generators, is the normal form, and that commutes with the os
 @examples[#:eval session
 ((normal-form-transformation (Birkhoff-normal-form pendulum (up 't 'q 'p))) (up 't 'q 'p))
 ((normal-form-inverse N) ((normal-form-transformation N) (up 0 (up 0.01 0) (down 0 0.01))))
-(verify-normal-form N)]}
+(verify-normal-form N)]
+
+F. G. Gustavson 1966.}
 
 @(close-session session)

@@ -164,7 +164,12 @@ The state derivative @racket[(up 1 v a)] of the constrained system, for
 Each step of the integration is taken back to where the constraints and their rates of
 change are zero, and so is a state that is read between steps: the drift off the
 constraints is that of rounding. Numbers of higher precision
-(@racket[#:precision]) are not taken back; there it stays near the tolerance.
+(@racket[#:precision]) are not taken back; there it stays near the tolerance. The way back is
+the shortest as kinetic energy measures it. For it, and for the rates, the Lagrangian, the force
+and the constraints are run once on placeholders, and the list of their operations is
+differentiated: momenta, mass matrix and the Jacobian of the constraints, sparse where that is,
+compiled and kept with the state derivative. Twenty rods take some 60 ms at first and 15 when they
+are followed again. What takes decisions is evaluated by the generic arithmetic instead.
 
 A motion must begin in a state that keeps the constraints, to eight digits; another is
 refused, with the values of the constraints. Redundant constraints do no harm: the first

@@ -13,25 +13,27 @@ for JAX, wherever these run.
 
 @section{Many motions}
 
-@defproc[(evolve-ensemble [maker procedure?] [starts sequence?] [end real?]
-                          [#:parameters parameters (or/c sequence? #f) #f]
+@defproc[(evolve-ensemble [maker (or/c (-> state rates) (-> parameter ... (-> state rates)))]
+                          [starts (sequence/c state)] [end real?]
+                          [#:parameters parameters (or/c (sequence/c (listof parameter)) #f) #f]
                           [#:events events (or/c event? (listof event?)) '()]
                           [#:tolerance tolerance real? 1e-10]
-                          [#:method method symbol? 'auto]
-                          [#:collect collect (or/c procedure? #f) #f]
+                          [#:method method name-of-method 'auto]
+                          [#:collect collect (or/c (-> state value) #f) #f]
                           [#:on-each on-each (-> exact-nonnegative-integer? value any) void]
-                          [#:fold fold (or/c (-> value value value) #f) #f]
-                          [#:from from value '()]
+                          [#:fold fold (or/c (-> value so-far so-far) #f) #f]
+                          [#:from from so-far (void)]
                           [#:jobs jobs exact-positive-integer? (processor-count)]
                           [#:batch batch exact-positive-integer? 16]
                           [#:checkpoint file (or/c path-string? #f) #f]
                           [#:progress progress? boolean? (report-progress)])
-         value]{
+         (or/c (listof value) so-far)]{
 
 Follows every start, a state of any shape, to the time @racket[end], and returns the list of the
 last states in the order of the starts. @racket[maker] is a state derivative; or, with
 @racket[parameters], a list of numbers and tuples of numbers for each start, what makes a state
-derivative of them, as for @racket[evolve]. Any consistent units.
+derivative of them, as for @racket[evolve]; they are finite. A state is a tuple of real numbers,
+its rates one of the same shape. Any consistent units.
 
 @examples[#:eval session
 (define starts (for/list ([k 5]) (up 0 (* 0.3 k) 0)))
@@ -40,10 +42,10 @@ derivative of them, as for @racket[evolve]. Any consistent units.
 
 @racketvarfont{collect} is what is wanted of a last state; it is done by the workers where it can be
 compiled, and here where not. @racket[fold] is called with each value and what it returned for
-those before, @racket[from] at first: a thing that does not grow needs no more memory for a
-million starts, which may be any sequence. @racket[on-each] is called with each index and
-value. Values come in the order of the starts, whatever is finished first: sums are the same
-each time.
+those before; at first with @racket[from], which must be given with it. A result that does not grow
+needs no more memory for a million starts, which may be any sequence. @racket[on-each] is called
+with each index and value. Values come in the order of the starts, whatever is finished first:
+sums are the same each time.
 
 @examples[#:eval session #:label #f
 (define (swing m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
@@ -62,17 +64,18 @@ state and that list then. So an ensemble of sections is made:
 
 Work is done in batches by so many @racket[jobs], processes of their own, which are sent the
 list of instructions that @racket[maker] compiles to; one that dies is replaced, and its batches
-are done again. A few starts, and systems and events that have no code, such as those that decide
-something by their state, are followed in this process. Methods are given by name
-(@racket[ode-integration-method]).
+are done again; there are never more than four for each core. A few starts, and systems and events
+that have no code, such as those that decide something by their state, are followed in this
+process. Methods are given by name (@racket[ode-integration-method]).
 
 With a @racket[file] as checkpoint what is finished is written there, batch by batch; the same
-call goes on from it. A file that is none, or one of other starts or of another system, is
-refused and left as it is.
+call goes on from it, and so does a call with more starts behind those. A file that is none, or
+one of other starts, of another system, or of batches of another size, is refused and left as it
+is. Where the disk is full the run ends with an error, and what was written stays good.
 
 A start that cannot be followed to the end has an @racket[ensemble-failure?] as its value; the
-others go on. No starts at all, starts of different shapes, and what is no finite number are
-errors that tell the index.
+others go on. No starts at all, starts or parameters of different shapes, and what is no finite
+number are errors that tell the index.
 
 One start alone is followed by @racket[evolve-trajectory]; what comes after a thousand motions is
 drawn as any points are, @racket[plot-point]. A program in another language does the same many
@@ -82,7 +85,7 @@ times: @racket[export-system].}
               @defproc[(ensemble-failure-index [failure ensemble-failure?])
                        exact-nonnegative-integer?]
               @defproc[(ensemble-failure-message [failure ensemble-failure?]) string?]
-              @defproc[(ensemble-failure-state [failure ensemble-failure?]) value])]{
+              @defproc[(ensemble-failure-state [failure ensemble-failure?]) (or/c state #f)])]{
 
 What has become of a start that could not be followed: which one it is, why, and the last state
 that was good, @racket[#f] if there is none.
@@ -98,7 +101,7 @@ that was good, @racket[#f] if there is none.
 
 @section{Systems in other languages}
 
-@defproc[(export-system [derivative (-> value value)] [example value]
+@defproc[(export-system [derivative (-> state rates)] [example state-of-numbers-or-symbols]
                         [#:to target (or/c 'C 'python 'JAX) 'C]
                         [#:name name (or/c string? symbol?) "motion"]
                         [#:folder folder path-string? (format "~a-~a" name target)]

@@ -58,11 +58,25 @@ A motion that takes @racket[most] steps without crossing raises
          (-> value value)]{
 
 The map from a state to the one a period later; a negative period leads back. It can be
-differentiated.
+differentiated. A time after which the rates of the system are others is an error: it is no period,
+but perhaps a frequency.
 
 @examples[#:eval session
 (define (turn s) (up 1 (momentum s) (- (coordinate s))))
-((stroboscopic-map turn :pi/2) (up 0 1 0))]
+((stroboscopic-map turn :pi/2) (up 0 1 0))
+(define (driven s) (up 1 (momentum s) (cos (* 3 (time s)))))
+((stroboscopic-map driven (/ :2pi 3)) (up 0 1 0))
+(eval:error ((stroboscopic-map driven 3) (up 0 1 0)))]
+
+A map of the plane, to be explored say, is made of a map of states by saying what state a point
+stands for, and which point a state.
+
+@examples[#:eval session
+(define period-later (stroboscopic-map driven (/ :2pi 3)))
+(define (looked-at q p return fail)
+  (let ((s (period-later (up 0 q p))))
+    (return (coordinate s) (momentum s))))
+(looked-at 1 0 list void)]
 
 @sicm{3.6.1, p. 240}}
 
@@ -437,9 +451,11 @@ left of it.
 The invariant circle of a map that keeps areas, on which the map is a rotation by
 @racket[rotation-number] turns, by Newton's method in Fourier space. It is a procedure: of the
 angle θ of that rotation it gives the point of the circle, an abscissa that grows by a turn with
-θ, and an ordinate. The search begins with an orbit that @racket[find-invariant-curve]
-finds @racket[between] two ordinates at the abscissa 0; unless they are given, those are half a
-radian below and above the angle of the rotation.
+θ, and an ordinate. The rotation number is irrational; a fraction with a denominator up to 100 is
+an error, for such circles break up into periodic orbits, which @racket[periodic-points] finds.
+The search begins with an orbit that @racket[find-invariant-curve] finds @racket[between] two
+ordinates at the abscissa 0; unless they are given, those are half a radian below and above the
+angle of the rotation.
 
 @examples[#:eval session
 (define circle (invariant-circle (standard-map 0.8) golden))
@@ -475,6 +491,26 @@ series, and its ordinate at an abscissa.
 (invariant-circle-modes circle)
 (invariant-circle-ordinate circle 0)
 (find-invariant-curve (standard-map 0.8) golden 0 2.0 2.6 1e-8)]}
+
+@defproc[(invariant-circle-limit [family (-> real? procedure?)] [rotation-number real?]
+                                 [low real?] [high real?]
+                                 [#:tolerance tolerance real? 1e-3]
+                                 [#:between between (or/c (list/c real? real?) #f) #f]
+                                 [#:most-modes most exact-positive-integer? 4096])
+         (list/c real? real?)]{
+
+Up to which parameter of a family of maps @racket[invariant-circle] finds the circle of a rotation
+number: the last parameter at which it does and the first at which it does not, as far apart as
+@racket[tolerance] says, by bisection. The circle is to be there at @racket[low] and not at
+@racket[high].
+
+@examples[#:eval session
+(invariant-circle-limit standard-map golden 0.9 1.0 #:tolerance 0.01 #:most-modes 1024)
+(eval:error (invariant-circle-limit standard-map golden 0.5 0.6))]
+
+The first of the two is a lower bound of the parameter at which the circle breaks up, which is
+0.971635406 here. Near it the series converges ever slower, and more terms come nearer: 4096 to
+0.967, 16384 to 0.970. (J. M. Greene 1979.)}
 
 @defproc[(rotation-number [map procedure?] [start tuple?] [n exact-positive-integer? 10000]
                           [#:about about (or/c tuple? #f) #f])

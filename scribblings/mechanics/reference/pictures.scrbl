@@ -253,8 +253,11 @@ the last of what was done, @litchar{m} asks for @racket[n] more points of each o
 @litchar{w} shows the whole again, @litchar{c} clears, @litchar{q} closes. @litchar{s} saves
 the picture and a program that draws the same orbits again, as @filepath{explored-1.png}
 and @filepath{explored-1.rkt} in the current folder; @racket[source], the expression of the map,
-is written into that program, @racket['(standard-map 0.6)] say. Without it the program provides
-@racketidfont{redraw}, which takes the map. Where there is no screen the error says
+is written into that program, @racket['(standard-map 0.6)] say. The program requires
+@racketmodname[mechanics], @racketmodname[mechanics/book] and @racketmodname[mechanics/plot]; where
+@racket[source] has names that these do not define, as those of a map of your own, the window says
+which, and the program is complete once they are defined in it. Without @racket[source] the program
+provides @racketidfont{redraw}, which takes the map. Where there is no screen the error says
 how to do without a window.
 
 @examples[#:eval session

@@ -12,7 +12,9 @@
        (+ (/ (+ (square p_r) (square (/ p_phi r))) (* 2 m)) (V r)))))
 
 The time made a coordinate, and a coordinate the time; coordinates of several bodies; and
-separation of variables. All of this is loaded when it is first called.
+separation of variables. All of this is loaded when it is first called. Units are any consistent
+ones. Refused everywhere are Hamiltonians that are no functions of one argument, the state, and
+states whose momenta are not dual to their coordinates.
 
 @section{Extended phase space}
 
@@ -23,7 +25,7 @@ separation of variables. All of this is loaded when it is first called.
 The Hamiltonian p@subscript{t} + H(t, q, p) of states @racket[(up s (up t q) (down p_t p))], in
 which the time is a coordinate; and, of one that is periodic in the time, ω P + H(φ/ω, q, p), in
 which it is an angle, as @racket[perturbation-series] wants it. A state of another shape is an
-error.
+error, and so is a frequency that is 0 or no scalar.
 
 @examples[#:eval session
 (define (driven (up t q p)) (- (/ (square p) 2) (* 'A q (cos (* 'omega t)))))
@@ -37,7 +39,8 @@ error.
 
 A transformation that depends on the time, as one of the extended phase space that does not:
 p@subscript{t} becomes p@subscript{t} + K. It is canonical, with the Hamiltonian transformed by
-composition, if C is and K is its correction.
+composition, if C is and K is its correction. What is no transformation of the inner state is an
+error.
 
 @examples[#:eval session
 (define F (rotating->inertial 'Omega))
@@ -54,12 +57,16 @@ composition, if C is and K is its correction.
               @defproc[(reduced-state [state structure?]) structure?])]{
 
 A state with its time as a coordinate, and without. In place of the momentum a Hamiltonian may be
-given, of which the extended one is then 0.
+given, of which the extended one is then 0. What is no state, and for the second no extended one, is
+an error.
 
 @examples[#:eval session
 (extended-state (up 't 'q 'p) 'p_t)
 ((extended-Hamiltonian driven) (extended-state (up 't 'q 'p) driven))
-(reduced-state (up 's (up 't 'q) (down 'p_t 'p)))]}
+(reduced-state (up 's (up 't 'q) (down 'p_t 'p)))
+(eval:error (reduced-state line))]
+
+@sicm{5.5, pp. 394–398}}
 
 @section{A coordinate for the time}
 
@@ -69,9 +76,11 @@ given, of which the extended one is then 0.
          scalar]{
 
 The Hamiltonian of the reduced phase space, in which the coordinate of index k, x, counts in place
-of the time: −p@subscript{k}, found from H = E, at a state @racket[(up x q p)] of the others. H has
-no explicit time and is of degree 1 or 2 in that momentum, of which the greater value is taken; with
-@racket[#:backwards?] the lesser. What is left is the shape of the orbit.
+of the time: −p@subscript{k}, found from H = E, at a state @racket[(up x q p)] of the others. H
+has no explicit time and is of degree 1 or 2 in that momentum, of which the greater value is
+taken; with @racket[#:backwards?] the lesser. What is left is the shape of the orbit. An index
+that is no natural number, or that of no coordinate, an H that depends on the time, and one that
+is of another degree in the momentum, or does not hold it, are errors.
 
 @examples[#:eval session
 (define H (central 'm (literal-function 'V)))
@@ -84,11 +93,13 @@ no explicit time and is of degree 1 or 2 in that momentum, of which the greater 
 @defproc[((state->reduced-state [k exact-nonnegative-integer?]) [state structure?]) structure?]{
 
 A state as one of the reduced phase space: the coordinate of index k, the others, their momenta. A
-single other coordinate is a scalar.
+single other coordinate is a scalar. An index without a coordinate, or without others beside it,
+is an error.
 
 @examples[#:eval session
 ((state->reduced-state 0) polar)
-((state->reduced-state 1) (up 't (up 'x 'y 'z) (down 'p_x 'p_y 'p_z)))]
+((state->reduced-state 1) (up 't (up 'x 'y 'z) (down 'p_x 'p_y 'p_z)))
+(eval:error ((state->reduced-state 0) line))]
 
 @sicm{5.6, p. 403}}
 
@@ -108,14 +119,17 @@ single other coordinate is a scalar.
 Hierarchical Jacobi coordinates, from the new state to the old one and back. Each link
 @racket[(list j k)], one after the other, puts in place of body j the way from j to k, and in place
 of k the centre of mass of both. The kinetic energy stays a sum of p²/2m, with the masses of
-@racket[linked-masses]. Links of a body to itself, or to one that is not there, are errors.
+@racket[linked-masses]. Positions may be scalars or tuples. Links of a body to itself, or to one
+that is not there, masses that are no list of two scalars or more, and a state of another number
+of bodies are errors.
 
 @examples[#:eval session
 (define three (up 't (up 'x_0 'x_1 'x_2) (down 'p_0 'p_1 'p_2)))
 (define masses '(m_0 m_1 m_2))
 ((linked-canonical-inverse masses '((0 1) (1 2))) three)
 (verify-canonical (linked-canonical masses '((0 1) (1 2))) three)
-(linked-masses masses '((0 1) (1 2)))]
+(linked-masses masses '((0 1) (1 2)))
+(eval:error (linked-masses masses '((0 3))))]
 
 @sicm{5.8, exercise 5.21, pp. 409–410}}
 
@@ -127,12 +141,14 @@ of k the centre of mass of both. The kinetic energy stays a sum of p²/2m, with 
 
 The links of Jacobi's coordinates, by which each body is seen from the centre of mass of those
 before it; and the index of the coordinate that is the centre of mass of all bodies, or
-@racket[#f] where links leave none.
+@racket[#f] where links leave none. A number of bodies below 2 is an error.
 
 @examples[#:eval session
 (Jacobi-links 4)
 (center-of-mass-of-links 4 (Jacobi-links 4))
-(center-of-mass-of-links 3 '((0 1) (0 2)))]}
+(center-of-mass-of-links 3 '((0 1) (0 2)))]
+
+@sicm{5.8, exercise 5.21, pp. 409–410}}
 
 @deftogether[(@defproc[((heliocentric-canonical [masses (listof scalar?)]) [state structure?])
                        structure?]
@@ -140,7 +156,8 @@ before it; and the index of the coordinate that is the centre of mass of all bod
                         [state structure?]) structure?])]{
 
 Canonical heliocentric coordinates, the centre of mass and the ways from body 0 to the others: from
-the new state to the old one, and back. The kinetic energy gets products of momenta.
+the new state to the old one, and back. The kinetic energy gets products of momenta. Masses and
+state are as for @racket[linked-canonical].
 
 @examples[#:eval session
 ((heliocentric-canonical-inverse masses) three)
@@ -155,10 +172,12 @@ the new state to the old one, and back. The kinetic energy gets products of mome
 
 A complete integral of H(q, ∂W/∂q) = E as a sum of functions of one coordinate each, where the
 equation falls apart: coordinates that do not occur, Cartesian, polar, spherical, parabolic,
-elliptic ones. The state is made of symbols. It prints the momentum of each coordinate as a function
-of it and the constants, @racketidfont{alpha_} and its name; those of a root have it with either
-sign. A Hamiltonian with explicit time is an error; one that was not found to separate is an
-@racket[exn:fail:mechanics] that shows what is left.
+elliptic ones. The state is made of symbols. It prints the momentum of each coordinate as a
+function of it and the constants, @racketidfont{alpha_} and its name; those of a root have it with
+either sign. One that was not found to separate is an @racket[exn:fail:mechanics] that shows what
+is left, and so is an equation of higher degree in a momentum. Errors are a Hamiltonian with
+explicit time, or without one of the momenta, parameters that are symbols of the state, and an
+energy that is no scalar, depends on the state, or is a symbol that stands in H.
 
 @examples[#:eval session
 (separate-Hamilton-Jacobi H polar)
@@ -167,7 +186,8 @@ sign. A Hamiltonian with explicit time is an error; one that was not found to se
   (- (/ (square (momentum state)) 2) (/ 1 (sqrt (square (coordinate state))))))
 (define S (separate-Hamilton-Jacobi (compose Kepler (F->CH s->r)) spherical))
 S
-(eval:error (separate-Hamilton-Jacobi Kepler plane))]
+(eval:error (separate-Hamilton-Jacobi Kepler plane))
+(eval:error (separate-Hamilton-Jacobi H polar #:energy 'm))]
 
 @sicm{6.1, pp. 411–425}; L. D. Landau and E. M. Lifshitz, Mechanics, § 48.}
 
@@ -177,44 +197,62 @@ S
               @defproc[(separation-integrals [s separation?]) (listof procedure?)])]{
 
 The momenta by coordinates and constants; the constants, the energy first; and the functions of the
-state of which these are the values along a motion: conserved, and with brackets that vanish.
+state of which these are the values along a motion: conserved, and with brackets that vanish. What
+was not made by @racket[separate-Hamilton-Jacobi] is an error, here and below.
 
 @examples[#:eval session
 (separation? S)
 (ref (separation-momenta S) 1)
 (separation-constants S)
-((caddr (separation-integrals S)) spherical)]}
+((caddr (separation-integrals S)) spherical)
+(eval:error (separation-momenta Kepler))]
+
+@sicm{6.1, pp. 411–425}}
 
 @defproc[(separation-function [s separation?] [#:from from (or/c value #f) #f]) procedure?]{
 
 Hamilton's principal function S(t, q), the sum of the integrals of the momenta less E t: of formulas
 where they are found. Elsewhere that is an @racket[exn:fail:mechanics], or, with coordinates
-@racket[#:from] which to integrate, done by numbers.
+@racket[#:from] which to integrate, done by numbers. Coordinates of another shape are an error.
 
 @examples[#:eval session
 (define (falling state) (+ (/ (square (momentum state)) 2) (* 'g (ref state 1 1))))
 (define S-falling (separation-function (separate-Hamilton-Jacobi falling plane)))
 (S-falling 't (up 'x 'y))
-(verify-Hamilton-Jacobi falling S-falling 't (up 'x 'y))]}
+(verify-Hamilton-Jacobi falling S-falling 't (up 'x 'y))
+(eval:error (separation-function S))]
+
+@sicm{6.1, pp. 411–425}}
 
 @defproc[(verify-separation [s separation?]) verdict?]{
 
 Do the momenta that were found solve H(q, p(q)) = E?
 
-@examples[#:eval session (verify-separation S)]}
+@examples[#:eval session (verify-separation S)]
+
+@sicm{6.1, pp. 411–412, (6.4)}}
 
 @deftogether[(@defproc[(separation-actions [s separation?] [state structure?]) value]
               @defproc[(separation-frequencies [s separation?] [state structure?]) value])]{
 
 The actions ∮ p dq/2π of all coordinates, of the motion through a state of numbers, and the
-frequencies of their angles, ∂E/∂J; the parameters of H are numbers. A coordinate that does not
-occur in H is an angle of 2π. A coordinate that does not turn back is an
-@racket[exn:fail:mechanics]; one that rests has no frequency, and is an error.
+frequencies of their angles, ∂E/∂J. A coordinate that does not occur in H is an angle of 2π. The
+separation is one with a symbol for the energy, which the state then gives its value; of one with
+a number for it, or another expression, actions and frequencies are an error. So are parameters of
+H that are no numbers, and a state with symbols or of another shape. A coordinate that does not
+turn back, as one whose equation is of degree 1 in its momentum, is an
+@racket[exn:fail:mechanics]; one that rests has no frequency, and is an error; an integral over a
+swing that does not converge is an
+@racket[exn:fail:mechanics:not-convergent].
 
 @examples[#:eval session
 (define orbit (up 0 (up 1.0 1.3 0.2) (down 0.1 0.4 0.7)))
 (separation-actions S orbit)
 (separation-frequencies S orbit)
-(expt (* -2 ((car (separation-integrals S)) orbit)) 3/2)]}
+(expt (* -2 ((car (separation-integrals S)) orbit)) 3/2)
+(eval:error (separation-actions (separate-Hamilton-Jacobi falling plane #:energy 2)
+                                (up 0 (up 0 1) (down 0 0))))]
+
+H. Goldstein 1980, 10-6; L. D. Landau and E. M. Lifshitz, Mechanics, § 52.}
 
 @(close-session session)

@@ -200,6 +200,16 @@ A structure that contracts with @racket[s] to a scalar: of fresh symbols
 
 @sicm{5.2, p. 351}}
 
+@defproc[(typical-object [s value]) value]{
+
+A structure of the shape of @racket[s], of symbols that nobody could have written: what stands for
+any value of that shape. Unlike those of @racket[compatible-shape] they meet no other symbol that
+is spelt as they are.
+
+@examples[#:eval session
+(typical-object (up 'a (down 'b 'c)))
+(eq? (typical-object 'a) 'x0)]}
+
 @defproc[(zero-like [s value]) value]{
 
 The zero of the same shape, which can be added to @racket[s]: of a matrix a matrix, of a
