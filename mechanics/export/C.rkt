@@ -72,7 +72,7 @@ text
 (define (system-source who s)
   (define name (exported-name s))
   (define programs (filter values (list (exported-slope s) (exported-jacobian s))))
-  (define used (remove-duplicates (append-map operations-of programs) eq?))
+  (define used (remove-duplicates (append-map helpers-of programs) eq?))
   (string-append
    (format "/* ~a\n\n   variables: ~a\n   parameters: ~a */\n\n"
            (safe-comment (exported-definition s))
@@ -83,14 +83,17 @@ text
    (C-function who s "derivative" "dy" (exported-slope s))
    (if (exported-jacobian s) (C-function who s "jacobian" "J" (exported-jacobian s)) "")))
 
-(define (operations-of p)
-  (for/list ([i (in-vector (program-instructions p))]) (instruction-operation i)))
+(define (helpers-of p)
+  (append* (for/list ([i (in-vector (program-instructions p))])
+             (define operation (instruction-operation i))
+             (cond [(not (eq? operation 'solve)) (list operation)]
+                   [(symmetric-system? i) '(solve solve_symmetric)]
+                   [else '(solve)]))))
 
 (define (helpers used)
   (apply string-append
-         (for/list ([h (in-list '((solve . "solve.c") (wrapped . "wrapped.c") (sgn . "sgn.c")))]
-                    #:when (memq (car h) used))
-           (string-append "\n" (file->string (build-path C-folder (cdr h)))))))
+         (for/list ([h (in-list '(solve solve_symmetric wrapped sgn))] #:when (memq h used))
+           (string-append "\n" (file->string (build-path C-folder (format "~a.c" h)))))))
 
 (define (C-function who s suffix output p)
   (define variables (exported-variables s))
@@ -133,7 +136,7 @@ text
            'acos "acos" 'sinh "sinh" 'cosh "cosh" 'tanh "tanh" 'asinh "asinh"
            'acosh "acosh" 'atanh "atanh" 'abs "fabs" 'expt "pow" 'wrapped "wrapped" 'sgn "sgn"
            'atan "atan" 'atan2 "atan2")
-   (lambda (name rows right)
+   (lambda (name rows right symmetric?)
      (define n (length right))
      (append
       (list (format "double ~a_matrix[~a], ~a[~a];" name (* n n) name n))
@@ -141,7 +144,8 @@ text
                   [(x j) (in-parallel row (in-naturals))])
         (format "~a_matrix[~a] = ~a;" name (+ (* i n) j) x))
       (for/list ([x (in-list right)] [i (in-naturals)]) (format "~a[~a] = ~a;" name i x))
-      (list (format "solve(~a, ~a_matrix, ~a);" n name name))))
+      (list (format "~a(~a, ~a_matrix, ~a);"
+                    (if symmetric? "solve_symmetric" "solve") n name name))))
    (lambda (name k) (format "~a[~a]" name k))
    (lambda (name text) (format "const double ~a = ~a;" name text))))
 
@@ -152,7 +156,7 @@ text
 ;; Words of C, its mathematics and the code around.
 (define reserved
   (append
-   '("y" "p" "dy" "J" "solve" "wrapped" "sgn")
+   '("y" "p" "dy" "J" "solve" "solve_symmetric" "wrapped" "sgn")
    (string-split
     (string-append
      "auto break case char const continue default do double else enum extern float for goto if "

@@ -54,7 +54,7 @@
            'cosh "jnp.cosh" 'tanh "jnp.tanh" 'asinh "jnp.arcsinh" 'acosh "jnp.arccosh"
            'atanh "jnp.arctanh" 'abs "jnp.abs" 'expt "jnp.power" 'wrapped "_wrapped"
            'sgn "jnp.sign" 'atan "jnp.arctan" 'atan2 "jnp.arctan2")
-   (lambda (name rows right)
+   (lambda (name rows right symmetric?)
      (list (format "~a = jnp.linalg.solve(jnp.array([~a]), jnp.array([~a]))" name
                    (string-join (for/list ([row (in-list rows)])
                                   (format "[~a]" (string-join row ", ")))

@@ -12,7 +12,7 @@
 (provide (struct-out language) program->code number->literal)
 
 ;; calls   : hasheq, operation -> how it is called, a string
-;; solve   : name, rows of entries, right-hand sides, all texts -> lines
+;; solve   : name, rows of entries, right-hand sides, all texts, is it symmetric? -> lines
 ;; unknown : name, index -> how an unknown of a solved system is written
 ;; define  : name, text -> line
 (struct language (calls solve unknown define) #:authentic)
@@ -67,7 +67,7 @@
   (case operation
     [(solve)
      (values (formula name atom)
-             (reverse (system-lines language name (map of operands))))]
+             (reverse (system-lines language name (map of operands) (symmetric-system? i))))]
     [(component)
      (values (formula ((language-unknown language) (formula-text (of (car operands)))
                                                    (cadr operands))
@@ -80,14 +80,15 @@
          (values (formula name atom)
                  (list ((language-define language) name (formula-text f)))))]))
 
-(define (system-lines language name entries)
+(define (system-lines language name entries symmetric?)
   (define n (integer-sqrt (length entries)))
   (define rows
     (let loop ([left (map formula-text entries)])
       (if (null? left) '() (cons (take left (+ n 1)) (loop (drop left (+ n 1)))))))
   ((language-solve language) name
                              (for/list ([row (in-list rows)]) (take row n))
-                             (map last rows)))
+                             (map last rows)
+                             symmetric?))
 
 (define (operation-formula operation xs language fail)
   (case operation

@@ -125,7 +125,8 @@ one machine would take a night.
 @section{How far they agree}
 
 Rates and steps of the C are ours to the last bit, apart from functions of C's library that
-round differently than ours, hyperbolic ones mostly; the tests compare them so. JAX's compiler
+round differently than ours, hyperbolic ones mostly, and from mass matrices of more than eight
+coordinates, which we add up in another order; the tests compare them so. JAX's compiler
 puts sums into another order: rates agree to a few units of the last digit. Motions agree within
 the tolerance, as long as it means anything: where motions are chaotic, errors grow by a factor
 in each Lyapunov time, and after some thirty of these two runs that differ in the last bit have

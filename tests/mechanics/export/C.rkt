@@ -39,6 +39,9 @@
   (up 1 v (- (atan (sin (* 3 x)) (+ 2 (cos x))) (* 0.1 (abs v)) (expt (+ 2 (square x)) 0.3)
              (tanh x) (asinh v))))
 
+(define (coordinates letter n)
+  (apply up (for/list ([k n]) (string->symbol (format "~a~a" letter k)))))
+
 (define systems
   (list
    (lagrangian "pendulum" L-pendulum (up 't 'theta 'thetadot) [g 9.81] [m 1.2] [l 0.7])
@@ -49,6 +52,14 @@
    (lagrangian "Kepler" L-Kepler-polar (up 't (up 'r 'phi) (up 'rdot 'phidot)) [GM 1.3] [m 0.5])
    (lagrangian "chain" (lambda (g) (L-chain 5 g))
                (up 't (up 'a 'b 'c 'd 'e) (up 'va 'vb 'vc 'vd 've)) [g 9.8])
+   (lagrangian "long_chain" (lambda (g) (L-chain 10 g))
+               (up 't (coordinates "q" 10) (coordinates "v" 10)) [g 9.8])
+   ;; Its mass matrix is symmetric, and not positive definite.
+   (lagrangian "indefinite" (lambda (m)
+                              (lambda ((up t (up x y) (up vx vy)))
+                                (- (* 1/2 (- (* m (square vx)) (* (+ 2 (cos x)) (square vy))))
+                                   (cos (* x y)))))
+               (up 't (up 'x 'y) (up 'vx 'vy)) [m 2.0])
    (system "Henon_Heiles" (lambda () (Hamiltonian->state-derivative Henon-Heiles))
            (up 't (up 'x 'y) (down 'px 'py)) '())
    (system "saw_tooth" (lambda () saw-tooth) (up 't 'x 'v) '())))
@@ -77,9 +88,9 @@
 (define ((close-to tolerance) a b)
   (or (same? a b) (<= (abs (- a b)) (* tolerance (+ 1.0 (abs a) (abs b))))))
 
-;; Racket's own hyperbolic functions are not those of C.
+;; Racket's own hyperbolic functions are not those of C, and many unknowns are solved by rows.
 (define (same-as-far-as s tolerance)
-  (if (string=? "saw_tooth" (system-name s)) (close-to tolerance) same?))
+  (if (member (system-name s) '("saw_tooth" "long_chain")) (close-to tolerance) same?))
 
 (define (error-text run)
   (with-handlers ([exn:fail? exn-message]) (run) "no error"))
@@ -101,7 +112,7 @@
           (for ([_ 1000])
             (define y (random-state n))
             (ours! (joined y p) expected)
-            (check-all (same-as-far-as s 1e-14) (rates y p) expected s y))))))))
+            (check-all (same-as-far-as s 1e-12) (rates y p) expected s y))))))))
 
 (test-case "derivatives by variables and by parameters are D's"
   (with-compiler
