@@ -26,6 +26,7 @@
              #:unary (lambda (op x) (jet-unary op x))
              #:binary (lambda (op a b) (jet-binary op a b))
              #:comparand (lambda (x) (jet-coefficient x 0))
+             #:order (lambda (x) (jet-order x))
              #:same? (lambda (same? a b)
                        (and (eqv? (perturbed-tag a) (perturbed-tag b))
                             (for/and ([k (in-range (add1 (jet-order a)))])

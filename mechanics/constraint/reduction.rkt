@@ -13,7 +13,7 @@
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt"
-         "../value/linear/row-systems.rkt"
+         "../value/linear/row-products.rkt" "../value/linear/row-systems.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide reduce-by-substitution reduction?

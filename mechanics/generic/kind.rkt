@@ -30,19 +30,21 @@
 ;; closed?   : #t for kinds of function that can have captured no value
 ;; component : value index -> the part that `ref` gives; #f where there is none
 ;; parts     : of carriers, what their own floor wants to know of them
+;; order     : of carriers, value -> the highest power of its infinitesimal that is kept
 ;; notation  : value (value -> tree) -> the tree it is typeset by (notation.rkt); #f: that of
 ;;             its datum
 (struct kind (rank describe datum map unary binary comparand zero? same? arity closed?
-              component parts notation)
+              component parts notation order)
   #:authentic)
 
 (define (make-kind #:rank rank #:describe describe #:datum datum
                    #:map [map #f] #:unary [unary #f] #:binary [binary #f]
                    #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
                    #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f]
-                   #:component [component #f] #:parts [parts #f] #:notation [notation #f])
+                   #:component [component #f] #:parts [parts #f] #:notation [notation #f]
+                   #:order [order (lambda (x) 1)])
   (kind rank describe datum map unary binary comparand zero? same? arity closed? component parts
-        notation))
+        notation order))
 
 (define-values (prop:kind has-kind? kind-of-type) (make-struct-type-property 'kind))
 

@@ -6,7 +6,7 @@
 ;; norm is below 1/2, the series summed to rounding, and the sum squared as often as A was
 ;; halved (Moler and Van Loan, SIAM Review 45, 2003, method 3).
 
-(require "row-systems.rkt"
+(require "row-products.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/kind.rkt" "../../generic/rounding.rkt"

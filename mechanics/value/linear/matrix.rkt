@@ -5,7 +5,7 @@
 ;; Where the book means a matrix, a tuple of tuples is accepted too: the one
 ;; whose components are the rows.
 
-(require "row-systems.rkt"
+(require "row-products.rkt" "row-systems.rkt"
          "../structure.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"

@@ -9,7 +9,7 @@
          "../../generic/tracing.rkt"
          "../../numeric/linear/rows.rkt")
 
-(provide open-system? open-solutions)
+(provide open-system? open-solutions longest-formula)
 
 ;; Up to three unknowns, formulas are shorter.
 (define longest-formula 3)

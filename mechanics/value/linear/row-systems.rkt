@@ -7,12 +7,14 @@
 ;; - exact numbers by elimination without fractions (algebra/linear/bareiss.rkt),
 ;; - numbers, some of them flonums, with partial pivoting (numeric/linear/flonum-systems.rkt),
 ;; - those of higher precision likewise (numeric/bigfloat/bigfloat-systems.rkt),
+;; - what is being differentiated by systems of its values (perturbed-system.rkt),
 ;; - anything else without divisions (division-free.rkt).
 ;;
 ;; Results are graphs that share what they are made of, not simplified.
 
 (require racket/list
-         "division-free.rkt" "open-system.rkt" "singular.rkt"
+         "division-free.rkt" "open-system.rkt" "perturbed-system.rkt" "row-products.rkt"
+         "singular.rkt"
          "../algebra.rkt"
          "../../algebra/expression/expression.rkt"
          "../../algebra/linear/block-form.rkt"
@@ -22,7 +24,7 @@
 
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
          rows-rank rows-null-space rows-characteristic rows-diagonal-blocks
-         rows-product rows-transpose sum-of-products)
+         rows-transpose)
 
 (require-on-demand ["../bigfloat.rkt" bigfloat-solutions])
 
@@ -44,7 +46,7 @@
 (define (block-determinant rows)
   (cond [(exact-numbers? rows) (eliminated-determinant rows 1)]
         [(all-entries? number? rows) (floating-determinant rows)]
-        [else (ring-determinant rows)]))
+        [else (or (and (many-rows? rows) (pivots-determinant rows)) (ring-determinant rows))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
@@ -95,6 +97,7 @@
   (define n (vector-length A))
   (cond [(= n 1) (solve-one (entry A 0 0) (vector-ref right 0))]
         [(open-system? A right) (open-solutions A right)]
+        [(perturbed-system? A right) (perturbed-solutions block-solutions A right)]
         [(other-numbers? A right) (bigfloat-solutions A right)]
         [(not (all-entries? number? A)) (ring-solutions A right)]
         [(all-entries? number? right) (numeric-solutions A right)]
@@ -117,17 +120,6 @@
   (if (and (exact-numbers? A) (exact-numbers? right))
       (eliminated-solutions A right 1)
       (floating-solutions A right)))
-
-(define (rows-product a b)
-  (define columns (rows-transpose b))
-  (for/vector #:length (vector-length a) ([row (in-vector a)])
-    (for/vector #:length (vector-length columns) ([column (in-vector columns)])
-      (sum-of-products row column))))
-
-;; Σ vᵢ wᵢ, without the terms that are 0 whatever they are multiplied by.
-(define (sum-of-products v w)
-  (for/fold ([sum 0]) ([x (in-vector v)] [y (in-vector w)] #:unless (or (eqv? x 0) (eqv? y 0)))
-    (g:+ sum (g:* x y))))
 
 ;; ---------------------------------------------------------------------------
 ;; Rank and null space, of numbers and expressions in any number of rows
