@@ -12,25 +12,12 @@
          mechanics/numeric/ode/quality-controlled
          mechanics/numeric/ode/radau
          mechanics/numeric/ode/symplectic
-         mechanics/numeric/ode/stepper)
+         mechanics/numeric/ode/stepper
+         tests/mechanics/support/rates)
 
 (define methods
   (list dormand-prince-853 dormand-prince-54 quality-controlled-runge-kutta-4 bulirsch-stoer
         radau-iia-5))
-
-;; y'' = -y
-(define (oscillator! y dy)
-  (flvector-set! dy 0 (flvector-ref y 1))
-  (flvector-set! dy 1 (- (flvector-ref y 0))))
-
-;; Kepler's problem, x y vx vy, on an ellipse.
-(define (kepler! y dy)
-  (define r (sqrt (+ (expt (flvector-ref y 0) 2) (expt (flvector-ref y 1) 2))))
-  (define f (/ -1.0 (* r r r)))
-  (flvector-set! dy 0 (flvector-ref y 2))
-  (flvector-set! dy 1 (flvector-ref y 3))
-  (flvector-set! dy 2 (* f (flvector-ref y 0)))
-  (flvector-set! dy 3 (* f (flvector-ref y 1))))
 
 (define (final m f! y0 start end tolerance)
   (define-values (t y) (integrate m f! y0 start end #:tolerance tolerance))
