@@ -40,7 +40,7 @@
 ;; (t, q, v) ↦ Σ λ ∂G/∂q
 (define-plain (constraint-forces L constraints #:force [Q #f])
   (define who 'constraint-forces)
-  (define cs (gather who constraints))
+  (define cs (gather-with who L constraints))
   (define solve (accelerations-and-multipliers who L cs Q))
   (named who L cs Q
          (lambda (state)
@@ -57,8 +57,7 @@
 
 ;; -> (state -> a, shaped like the velocities, and λ, shaped like the constraints)
 (define (accelerations-and-multipliers who given-L constraints Q)
-  (check-Lagrangian who given-L)
-  (define cs (gather who constraints))
+  (define cs (gather-with who given-L constraints))
   (define solve (accelerations-with who (scalar-valued who given-L) cs (external-force who Q #f)))
   (lambda (state)
     (check-velocity who state)

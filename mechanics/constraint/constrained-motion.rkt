@@ -28,9 +28,11 @@
 
 ;; (t, q, v) ↦ (1, v, a), with what motion/system/manifold.rkt needs
 (define-plain (constrained-state-derivative given-L constraints #:force [Q #f])
-  (define who 'constrained-state-derivative)
-  (check-Lagrangian who given-L)
-  (define cs (gather who constraints))
+  (derivative-for 'constrained-state-derivative given-L constraints Q))
+
+;; who : whom the reader called
+(define (derivative-for who given-L constraints Q)
+  (define cs (gather-with who given-L constraints))
   (define-values (L outside) (values (scalar-valued who given-L) (external-force who Q #f)))
   (define (derivative choose)
     (define solve (accelerations-with who L cs outside choose))
@@ -49,7 +51,7 @@
      (preparation ready kept (watched who L cs outside kept)
                   (lambda () (complete who L cs outside kept ready state))))
    (lambda ()
-     `(,who ,(value->datum given-L) ,(constraints->datum cs)
+     `(constrained-state-derivative ,(value->datum given-L) ,(constraints->datum cs)
             ,@(force->datum Q)))))
 
 ;; -> corrections, and the compiled rates; #f for both where symbols are left, which are the
@@ -179,9 +181,10 @@
 ;; (consistent-state L constraints) : state -> the state, moved to keep the constraints
 (define (consistent-state L constraints)
   (define who 'consistent-state)
-  (define derivative (constrained-state-derivative L constraints))
+  (define derivative (derivative-for who L constraints #f))
   (define (name) (list who (value->datum L) (constraints->datum (gather who constraints))))
   (unary-function name (state)
+    (check-velocity who state)
     (define y (structure->flvector state (lambda (x) (raise-no-number who x state))))
     (define-values (on rates)
       (complete-motion who (prepare-motion who derivative state) state))

@@ -12,6 +12,7 @@
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         (only-in "../lagrangian/Lagrange-equations.rkt" check-Lagrangian)
          "../value/symbols-like.rkt"
          "../value/shape.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
@@ -20,7 +21,7 @@
  ;; made by the user
  holonomic nonholonomic constraint? holonomic? constraint-function
  ;; a set of them
- gather constraint-set-parts constraint-set-single?
+ gather gather-with constraint-set-parts constraint-set-single?
  all-holonomic? constraints->datum
  value-of shape-values check-linear)
 
@@ -72,9 +73,33 @@
         [else
          (define parts (parts-of given))
          (unless (and parts (pair? parts) (andmap constraint? parts))
-           (complain who "expected a constraint, (holonomic G) or (nonholonomic A), ~a\n  given: ~a"
-                     "or a list of them" (describe-with-value given)))
+           (complain who
+                     (string-append "expected a constraint, (holonomic G) or (nonholonomic A), "
+                                    "or a list of them\n  given: ~a~a")
+                     (describe-with-value given) (instead-hint given)))
          (constraint-set parts #f)]))
+
+(define (instead-hint given)
+  (cond [(symbol? given)
+         (format "\n  with its quote it is only a name; the constraint itself is ~a" given)]
+        [(not (of-functions? given)) ""]
+        [(accepts? given 2)
+         "\n  (holonomic G) makes a constraint of a function of the time and the coordinates"]
+        [(accepts? given 3)
+         (string-append "\n  (nonholonomic A) makes a constraint of a function of the time, "
+                        "the coordinates and the velocities")]
+        [else ""]))
+
+;; The set, for those who take a Lagrangian before it.
+(define (gather-with who L constraints)
+  (when (and (constraints? L) (not (constraints? constraints)))
+    (complain who "the Lagrangian comes first, then the constraints; these look swapped"))
+  (check-Lagrangian who L)
+  (gather who constraints))
+
+(define (constraints? x)
+  (define parts (if (constraint? x) (list x) (parts-of x)))
+  (or (constraint-set? x) (and (pair? parts) (andmap constraint? parts))))
 
 (define (parts-of given)
   (cond [(list? given) given]

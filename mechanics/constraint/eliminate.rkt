@@ -21,7 +21,7 @@
 ;; F : as for F->C; with it, q is the path of its coordinates.
 (define-plain (eliminate-multipliers L constraints [F #f] #:force [Q #f])
   (define who 'eliminate-multipliers)
-  (define cs (gather who constraints))
+  (define cs (gather-with who L constraints))
   (define free (Lagrange-equations L #:force Q))
   (unless (or (not F) (and (procedure? F) (accepts? F 1)))
     (complain-of-argument who "a coordinate transformation: a function of the local tuple" F))

@@ -21,7 +21,7 @@
 ;; -> (up residual-of-Lagrange's-equations values-of-the-constraints)
 (define-plain (constrained-Lagrange-equations L constraints #:force [Q #f])
   (define who 'constrained-Lagrange-equations)
-  (define cs (gather who constraints))
+  (define cs (gather-with who L constraints))
   (define free (Lagrange-equations L #:force Q))
   (define (residual given-q [given-multipliers #f])
     (unless given-multipliers (raise-no-multipliers who cs))
@@ -74,8 +74,7 @@
 ;; (t, (q, λ), (v, λ̇)) ↦ L + λ G
 (define (augmented-Lagrangian L constraints)
   (define who 'augmented-Lagrangian)
-  (check-Lagrangian who L)
-  (define cs (gather who constraints))
+  (define cs (gather-with who L constraints))
   (unless (all-holonomic? cs) (raise-not-holonomic who cs))
   (define (name) (list who (value->datum L) (constraints->datum cs)))
   (unary-function name (local)

@@ -10,7 +10,7 @@
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
-         "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/generic-state.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt"
          "../value/linear/row-products.rkt" "../value/linear/row-systems.rkt"
@@ -51,8 +51,7 @@
 ;; state : of symbols; kept : constraints that stay, with multipliers
 (define-plain (reduce-by-substitution L constraints substitute state #:keep [kept #f])
   (define who 'reduce-by-substitution)
-  (check-Lagrangian who L)
-  (define cs (gather who constraints))
+  (define cs (gather-with who L constraints))
   (unless (and (procedure? substitute) (accepts? substitute 3))
     (complain-of-argument who "a function (t q v) of velocities that keep the constraints"
                           substitute))

@@ -2,7 +2,8 @@
 ;; What to type instead, said at the end of a message, on a line of its own; "" where
 ;; there is nothing to say.
 
-(provide list-hint quoted-expression? quoted-hint not-a-tuple symbols-hint values-first)
+(provide list-hint quoted-expression? quoted-hint quoted-name-hint
+         not-a-tuple symbols-hint values-first)
 
 ;; Lists are what a reader of other languages writes for tuples.
 (define (list-hint x [instead "(up x y ...)"])
@@ -24,6 +25,12 @@
        #t))
 
 (define (not-a-tuple instead) (format "a list is not a tuple; use ~a" instead))
+
+;; Where a function is wanted, and its name was given with a quote.
+(define (quoted-name-hint x)
+  (if (symbol? x)
+      (format "\n  with its quote it is only a name; the function itself is ~a" x)
+      ""))
 
 ;; Where only a number will do, and an expression was given.
 (define values-first "give its symbols values first")

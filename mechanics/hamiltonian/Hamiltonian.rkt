@@ -2,7 +2,7 @@
 ;; Hamiltonians, and what is wrong with those that are none.
 
 (require "declared.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/wrong-argument.rkt")
 
@@ -26,8 +26,8 @@
 
 (define (check-Hamiltonian who H)
   (unless (procedure? H)
-    (complain who "a Hamiltonian is a function of the state (up t q p); given ~a"
-              (describe-with-value H)))
+    (complain who "a Hamiltonian is a function of the state (up t q p); given ~a~a"
+              (describe-with-value H) (quoted-name-hint H)))
   (unless (accepts? H 1)
     (complain who
               (string-append "a Hamiltonian takes one argument, the state, but ~a does not."

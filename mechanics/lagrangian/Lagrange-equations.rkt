@@ -13,10 +13,10 @@
 
 (require "external-force.rkt" "local-tuple.rkt" "of-momenta.rkt" "several-paths.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/multiplied-function.rkt"
-         "../generic/scalar.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          (only-in "../value/compose.rkt" compose))
 
@@ -112,9 +112,9 @@
 ;; Bad Lagrangians
 
 (define (check-Lagrangian who L)
-  (cond [(not (procedure? L))
-         (complain who "a Lagrangian is a function of the local tuple (up t q v); given ~a"
-                   (describe-with-value L))]
+  (cond [(or (not (procedure? L)) (tuple? L))
+         (complain who "a Lagrangian is a function of the local tuple (up t q v); given ~a~a"
+                   (describe-with-value L) (quoted-name-hint L))]
         [(of-momenta? L) (raise-of-momenta who L)]
         [(not (accepts? L 1))
          (complain who

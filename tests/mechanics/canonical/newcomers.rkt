@@ -180,7 +180,8 @@
  [(resonance-center H0 '(1 1 1) two 1)
   "resonance-center: expected the integers of a wave, a list of 2; given (1 1 1), a list"]
  [(resonance-center 'H0 '(1 1) two 1)
-  "resonance-center: a Hamiltonian is a function of the state (up t q p); given the symbol H0"]
+  "resonance-center: a Hamiltonian is a function of the state (up t q p); given the symbol H0"
+  "\n  with its quote it is only a name; the function itself is H0"]
  [(resonance-center (lambda (s) (+ (expt (ref s 2 1) 3) (ref s 2 0))) '(1 1) two 1)
   "resonance-center: the frequency of the wave (1 1) is not of degree 1 in the momentum 1\n"
   "  its zeros are found by (find-root f low high)"]

@@ -190,7 +190,8 @@
  [(perturbation-series rotor gravity line #:order 0)
   "perturbation-series: expected the order, at least 1\n  given: the number 0"]
  [(perturbation-series 'H0 gravity line)
-  "perturbation-series: a Hamiltonian is a function of the state (up t q p); given the symbol H0"]
+  "perturbation-series: a Hamiltonian is a function of the state (up t q p); given the symbol H0"
+  "\n  with its quote it is only a name; the function itself is H0"]
  [(perturbation-inverse 3)
   "perturbation-inverse: expected what perturbation-series gives; given the number 3"]
  [(perturbation-solution (perturbation-series driven-rotor drive two #:keep '((1 -1))))

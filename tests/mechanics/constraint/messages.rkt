@@ -32,7 +32,7 @@
    "holonomic: expected a function of the time and the coordinates, (G t q)\n  given: the procedure `of-local`, which takes 1 argument\n  the parts of the local tuple are arguments of their own; parameters come first"
    (holonomic of-local))
   (check-message
-   "constrained-accelerations: expected a constraint, (holonomic G) or (nonholonomic A), or a list of them\n  given: the procedure `on-circle`"
+   "constrained-accelerations: expected a constraint, (holonomic G) or (nonholonomic A), or a list of them\n  given: the procedure `on-circle`\n  (holonomic G) makes a constraint of a function of the time and the coordinates"
    (constrained-accelerations L on-circle))
   (check-equal? (format "~a" circle) "(holonomic on-circle)"))
 

@@ -159,4 +159,4 @@
  [(((power-balance (kinetic-energy 'm plane) #:force (lambda (s) 'F)) (up sin cos)) 't)
   "power-balance: the force must be a down tuple of 2, like the momenta; given the symbol F"]
  [(power-balance 'L)
-  "power-balance: a Lagrangian is a function of the local tuple (up t q v); given the symbol L"])
+  "power-balance: a Lagrangian is a function of the local tuple (up t q v); given the symbol L\n  with its quote it is only a name; the function itself is L"])

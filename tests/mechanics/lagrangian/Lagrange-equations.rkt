@@ -199,7 +199,7 @@
    "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the number 3"
    (Lagrange-equations 3))
   (check-message
-   "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the symbol L"
+   "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the symbol L\n  with its quote it is only a name; the function itself is L"
    (Lagrange-equations 'L)))
 
 (test-case "a Lagrangian whose parameters were forgotten"
