@@ -9,12 +9,14 @@
 (require racket/flonum
          (only-in racket/list remove-duplicates)
          racket/vector
-         "contour.rkt" "coordinate.rkt" "frame.rkt"
+         "contour.rkt" "frame.rkt"
          (only-in "../algebra/expression/expression.rkt" symbolic?)
          "../calculus/derivative.rkt"
          (only-in "../compile/compile-function.rkt" compile-function compiled-function-runner)
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
+         (only-in "../lagrangian/called.rkt" called-Lagrangian?)
          "../numeric/finite.rkt"
          (only-in "../value/structure.rkt" ref))
 
@@ -27,7 +29,7 @@
                              #:color [color 'gray] #:separatrix-color [separatrix-color 'red])
   (define who 'plot-phase-portrait)
   (check-open who f)
-  (check-function who energy 1)
+  (check-function-of-state who energy)
   (unless (and (exact-nonnegative-integer? orbits) (<= orbits 500))
     (complain-of-argument who "how many orbits, from 0 to 500" orbits))
   (define bounds (frame-bounds f))
@@ -40,6 +42,23 @@
   (for ([r (in-list resting)])
     (add-dot! who f (if (saddle? r) separatrix-color 'black) 5 #f (place-q r) (place-p r)))
   f)
+
+(define (check-function-of-state who energy)
+  (unless (and (procedure? energy) (accepts? energy 1))
+    (complain who
+              (string-append "expected the energy of a system of one degree of freedom, a function "
+                             "of a state (up t q p)\n  given: ~a~a")
+              (describe-function energy)
+              (if (pointwise? energy)
+                  (format "\n  parameters are supplied first: (~a ...)" (value->text energy))
+                  (quoted-name-hint energy))))
+  (when (called-Lagrangian? energy)
+    (complain who
+              (string-append "orbits are curves of constant energy, which a Lagrangian is not"
+                             "\n  given: ~a"
+                             "\n  over momenta: (plot-phase-portrait f (Lagrangian->Hamiltonian L))"
+                             "\n  over velocities: (plot-phase-portrait f (Lagrangian->energy L))")
+              (value->text energy))))
 
 ;; -> (q p -> energy), compiled
 (define (energy-on-plane who energy bounds)

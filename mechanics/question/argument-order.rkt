@@ -9,7 +9,7 @@
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/declared.rkt"
-         "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/called.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt")
 
 (provide check-order-of-arguments check-Hamiltonian-first call-with-quantity-last
@@ -71,8 +71,3 @@
       (list (format "~a was taken for the Lagrangian, which comes first, and ~a for the quantity"
                     (value->text L) (value->text Q)))
       '()))
-
-(define (called-Lagrangian? f)
-  (regexp-match? #rx"^[(]?(L|Lagrangian)($|[_0-9 ]|-[^>])" (value->text f)))
-
-(define (named? f) (not (eq? (value->datum f) '<function>)))

@@ -215,10 +215,10 @@ wells]}
 Draws the phase portrait of a system of one degree of freedom: orbits, which are curves of constant
 energy, at energies that part the frame into equal areas; the places where the system rests; and
 through those that are saddles the separatrices. @racket[energy] is the Hamiltonian, or any
-conserved
-function of a state @racket[(up t q p)]; the frame has q across and p up. Places of rest are
-found by Newton's method, with exact derivatives, from a grid of starts. An energy that depends on
-the time is an error.
+conserved function of a state @racket[(up t q p)]; the frame has q across and p up. Of a Lagrangian
+give @racket[(Lagrangian->Hamiltonian L)], or @racket[(Lagrangian->energy L)] for a frame with the
+velocity up. Places of rest are found by Newton's method, with exact derivatives, from a grid of
+starts. An energy that depends on the time is an error, and so is what is called a Lagrangian.
 
 @examples[#:eval session
 (define (H s) (- (* 1/2 (square (momentum s))) (* 9.8 (cos (coordinate s)))))

@@ -66,3 +66,31 @@
   "  a stroboscopic-map shows them once in each period"]
  [(plot-phase-portrait win pendulum #:orbits -1)
   "plot-phase-portrait: expected how many orbits, from 0 to 500\n  given: the number -1"])
+
+;; A Lagrangian has a value at each point, too; its contours are no orbits.
+(define (V-well s) (square (coordinate s)))
+(define (T-well s) (square (momentum s)))
+(define (no-energy given)
+  (string-append "plot-phase-portrait: orbits are curves of constant energy, which a Lagrangian is "
+                 "not\n  given: " given
+                 "\n  over momenta: (plot-phase-portrait f (Lagrangian->Hamiltonian L))"
+                 "\n  over velocities: (plot-phase-portrait f (Lagrangian->energy L))"))
+(define wanted
+  (string-append "plot-phase-portrait: expected the energy of a system of one degree of freedom, "
+                 "a function of a state (up t q p)\n"))
+(define (H-two m s) (* m (square (momentum s))))
+
+(says
+ [(plot-phase-portrait win (L-pendulum 9.8 1 1)) (no-energy "L-pendulum")]
+ [(plot-phase-portrait win (- T-well V-well)) (no-energy "(- T-well V-well)")]
+ [(plot-phase-portrait win 'H)
+  wanted "  given: the symbol H\n  with its quote it is only a name; the function itself is H"]
+ [(plot-phase-portrait win H-two)
+  wanted "  given: the procedure `H-two`, which takes 2 arguments\n"
+  "  parameters are supplied first: (H-two ...)"])
+
+(test-case "energies that are called so are drawn"
+  (define (H s) (+ (T-well s) (V-well s)))
+  (for ([energy (list H (+ T-well V-well) (Lagrangian->energy (L-pendulum 9.8 1 1)))])
+    (define win (frame -1 1 -1 1))
+    (check-eq? (plot-phase-portrait win energy #:orbits 1) win)))
