@@ -6,12 +6,13 @@
 ;; none.
 
 (require "../calculus/perturbed.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/refusal.rkt" "../error/words.rkt"
          "../generic/compare.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt")
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+         "../lagrangian/called.rkt" "../lagrangian/of-momenta.rkt")
 
-(provide check-map map-hint image-of point-image-of check-image raise-no-image image-or-none
-         image-or-else)
+(provide check-map map-hint called-energy? energy-hint
+         image-of point-image-of check-image raise-no-image image-or-none image-or-else)
 
 (define (check-map who map)
   (unless (and (procedure? map) (accepts? map 4))
@@ -19,12 +20,13 @@
               (string-append "expected a map, a procedure of two "
                              "coordinates and of two procedures"
                              "\n  given: ~a~a")
-              (describe-function map)
-              (if (pointwise? map) (map-hint map) ""))))
+              (describe-function map) (map-hint map))))
 
-;; What may have been meant by a function of another number of arguments.
+;; What may have been meant by what is no map.
 (define (map-hint f)
-  (cond [(or (accepts? f 2) (accepts? f 3))
+  (cond [(not (pointwise? f)) (quoted-name-hint f)]
+        [(called-energy? f) (energy-hint f)]
+        [(or (accepts? f 2) (accepts? f 3))
          "\n  its image goes to the third argument: (define (map x y return fail) ...)"]
         [(gives-functions? f)
          (format "\n  parameters are supplied first: (~a ...)" (value->text f))]
@@ -33,6 +35,18 @@
           "\n  it takes a state; with it a map of the plane is (define (map q p return fail) "
           "(let ((s (f (up 0 q p)))) (return (coordinate s) (momentum s))))")]
         [else ""]))
+
+;; A Hamiltonian, or what is called one or a Lagrangian
+(define (called-energy? f)
+  (or (of-momenta? f) (called-Hamiltonian? f) (called-Lagrangian? f)))
+
+(define (energy-hint f)
+  (string-append
+   "\n  (stroboscopic-map f period) and (Poincare-map f event) make maps of its motion,\n  "
+   "with f = "
+   (if (called-Lagrangian? f)
+       "(Lagrangian->state-derivative L)"
+       "(Hamiltonian->state-derivative H)")))
 
 ;; Is it a map made of a motion (section.rkt)?
 (define (of-states? f)

@@ -10,7 +10,8 @@
          "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../lagrangian/called.rkt" "../lagrangian/of-momenta.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt" "../numeric/flvector.rkt"
          "../numeric/whole-turns.rkt"
          "../value/shape.rkt")
@@ -25,9 +26,12 @@
 ;; map : a map of the plane, or a function of states; at : a point or a state
 (define (make-map-on-tuples who map at times)
   (define plane? (and (procedure? map) (accepts? map 4)))
-  (unless (or plane? (and (procedure? map) (accepts? map 1)))
+  (when (and (not (pointwise? map)) (pointwise? at))
+    (complain who "the map comes first, then the point; these look swapped"))
+  (unless (or plane? (and (pointwise? map) (accepts? map 1)))
     (complain who "expected a map of the plane, or a function of a state\n  given: ~a~a"
-              (describe-function map) (if (pointwise? map) (map-hint map) "")))
+              (describe-function map) (map-hint map)))
+  (check-no-energy who map at)
   (define start (point-numbers who at plane?))
   (define once (if plane? (plane-image who map) (state-image who map at)))
   (define (image p) (for/fold ([p p]) ([_ (in-range times)]) (once p)))
@@ -41,6 +45,7 @@
 
 (define ((state-image who map at) p)
   (define value (map (with-time at p)))
+  (when (and (tuple? at) (scalar? value)) (raise-energy who map))
   (when (or (plain-procedure? value) (not (= (shape-length value) (shape-length at))))
     (complain who
               "the map gives another thing than it was given\n  map: ~a\n  of: ~a\n  value: ~a~a"
@@ -58,6 +63,18 @@
 (define (later state)
   (define all (list->vector (scalars state)))
   (scalars->structure state (lambda (k) (if (= k 0) (+ 1 (vector-ref all 0)) (vector-ref all k)))))
+
+;; An energy makes a number of a state, and what is called one may not take a point (up x y).
+(define (check-no-energy who map at)
+  (define takes? (with-handlers ([refusal? (lambda (e) #f)]) (map at) #t))
+  (when (or (of-momenta? map) (and (called-energy? map) (not takes?))) (raise-energy who map)))
+
+(define (raise-energy who f)
+  (complain who "expected a map of the plane, or a function of a state\n  given: ~a~a"
+            (describe-with-value f)
+            (string-append (energy-hint f)
+                           "\n  where the motion rests, (find-equilibrium "
+                           (if (called-Lagrangian? f) "L" "H") " q) finds")))
 
 (define (raise-rates who map)
   (complain who

@@ -11,9 +11,10 @@
          (only-in racket/list remove-duplicates)
          "period.rkt"
          "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/once.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt" "../error/once.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/wrong-argument.rkt"
+         "../lagrangian/of-momenta.rkt"
          "../motion/system/check.rkt" "../motion/event/event.rkt" "../motion/event/event-watch.rkt"
          "../motion/evolution.rkt" "../motion/plan.rkt" "../motion/run-system.rkt"
          "../motion/system/system.rkt"
@@ -49,8 +50,11 @@
 
 (define (check-state-derivative who f)
   (unless (and (procedure? f) (accepts? f 1))
-    (complain who "expected a state derivative, a function of the state; given ~a"
-              (describe-function f))))
+    (complain who "expected a state derivative, a function of the state; given ~a~a"
+              (describe-function f) (quoted-name-hint f)))
+  (when (of-momenta? f)
+    (complain who "expected a state derivative, a function of the state\n  given: ~a\n  ~a"
+              (describe-with-value f) (state-derivative-hint f))))
 
 ;; ---------------------------------------------------------------------------
 ;; Where the motion crosses next

@@ -7,6 +7,7 @@
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt"
          "../../generic/kind.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../lagrangian/called.rkt" "../../lagrangian/of-momenta.rkt"
          "../../numeric/finite.rkt"
          "../../value/shape.rkt")
 
@@ -16,7 +17,7 @@
  ;; procedures
  checked-monitor check-maker takes-state-only? raise-arguments
  ;; states and their derivatives
- state-vector check-derivative check-rates check-clock)
+ state-vector check-derivative check-rates check-clock state-derivative-hint)
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
@@ -108,10 +109,15 @@
   (define d (value->datum f))
   (when (eq? 'Lagrange-equations (if (pair? d) (car d) d))
     (complain who "Lagrange-equations gives residuals of a path, not the rates of a state\n  ~a"
-              state-derivative-hint)))
+              of-Lagrangian)))
 
-(define state-derivative-hint
-  "(Lagrangian->state-derivative L) makes a state derivative of a Lagrangian")
+(define of-Lagrangian "(Lagrangian->state-derivative L) makes a state derivative of a Lagrangian")
+(define of-Hamiltonian
+  "(Hamiltonian->state-derivative H) makes a state derivative of a Hamiltonian")
+
+;; Of what gives a number for a state
+(define (state-derivative-hint f)
+  (if (or (of-momenta? f) (called-Hamiltonian? f)) of-Hamiltonian of-Lagrangian))
 
 ;; The state derivative itself may stand for the procedure of no parameters that
 ;; makes it.
@@ -157,7 +163,9 @@
   (unless (and (procedure? derivative) (accepts? derivative 1))
     (complain who "expected a state derivative, a function of the state\n  given: ~a~a"
               (describe-function derivative)
-              (if (pointwise? derivative) (parameters-hint derivative) "")))
+              (if (pointwise? derivative)
+                  (parameters-hint derivative)
+                  (quoted-name-hint derivative))))
   (define slope (derivative (flvector->structure state y)))
   (check-rates who derivative state slope)
   (for ([x (in-list (scalars slope))])
@@ -170,7 +178,7 @@
     (complain who "the state derivative is of another shape than the state~a~a~a"
               (field "state" state) (field "derivative" slope)
               (cond [(and (tuple? state) (scalar? slope))
-                     (string-append "\n  " state-derivative-hint)]
+                     (string-append "\n  " (state-derivative-hint derivative))]
                     [(list? slope) (list-hint slope)]
                     [(pointwise? slope) (parameters-hint derivative)]
                     [else ""]))))

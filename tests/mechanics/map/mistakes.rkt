@@ -138,3 +138,51 @@
    (section->state 1/8 0.1 0))
   "Poincare-map: the value of an event's function is a real number\n  event: (event <function>)\n"
   "  value: #f, a boolean\n  it passes through zero: (- a b) where (< a b) changes"])
+
+;; What a map is to be made of, in the map's place.
+(define H (Lagrangian->Hamiltonian (L-pendulum 9.8 1 1)))
+(define (H-by-hand (up t q p)) (- (* 1/2 (square p)) (cos q)))
+(define (energy (up t q p)) (- (* 1/2 (square p)) (cos q)))
+(define of-motion
+  (string-append "  (stroboscopic-map f period) and (Poincare-map f event) make maps of its "
+                 "motion,\n  with f = "))
+(define (no-fixed-point given letter kind)
+  (string-append "find-fixed-point: expected a map of the plane, or a function of a state\n"
+                 "  given: " given "\n" of-motion "(" kind "->state-derivative " letter ")\n"
+                 "  where the motion rests, (find-equilibrium " letter " q) finds"))
+(define name-of-H "(Lagrangian->Hamiltonian L-pendulum), a Hamiltonian")
+(define no-map
+  ": expected a map, a procedure of two coordinates and of two procedures\n  given: ")
+(define no-rates
+  ": expected a state derivative, a function of the state\n  given: ")
+(define makes-rates
+  "\n  (Hamiltonian->state-derivative H) makes a state derivative of a Hamiltonian")
+
+(says
+ [(find-fixed-point H (up 0 0)) (no-fixed-point name-of-H "H" "Hamiltonian")]
+ [(find-fixed-point H (up 0 0 0)) (no-fixed-point name-of-H "H" "Hamiltonian")]
+ [(find-fixed-point H-by-hand (up 0 0))
+  (no-fixed-point "the procedure `H-by-hand`" "H" "Hamiltonian")]
+ [(find-fixed-point (L-pendulum 9.8 1 1) (up 0 0))
+  (no-fixed-point "the procedure `L-pendulum`" "L" "Lagrangian")]
+ [(find-fixed-point energy (up 0 0 0))
+  (no-fixed-point "the procedure `energy`" "H" "Hamiltonian")]
+ [(find-fixed-point 'H (up 0 0))
+  "find-fixed-point: expected a map of the plane, or a function of a state\n"
+  "  given: the symbol H\n  with its quote it is only a name; the function itself is H"]
+ [(find-fixed-point (up 0 0) T)
+  "find-fixed-point: the map comes first, then the point; these look swapped"]
+ [(rotation-number H (up 0 0))
+  "rotation-number" no-map name-of-H ", which takes 1 argument\n"
+  of-motion "(Hamiltonian->state-derivative H)"]
+ [(explore-map f 'T 10)
+  "explore-map" no-map "the symbol T\n"
+  "  with its quote it is only a name; the function itself is T"]
+ [(stroboscopic-map H 1) "stroboscopic-map" no-rates name-of-H makes-rates]
+ [(Poincare-map H (event coordinate)) "Poincare-map" no-rates name-of-H makes-rates]
+ [(stroboscopic-map 'H 1)
+  "stroboscopic-map: expected a state derivative, a function of the state; given the symbol H\n"
+  "  with its quote it is only a name; the function itself is H"]
+ [((stroboscopic-map H-by-hand 1) (up 0 0 1))
+  "state-advancer: the state derivative is of another shape than the state\n"
+  "  state: (up 0 0 1)\n  derivative: -0.5" makes-rates])
