@@ -46,9 +46,14 @@
   (check-callback "#:on-each" on-each 2 "an index and a value")
   (check-callback "#:fold" fold 2 "a value and what was made of those before")
   (when (and fold (void? from))
-    (complain who "#:fold begins with something, #:from: 0 for sums, '() for lists"))
+    (complain who
+              (string-append "#:fold comes with #:from, what it is given with the first value"
+                             "\n  a sum: #:fold + #:from 0"
+                             "\n  a list, the last value first: #:fold cons #:from '()")))
   (unless (or fold (void? from))
-    (complain who "#:from is what #:fold begins with, and there is no #:fold\n  given: ~a"
+    (complain who
+              (string-append "#:from comes with #:fold, which is given it with the first value"
+                             "\n  given: #:from ~a\n  a sum: #:fold + #:from 0")
               (value->text from))))
 
 (define (check-callback what f arguments takes)

@@ -7,8 +7,8 @@
 (require racket/future
          "check-wanted.rkt" "ordered.rkt" "perform.rkt" "prepared.rkt" "run.rkt" "start-rows.rkt"
          "task.rkt"
-         "../error/failure.rkt" "../error/once.rkt"
-         "../generic/define-plain.rkt" "../generic/value-struct.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/once.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../motion/system/check.rkt" "../motion/event/event.rkt"
          "../motion/followed.rkt"
@@ -51,7 +51,7 @@
     (prepare maker (start-rows starts parameters) batch-size watched collect
              (number end) (number tolerance) method))
   (define-values (add! result)
-    (in-order (or fold cons) (if fold from '()) on-each value-of))
+    (in-order (if fold (telling-of-values fold) cons) (if fold from '()) on-each value-of))
   (call-with-progress progress?
                       (lambda (note!) (run t (next note!) perform (useful jobs) add! file)))
   (if fold (result) (reverse (result))))
@@ -101,6 +101,24 @@
         [else
          (define state (vector->structure example v))
          (if collect (collect state) state)]))
+
+;; fold, whose mistakes are told with the value that it was given, if that is none of the states
+;; that it may have been written for.
+(define ((telling-of-values fold) v made)
+  (with-handlers ([exn:fail:contract? (lambda (e) (raise (with-more-said e (of-value v))))])
+    (fold v made)))
+
+(define (of-value v)
+  (cond [(ensemble-failure? v)
+         (format "\n  #:fold was given a motion that failed, ~a\n  ensemble-failure? tells these"
+                 (value->text v))]
+        [(and (pair? v) (andmap occurrence? v))
+         (string-append
+          "\n  #:fold was given the list of what happened on a motion, its value with #:events"
+          "\n  #:collect makes another value of it: "
+          "#:collect (lambda (state occurrences) (length occurrences))")]
+        [(list? v) "\n  #:fold was given a list, what #:collect made of a motion"]
+        [else ""]))
 
 (define (happening h events example)
   (occurrence (list-ref events (happened-event h)) (happened-time h)

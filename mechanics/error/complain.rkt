@@ -8,7 +8,7 @@
 
 (require "words.rkt")
 
-(provide complain complain-of-datum complain-of-arity raise-division-by-zero)
+(provide complain complain-of-datum complain-of-arity raise-division-by-zero with-more-said)
 
 ;; who : what the reader called, a symbol or a text
 (define (complain who text . parts)
@@ -25,3 +25,9 @@
 (define (raise-division-by-zero who [what "division by zero"])
   (raise (exn:fail:contract:divide-by-zero (format "~a: ~a" who what)
                                            (current-continuation-marks))))
+
+;; A mistake that was told already, with more at the end; it still came from where it came from.
+(define (with-more-said e more)
+  (if (equal? more "")
+      e
+      (exn:fail:contract (string-append (exn-message e) more) (exn-continuation-marks e))))
