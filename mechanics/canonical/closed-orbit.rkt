@@ -97,8 +97,7 @@
 
 ;; -> the state in flonums, with the time 0
 (define (checked-start who H state)
-  (check-Hamiltonian who H)
-  (check-H-state who state)
+  (check-Hamiltonian-and-state who H state)
   (define-values (q p) (values (coordinate state) (momentum state)))
   (unless (and (real? q) (real? p))
     (complain who "expected a state of one coordinate, in numbers; given ~a" (value->text state)))

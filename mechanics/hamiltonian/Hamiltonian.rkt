@@ -1,12 +1,14 @@
 #lang racket/base
 ;; Hamiltonians, and what is wrong with those that are none.
 
-(require "declared.rkt"
+(require "H-state.rkt" "declared.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/wrong-argument.rkt")
+         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../lagrangian/called.rkt")
 
-(provide make-Hamiltonian check-Hamiltonian number-valued check-quantity)
+(provide make-Hamiltonian check-Hamiltonian check-Hamiltonian-and-state
+         number-valued check-quantity)
 
 ;; (make-Hamiltonian T V) : T + V, of functions of the state, or of parameters with such as
 ;; values; (make-Hamiltonian H) : H, known from now on to be a Hamiltonian
@@ -24,8 +26,19 @@
 
 (define (one-argument H) (unary-function (lambda () (value->datum H)) (state) (H state)))
 
+;; Of one that is asked about at a state: a Lagrangian has a value there, too, which is no energy.
+(define (check-Hamiltonian-and-state who H state)
+  (when (and (tuple? H) (pointwise? state))
+    (complain who "the Hamiltonian comes first, then the state; these look swapped"))
+  (check-Hamiltonian who H)
+  (check-H-state who state)
+  (when (called-Lagrangian? H)
+    (complain who (string-append "expected a Hamiltonian; this is called a Lagrangian: ~a"
+                                 "\n  (Lagrangian->Hamiltonian L) makes a Hamiltonian of it")
+              (value->text H))))
+
 (define (check-Hamiltonian who H)
-  (unless (procedure? H)
+  (unless (and (procedure? H) (not (tuple? H)))
     (complain who "a Hamiltonian is a function of the state (up t q p); given ~a~a"
               (describe-with-value H) (quoted-name-hint H)))
   (unless (accepts? H 1)

@@ -13,8 +13,7 @@
 
 ;; -> H at the state of symbols, an expression
 (define (checked-value who H state energy)
-  (check-Hamiltonian who H)
-  (check-H-state who state)
+  (check-Hamiltonian-and-state who H state)
   (check-symbols who state "state")
   (define e (simplify-strictly ((number-valued who H) state)))
   (check-parameters who H state "state")

@@ -76,8 +76,7 @@
 ;; What is given
 
 (define (check-arguments who H state degree)
-  (check-Hamiltonian who H)
-  (check-H-state who state)
+  (check-Hamiltonian-and-state who H state)
   (check-symbols who state "state")
   (check-parameters who H state "state")
   (unless (and (exact-integer? degree) (> degree 2))

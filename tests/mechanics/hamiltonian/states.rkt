@@ -86,7 +86,8 @@
 (says
  [(Hamiltonian->state-derivative 'H)
   "Hamiltonian->state-derivative: a Hamiltonian is a function of the state (up t q p); "
-  "given the symbol H"]
+  "given the symbol H"
+  "\n  with its quote it is only a name; the function itself is H"]
  [(Hamilton-equations (lambda (t q p) p))
   "Hamilton-equations: a Hamiltonian takes one argument, the state, but <function> does not.\n"
   "  If it takes parameters first, supply them: (Hamilton-equations (<function> ...))\n"
