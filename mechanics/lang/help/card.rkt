@@ -9,7 +9,8 @@
 ;; signatures : of one entry, or of all that the manual has for the name
 ;; sentence : text or #f; demonstration : example or #f
 ;; place : text, such as "1.5, p. 33", or #f; also : symbols of related cards
-(struct card (name library page signatures sentence demonstration place also) #:prefab)
+;; words : of all that the manual says of it, each once, as a text
+(struct card (name library page signatures sentence demonstration place also words) #:prefab)
 
 ;; kind : 'procedure, 'form, 'value or 'parameter
 ;; call : texts between which there may be a line break: "(evolve" "f" "[#:step h])"

@@ -3,6 +3,7 @@
 ;; compiled.
 
 (require racket/list
+         racket/string
          "card.rkt" "choose-example.rkt" "page.rkt" "prose.rkt")
 
 (provide manual-cards)
@@ -26,13 +27,15 @@
         (first-sentence body)
         (choose-example name e p pages context)
         (place-in-the-book body)
-        (append (map car (entry-names e)) (names-mentioned body))))
+        (append (map car (entry-names e)) (names-mentioned body))
+        (distinct-words body)))
 
 ;; Several entries of one name: what the first says, and the signatures of all.
 (define (join same)
   (define c (car same))
   (struct-copy card c
                [signatures (append-map card-signatures same)]
+               [words (string-join (map card-words same))]
                [also (append-map card-also same)]))
 
 ;; Names that are explained or mentioned together, then the neighbours on the page.

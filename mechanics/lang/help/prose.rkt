@@ -5,7 +5,7 @@
 (require racket/list
          racket/string)
 
-(provide plain-text first-sentence)
+(provide plain-text first-sentence distinct-words)
 
 ;; parts -> text of one line
 (define (plain-text parts) (bare (one-line parts)))
@@ -67,6 +67,17 @@
 (define (typographic text)
   (for/fold ([text text]) ([pair (in-list '(("---" . "–") ("``" . "“") ("''" . "”")))])
     (string-replace text (car pair) (cdr pair))))
+
+;; In small letters, in the order in which they come, with spaces between; items of lists, too.
+(define (distinct-words parts)
+  (string-join (remove-duplicates
+                (regexp-match* #px"\\p{L}(?:\\p{L}|-)+" (string-downcase (all-text parts))))))
+
+(define (all-text parts)
+  (string-join (for/list ([p (in-list parts)])
+                 (if (and (pair? p) (memq (car p) '(itemlist item)))
+                     (all-text (cdr p))
+                     (one-line (list p))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Sentences

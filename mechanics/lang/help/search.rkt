@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Cards that a text is about.  All its words must occur, each in the name, in the sentence or
 ;; in the name of an argument; those with all of them in the name come first, then those with
-;; all of them in the sentence.
+;; all of them in the sentence.  Where these are few, those follow of which the manual says more
+;; with the words.
 
 (require racket/list
          racket/string
@@ -17,7 +18,14 @@
   (define-values (in-name others)
     (split-by name-text (filter (lambda (c) (all-in? words (all-text c))) cards)))
   (define-values (in-sentence elsewhere) (split-by sentence-text others))
-  (append in-name in-sentence elsewhere))
+  (define found (append in-name in-sentence elsewhere))
+  (if (< (length found) few)
+      (remove-duplicates
+       (append found (filter (lambda (c) (all-begin-in? words (card-words c))) cards))
+       eq?)
+      found))
+
+(define few 3)
 
 ;; Plurals find what is said in the singular, and sine finds sin.
 (define (stem word)
@@ -25,6 +33,11 @@
 
 (define (all-in? words text)
   (for/and ([w (in-list words)]) (string-contains? text w)))
+
+;; Within a word they would be found by chance.
+(define (all-begin-in? words text)
+  (for/and ([w (in-list words)])
+    (regexp-match? (string-append "(^| )" (regexp-quote w)) text)))
 
 (define (name-text c) (string-downcase (symbol->string (card-name c))))
 

@@ -162,7 +162,7 @@ The state derivative @racket[(up 1 v a)] of the constrained system, for
 @racket[evolve], @racket[state-advancer], @racket[evolve-trajectory] and the others.
 
 Each step of the integration is taken back to where the constraints and their rates of
-change are zero, and so is a state that is read between steps: the drift off the
+change are zero, a projection, and so is a state that is read between steps: the drift off the
 constraints is that of rounding. Numbers of higher precision
 (@racket[#:precision]) are not taken back; there it stays near the tolerance. The way back is
 the shortest as kinetic energy measures it. For it, and for the rates, the Lagrangian, the force
@@ -207,7 +207,7 @@ What a constraint does is an event when its force changes sign:
                            [constraints (or/c constraint? list? up?)])
          procedure?]{
 
-The state beside a given one, of numbers, that keeps the constraints. The
+The projection of a state of numbers to the constraints: the one beside it that keeps them. The
 coordinates are moved as little as possible, as the kinetic energy measures it, and then
 the velocities.
 

@@ -126,6 +126,13 @@ end
   (check-equal? (found "spline hermite") '(Hermite-spline))
   (check-equal? (found "no such thing here") '()))
 
+(test-case "where few are found, what the manual says beyond its first sentence finds more"
+  (check-equal? (found "projection") '(consistent-state constrained-state-derivative))
+  (check-equal? (found "constraint projection")
+                '(consistent-state constrained-state-derivative))
+  (check-not-false (memq 'constrained-state-derivative (found "drift")))
+  (check-equal? (car (found "drift")) 'constrained-state-derivative))
+
 (test-case "what is found stands in lines of 80 columns, with chapters to come"
   (check-equal? (text "derivative-of-s") "Of chapters to come: derivative-of-sine")
   (for ([words '("constraint" "tuple" "a" "energy")])
