@@ -9,7 +9,7 @@
          "mistake/unreadable.rkt"
          "../error/machine.rkt" "../error/spelling.rkt")
 
-(provide check-program raise-unreadable near-programs
+(provide check-program raise-unreadable near-programs programs-text
          marked? call-with-program read-program read-whole-program
          language-without-us about-language)
 

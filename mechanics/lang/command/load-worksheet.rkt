@@ -27,11 +27,25 @@
             file))
 
 (define (check-there who file)
-  (unless (file-exists? file)
-    (define near (near-programs file))
-    (complain who "there is no such file~a\n  file: ~a"
-              (if (null? near) "" (format "; did you mean ~a?" (alternatives near)))
-              file)))
+  (cond [(equal? file "") (complain who "which file? the name that was given is empty")]
+        [(file-exists? file) (void)]
+        [(directory-exists? file)
+         (complain who "this is a folder; the programs in it: ~a\n  folder: ~a"
+                   (programs-text file) file)]
+        [else
+         (define near (near-programs file))
+         (complain who "there is no such file~a\n  file: ~a~a"
+                   (if (null? near) "" (format "; did you mean ~a?" (alternatives near)))
+                   file (if (null? near) (place-hint file) ""))]))
+
+;; Where it was looked for, which a name from another folder does not tell.
+(define (place-hint file)
+  (define-values (folder _name _folder?) (split-path (path->complete-path file)))
+  (cond [(regexp-match? #rx"^~" file)
+         "\n  ~ is the home folder to a shell alone; write the name of that folder"]
+        [(not (directory-exists? folder)) (format "\n  there is no such folder: ~a" folder)]
+        [else (format "\n  in the folder ~a\n  the programs in it: ~a"
+                      folder (programs-text folder))]))
 
 (define (worksheet-file? file)
   (and (file-exists? file)

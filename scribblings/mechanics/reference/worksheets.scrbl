@@ -228,7 +228,8 @@ sense.
 
 @exec{-o FILE} says what to write to: @exec{worksheet} a program, which ends with @exec{.rkt},
 @exec{handout} and @exec{show} a page that ends with @exec{.html}, @exec{tex} and @exec{handout}
-what ends with @exec{.tex}. PDF is not written: @exec{pdflatex} makes it of the one, a browser's
+what ends with @exec{.tex}. Without it files are written into the folder where the command is
+typed, wherever FILE is. PDF is not written: @exec{pdflatex} makes it of the one, a browser's
 print command of the other.
 
 A program that cannot be run as a whole, for a name in it is unknown or a definition fails, is run
@@ -243,7 +244,8 @@ is, and so is what it has others do. What there was no time to judge is left to 
 
 In a checkout these are @exec{make new FILE=...}, @exec{make worksheet FILE=...},
 @exec{make handout FILE=... TO=tex ANSWERS=1} and
-@exec{make check FILE=... WORKSHEET=... REPORT=report.html}.
+@exec{make check FILE=... WORKSHEET=... REPORT=report.html}, with @exec{OUT=...} for
+@exec{-o}: a file elsewhere is given with its folder, @exec{FILE=../course/first.rkt}.
 
 @(close-session session)
 @(close-session answers)

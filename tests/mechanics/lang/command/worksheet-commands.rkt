@@ -186,6 +186,19 @@
                  "first.rkt" "--report" "r.pdf")
   (check-refused #rx"^check: --seconds takes" "check" "class" "--seconds" "soon")
   (check-refused #rx"^worksheet: there is no such file" "worksheet" "no-such.rkt")
+  (for ([command '("worksheet" "handout")])
+    (define (check-told pattern file)
+      (check-refused (regexp (string-append "^" command ": " pattern)) command file))
+    (check-told "there is no such file\n  file: elsewhere/a.rkt\n  there is no such folder: /"
+                "elsewhere/a.rkt")
+    (check-told "there is no such file\n  file: /zz/a.rkt\n  there is no such folder: /zz/"
+                "/zz/a.rkt")
+    (check-told "there is no such file\n  file: class/zz.rkt\n  in the folder .*class/\n  the progr"
+                "class/zz.rkt")
+    (check-told "there is no such file\n  file: ~/a.rkt\n  ~ is the home folder to a shell alone"
+                "~/a.rkt")
+    (check-told "this is a folder; the programs in it: .*\n  folder: class" "class")
+    (check-told "which file[?]" ""))
   (check-refused #rx"^worksheet: it is no worksheet" "worksheet" "program.rkt")
   (check-refused #rx"^handout: it can be made --to html or" "handout" "first.rkt" "--to" "pdf")
   (make-directory (in-folder "nobody"))
