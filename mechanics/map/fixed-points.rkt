@@ -9,9 +9,12 @@
 
 (require racket/flonum
          "jacobian.rkt" "map-on-tuples.rkt"
+         "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
-         "../numeric/linear/general-eigenvalues.rkt"
+         "../numeric/constants.rkt" "../numeric/flvector.rkt"
+         "../numeric/linear/flonum-systems.rkt" "../numeric/linear/general-eigenvalues.rkt"
+         "../numeric/linear/rows.rkt"
          "../numeric/search/newton.rkt")
 
 (provide find-fixed-point fixed-point?
@@ -37,7 +40,24 @@
 (define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])
   (unless (exact-positive-integer? period)
     (complain-of-argument 'find-fixed-point "a period, a positive integer" period))
-  (fixed-point-near 'find-fixed-point map guess period tolerance))
+  (define p (fixed-point-near 'find-fixed-point map guess period tolerance))
+  (or (of-lesser-period map p tolerance) p))
+
+;; The same point with the least period, or #f if that is the one it has.
+(define (of-lesser-period map p tolerance)
+  (define-values (at period) (values (fixed-point-coordinates p) (fixed-point-period p)))
+  (for/or ([k (in-range 1 period)] #:when (zero? (remainder period k)))
+    (define m (make-map-on-tuples 'find-fixed-point map at k))
+    (and (short? (displacement m (map-on-tuples-start m)) (map-on-tuples-start m) comes-back)
+         (with-handlers ([refusal? (lambda (e) #f)])
+           (fixed-point-near 'find-fixed-point map at k tolerance)))))
+
+;; How near a point comes back to itself that is taken to come back, beside 1 + |x|.
+(define comes-back 1e-9)
+
+(define (short? v x tolerance)
+  (for/and ([d (in-flvector v)] [c (in-flvector x)])
+    (fl<= (flabs d) (fl* tolerance (fl+ 1.0 (flabs c))))))
 
 ;; Newton's method for the displacement, the derivatives being exact where the map can be
 ;; differentiated, as those made of motions can.
@@ -51,11 +71,29 @@
             (map-on-tuples-start m)
             #:tolerance tolerance #:limit limit #:argument (map-on-tuples-point m) #:name who))
   (define M (slopes-of-image m z))
+  (define lost (left-by-rounding (less-unit M) z))
+  (unless (fl< lost (fl* most-lost (fl+ 1.0 (greatest z))))
+    (raise-not-convergent who "no fixed point found: there it only moves by less than rounding"
+                          ((map-on-tuples-point m) z) lost))
   (define multipliers (multipliers-of M))
   (define determinant (apply * multipliers))
   (fixed-point ((map-on-tuples-point m) z) period multipliers
                (kind-of multipliers (real-part determinant))
-               (real-part determinant) error M (map-on-tuples-angles m) map))
+               (real-part determinant) (max error lost) M (map-on-tuples-angles m) map))
+
+;; An image is rounded: where it differs from z by nothing, z may be off by A⁻¹ ε z all the same,
+;; with A the derivatives of the displacement.  Where A has no inverse there is a whole line of
+;; fixed points, or nothing is known.  Of the components the greatest.
+(define (left-by-rounding A z)
+  (define inverse (floating-solutions A (unit-rows (vector-length A) 1.0 0.0)))
+  (if (vector? inverse)
+      (for/fold ([most 0.0]) ([row (in-vector inverse)])
+        (flmax most (for/fold ([sum 0.0]) ([a (in-vector row)] [y (in-flvector z)])
+                      (fl+ sum (flabs (fl* (fl* a y) (fl* 0.5 epsilon)))))))
+      0.0))
+
+;; By more, beside 1 + |x|, the point is none.
+(define most-lost 1e-2)
 
 ;; By falling size.
 (define (multipliers-of M)

@@ -2,10 +2,13 @@
 ;; A map of the plane, or of states, as one of rows of numbers, done so many times.
 ;;
 ;; Of a state (up t q p) the time is none of them: a motion comes back when the others do.
-;; Coordinates that are angles come back when they do but for whole turns.  A coordinate is taken
-;; for one if a whole turn of it changes the image by nothing but whole turns.
+;; Coordinates that are angles come back when they do but for whole turns.  Coordinates are taken
+;; for angles if a whole turn of one changes the image by nothing but whole turns, of these.  The
+;; map done once is asked: of a map that stretches much the image after many times is so large
+;; that its rounding is a turn or more, and anything would pass.
 
 (require racket/flonum
+         (only-in racket/list range remove-duplicates)
          "map-of-the-plane.rkt"
          "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
@@ -34,11 +37,12 @@
   (check-no-energy who map at)
   (define start (point-numbers who at plane?))
   (define once (if plane? (plane-image who map) (state-image who map at)))
+  (define angles (angles-of once start))
   (define (image p) (for/fold ([p p]) ([_ (in-range times)]) (once p)))
   (define (point v)
     (define p (apply up (flvector->list v)))
     (if plane? p (with-time at p)))
-  (map-on-tuples image point start (angles-of image start)))
+  (map-on-tuples image point start angles))
 
 (define ((plane-image who map) p)
   (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
@@ -110,14 +114,55 @@
 
 (define (up-of-numbers v) (apply up (flvector->list v)))
 
+;; -> list of booleans: the most coordinates that are angles together.  One that moves another by
+;; whole turns, where that one is none, is none itself.
 (define (angles-of image start)
-  (define there (numbers (image (up-of-numbers start))))
-  (for/list ([k (in-range (flvector-length start))])
-    (define moved (flvector-copy start))
-    (flvector-set! moved k (fl+ :2pi (flvector-ref start k)))
+  (define all (range (flvector-length start)))
+  (define moves (for/list ([k (in-list all)]) (moved-by-a-turn image start k)))
+  (define (angle? k among)
+    (define those (list-ref moves k))
+    (and those (subset? those among)))
+  (let settle ([among all])
+    (define left (filter (lambda (k) (angle? k among)) among))
+    (if (equal? left among)
+        (for/list ([k (in-list all)]) (and (memv k left) #t))
+        (settle left))))
+
+(define (subset? some all) (for/and ([k (in-list some)]) (memv k all)))
+
+;; -> which numbers of the image a whole turn of number k moves, all of them by whole turns; or
+;; #f.  Seen at two places, for at one it may be chance.
+(define (moved-by-a-turn image start k)
+  (define (at v) (numbers (image (up-of-numbers v))))
+  (define (moved v)
+    (define further (flvector-copy v))
+    (flvector-set! further k (fl+ :2pi (flvector-ref v k)))
     (with-handlers ([refusal? (lambda (e) #f)])
-      (for/and ([a (in-flvector there)] [b (in-flvector (numbers (image (up-of-numbers moved))))])
-        (fl< (flabs (whole-turns-less (fl- b a))) 1e-6)))))
+      (turned (at v) (at further))))
+  (define those (moved start))
+  (define also (if (and those (has-image? at (beside start))) (moved (beside start)) '()))
+  (and those also (remove-duplicates (append those also))))
+
+(define (has-image? at v)
+  (with-handlers ([refusal? (lambda (e) #f)])
+    (at v)
+    #t))
+
+(define (beside v)
+  (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals 1)])
+    (fl+ x (fl/ 0.1 (->fl k)))))
+
+;; -> where b is whole turns from a, if it is so everywhere, or #f
+(define (turned a b)
+  (let loop ([k 0] [those '()])
+    (define off (and (< k (flvector-length a)) (fl- (flvector-ref b k) (flvector-ref a k))))
+    (cond [(not off) those]
+          [(not (whole-turns? off)) #f]
+          [else (loop (+ k 1) (if (fl< (flabs off) 1.0) those (cons k those)))])))
+
+;; So large a number is whole turns by rounding.
+(define (whole-turns? x)
+  (and (fl< (flabs x) 1e8) (fl< (flabs (whole-turns-less x)) 1e-6)))
 
 ;; How far the image of z is from z.
 (define (displacement m z [image (numbers ((map-on-tuples-image m) (up-of-numbers z)))])

@@ -8,11 +8,15 @@
 ;;
 ;; it converges faster than any power of 1/n if the orbit is quasiperiodic (Das, Saiki, Sander
 ;; and Yorke 2017).  On a chaotic orbit it does not: there the means over the two halves of the
-;; orbit differ.  That is how one is told from the other.
+;; orbit differ.  That is how one is told from the other.  The halves of an orbit whose angle
+;; comes back just after one of them are the same, and agree on anything: parts of other
+;; lengths are looked at, too.
 
 (require racket/flonum
+         (only-in racket/math exact-floor)
          "compiled-map.rkt" "map-of-the-plane.rkt" "map-on-tuples.rkt" "plane-points.rkt"
-         "../generic/define-plain.rkt"
+         "../error/complain.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt" "../numeric/flvector.rkt"
          "../numeric/whole-turns.rkt")
@@ -21,8 +25,8 @@
          (rename-out [value-of rotation-value] [error-of rotation-error]
                      [steps-needed-by rotation-steps-needed] [regular? rotation-regular?]))
 
-;; value : turns for each step; error : how much the means over the halves differ; steps : of
-;; the orbit; steps-needed : with how many they agree, or #f if that was not seen
+;; value : turns for each step; error : how much the means over parts of the orbit differ; steps :
+;; of the orbit; steps-needed : with how many the halves agree, or #f if that was not seen
 (value-struct rotation (value error steps steps-needed)
   #:text (lambda (r) (rotation->text r)))
 
@@ -46,36 +50,52 @@
     (if about (angle-about who map (point who about)) (lambda (p) (flvector-ref p 0))))
   (define next-step! (angle-stepper map p angle))
   (define (missing) (raise-no-image who map (flvector-ref p 0) (flvector-ref p 1)))
+  (check-goes-around who about p)
   (define steps (followed (flvector) n next-step! missing))
-  (define-values (value error) (means steps (not about)))
-  (rotation value error n (steps-to-agree steps error next-step! (not about))))
+  (define-values (value error apart) (means steps (not about)))
+  (rotation value error n (steps-to-agree steps apart next-step! (not about))))
 
 ;; How many times as many steps are taken to see whether an orbit is regular, up to so many.
 (define-values (times-as-many most-steps) (values 8 10000))
 
 ;; -> the number of steps with which the halves agree, doubled from those there are, or #f
-(define (steps-to-agree steps error next-step! forwards?)
+(define (steps-to-agree steps apart next-step! forwards?)
   (define most (min most-steps (* times-as-many (flvector-length steps))))
-  (let look ([steps steps] [error error])
+  (let look ([steps steps] [apart apart])
     (define twice (* 2 (flvector-length steps)))
-    (cond [(fl< error least-irregular) (flvector-length steps)]
+    (cond [(fl< apart least-irregular) (flvector-length steps)]
           [(> twice most) #f]
           [(followed steps twice next-step! (lambda () #f))
            => (lambda (more)
-                (define-values (value error) (means more forwards?))
-                (look more error))]
+                (define-values (value error apart) (means more forwards?))
+                (look more apart))]
           [else #f])))
 
-;; -> turns for each step, and how much they differ between the halves
+;; -> turns for each step, how far that is to be believed, and how much the halves differ.
+;; Rounding leaves something in any case.
 (define (means steps forwards?)
   (define n (flvector-length steps))
-  (define half (quotient n 2))
   (define turned (within-half-a-turn steps (mean-direction steps forwards?)))
   (define (mean from to) (fl/ (weighted-mean turned from to) :2pi))
-  (values (mean 0 n) (flabs (fl- (mean 0 half) (mean half n)))))
+  (define (apart at) (flabs (fl- (mean 0 at) (mean at n))))
+  (define-values (whole half) (values (mean 0 n) (quotient n 2)))
+  (define-values (halves others) (values (apart half) (apart (exact-floor (* golden-fraction n)))))
+  (define rounded (fl* (flsqrt (->fl n)) epsilon))
+  (values whole
+          (flmax (flmax halves others) (flmax (flabs (fl- whole (mean 0 half))) rounded))
+          halves))
 
 (define (point who p)
   (flvector (start-abscissa who p) (start-ordinate who p)))
+
+;; From a point itself there is no direction.
+(define (check-goes-around who about p)
+  (when (and about (fl= (distance p (point who about)) 0.0))
+    (complain who
+              (string-append "the orbit starts at the point that it is to go around"
+                             "\n  point: ~a\n  (find-fixed-point map point) gives the angle "
+                             "by which neighbours turn")
+              (value->text about))))
 
 ;; Counterclockwise.  Coordinates of the map that are angles are taken by the shorter way.
 (define (angle-about who map center)
@@ -139,12 +159,12 @@
   (cond [(eqv? needed steps) (format "rotation number ~a, to about ~a" value error)]
         [needed
          (format (string-append "rotation number about ~a: ~a steps are too few to tell it better"
-                                "\n  over their halves it differs by ~a; ~a steps would do")
+                                "\n  over parts of them it differs by ~a; ~a steps would do")
                  (two-digits value) steps error needed)]
         [else
          (format (string-append "rotation number about ~a, if there is one:"
-                                "\n  the orbit does not look regular; over its halves it differs "
-                                "by ~a")
+                                "\n  the orbit does not look regular; over parts of it "
+                                "it differs by ~a")
                  (two-digits value) error)]))
 
 (define (two-digits x) (/ (round (* 100 x)) 100))

@@ -79,10 +79,13 @@
   (define steps 0)
   (define found #f)
   (define there (make-flvector (flvector-length y)))
+  (define ((at-start at) c)
+    (at (crossing-at c) there)
+    (near-start? there y (plan-tolerance p)))
   (define (visit from to interpolant)
     (set! steps (+ steps 1))
     (define at (interpolant))
-    (define c (first-crossing (watch at) (= steps 1)))
+    (define c (first-crossing (watch at) (and (= steps 1) (at-start at))))
     (when c
       (when (undefined? (crossing-event c))
         (raise-undefined e from state #f))
@@ -95,10 +98,14 @@
   (values found (system-state s there)))
 
 ;; A start on the surface may seem to cross it by rounding.
-(define (first-crossing found first-step?)
-  (for/first ([c (in-list found)]
-              #:unless (and first-step? (< (crossing-at c) 1e-8)))
-    c))
+;; start? : says of a crossing whether it is the start, or #f after the first step
+(define (first-crossing found start?)
+  (for/first ([c (in-list found)] #:unless (and start? (start? c))) c))
+
+;; Closer to the start than the motion is followed to?
+(define (near-start? there y tolerance)
+  (for/and ([a (in-flvector there)] [b (in-flvector y)])
+    (fl<= (flabs (fl- a b)) (fl* (fl* 10.0 tolerance) (fl+ 1.0 (flabs b))))))
 
 (define (raise-never e state steps)
   (raise-not-convergent 'Poincare-map "the motion has not come back to the surface" state #f

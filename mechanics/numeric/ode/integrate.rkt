@@ -34,13 +34,14 @@
 ;; -> the time reached and the state there, an flvector
 (define (integrate m f! y0 start end
                    #:tolerance [tolerance 1e-10]
-                   #:longest [longest +inf.0]
+                   #:longest [longest-asked +inf.0]
                    #:limit [limit +inf.0]
                    #:clock [clock #f]
                    #:visit [visit (lambda (from to interpolant) #t)]
                    #:begun [begun void]
                    #:stuck [stuck raise-stuck])
   (define tolerated (step-tolerance tolerance))
+  (define longest (flmin longest-asked longest-step))
   (define s (start-stepper m f! y0 tolerated))
   (begun (stepper-state s))
   (define give-up (giving-up f! s stuck))
@@ -62,6 +63,9 @@
        (if on?
            (loop now next (+ count 1) (if finite? 0 (+ failures 1)))
            (values now (flvector-copy (stepper-state s))))])))
+
+;; Of what rests steps grow without bound, and where there is no end an infinite one would be taken.
+(define longest-step 1e100)
 
 (define (length-to-begin-with m s f! tolerated longest span)
   (define sign (if (fl< span 0.0) -1.0 1.0))

@@ -35,7 +35,7 @@ the coordinates and to do nothing else.
 The map from a state to the one where the motion next crosses a surface of section: where
 the function of @racket[event] passes through zero in the event's direction. It works on states
 of any shape, of a Hamiltonian, a Lagrangian or anything else that has a state derivative. A
-start on the surface is no crossing.
+start on the surface, within ten times the tolerance, is no crossing.
 
 @examples[#:eval session
 (define upwards (event (lambda (s) (ref (coordinate s) 0)) #:direction 'rising))
@@ -140,7 +140,8 @@ is negative if the first one on which they do not is greater in the second strea
 
 The fixed point of a map, or a point of the given period, that Newton's method leads to from
 @racket[guess], with its multipliers, its kind and, where it is elliptic, the angle by which
-neighbours turn about it in a period. The derivatives are exact.
+neighbours turn about it in a period. A point that comes back sooner has the lesser period. The
+derivatives are exact.
 
 @examples[#:eval session
 (find-fixed-point (standard-map 0.6) (up 3 0.1))
@@ -150,8 +151,8 @@ neighbours turn about it in a period. The derivatives are exact.
 
 The map is one of the plane, or a function of states, such as @racket[Poincare-map] and
 @racket[stroboscopic-map] make: a state @racket[(up t q p)] is fixed if all but its time comes
-back. A coordinate is taken for an angle, which may come back by whole turns, if a turn of it
-changes the image by no more than that.
+back. Coordinates are taken for angles, which may come back by whole turns, if a turn of one
+changes the image by no more than whole turns of these.
 
 @examples[#:eval session
 (find-fixed-point (stroboscopic-map (H-pend-sysder 1 1 9.8 0.05 omega) (/ :2pi omega))
@@ -182,8 +183,8 @@ not. Where areas are not kept the determinant is shown.
 
 What @racket[find-fixed-point] found: the point or the state; its period; the multipliers, the
 greatest in size first; the kind; the angle of rotation of an elliptic point; the product of
-the multipliers, 1 where areas are kept; and the last step of Newton's method, an upper bound of
-the error.
+the multipliers, 1 where areas are kept; and an upper bound of the error, the last step of Newton's
+method or what the rounding of the image leaves, which is more at a multiple point.
 
 @examples[#:eval session
 (define center (find-fixed-point (standard-map 0.6) (up 3 0.1)))
@@ -520,10 +521,11 @@ How many turns an orbit of a map of the plane makes for each step, a number from
 first coordinate, an angle, or of the direction from the point @racket[about], then from −1/2 to
 1/2 and counterclockwise. The steps are averaged with weights that vanish at both ends of the
 orbit, which gives some ten digits or more of 10,000 steps where the orbit is quasiperiodic. How
-much the averages over the two halves of the orbit differ tells how many; where they differ by
-more than
+much the averages over parts of the orbit differ tells how many; where those over its halves differ
+by more than
 1e-5, the orbit is followed on, eight times as far at most and to no more than 10,000 steps. Then it
-is said how many steps would do, or that the orbit does not look regular.
+is said how many steps would do, or that the orbit does not look regular. An orbit that starts at
+@racket[about] itself is an error.
 
 @examples[#:eval session
 (rotation-number (standard-map 0.8) (circle 0))
@@ -540,9 +542,9 @@ is said how many steps would do, or that the orbit does not look regular.
               @defproc[(rotation-steps-needed [r rotation?])
                        (or/c exact-positive-integer? #f)])]{
 
-What @racket[rotation-number] found: the number, the difference of the averages over the halves,
-whether the orbit looks regular, and with how many steps it does: more than were asked for where
-these were too few, @racket[#f] of an orbit that does not.
+What @racket[rotation-number] found: the number, the difference of the averages over parts of the
+orbit, whether the orbit looks regular, and with how many steps it does: more than were asked for
+where these were too few, @racket[#f] of an orbit that does not.
 
 @examples[#:eval session
 (define turning (rotation-number (standard-map 0.8) (up 0 2)))

@@ -106,7 +106,7 @@
   (check-true (> (rotation-steps-needed short) 100))
   (check-regexp-match (regexp (string-append
                                "^rotation number about 0[.][0-9]+: 100 steps are too few to tell it "
-                               "better\n  over their halves it differs by [0-9.e-]+; "
+                               "better\n  over parts of them it differs by [0-9.e-]+; "
                                (number->string (rotation-steps-needed short)) " steps would do$"))
                       (format "~a" short))
   (define enough (turning (rotation-steps-needed short)))
