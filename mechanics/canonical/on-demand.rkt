@@ -33,7 +33,8 @@
   Birkhoff-normal-form normal-form? normal-form-Hamiltonian normal-form-generators
   normal-form-frequencies normal-form-resonances normal-form-divisors]
  ["perturbation/normal-coordinates.rkt"
-  normal-form-transformation normal-form-inverse verify-normal-form]
+  normal-form-transformation normal-form-inverse]
+ ["perturbation/normal-form-verdict.rkt" verify-normal-form]
  ["integral-invariants.rkt" loop-integral loop-integrand]
  ["perturbation/resonance-width.rkt" resonance-width resonance-center]
  ["action-angle.rkt" action-of-orbit frequency-of-orbit state->action-angle

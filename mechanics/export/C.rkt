@@ -57,8 +57,10 @@ text
    name name name))
 
 (define (numbered letter names)
-  (string-join (for/list ([x (in-list names)] [k (in-naturals)]) (format "~a[~a] = ~a" letter k x))
-               ", "))
+  (string-join
+   (for/list ([x (in-list names)] [k (in-naturals)])
+     (format "~a[~a] = ~a" letter k (safe-comment (symbol->string x))))
+   ", "))
 
 (define (quoted names)
   (string-join (for/list ([x (in-list names)]) (format "~s" (format "~a" x))) ", "))

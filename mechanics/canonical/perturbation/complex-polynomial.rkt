@@ -12,7 +12,7 @@
          "expression-in-ring.rkt"
          "../../generic/arithmetic.rkt" "../../generic/elementary.rkt")
 
-(provide polynomial-sum polynomial-scale polynomial-product polynomial-bracket
+(provide polynomial-sum polynomial-scale polynomial-product polynomial-bracket majorant-bracket
          expression->polynomial polynomial->expression polynomial-of exponents-apart)
 
 (define (add-term p exponents c)
@@ -33,16 +33,20 @@
     (add-term p (map + d e) (* c1 c2))))
 
 ;; n : the number of oscillators
-(define ((polynomial-bracket n) f g)
+(define (polynomial-bracket n) (bracket-of n (lambda (a b a1 b1) (* 0-2i (- (* a b1) (* b a1))))))
+
+;; Of polynomials of magnitudes: what the terms of a bracket are together at most
+(define (majorant-bracket n) (bracket-of n (lambda (a b a1 b1) (* 2 (+ (* a b1) (* b a1))))))
+
+;; factor : of the exponents of z and w in both
+(define ((bracket-of n factor) f g)
   (for*/fold ([p (hash)]) ([(d c1) (in-hash f)] [(e c2) (in-hash g)])
     (define total (map + d e))
     (for/fold ([p p]) ([j (in-range n)])
       (define-values (a b) (values (list-ref d j) (list-ref d (+ n j))))
       (define-values (a1 b1) (values (list-ref e j) (list-ref e (+ n j))))
-      (define factor (- (* a b1) (* b a1)))
-      (if (zero? factor)
-          p
-          (add-term p (lowered total j n) (* 0-2i factor c1 c2))))))
+      (define c (factor a b a1 b1))
+      (if (zero? c) p (add-term p (lowered total j n) (* c c1 c2))))))
 
 ;; One less of z_j and of w_j
 (define (lowered exponents j n)

@@ -1,21 +1,20 @@
 #lang racket/base
-;; The states of a normal form (Birkhoff.rkt), and the proof that it is one.
+;; The states of a normal form (Birkhoff.rkt).
 ;;
 ;; Coordinates and momenta are polynomials of degree 1, and go through the exponentials of the
 ;; generators as the Hamiltonian does; each generator raises the degree by one more.
 
 (require "Birkhoff.rkt" "complex-polynomial.rkt"
-         "../Lie/Lie-derivative.rkt" "../Lie/Lie-triangle.rkt"
+         "../Lie/Lie-triangle.rkt"
          "../../calculus/expression-function.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/function.rkt"
+         "../../generic/function.rkt"
          "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt"
-         (only-in "../../value/structure.rkt" s:map/r)
-         "../../verdict/prove-zero.rkt")
+         (only-in "../../value/structure.rkt" s:map/r))
 
-(provide normal-form-transformation normal-form-inverse verify-normal-form)
+(provide normal-form-transformation normal-form-inverse)
 
 ;; ---------------------------------------------------------------------------
 ;; States
@@ -57,24 +56,3 @@
     (check-state-like who state at)
     (define point (map cons names (scalars at)))
     (scalars->structure at (lambda (k) (evaluate-generically (vector-ref entries k) point)))))
-
-;; ---------------------------------------------------------------------------
-;; The verdict
-
-;; Degree by degree: is H, transformed by the Lie derivatives of the generators as functions, the
-;; normal form, and does that commute with the oscillators?
-(define (verify-normal-form N)
-  (check-normal-form 'verify-normal-form N)
-  (define (functions fs) (map (lambda (f) (polynomial-function N f)) fs))
-  (define end
-    (for/fold ([terms (functions (normal-form-given N))])
-              ([W (in-list (normal-form-generators N))] [n (in-naturals 1)])
-      (define L (Lie-derivative W))
-      (exponentiate terms n W (lambda (F W) (L F)) g:+ g:*)))
-  (define-values (kept state)
-    (values (functions (normal-form-terms N)) (normal-form-state N)))
-  (define with-oscillators (Lie-derivative (car kept)))
-  (prove-zero
-   (down (apply down (for/list ([F (in-list end)] [K (in-list kept)]) (g:- (F state) (K state))))
-         (apply down (for/list ([K (in-list kept)]) ((with-oscillators K) state))))
-   #:variables (scalars state)))
