@@ -10,22 +10,22 @@
 
 (define-runtime-path lint "../../.ci/lint.rkt")
 
-;; files : ((name . text) ...)
+;; files : ((name . text) ...); options : those of the command, texts
 ;; -> exit code, lines without the folder
-(define (lint-findings files)
+(define (lint-findings files . options)
   (define folder (make-temporary-file "lint-~a" 'directory))
   (dynamic-wind
    void
    (lambda ()
      (for ([file (in-list files)])
        (display-to-file (cdr file) (build-path folder (car file))))
-     (run-lint folder))
+     (apply run-lint folder options))
    (lambda () (delete-directory/files folder))))
 
-(define (run-lint folder)
+(define (run-lint folder . options)
   (define-values (process out in err)
     (parameterize ([current-subprocess-custodian-mode 'kill])
-      (subprocess #f #f (current-error-port) (find-exe) lint folder)))
+      (apply subprocess #f #f (current-error-port) (find-exe) lint (append options (list folder)))))
   (close-output-port in)
   (define lines (port->lines out))
   (subprocess-wait process)
@@ -65,3 +65,15 @@
   (check-equal? lines '("a.rkt:2: 101 characters, more than 100" "a.rkt:3: a tab"
                         "a.rkt:4: spaces at the end" "a.rkt:end: not one line end"
                         "lint: 1 files, 4 findings")))
+
+(test-case "texts alone: what is read is told, and no module is expanded"
+  (define-values (code lines)
+    (lint-findings (list (cons "a.rkt" sound) (cons "b.rkt" idle) (cons "c.rkt" broken))
+                   "--texts"))
+  (check-equal? code 0)
+  (check-equal? lines '("lint: 3 files, 0 findings"))
+  (define-values (code-of-long of-long)
+    (lint-findings (list (cons "a.rkt" (make-string 101 #\;))) "--texts"))
+  (check-equal? code-of-long 1)
+  (check-equal? of-long '("a.rkt:1: 101 characters, more than 100" "a.rkt:end: not one line end"
+                          "lint: 1 files, 2 findings")))
