@@ -91,11 +91,14 @@
         (raise-undefined e from state #f))
       (set! found (fl+ (fl- from start) (fl* (crossing-at c) (fl- to from))))
       (at (crossing-at c) there))
-    (and (not c) (< steps most)))
+    (and (not c) (< steps most) (fl< (flabs (fl- to start)) longest-wait)))
   (call-for-passage s (lambda (s) (run-system p s y start +inf.0 visit)))
-  (unless found (raise-never e state steps))
+  (unless found (raise-never (system-derivative s) e state steps))
   (when (system-clock? s) (flvector-set! there 0 (fl+ start found)))
   (values found (system-state s there)))
+
+;; Of a motion that changes ever more slowly, or not at all, the steps grow without end.
+(define longest-wait 1e100)
 
 ;; A start on the surface may seem to cross it by rounding.
 ;; start? : says of a crossing whether it is the start, or #f after the first step
@@ -107,10 +110,18 @@
   (for/and ([a (in-flvector there)] [b (in-flvector y)])
     (fl<= (flabs (fl- a b)) (fl* (fl* 10.0 tolerance) (fl+ 1.0 (flabs b))))))
 
-(define (raise-never e state steps)
-  (raise-not-convergent 'Poincare-map "the motion has not come back to the surface" state #f
-                        #:show? #f
+(define (raise-never derivative e state steps)
+  (define what
+    (if (rests? derivative state)
+        "the motion rests where it starts, and does not come to the surface"
+        "the motion has not come back to the surface"))
+  (raise-not-convergent 'Poincare-map what state #f #:show? #f
                         "event" e "start" state "steps" steps))
+
+(define (rests? derivative state)
+  (define rates (map comparand (scalars (derivative state))))
+  (andmap (lambda (x) (and (number? x) (zero? x)))
+          (if (timed-state? derivative state) (cdr rates) rates)))
 
 ;; ---------------------------------------------------------------------------
 ;; Derivatives by the start

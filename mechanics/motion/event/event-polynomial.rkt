@@ -59,8 +59,8 @@
 (define (polynomial row order span first tolerance)
   (define c (scaled row order span))
   (when first (flvector-set! c 0 first))
-  (cond [(not tolerance) c]
-        [(not (flvector-finite? c)) usual-places]
+  (cond [(not (flvector-finite? c)) usual-places]
+        [(not tolerance) c]
         [(converges? c tolerance) c]
         [else (places-for c)]))
 
@@ -104,12 +104,13 @@
   (follow! own)
   (noise? (size row) (size (difference (function-row own) row))))
 
-;; c_k span^k
+;; c_k span^k, 0 where c_k is, however long the step
 (define (scaled row order span)
   (define c (make-flvector (+ order 1)))
   (let loop ([k 0] [power 1.0])
     (when (unsafe-fx<= k order)
-      (unsafe-flvector-set! c k (unsafe-fl* power (unsafe-flvector-ref row k)))
+      (define x (unsafe-flvector-ref row k))
+      (unsafe-flvector-set! c k (if (unsafe-fl= x 0.0) 0.0 (unsafe-fl* power x)))
       (loop (unsafe-fx+ k 1) (unsafe-fl* span power))))
   c)
 

@@ -114,7 +114,8 @@
   (define limit ((foreseeing-stepper-limit s)))
   (unless (fl> limit 0.0) (give-up t 'boundary))
   (define remaining (flabs (fl- end t)))
-  (let try ([h (flmin longest limit)])
+  (define h0 (flmin longest limit))
+  (let try ([h (if (and (fl= h0 +inf.0) (fl= remaining +inf.0)) (endless-length s t) h0)])
     (define now (if (fl>= h (fl* almost-all remaining)) end (fl+ t (fl* sign h))))
     (when (fl= now t) (give-up t 'step-too-short))
     (define length (fl- now t))
@@ -126,6 +127,15 @@
           [else (try (fl* 0.5 (flabs length)))])))
 
 (define almost-all (fl- 1.0 1e-7))
+
+;; A motion that is a polynomial, as one at rest, has steps of any length.  Where it has no end
+;; either, a step is as long as a component takes to change by its own size.
+(define (endless-length s t)
+  (define length
+    (for/fold ([least +inf.0]) ([y (in-flvector (stepper-state s))]
+                                [rate (in-flvector ((stepper-slope s)))])
+      (flmin least (fl/ (fl+ 1.0 (flabs y)) (flabs rate)))))
+  (if (fl< 0.0 length +inf.0) length (fl+ 1.0 (flabs t))))
 
 (define (take-tried-step m s tolerance t end sign h give-up)
   (define remaining (flabs (fl- end t)))

@@ -48,8 +48,8 @@ err by. @racket[D] has the derivatives of the map, from the variational equation
 @examples[#:eval session
 ((D (lambda (y) (coordinate (next (up 0 (up 0 y) (down 0.49 0)))))) 0.1)]
 
-A motion that takes @racket[most] steps without crossing raises
-@racket[exn:fail:mechanics:not-convergent].
+A motion that takes @racket[most] steps without crossing, or does not cross in a time of 1e100,
+as one that rests, raises @racket[exn:fail:mechanics:not-convergent].
 
 @sicm{3.6.2, p. 248}}
 
