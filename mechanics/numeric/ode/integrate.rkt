@@ -34,17 +34,17 @@
 ;; -> the time reached and the state there, an flvector
 (define (integrate m f! y0 start end
                    #:tolerance [tolerance 1e-10]
-                   #:longest [longest-asked +inf.0]
+                   #:longest [longest +inf.0]
                    #:limit [limit +inf.0]
                    #:clock [clock #f]
                    #:visit [visit (lambda (from to interpolant) #t)]
                    #:begun [begun void]
                    #:stuck [stuck raise-stuck])
   (define tolerated (step-tolerance tolerance))
-  (define longest (flmin longest-asked longest-step))
   (define s (start-stepper m f! y0 tolerated))
   (begun (stepper-state s))
-  (define-values (give-up sign) (values (giving-up f! s stuck) (if (fl< end start) -1.0 1.0)))
+  (define give-up (giving-up f! s stuck))
+  (define sign (if (fl< end start) -1.0 1.0))
   (define first (length-to-begin-with m s f! tolerated longest (fl- end start)))
   (define c (make-crawl))
   (let loop ([t start] [h first] [count 0] [failures 0])
@@ -62,9 +62,6 @@
        (if on?
            (loop now next (+ count 1) (if finite? 0 (+ failures 1)))
            (values now (flvector-copy (stepper-state s))))])))
-
-;; Of what rests steps grow without bound, and where there is no end an infinite one would be taken.
-(define longest-step 1e100)
 
 (define (length-to-begin-with m s f! tolerated longest span)
   (define sign (if (fl< span 0.0) -1.0 1.0))
