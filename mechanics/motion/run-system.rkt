@@ -3,7 +3,7 @@
 ;; word of progress; a failure says why the motion goes no further, and keeps what there is.
 
 (require racket/flonum
-         "plan.rkt" "sample-times.rkt" "so-far.rkt" "stuck.rkt" "suited.rkt"
+         "plan.rkt" "rest-by-rounding.rkt" "sample-times.rkt" "so-far.rkt" "stuck.rkt" "suited.rkt"
          "system/separable.rkt" "system/system.rkt"
          "../numeric/progress.rkt"
          "../numeric/ode/integrate.rkt")
@@ -35,12 +35,13 @@
   (define p (suited given s y))
   (define m (plan-method p))
   (check-separable (plan-who p) m s y)
+  (define f! (system-right-hand-side s m))
   (define (run note!)
     (define (watched from to interpolant)
       (note-progress note! (progress-text (plan-who p) to end))
       (visit from to interpolant))
     (define-values (t last)
-      (integrate (system-method s m) (system-right-hand-side s m) y start end
+      (integrate (system-method s m) f! y start end
                  #:tolerance (plan-tolerance p)
                  #:longest (plan-longest p)
                  #:limit (plan-most p)
@@ -48,6 +49,7 @@
                  #:visit (if note! watched visit)
                  #:begun (lambda (y) (begun y m))
                  #:stuck (stuck-in p s kept)))
+    (note-left-rest (plan-who p) f! y last (system-clock? s))
     (system-state s last))
   (call-with-progress (plan-progress? p) run))
 

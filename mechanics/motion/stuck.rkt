@@ -42,11 +42,15 @@
     [(step-fails) (string-append (step-text m) (advice m))]
     [(lost-digits)
      (string-append "\n  rounding in the state derivative is more than the tolerance allows"
-                    (if (equal? singular "") "\n  take a greater tolerance" singular))]
+                    (if (equal? singular "") nearly-singular singular))]
     [else
      (string-append (if (method-step m) (step-text m) "")
                     (or (beyond-text s y) (short-text m why))
                     singular)]))
+
+(define nearly-singular
+  (string-append "\n  take a greater tolerance; or other coordinates, if these are nearly singular "
+                 "there, as angles\n  are where a motion passes near the axis that they turn about"))
 
 (define (short-text m why)
   (cond [(eq? why 'boundary) "\n  the state derivative is not finite beyond"]

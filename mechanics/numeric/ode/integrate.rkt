@@ -57,8 +57,8 @@
          (take-step m s tolerated t end sign (flmin longest h) give-up))
        (when clock (flvector-set! (stepper-state s) clock now))
        (define on? (visit t now (stepper-interpolant s)))
-       (when (and on? (not (fl= now end)) (lost? c f! s (fl- now t) tolerated))
-         (give-up now 'lost-digits))
+       (when (and on? (not (fl= now end)))
+         (check-digits m c f! s t now tolerated give-up stuck))
        (if on?
            (loop now next (+ count 1) (if finite? 0 (+ failures 1)))
            (values now (flvector-copy (stepper-state s))))])))
@@ -69,9 +69,17 @@
         [(foreseeing-stepper? s) longest]
         [else (flmin longest (first-length m s f! tolerated sign (flabs span)))]))
 
-(define (lost? c f! s step tolerated)
-  (define h (flabs step))
-  (and (crawls? c h) (rounding-exceeds? f! (stepper-state s) h tolerated)))
+(define (check-digits m c f! s t now tolerated give-up stuck)
+  (define h (flabs (fl- now t)))
+  (define y (stepper-state s))
+  (when (and (crawls? c h) (rounding-exceeds? f! y h tolerated))
+    (give-up now 'lost-digits))
+  (define place (and (follows-f? m) (state-too-coarse c f! now y h tolerated)))
+  (when place (stuck (car place) (cdr place) 'lost-digits)))
+
+;; Implicit methods damp what rounding makes of stiff systems; those of a fixed step have no
+;; tolerance.
+(define (follows-f? m) (not (or (method-step m) (eq? 'jacobian (method-asks m)))))
 
 ;; One step of at most the length |h| in the direction of h.
 ;; -> the time and the state after it and, with its sign, the length for the next one

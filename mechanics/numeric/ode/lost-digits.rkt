@@ -14,17 +14,19 @@
 (require racket/flonum
          "../flvector.rkt")
 
-(provide make-crawl crawls? rounding-exceeds?)
+(provide make-crawl crawls? rounding-exceeds? state-too-coarse)
 
 ;; longest     : of the steps so far
 ;; short       : how many there are in the present row
 ;; half        : when its lengths are compared, those of so many are to be the later ones
 ;; early, late : the sums of lengths in both halves
+;; least       : of the steps since one that was not short
+;; coarse      : the time and the state where it had too few digits, or #f
 (struct crawl ([longest #:mutable] [short #:mutable] [half #:mutable]
-               [early #:mutable] [late #:mutable])
+               [early #:mutable] [late #:mutable] [least #:mutable] [coarse #:mutable])
   #:authentic)
 
-(define (make-crawl) (crawl 0.0 0 first-half 0.0 0.0))
+(define (make-crawl) (crawl 0.0 0 first-half 0.0 0.0 +inf.0 #f))
 
 (define (begin-row! c)
   (set-crawl-short! c 0)
@@ -90,3 +92,50 @@
 (define size-of-difference (flsqrt 924.0))
 (define fair-part 0.1)
 (define usual-noise 1e-12)
+
+;; ---------------------------------------------------------------------------
+;; Steps that do not crawl
+;;
+;; A method that computes its steps from derivatives, as Taylor's does, has no error that would
+;; tell it, and others may be lucky: a few short steps lead through the narrow place and out of it.
+;; There the state itself has too few digits: of an angle near π, 4e-16 is the next number, and
+;; where f goes as the angle's distance from π to the power −3, that is much.
+
+;; Is a step of length h to y at the time t one out of such a place?  The places are looked at
+;; where the steps are the shortest so far of some that are much shorter than the longest: would y
+;; rounded otherwise, in one of its numbers, change what f does in the time h by far more than the
+;; tolerance?  A motion that ends there, for f is not finite, has better to say.
+;; -> #f, or the time and a copy of the state in that place
+(define (state-too-coarse c f! t y h tolerated)
+  (define short? (fl<= h (fl* shorter (crawl-longest c))))
+  (define found (crawl-coarse c))
+  (cond [(and found (fl> h (fl* out (crawl-least c)))) found]
+        [(not short?) (set-crawl-least! c +inf.0) #f]
+        [else
+         (when (fl< h (crawl-least c)) (look-at-state! c f! t y h tolerated))
+         #f]))
+
+(define (look-at-state! c f! t y h tolerated)
+  (set-crawl-least! c h)
+  (when (fl> (fl* h (change-by-rounding f! y)) (fl* far-more tolerated))
+    (set-crawl-coarse! c (cons t (flvector-copy y)))))
+
+(define shorter 1e-3)
+(define far-more 100.0)
+(define out 4.0)
+
+;; The greatest change of f, relative to 1 + |y|, by a change of one number to the next.
+(define (change-by-rounding f! y)
+  (define n (flvector-length y))
+  (define-values (here there) (values (make-flvector n) (make-flvector n)))
+  (f! y here)
+  (define beside (flvector-copy y))
+  (for/fold ([most 0.0]) ([k (in-range n)])
+    (define x (flvector-ref y k))
+    (flvector-set! beside k (fl+ x (fl* epsilon x)))
+    (f! beside there)
+    (flvector-set! beside k x)
+    (for/fold ([most most]) ([a (in-flvector here)] [b (in-flvector there)] [x (in-flvector y)])
+      (flmax most (fl/ (flabs (fl- b a)) (fl+ 1.0 (flabs x)))))))
+
+(define epsilon 2.220446049250313e-16)

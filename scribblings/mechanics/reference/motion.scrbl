@@ -310,7 +310,10 @@ the same, for it loses less to rounding. Which it was, @racket[trajectory-method
 formula is 0/0, as that of a top upright, and its
 coefficients lose their digits, @racket['Dormand-Prince-853] bridges the gap. With a tolerance
 that leaves no room for what is lost there, as 1e-13 for a top in Euler angles that passes
-through the vertical, the motion ends in a message that names the coordinate. A system of
+through the vertical, the motion ends in a message that names the coordinate. So does one that
+passes a place where its state has too few digits for the tolerance, as a spherical pendulum in
+polar coordinates at 1e-10 from the vertical, whatever method follows it, if its steps are not
+of fixed length and not implicit. A system of
 many coordinates takes its rates from derivatives of its Lagrangian's own list of operations,
 which is short, and is run by an interpreter until compiling it pays: a chain of 100 links
 is released and followed for a second in a third of a second, derivation included.}
