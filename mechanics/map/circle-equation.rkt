@@ -26,7 +26,7 @@
 ;; ---------------------------------------------------------------------------
 ;; A curve to begin with: an orbit near the circle, its points in the order of the rotation's.
 
-;; -> (n -> x, y: the curve at n angles)
+;; -> (n -> x, y: the curve at n angles), and the greatest distance across between neighbours
 (define (curve-of-orbit map y0 omega)
   (define count 16384)
   (define p (flvector 0.0 y0))
@@ -39,7 +39,13 @@
                         (flvector-ref p 1))
               (unless (step! p) (raise-no-image 'invariant-circle map 0.0 y0)))))
   (vector-sort! points (lambda (a b) (fl< (flvector-ref a 0) (flvector-ref b 0))))
-  (lambda (n) (values (interpolated points n 1) (interpolated points n 2))))
+  (values (lambda (n) (values (interpolated points n 1) (interpolated points n 2)))
+          (greatest-gap points)))
+
+;; On a curve neighbours in the order of the rotation's angles are near each other.
+(define (greatest-gap points)
+  (for/fold ([most 0.0]) ([p (in-vector points)] [q (in-vector points 1)])
+    (flmax most (flabs (whole-turns-less (fl- (flvector-ref q 1) (flvector-ref p 1)))))))
 
 ;; Column k of the points, at n equally distant angles, by straight lines.
 (define (interpolated points n k)

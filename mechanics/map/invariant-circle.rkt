@@ -85,6 +85,10 @@
 ;; A curve is refined by more terms if its residual is less; else the orbit is the better start.
 (define worth-refining 1e-5)
 
+;; An orbit of many thousand points leaves gaps of some 0.05 on a circle that is about to break up,
+;; and of half a turn where it wanders about.
+(define widest-gap 0.5)
+
 ;; between : two ordinates, at the angle 0, with the circle between them
 (define-plain (invariant-circle map rotation-number #:between [between #f]
                                 #:most-modes [most 4096])
@@ -100,7 +104,8 @@
   (check-irrational who rotation)
   (define J (flonum who (curve-between who map rotation 0 low high 1e-9 between-hint)))
   (define equation (circle-equation who map J omega))
-  (define orbit (curve-of-orbit map J omega))
+  (define-values (orbit gap) (curve-of-orbit map J omega))
+  (when (fl> gap widest-gap) (raise-chaotic who rotation J))
   (define (found x y error)
     (circle rotation (periodic-value-at x) (periodic-value-at y)
             (quotient (flvector-length x) 2) error))
@@ -124,6 +129,15 @@
                                        "it may have broken up")
                         #f error #:show? #f
                         "rotation number" rotation "residual" error "terms" modes))
+
+;; Newton's method would find nothing, which takes minutes where the map is that of a motion.
+(define (raise-chaotic who rotation J)
+  (raise-not-convergent who
+                        (string-append "no invariant circle was found: the orbit that turns most "
+                                       "like it lies on no curve,\n  as where the motion is "
+                                       "chaotic; it may have broken up")
+                        #f #f #:show? #f
+                        "rotation number" rotation "start of the orbit" (up 0.0 J)))
 
 ;; On a circle whose rotation number is a fraction all orbits would be periodic; of such circles a
 ;; map keeps none but those that it turns like a rotation.

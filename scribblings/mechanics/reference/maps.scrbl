@@ -471,7 +471,8 @@ solved and halfway between these, computed with the numbers of the machine as th
 rounding is a part of it. Of a map computed to rounding it comes down to some 1e-14; of a
 motion, to the error of that, where more terms do not help any more. Where it comes down to neither
 with @racket[most] terms, @racket[exn:fail:mechanics:not-convergent] is
-raised: the circle has broken up, or is about to.
+raised: the circle has broken up, or is about to. It is raised before Newton's method where the
+orbit from the place that was found is on no curve, as in a chaotic sea.
 
 @examples[#:eval session
 (eval:error (invariant-circle (standard-map 1.1) golden #:most-modes 256))]

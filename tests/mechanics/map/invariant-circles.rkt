@@ -76,6 +76,17 @@
                               (regexp-match? #rx"it may have broken up" (exn-message e))))
              (lambda () (invariant-circle (standard-map 1.1) golden #:most-modes 256))))
 
+(test-case "of a motion that is chaotic there it is told in seconds, with the reason"
+  (define T (driven-pendulum-map 1 1 9.8 0.1 (* 2 (sqrt 9.8))))
+  (define begun (current-process-milliseconds))
+  (for ([rotation (list golden (- 1 golden))])
+    (check-exn (lambda (e)
+                 (and (exn:fail:mechanics:not-convergent? e)
+                      (regexp-match? #rx"on no curve,\n  as where the motion is chaotic"
+                                     (exn-message e))))
+               (lambda () (invariant-circle T rotation #:between '(-10 10)))))
+  (check-true (< (- (current-process-milliseconds) begun) 20000)))
+
 (test-case "up to which parameter a circle is found: nearer to where it breaks up with more terms"
   (define (limit most)
     (invariant-circle-limit standard-map golden 0.93 1.0 #:tolerance 0.01 #:most-modes most))
