@@ -392,8 +392,16 @@ static double step_tolerance(double tolerance) { return greater(1e-15, 0.1 * tol
 
 static const int most_failures = 100;
 
+/* t + h, or what is next to t if that is t. */
+static double later(double t, double h)
+{
+    const double now = t + h, least = 2.220446049250313e-16 * fabs(t);
+    return now == t ? t + (h < 0.0 ? -least : least) : now;
+}
+
 /* One step that is accepted.  t, h: the time and the length tried first, which become the time
    after the step and the length of the next one; finite: were all errors finite?
+   The time after it is rounded, and the step is as long as that says.
    -> a status */
 static int take_step(dop853 *m, const double *p, double tolerance, double sign, double end,
                      double *t, double *h, double *taken, int *finite)
@@ -401,13 +409,12 @@ static int take_step(dop853 *m, const double *p, double tolerance, double sign, 
     const double remaining = fabs(end - *t);
     *finite = 1;
     for (;;) {
-        const int last = *h >= (1.0 - 1e-7) * remaining;
-        const double length = last ? remaining : *h;
+        const double now = *h >= (1.0 - 1e-7) * remaining ? end : later(*t, sign * *h);
+        const double length = fabs(now - *t);
         const double error = try_step(m, p, sign * length) / tolerance;
+        const double next = next_length(length, error);
         if (error <= 1.0) {
-            const double now = last ? end : *t + sign * length;
-            const double next = next_length(length, error);
-            if (now == *t && next <= length) return DOP853_TOO_SHORT;
+            if (*t + *h == *t && next <= length) return DOP853_TOO_SHORT;
             accept_step(m, p);
             *t = now;
             *h = next;
@@ -416,7 +423,7 @@ static int take_step(dop853 *m, const double *p, double tolerance, double sign, 
         }
         if (*t + 0.125 * length == *t) return DOP853_TOO_SHORT;
         if (!(error < HUGE_VAL)) *finite = 0;
-        *h = next_length(length, error);
+        *h = now == later(*t, sign * next) ? 0.75 * length : next;  /* as rounding has it */
     }
 }
 

@@ -11,7 +11,7 @@
 
 (require racket/flonum
          "lost-digits.rkt" "step-size.rkt" "stepper.rkt"
-         (only-in "../constants.rkt" rounding) "../flvector.rkt"
+         (only-in "../constants.rkt" epsilon rounding) "../flvector.rkt"
          "../../error/failure.rkt")
 
 (provide integrate integrate-step step-tolerance)
@@ -54,7 +54,9 @@
       [(= failures most-failures) (give-up t 'boundary)]
       [else
        (define-values (now next finite?)
-         (take-step m s tolerated t end sign (flmin longest h) give-up))
+         (if (method-step m)
+             (take-equal-step s start t count end sign h give-up)
+             (take-step m s tolerated t end sign (flmin longest h) give-up)))
        (when clock (flvector-set! (stepper-state s) clock now))
        (define on? (visit t now (stepper-interpolant s)))
        (when (and on? (not (fl= now end)))
@@ -65,7 +67,7 @@
 
 (define (length-to-begin-with m s f! tolerated longest span)
   (define sign (if (fl< span 0.0) -1.0 1.0))
-  (cond [(method-step m)]
+  (cond [(method-step m) => (lambda (h) (flmin longest h))]
         [(foreseeing-stepper? s) longest]
         [else (flmin longest (first-length m s f! tolerated sign (flabs span)))]))
 
@@ -90,9 +92,12 @@
   (define tolerated (step-tolerance tolerance))
   (define s (start-stepper m f! y0 tolerated))
   (define sign (if (fl< h 0.0) -1.0 1.0))
+  (define give-up (giving-up f! s stuck))
+  (define end (fl+ t h))
   (define-values (now next finite?)
-    (take-step m s tolerated t (fl+ t h) sign
-               (or (method-step m) (flabs h)) (giving-up f! s stuck)))
+    (if (method-step m)
+        (take-equal-step s t t 0 end sign (method-step m) give-up)
+        (take-step m s tolerated t end sign (flabs h) give-up)))
   (when clock (flvector-set! (stepper-state s) clock now))
   (define proposed (if (foreseeing-stepper? s) ((foreseeing-stepper-limit s)) next))
   (values now (flvector-copy (stepper-state s)) (fl* sign proposed)))
@@ -113,8 +118,10 @@
       (take-foreseen-step s tolerance t end sign h give-up)
       (take-tried-step m s tolerance t end sign h give-up)))
 
-;; A step as long as it may be.  The time after it is rounded, and the step is as long as that
-;; says: rounding errors of the time would be errors of the state.
+;; The time after a step is rounded, and the step is as long as that says: rounding errors of the
+;; time, which far from 0 are many times those of a step, would be errors of the state.
+
+;; A step as long as it may be.
 (define (take-foreseen-step s tolerance t end sign longest give-up)
   (define limit ((foreseeing-stepper-limit s)))
   (unless (fl> limit 0.0) (give-up t 'boundary))
@@ -145,20 +152,38 @@
 (define (take-tried-step m s tolerance t end sign h give-up)
   (define remaining (flabs (fl- end t)))
   (let try ([h h] [finite? #t])
-    (define last? (fl>= h (fl* almost-all remaining)))
-    (define length (if last? remaining h))
+    (define now (if (fl>= h (fl* almost-all remaining)) end (later t (fl* sign h))))
+    (define length (flabs (fl- now t)))
     (define error (fl/ ((stepper-try! s) (fl* sign length)) tolerance))
+    (define next (proposed m s length error))
     (cond
       [(fl<= error 1.0)
-       (define now (if last? end (fl+ t (fl* sign length))))
-       (define next (if (method-step m) h (proposed m s length error)))
-       (when (and (fl= now t) (fl<= next length)) ; time stands still
+       (when (and (fl= (fl+ t h) t) (fl<= next length)) ; time stands still
          (give-up t 'step-too-short))
        ((stepper-accept! s))
        (values now next finite?)]
-      [(method-step m) (give-up t 'step-fails)]
       [(fl= (fl+ t (fl* 0.125 length)) t) (give-up t 'step-too-short)]
-      [else (try (proposed m s length error) (and finite? (fl< error +inf.0)))])))
+      [else
+       (define same? (fl= now (later t (fl* sign next)))) ; as rounding has it
+       (try (if same? (fl* 0.75 length) next) (and finite? (fl< error +inf.0)))])))
+
+;; t + h, or what is next to t if that is t.
+(define (later t h)
+  (define now (fl+ t h))
+  (define least (fl* epsilon (flabs t)))
+  (if (fl= now t) (if (fl< h 0.0) (fl- t least) (fl+ t least)) now))
+
+;; A step of a method that takes all of the same length h, after `count` others from the time
+;; `start` on.  Here the state decides what the time is: it is counted, so that rounding errors
+;; of it do not add up.
+(define (take-equal-step s start t count end sign h give-up)
+  (define remaining (fl- (flabs (fl- end start)) (fl* (->fl count) h)))
+  (define last? (fl>= h (fl* almost-all remaining)))
+  (define now (if last? end (fl+ start (fl* sign (fl* (->fl (+ count 1)) h)))))
+  (when (and (fl= now t) (not last?)) (give-up t 'step-too-short)) ; time stands still
+  (unless (fl<= ((stepper-try! s) (fl* sign (if last? remaining h))) 1.0) (give-up t 'step-fails))
+  ((stepper-accept! s))
+  (values now h #t))
 
 (define (proposed m s length error)
   (if (controlled-stepper? s)

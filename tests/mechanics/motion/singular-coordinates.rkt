@@ -61,11 +61,27 @@
      #rx"\n  rounding in the state derivative is more than the tolerance allows\n" message)
     (check-true (< 0.26 end 0.2702))))
 
-(test-case "the usual tolerance steps over it"
-  ;; θ and φ from a formula in which nothing cancels, with 150 bits
-  (define s ((state-advancer (lambda () by-momenta)) momenta-at-start 0.3 1e-10))
-  (check-= (ref s 1 0) -0.001724638834188983 1e-11)
-  (check-= (ref s 1 1) 4.186231403299509 1e-7))
+(define (advanced start tolerance)
+  (with-handlers ([exn:fail:mechanics:singular? (lambda (e) #f)])
+    ((state-advancer (lambda () by-momenta)) start 0.3 tolerance)))
+
+;; Where steps happen to fall decides; they do so for about half of all starts.
+(test-case "near the usual tolerance it may be stepped over, and what follows is right"
+  (define arrived
+    (for*/list ([tolerance '(8e-11 9e-11 1e-10 1.01e-10 1.1e-10 1.2e-10 1.5e-10 2e-10 5e-10)]
+                [s (in-value (advanced momenta-at-start tolerance))]
+                #:when s)
+      s))
+  (check-true (pair? arrived))
+  (for ([s arrived])
+    ;; θ and φ from a formula in which nothing cancels, with 150 bits
+    (check-= (ref s 1 0) -0.001724638834188983 1e-11)
+    (check-= (ref s 1 1) 4.186231403299509 1e-7)))
+
+(test-case "a greater tolerance steps over it, wherever the motion begins"
+  (for ([k 20])
+    (define s (advanced (up 0.0 (up (+ 0.01 (* k 1e-5)) 0.0 0.0) (down 0.0 p p)) 1e-8))
+    (check-true (structure? s))))
 
 ;; One degree of freedom, where p_φ = p_ψ is a parameter.
 (define (reduced s)

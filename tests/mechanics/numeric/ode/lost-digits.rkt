@@ -25,13 +25,22 @@
   (check-equal? why 'lost-digits)
   (check-true (< 0.99 t 1.0)))
 
+;; From here the same steps lead to where it failed when that is to be the end, not all others do.
+(define late-start (flvector 1.11 0.0))
+
 (test-case "what has come to its end has not failed"
+  (define steps 0)
+  (define (counted from to interpolant) (set! steps (+ steps 1)))
   (define end
     (let/ec return
-      (integrate dormand-prince-54 passing! start 0.0 2.0 #:tolerance 1e-15
+      (integrate dormand-prince-54 passing! late-start 0.0 2.0 #:tolerance 1e-15 #:visit counted
                  #:stuck (lambda (t y why) (return t)))))
-  (define-values (t y) (integrate dormand-prince-54 passing! start 0.0 end #:tolerance 1e-15))
-  (check-equal? t end))
+  (define till-it-failed steps)
+  (set! steps 0)
+  (define-values (t y)
+    (integrate dormand-prince-54 passing! late-start 0.0 end #:tolerance 1e-15 #:visit counted))
+  (check-equal? t end)
+  (check-equal? steps till-it-failed))
 
 (test-case "one above it does not"
   (define-values (t y) (integrate dormand-prince-54 passing! start 0.0 2.0 #:tolerance 1e-12))
