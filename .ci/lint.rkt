@@ -32,7 +32,9 @@
 ;; Kept, though check-requires cannot see what for: programs run in the file's namespace.
 ;; ((file . module) ...)
 (define needed
-  '(("tests/mechanics/plot/figures.rkt" . "mechanics/book")
+  '(("tests/mechanics/examples.rkt" . "mechanics/book")
+    ("tests/mechanics/examples.rkt" . "mechanics/plot")
+    ("tests/mechanics/plot/figures.rkt" . "mechanics/book")
     ("tests/mechanics/plot/figures.rkt" . "mechanics/plot")
     ("tests/mechanics/animation/programs.rkt" . "mechanics/animate")
     ("tests/mechanics/animation/programs.rkt" . "mechanics/book")))

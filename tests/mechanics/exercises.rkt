@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The programs for the exercises: which there are, what each says of itself, and how what it
-;; prints looks.  What it should be is tested in them.
+;; prints looks.  What it should be is tested in them, which is run here.
 
 (require (only-in mechanics/book)
          (only-in mechanics/plot)
@@ -9,7 +9,8 @@
          racket/runtime-path
          racket/string
          rackunit
-         "../../scribblings/mechanics/exercises.rkt")
+         "../../scribblings/mechanics/exercises.rkt"
+         "support/example-programs.rkt")
 
 (define-runtime-path folder "../../examples/mechanics/exercises")
 
@@ -47,24 +48,21 @@
       (check-false (string-suffix? text ".") (exercise-file e)))))
 
 ;; ---------------------------------------------------------------------------
-;; What they print
+;; What they print, and their tests
 
 (define-namespace-anchor here)
 
-;; In a namespace where the library is loaded already, and no program.
-(define (printed e)
-  (define out (open-output-string))
-  (define namespace (make-base-empty-namespace))
-  (for ([library (in-list '(mechanics mechanics/book mechanics/plot))])
-    (namespace-attach-module (namespace-anchor->empty-namespace here) library namespace))
-  (parameterize ([current-namespace namespace] [current-output-port out])
-    (dynamic-require (build-path folder (exercise-file e)) #f))
-  (get-output-string out))
+(define (check-printed e text)
+  (check-true (> (string-length text) 10) (exercise-file e))
+  (check-false (string-contains? text "#<") text)
+  (for ([line (in-list (string-split text "\n"))])
+    (check-true (< (string-length line) 80) line)))
 
-(test-case "what they print fits a terminal, and nothing opaque is in it"
-  (for ([e (in-list all)])
-    (define text (printed e))
-    (check-true (> (string-length text) 10) (exercise-file e))
-    (check-false (string-contains? text "#<") text)
-    (for ([line (in-list (string-split text "\n"))])
-      (check-true (< (string-length line) 80) (format "~a: ~a" (exercise-file e) line)))))
+(for ([e (in-list all)])
+  (define name (exercise-file e))
+  (define program (build-path folder name))
+  (define space (loaded-from here 'rackunit 'mechanics 'mechanics/book 'mechanics/plot))
+  (alone (format "the tests of ~a" name)
+         (test-case (format "what ~a prints fits a terminal, and nothing opaque is in it" name)
+           (check-printed e (run-example space program)))
+         (test-example space program)))

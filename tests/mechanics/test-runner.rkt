@@ -50,7 +50,7 @@
   (check-line good #rx"^ok +3 .*passing.rkt")
   (check-equal? (length good) 7))
 
-(test-case "the test submodule of an example is run"
+(test-case "the test submodule is run where there is one"
   (check-line good #rx"^ok +1 .*submodule.rkt"))
 
 (test-case "skips are listed with their reasons and counted"
@@ -144,3 +144,9 @@
   (check-true (found? #rx"tests/mechanics/test-runner.rkt$"))
   (check-true (found? #rx"tests/mechanics/numeric/quadrature/gauss-kronrod.rkt$"))
   (check-false (found? #rx"/fixture/|/bench/|/runner/|info.rkt$|/compiled/")))
+
+(test-case "the runner compiles the examples that have tests, and leaves them to the tests"
+  (define names (map path->string (example-files)))
+  (check-true (> (length names) 200))
+  (for ([name (in-list names)]) (check-regexp-match #rx"/examples/mechanics/" name))
+  (check-equal? (filter (lambda (file) (member file (test-files))) (example-files)) '()))

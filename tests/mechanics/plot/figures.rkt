@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The figures are programs, and other programs draw figures: each writes its picture to
-;; the file named on its command line.  What they draw is tested beside them.
+;; the file named on its command line.  What they draw is tested beside them, which is run here.
 
 (require (only-in mechanics/book)
          (only-in mechanics/plot)
@@ -10,7 +10,8 @@
          racket/runtime-path
          racket/string
          rackunit
-         "../support/picture-programs.rkt" "../support/skip.rkt")
+         "../support/example-programs.rkt" "../support/picture-programs.rkt"
+         "../support/skip.rkt")
 
 (define-runtime-path figures "../../../examples/mechanics/figures")
 (define-runtime-path constraints "../../../examples/mechanics/constraints")
@@ -37,38 +38,29 @@
 
 (define-namespace-anchor here)
 
-(define (make-namespace)
-  (loaded-from here 'mechanics 'mechanics/book 'mechanics/plot 'mechanics/plot/picture))
+(define libraries '(rackunit mechanics mechanics/book mechanics/plot))
+
+(define (make-namespace) (apply loaded-from here libraries))
 
 ;; What it prints, run as a program with these arguments; again in another namespace, where
 ;; it was not run before.
 (define (run program #:in [namespace (make-namespace)] . arguments)
-  (apply run-in-namespace namespace program arguments))
+  (apply run-example namespace `(submod ,program main) arguments))
 
 ;; Loads the drawing library, or finds that it is not there.
 (define problem (why-not))
 
 ;; Programs that are run once share what they load.
-(define shared (and (not problem) (make-namespace)))
+(define shared
+  (if problem (make-namespace) (apply loaded-from here 'mechanics/plot/picture libraries)))
+
+(test-case "all figures are there"
+  (check-equal? (length programs) 79))
 
 (skip-unless (not problem)
              "the shared libraries of racket/draw are not installed: no figures"
 
-  (test-case "all figures are there"
-    (check-equal? (length programs) 79))
-
-  (for ([program (in-list programs)] [extension (in-cycle '("svg" "png" "pdf"))])
-    (define name (name-of (path-replace-extension program #"")))
-    (test-case (format "~a writes a picture in ~a" name extension)
-      (in-a-folder
-       (define file (string-append "picture." extension))
-       (define printed (run program file #:in shared))
-       (check-true (string-prefix? printed "(frame x from ") printed)
-       (check-true (string-suffix? printed (format "written: ~a\n" file)) printed)
-       (check-equal? (map path->string (directory-list)) (list file))
-       (check-true (> (file-size file) 5000)))))
-
-  (test-case "so do systems with constraints"
+  (test-case "systems with constraints write pictures"
     (in-a-folder
      (run (build-path constraints "Atwood-machines.rkt"))
      (check-equal? (map path->string (directory-list)) '("Atwood-machines.png")))
@@ -83,3 +75,23 @@
      (check-equal? (map path->string (directory-list)) '("figure-1-2.png"))
      (check-exn #rx"expected the name of one file, ending in .png, .svg or .pdf"
                 (lambda () (run (build-path figures "figure-1-2.rkt") "a.png" "b.png"))))))
+
+;; ---------------------------------------------------------------------------
+;; Each, and what is tested beside it
+
+(define (check-writes program extension)
+  (in-a-folder
+   (define file (string-append "picture." extension))
+   (define printed (run program file #:in shared))
+   (check-true (string-prefix? printed "(frame x from ") printed)
+   (check-true (string-suffix? printed (format "written: ~a\n" file)) printed)
+   (check-equal? (map path->string (directory-list)) (list file))
+   (check-true (> (file-size file) 5000))))
+
+(for ([program (in-list programs)] [extension (in-cycle '("svg" "png" "pdf"))])
+  (define name (name-of (path-replace-extension program #"")))
+  (alone (format "the tests of ~a" name)
+         (unless problem
+           (test-case (format "~a writes a picture in ~a" name extension)
+             (check-writes program extension)))
+         (test-example shared program)))

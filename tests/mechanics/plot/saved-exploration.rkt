@@ -13,7 +13,8 @@
          (only-in mechanics/plot/orbit-worker start-worker ask-worker stop-worker)
          racket/file
          rackunit
-         "../support/display.rkt" "../support/picture-programs.rkt" "../support/skip.rkt")
+         "../support/display.rkt" (only-in "../support/example-programs.rkt" loaded-from)
+         "../support/picture-programs.rkt" "../support/skip.rkt")
 
 (define-namespace-anchor here)
 

@@ -26,8 +26,9 @@
 ;; reason : #f, or a string saying how the process ended if not properly
 (struct outcome (file passed failed skips reason output seconds))
 
-(define (run files jobs limit progress?)
-  (compile-files files (max 2 (processor-count)) (and progress? "the tests"))
+;; programs : what they run besides, to be compiled with them
+(define (run files programs jobs limit progress?)
+  (compile-files (append files programs) (max 2 (processor-count)) (and progress? "the tests"))
   (define outcomes (sort (run-files files jobs limit) path<? #:key outcome-file))
   (define skips
     (for*/list ([o (in-list outcomes)] [reason (in-list (outcome-skips o))])
@@ -98,6 +99,7 @@
   (define jobs (processor-count))
   (define limit 600)
   (define progress? #f)
+  (define all? #f)
   (define (positive text what)
     (define n (string->number text))
     (unless (and (real? n) (> n 0))
@@ -114,12 +116,13 @@
       (set! limit (positive s "the limit"))]
      [("-p" "--progress") "say how far the compilation is" (set! progress? #t)]
      #:args paths
-     (if (null? paths) (test-files) (append-map files-under (map path->complete-path paths)))))
+     (set! all? (null? paths))
+     (if all? (test-files) (append-map files-under (map path->complete-path paths)))))
   ;; A break, however it comes, ends the children before the runner.
   (define children (make-custodian))
   (define code
     (with-handlers ([exn:break? (lambda (e) (eprintf "interrupted\n") 130)])
       (parameterize ([current-custodian children])
-        (run files jobs limit progress?))))
+        (run files (if all? (example-files) '()) jobs limit progress?))))
   (custodian-shutdown-all children)
   (exit code))
