@@ -14,8 +14,8 @@
 (require racket/flonum
          (only-in racket/vector vector-copy)
          "check.rkt" "mass-matrix.rkt"
-         "../../compile/builder.rkt" "../../compile/compile-function.rkt" "../../compile/program.rkt"
-         "../../compile/sweep.rkt"
+         "../../compile/builder.rkt" "../../compile/compile-function.rkt"
+         "../../compile/program.rkt" "../../compile/sweep.rkt"
          "../../generic/up-down.rkt"
          "../../lagrangian/state-derivative.rkt"
          "../../numeric/flvector.rkt"

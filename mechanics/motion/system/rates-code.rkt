@@ -8,8 +8,8 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "../../compile/cache.rkt" "../../compile/compile-function.rkt" "../../compile/jet-program.rkt"
-         "../../compile/tangent-program.rkt"
+         "../../compile/cache.rkt" "../../compile/compile-function.rkt"
+         "../../compile/jet-program.rkt" "../../compile/tangent-program.rkt"
          "../../numeric/flvector.rkt")
 
 (provide expander-of program-expander jacobian-maker rates-jacobian fix-parameters)

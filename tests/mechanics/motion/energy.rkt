@@ -4,9 +4,9 @@
 (require racket/flonum
          rackunit
          (prefix-in m: mechanics)
-         mechanics/motion/system/make-system mechanics/motion/system/system mechanics/numeric/ode/gauss-legendre
-         mechanics/numeric/ode/quality-controlled mechanics/numeric/ode/stepper
-         mechanics/numeric/ode/symplectic)
+         mechanics/motion/system/make-system mechanics/motion/system/system
+         mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/quality-controlled
+         mechanics/numeric/ode/stepper mechanics/numeric/ode/symplectic)
 
 ;; A pendulum, released at 1 rad: period 6.7.
 (define (H state) (m:- (m:* 1/2 (m:square (m:ref state 2))) (m:cos (m:ref state 1))))
