@@ -4,7 +4,7 @@
 ;; It is followed by integration until it comes back to where it began, going the same way.  A
 ;; coordinate that is an angle may close by a turn.
 
-(require "../error/complain.rkt" "../error/failure.rkt"
+(require "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
@@ -28,6 +28,7 @@
 ;; first velocity passes 0, falling and then rising; where it does so elsewhere, it goes on.
 (define (closed-orbit who H state turn tolerance longest)
   (define start (checked-start who H state))
+  (when turn (check-turn who H start turn))
   (define flow (Hamiltonian->state-derivative H))
   (define first-rate (flow start))
   (define (away s)
@@ -40,7 +41,8 @@
       (with-handlers ([exn:fail:mechanics:singular? (lambda (e) (raise-runs-away who state e))])
         (evolve-trajectory (with-area flow) s longest #:events passing #:tolerance tolerance)))
     (define end (trajectory-final-state motion))
-    (when (null? (trajectory-events motion)) (raise-not-closed who state longest end))
+    (when (null? (trajectory-events motion))
+      (raise-not-closed who H state (and (not turn) (inner-state end)) longest end))
     (check-time-free who H (inner-state end))
     end)
   (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
@@ -54,13 +56,26 @@
                                     (after-name (exn-message e)))
                         (exn:fail:mechanics:singular-where e) +inf.0 #:show? #f))
 
-;; "evolve-trajectory: the motion …" without who said so
-(define (after-name message) (regexp-replace #rx"^[^ ]*: " message ""))
+;; "evolve-trajectory: the motion …" without who said so, and without states that hold the area
+(define (after-name message)
+  (regexp-replace* #rx"\n  (last state|state derivative)[^\n]*"
+                   (regexp-replace #rx"^[^ ]*: " message "") ""))
 
-(define (raise-not-closed who state longest end)
-  (raise-not-convergent who (format "the motion through ~a did not close by the time ~a"
-                                    (value->text state) longest)
+;; there : the state reached, if no turn was given
+(define (raise-not-closed who H state there longest end)
+  (raise-not-convergent who (format "the motion through ~a did not close by the time ~a~a"
+                                    (value->text state) longest
+                                    (if (and there (turns? H state there)) turn-hint ""))
                         end +inf.0 #:show? #f))
+
+;; Did it go round an angle?  Of a coordinate that H does not hold nobody knows.
+(define (turns? H state there)
+  (and (> (abs (- (coordinate there) (coordinate state))) (* 2 pi))
+       (comes-again? H there (* 2 pi))
+       (not (comes-again? H there 1.0))))
+
+(define turn-hint
+  "\n  it goes round; #:turn (* 2 pi) says that its coordinate comes again after a turn")
 
 ;; (t, (q, p), area), of which the area grows as p dq
 (define ((with-area flow) s)
@@ -99,14 +114,35 @@
 (define (checked-start who H state)
   (check-Hamiltonian-and-state who H state)
   (define-values (q p) (values (coordinate state) (momentum state)))
-  (unless (and (real? q) (real? p))
-    (complain who "expected a state of one coordinate, in numbers; given ~a" (value->text state)))
+  (unless (and (rational? q) (rational? p))
+    (complain who "expected a state of one coordinate, in ~anumbers; given ~a"
+              (if (and (real? q) (real? p)) "finite " "") (value->text state)))
   (check-numbers who H state)
   (when (at-rest? H state)
     (complain who "a state at rest has no period; given ~a" (value->text state)))
   (define start (up 0 (exact->inexact q) (exact->inexact p)))
   (check-time-free who H start)
   start)
+
+;; Degrees are easily given, and close no motion that radians do not.
+(define (check-turn who H start turn)
+  (unless (comes-again? H start turn)
+    (complain who
+              (string-append "the coordinate of ~a does not come again after a turn of ~a: its "
+                             "value is another there~a")
+              (value->text H) (value->text turn)
+              (if (comes-again? H start (* 2 pi)) "\n  after (* 2 pi) it does" ""))))
+
+;; Asked where the state is and at a few places beside it, where H has a value.
+(define (comes-again? H state turn)
+  (define (energy q)
+    (with-handlers ([refusal? (lambda (e) #f)]) (H (up 0.0 q (momentum state)))))
+  (for/and ([beside '(0.0 0.7318 -1.913)])
+    (define q (+ (coordinate state) beside))
+    (define-values (here there) (values (energy q) (energy (+ q turn))))
+    (or (not (rational? here))
+        (not (rational? there))
+        (<= (abs (- there here)) (* 1e-8 (+ 1 (abs here) (abs there)))))))
 
 (define (check-numbers who H state)
   (for ([x (in-list (scalars ((Hamiltonian->state-derivative H) state)))] #:unless (real? x))

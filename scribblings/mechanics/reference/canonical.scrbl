@@ -439,7 +439,8 @@ coordinate is an angle that comes again after @racket[turn], after one turn. The
 integrated to a tolerance; one that has not closed by the time @racket[longest], or runs away, is
 an @racket[exn:fail:mechanics:not-convergent]. Errors are a state at rest, a state of several
 coordinates or with symbols, parameters of H that are no numbers, an H that depends on the time,
-and a tolerance, turn or time that is not positive. The pendulum is there in closed form, too:
+a tolerance, turn or time that is not positive, and a turn after which H is another, as 360 where
+the angle is in radians. The pendulum is there in closed form, too:
 @secref["reference-pendulum"].
 
 @deftogether[(@defproc[(action-of-orbit [H procedure?] [state structure?]
@@ -492,7 +493,9 @@ backwards, and an action that is not positive, or of which no motion was found, 
 
 The integral ∮ p dq of a closed curve of states, a function of one parameter, which canonical
 transformations keep; with a Hamiltonian ∮ p dq − H dt, which the motion keeps, whatever the
-times of the states. A loop is a function of one parameter; values that are no states are errors.
+times of the states. A loop is a function of one parameter; values that are no states are errors,
+and so are momenta that have not come back at the end. A coordinate may be an angle, and come back
+a turn on.
 
 @examples[#:eval session
 (define (loop x) (up 0 (+ 1 (* 0.2 (cos x))) (+ 2 (* 0.3 (sin x)))))
