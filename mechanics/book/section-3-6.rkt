@@ -3,6 +3,7 @@
 
 (require mechanics
          (only-in "section-1-7.rkt" pend-state-derivative)
+         "../calculus/perturbed.rkt"
          "../generic/compare.rkt" "../generic/wrong-argument.rkt"
          "../motion/system/check.rkt")
 
@@ -55,6 +56,9 @@
 ;; The state of energy E on the section x = 0 on its way to positive x, or #f where the energy
 ;; does not suffice.
 (define (section->state E y p_y)
+  (for ([x (in-list (list E y p_y))] [name (in-list '(E y p_y))])
+    (unless (real? (comparand (innermost x)))
+      (complain-of-argument 'section->state (format "a real number as ~a" name) x)))
   (define twice-left
     (- (* 2 (- E (HHpotential (up 0 (up 0 y) (down 0 0)))))
        (square p_y)))

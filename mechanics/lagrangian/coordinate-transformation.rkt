@@ -52,8 +52,11 @@
     (complain 'F->C
               (string-append "the velocities are not of the shape of the coordinates"
                              "\n  coordinates: ~a"
-                             "\n  velocities: ~a")
-              (value->text (coordinate local)) (value->text (velocity local)))))
+                             "\n  velocities: ~a~a")
+              (value->text (coordinate local)) (value->text (velocity local))
+              (if (same-shape? (coordinate local) (flip (velocity local)))
+                  "\n  they are momenta: states of these are transformed by (F->CH F)"
+                  ""))))
 
 ;; How a local tuple (t, q, v) moves: (1, v, 0).
 (define (drift local)

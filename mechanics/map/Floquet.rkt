@@ -7,7 +7,7 @@
          "period.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../motion/system/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
          "../motion/linearized-flow.rkt"
          "../numeric/constants.rkt" "../numeric/linear/general-eigenvalues.rkt"
@@ -25,9 +25,12 @@
   (define who 'Floquet-multipliers)
   (check-derivative who derivative state)
   (check-real who "period" period)
+  (when (zero? (comparand period))
+    (complain-of-argument who "a period that is not 0" period))
+  (check-tolerance who tolerance)
   (check-period who derivative state period)
   (define first (if (timed-state? derivative state) 1 0))
-  (define-values (end columns) (displaced derivative state first period tolerance))
+  (define-values (end columns) (displaced who derivative state first period tolerance))
   (check-closed who derivative state end first)
   (define n (length columns))
   (define entries
@@ -36,12 +39,12 @@
   (sort (or (real-matrix-eigenvalues entries n) '()) > #:key magnitude))
 
 ;; -> where the state goes, and where the unit displacements from scalar number `first` on go
-(define (displaced derivative state first duration tolerance)
+(define (displaced who derivative state first duration tolerance)
   (note-followed derivative '() state)
   (define start (apply up state (unit-displacements state first)))
   (define (advance)
     ((state-advancer (lambda () (with-displacements derivative))) start duration tolerance))
-  (define end (structure->list (call-unwatched advance)))
+  (define end (structure->list (call-unwatched (lambda () (call-for-state who advance)))))
   (values (car end) (map scalars (cdr end))))
 
 ;; An angle may come back a whole turn on; another coordinate, or a momentum, may not.

@@ -12,6 +12,7 @@
 
 (require racket/flonum
          "compiled-map.rkt" "jacobian.rkt" "map-of-the-plane.rkt" "period.rkt" "plane-points.rkt"
+         "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
@@ -71,8 +72,10 @@
       (exponents-of-motion who system start duration 1 interval tolerance)))
 
 (define (exponents-of-motion who f state duration count interval tolerance)
+  (check-no-map who f)
   (check-derivative who f state)
   (check-positive who "duration" duration)
+  (check-tolerance who tolerance)
   (when interval (check-positive who "interval" interval))
   (define all (unit-displacements state (if (timed-state? f state) 1 0)))
   (unless (or (not count) (and (exact-positive-integer? count) (<= count (length all))))
@@ -83,11 +86,19 @@
   (define advance (state-advancer (lambda () (with-displacements f))))
   (define (step x vs)
     (define both (apply up x (map (shaped state) vs)))
-    (define end (structure->list (advance both (/ T steps) tolerance)))
+    (define (later) (advance both (/ T steps) tolerance))
+    (define end (structure->list (call-for-state who later)))
     (values (car end) (for/list ([v (in-list (cdr end))]) (row v))))
   (note-followed f '() state)
   (call-unwatched
    (lambda () (collect step state (map row (scattered all n)) (fl/ T (->fl steps)) steps))))
+
+(define (check-no-map who f)
+  (when (and (procedure? f) (accepts? f 4) (not (accepts? f 1)))
+    (complain who
+              (string-append "expected a state derivative, a function of the state\n  given: ~a\n  "
+                             "of a map, (maximal-Lyapunov-exponent map start n) tells the greatest")
+              (describe-function f))))
 
 (define (exact-round x) (inexact->exact (round x)))
 (define (row v) (for/flvector ([x (in-list (scalars v))]) (real->double-flonum x)))

@@ -29,7 +29,7 @@
     (complain-of-argument who "a tolerance, a positive number" tolerance))
   (define (circle-of k)
     (circle-for who (family k) rotation-number between most))
-  (circle-of from)                      ; if there is none, what is wrong is said
+  (unless (found? circle-of from) (raise-missing who rotation-number from to))
   (when (found? circle-of to) (raise-found who rotation-number to))
   (let narrow ([found from] [missing to])
     (define middle (/ (+ found missing) 2.0))
@@ -54,6 +54,12 @@
   (define number (comparand x))
   (unless (finite? number) (complain-of-argument who "a real number as the parameter" x))
   number)
+
+(define (raise-missing who rotation from to)
+  (raise-not-convergent who
+                        "no circle was found at the first of the two parameters, where it is to be"
+                        #f #f #:show? #f
+                        "rotation number" rotation "first" from "second" to))
 
 (define (raise-found who rotation-number to)
   (complain who

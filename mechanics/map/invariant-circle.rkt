@@ -96,6 +96,8 @@
 
 (define (circle-for who map rotation-number between most)
   (check-map who map)
+  (unless (exact-positive-integer? most)
+    (complain-of-argument who "#:most-modes, a positive integer" most))
   (define rotation (flonum who rotation-number))
   (define omega (fl* :2pi rotation))
   (define-values (low high) (ends who between omega))
@@ -123,10 +125,16 @@
 (define between-hint
   "\n  #:between (list low high) says between which ordinates it is, at the abscissa 0")
 
+;; A map that brings ordinates back to one turn turns by less than one.
+(define (turns-hint rotation)
+  (format "\n  where ordinates come back by whole turns, ~a is the same rotation"
+          (fl- rotation (flfloor rotation))))
+
 (define (raise-none who rotation error modes)
   (raise-not-convergent who
                         (string-append "no smooth invariant circle was found with so many terms; "
-                                       "it may have broken up")
+                                       "it may have broken up"
+                                       (if (fl<= 0.0 rotation 1.0) "" (turns-hint rotation)))
                         #f error #:show? #f
                         "rotation number" rotation "residual" error "terms" modes))
 

@@ -11,7 +11,8 @@
 (require racket/flonum
          "compiled-map.rkt" "map-of-the-plane.rkt"
          "../error/complain.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/wrong-argument.rkt"
+         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt" "../numeric/finite.rkt"
          "../search/find-root.rkt")
 
@@ -30,6 +31,8 @@
         [what (in-list '("rotation number" "angle" "least action" "greatest action"))])
     (unless (finite? (comparand x))
       (complain-of-argument who (format "a real number as ~a" what) x)))
+  (unless (and (finite? (comparand eps)) (positive? (comparand eps)))
+    (complain-of-argument who "a positive tolerance" eps))
   (define (ahead J) (which-way? rotation-number theta0 J map))
   (define-values (low high) (values (ahead Jmin) (ahead Jmax)))
   (when (= low high (if (= low 0) 1 low)) (raise-no-bracket who rotation-number Jmin Jmax low hint))
@@ -45,7 +48,7 @@
 
 ;; 1 if the orbit from (x0, y0) is found ahead of the rotation, -1 if behind, 0 if neither
 ;; within so many steps
-(define (which-way? rotation-number x0 y0 map [most-steps 20000000])
+(define-plain (which-way? rotation-number x0 y0 map [most-steps 20000000])
   (check-map 'which-way? map)
   (define start (real->double-flonum (comparand x0)))
   (define turn (fl* :2pi (real->double-flonum (comparand rotation-number))))

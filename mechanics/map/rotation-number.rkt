@@ -26,8 +26,9 @@
                      [steps-needed-by rotation-steps-needed] [regular? rotation-regular?]))
 
 ;; value : turns for each step; error : how much the means over parts of the orbit differ; steps :
-;; of the orbit; steps-needed : with how many the halves agree, or #f if that was not seen
-(value-struct rotation (value error steps steps-needed)
+;; of the orbit; steps-needed : with how many the halves agree, or #f if that was not seen;
+;; of-abscissa? : was the first coordinate taken for an angle?
+(value-struct rotation (value error steps steps-needed of-abscissa?)
   #:text (lambda (r) (rotation->text r)))
 
 (define-parts rotation? "what (rotation-number map start) gives"
@@ -53,7 +54,7 @@
   (check-goes-around who about p)
   (define steps (followed (flvector) n next-step! missing))
   (define-values (value error apart) (means steps (not about)))
-  (rotation value error n (steps-to-agree steps apart next-step! (not about))))
+  (rotation value error n (steps-to-agree steps apart next-step! (not about)) (not about)))
 
 ;; How many times as many steps are taken to see whether an orbit is regular, up to so many.
 (define-values (times-as-many most-steps) (values 8 10000))
@@ -81,7 +82,7 @@
   (define-values (whole half) (values (mean 0 n) (quotient n 2)))
   (define-values (halves others) (values (apart half) (apart (exact-floor (* golden-fraction n)))))
   (define rounded (fl* (flsqrt (->fl n)) epsilon))
-  (values whole
+  (values (if forwards? (flmax 0.0 whole) whole)
           (flmax (flmax halves others) (flmax (flabs (fl- whole (mean 0 half))) rounded))
           halves))
 
@@ -156,7 +157,9 @@
 (define (rotation->text r)
   (define-values (value error) (values (rotation-value r) (rounded (rotation-error r))))
   (define-values (steps needed) (values (rotation-steps r) (rotation-steps-needed r)))
-  (cond [(eqv? needed steps) (format "rotation number ~a, to about ~a" value error)]
+  (cond [(eqv? needed steps)
+         (format "rotation number ~a, to about ~a~a" value error
+                 (if (and (rotation-of-abscissa? r) (<= value (rotation-error r))) rest-hint ""))]
         [needed
          (format (string-append "rotation number about ~a: ~a steps are too few to tell it better"
                                 "\n  over parts of them it differs by ~a; ~a steps would do")
@@ -166,6 +169,10 @@
                                 "\n  the orbit does not look regular; over parts of it "
                                 "it differs by ~a")
                  (two-digits value) error)]))
+
+(define rest-hint
+  (string-append "\n  the first coordinate, taken for an angle, does not turn; "
+                 "how an orbit turns about a point, #:about tells"))
 
 (define (two-digits x) (/ (round (* 100 x)) 100))
 

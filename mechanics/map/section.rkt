@@ -51,10 +51,15 @@
 (define (check-state-derivative who f)
   (unless (and (procedure? f) (accepts? f 1))
     (complain who "expected a state derivative, a function of the state; given ~a~a"
-              (describe-function f) (quoted-name-hint f)))
+              (describe-function f) (derivative-hint f)))
   (when (of-momenta? f)
     (complain who "expected a state derivative, a function of the state\n  given: ~a\n  ~a"
               (describe-with-value f) (state-derivative-hint f))))
+
+(define (derivative-hint f)
+  (if (and (procedure? f) (accepts? f 0))
+      (format "\n  it makes one: (~a)" (value->text f))
+      (quoted-name-hint f)))
 
 ;; ---------------------------------------------------------------------------
 ;; Where the motion crosses next

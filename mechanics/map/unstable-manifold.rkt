@@ -21,6 +21,8 @@
     (apply values (for/list ([given (in-list (list xe ye dx dy A eps))])
                     (finite-number given))))
   (check-stretch stretch A)
+  (when (and (zero? across) (zero? up))
+    (complain 'unstable-manifold "the direction (dx, dy) is 0; it may be of any length but that"))
   (unless (positive? nearest)
     (complain-of-argument 'unstable-manifold "a positive distance from the fixed point" eps))
   (unary-function (lambda () (list 'unstable-manifold (value->datum T) xe ye dx dy A eps)) (s)

@@ -72,6 +72,7 @@
   (check-maker 'linearized-flow derivative-maker parameters)
   (define datum (made-by 'linearized-flow derivative-maker parameters))
   (define (derivative p parameters? state duration)
+    (check-rates-at 'linearized-flow derivative-maker parameters state)
     (note-followed derivative-maker parameters state)
     (flow-derivative (advancing p) derivative-maker parameters state duration parameters?))
   (define (derivative/keywords #:by-parameters? [parameters? #f] #:method [method #f]
@@ -85,6 +86,12 @@
     (define tolerance (and (pair? (cddr arguments)) (caddr arguments)))
     (derivative (plan-with tolerance) parameters? (car arguments) (cadr arguments)))
   (make-function (telling-what-it-takes 'linearized-flow derivative/keywords) 12 datum))
+
+;; A maker that makes something else is told of the state, and not of its displacements.
+(define (check-rates-at who maker parameters state)
+  (define derivative (derivative-for maker parameters))
+  (when (and (tuple? state) (procedure? derivative) (accepts? derivative 1))
+    (check-rates who derivative state (derivative state))))
 
 ;; -> the state reached and the length of the longest step
 (define (advance-flonums p s state duration)

@@ -18,7 +18,7 @@
 
 (provide advance-perturbed flow-derivative
          ;; for exponents and multipliers
-         with-displacements unit-displacements)
+         with-displacements unit-displacements call-for-state)
 
 ;; advance : maker parameters state duration -> state, as of a state-advancer
 
@@ -118,7 +118,8 @@
            (for/list ([dp (in-list all-changes)] [k (in-naturals 1)])
              (define-values (slope change) (varied maker ps dp s (ref all k)))
              change)))
-  (define end (structure->list (advance variations-maker ps (apply up state starts) duration)))
+  (define (later) (advance variations-maker ps (apply up state starts) duration))
+  (define end (structure->list (call-for-state 'linearized-flow later)))
   (define-values (by-state by-parameters) (split (cdr end) n))
   (flow (car end) by-state by-parameters))
 
@@ -133,6 +134,17 @@
            (for/list ([v (in-list (cdr parts))])
              (define-values (slope change) (value-and-derivative-along f s v))
              change))))
+
+;; (advance), of a state and its displacements: if it fails, the state alone is told.
+(define (call-for-state who advance)
+  (define (retold raise-failure what e-state)
+    (define s (if (tuple? e-state) (ref e-state 0) e-state))
+    (raise-failure who what s "last state" s))
+  (with-handlers ([exn:fail:mechanics:singular?
+                   (lambda (e)
+                     (retold raise-singular "the motion cannot be followed any further"
+                             (exn:fail:mechanics:singular-where e)))])
+    (advance)))
 
 ;; One in the direction of each scalar of the state from number `first` on.
 (define (unit-displacements state first)

@@ -6,7 +6,8 @@
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
-         "../map/map-of-the-plane.rkt")
+         "../map/map-of-the-plane.rkt"
+         "../numeric/finite.rkt")
 
 (require-on-demand ["../map/compiled-map.rkt" orbit-stepper]
                    ["explore-in-window.rkt" explore-in-window])
@@ -92,6 +93,8 @@
                   "")))
   (for/list ([p (in-list from)] [k (in-naturals)])
     (define-values (x y) (plane-point who (lambda () (format "start ~a" k)) p))
+    (unless (and (finite? x) (finite? y))
+      (complain who "start ~a is not of finite numbers\n  given: ~a" k (describe-with-value p)))
     (cons x y)))
 
 (define (check-image who f map x y)

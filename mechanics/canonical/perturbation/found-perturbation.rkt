@@ -95,7 +95,9 @@
     (for/list ([r (in-list (perturbation-resonances P))])
       (format "  resonance: ~a, kept in order ~a" (cadr r) (car r))))
   (apply string-append
-         (format "perturbation to order ~a in ~a" order
-                 (value->text (perturbation-parameter P)))
+         (format "perturbation to order ~a~a" order
+                 (if (eqv? 1 (perturbation-parameter P))
+                     ""
+                     (format " in ~a" (value->text (perturbation-parameter P)))))
          (for/list ([line (in-list (append lines divided kept))])
            (string-append "\n" line))))

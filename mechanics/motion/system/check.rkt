@@ -89,6 +89,12 @@
 ;; maker : what is to make a state derivative of that many parameters
 (define (check-maker who maker parameters)
   (check-not-residual who maker)
+  (when (and (pair? parameters) (state-derivative? maker))
+    (complain who
+              (string-append "it makes a state derivative of the parameters, and this is one "
+                             "already\n  given: ~a\n  parameters: ~a\n  what takes them is as "
+                             "(lambda (m) (Lagrangian->state-derivative (L m)))")
+              (value->text maker) (value->text parameters)))
   (unless (procedure? maker)
     (complain who "expected a procedure that makes a state derivative\n  given: ~a"
               (describe-with-value maker)))
@@ -104,6 +110,13 @@
          "\n  a state derivative itself is given without parameters"
          ""))))
 
+(define (state-derivative? f)
+  (define d (value->datum f))
+  (and (procedure? f)
+       (pair? d)
+       (memq (car d) '(Lagrangian->state-derivative Hamiltonian->state-derivative))
+       #t))
+
 ;; Lagrange's equations look like what motions are computed from.
 (define (check-not-residual who f)
   (define d (value->datum f))
@@ -115,9 +128,16 @@
 (define of-Hamiltonian
   "(Hamiltonian->state-derivative H) makes a state derivative of a Hamiltonian")
 
-;; Of what gives a number for a state
-(define (state-derivative-hint f)
-  (if (or (of-momenta? f) (called-Hamiltonian? f)) of-Hamiltonian of-Lagrangian))
+;; Of what gives a number for a state.
+(define (state-derivative-hint f [state #f])
+  (if (or (of-momenta? f) (called-Hamiltonian? f) (and state (momenta? state)))
+      of-Hamiltonian
+      of-Lagrangian))
+
+;; Has the state momenta, which are down?
+(define (momenta? state)
+  (define parts (vector->list (tuple-elements state)))
+  (and (= 3 (length parts)) (let ([p (caddr parts)]) (and (tuple? p) (down? p)))))
 
 ;; The state derivative itself may stand for the procedure of no parameters that
 ;; makes it.
@@ -178,7 +198,7 @@
     (complain who "the state derivative is of another shape than the state~a~a~a"
               (field "state" state) (field "derivative" slope)
               (cond [(and (tuple? state) (scalar? slope))
-                     (string-append "\n  " (state-derivative-hint derivative))]
+                     (string-append "\n  " (state-derivative-hint derivative state))]
                     [(list? slope) (list-hint slope)]
                     [(pointwise? slope) (parameters-hint derivative)]
                     [else ""]))))

@@ -241,7 +241,7 @@ multiplier and (dx, dy) its direction. The parameter is the distance along that 
 units of its length, near the fixed point, and is multiplied by A when the map is applied;
 within @racket[eps] of 0 the curve is taken for straight. Negative parameters are
 those of the other branch. The stable manifold is the unstable one of the inverse map, with
-1/A.
+1/A. A direction that is 0 is an error.
 
 @examples[#:eval session
 (define branch
@@ -348,8 +348,8 @@ How a motion depends on its start is told by @racket[linearized-flow].
          (listof number?)]{
 
 The multipliers of a closed orbit, the eigenvalues of the derivatives of the state a period later
-by the state; where the first scalar of the state is the time, it is left out. The greatest in
-size comes first.
+by the state; where the first scalar of the state is by the state; where the first scalar of the state is the time, it is left out. The greatest in
+size comes first. A period of 0 is an error.
 
 @examples[#:eval session
 (Floquet-multipliers (H-pend-sysder 1 1 9.8 0.05 omega) (up 0 :pi 0) (/ :2pi omega))
@@ -520,7 +520,8 @@ The first of the two is a lower bound of the parameter at which the circle break
 
 How many turns an orbit of a map of the plane makes for each step, a number from 0 to 1: of the
 first coordinate, an angle, or of the direction from the point @racket[about], then from −1/2 to
-1/2 and counterclockwise. The steps are averaged with weights that vanish at both ends of the
+1/2 and counterclockwise. Where the first coordinate does not turn, so that it may be no angle, it
+is said what @racket[#:about] is for. The steps are averaged with weights that vanish at both ends of the
 orbit, which gives some ten digits or more of 10,000 steps where the orbit is quasiperiodic. How
 much the averages over parts of the orbit differ tells how many; where those over its halves differ
 by more than
