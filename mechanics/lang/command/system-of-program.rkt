@@ -126,12 +126,20 @@
     (make-exported 'export
                    (if (null? ps) maker (lambda (s) ((derivative-for maker ps) s)))
                    (placeholder-state state) name order derivatives?
-                   #:names (variable-names maker state k)
+                   #:names (variable-names f k)
                    #:definition (definition-of f k symbols)
                    #:otherwise return)))
 
+;; What makes a state derivative of parameters says nothing of states; what it makes names the
+;; Lagrangian.
+(define (variable-names f k)
+  (define-values (maker ps state)
+    (values (followed-maker f) (followed-parameters f) (followed-state f)))
+  (or (names-by maker state k)
+      (and (pair? ps) (names-by (derivative-for maker ps) state k))))
+
 ;; A Lagrangian's own momenta are not what it calls its velocities.
-(define (variable-names maker state k)
+(define (names-by maker state k)
   (define names (look-up k maker (lambda (heads name) (state-names heads name state))))
   (define n (and names (quotient (length names) 2)))
   (if (and names (odd? (length names)) (memq 'Lagrangian->Hamiltonian (names-in maker k)))

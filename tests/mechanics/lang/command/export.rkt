@@ -36,10 +36,11 @@
   (check-equal? (answer "swing.rkt")
                 (list 0 (string-append
                          "maker-C\n  maker: (maker m l), of swing.rkt\n"
-                         "      variables t q v; parameters m l\n"
+                         "      variables t θ θdot; parameters m l\n"
                          "  cd maker-C && make && echo \"0.0 1.0 0.0 1.0 2.0\" | ./maker 10\n")))
   (check-true (wrote? "maker-C" "maker.c"))
   (check-regexp-match #rx"const double l = p\\[1\\]" (text "maker-C" "maker.c"))
+  (check-regexp-match #rx"const double thetadot = y\\[2\\]" (text "maker-C" "maker.c"))
   (check-equal? (answer "swing.rkt")
                 (list 2 (string-append "export: the folder is there already\n  folder: maker-C\n"
                                        "  to write it anew: --replace\n")))
