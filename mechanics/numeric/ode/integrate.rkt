@@ -54,9 +54,7 @@
       [(= failures most-failures) (give-up t 'boundary)]
       [else
        (define-values (now next finite?)
-         (if (method-step m)
-             (take-equal-step s start t count end sign h give-up)
-             (take-step m s tolerated t end sign (flmin longest h) give-up)))
+         (take-step m s tolerated start t count end sign (flmin longest h) give-up))
        (when clock (flvector-set! (stepper-state s) clock now))
        (define on? (visit t now (stepper-interpolant s)))
        (when (and on? (not (fl= now end)))
@@ -95,9 +93,7 @@
   (define give-up (giving-up f! s stuck))
   (define end (fl+ t h))
   (define-values (now next finite?)
-    (if (method-step m)
-        (take-equal-step s t t 0 end sign (method-step m) give-up)
-        (take-step m s tolerated t end sign (flabs h) give-up)))
+    (take-step m s tolerated t t 0 end sign (or (method-step m) (flabs h)) give-up))
   (when clock (flvector-set! (stepper-state s) clock now))
   (define proposed (if (foreseeing-stepper? s) ((foreseeing-stepper-limit s)) next))
   (values now (flvector-copy (stepper-state s)) (fl* sign proposed)))
@@ -111,12 +107,13 @@
 ;; rounding ends it, unless it is the state that no longer changes, and not the time.
 (define most-failures 100)
 
+;; After `count` others from the time `start` on.
 ;; -> the time after the step, the length of the next one, and whether no step was
 ;; tried whose error is not finite
-(define (take-step m s tolerance t end sign h give-up)
-  (if (foreseeing-stepper? s)
-      (take-foreseen-step s tolerance t end sign h give-up)
-      (take-tried-step m s tolerance t end sign h give-up)))
+(define (take-step m s tolerance start t count end sign h give-up)
+  (cond [(method-step m) (take-equal-step s start t count end sign h give-up)]
+        [(foreseeing-stepper? s) (take-foreseen-step s tolerance t end sign h give-up)]
+        [else (take-tried-step m s tolerance t end sign h give-up)]))
 
 ;; The time after a step is rounded, and the step is as long as that says: rounding errors of the
 ;; time, which far from 0 are many times those of a step, would be errors of the state.

@@ -237,13 +237,12 @@ static double integrate(double tolerance, double end, double output_step)
     double h = first_length(tolerance, end);
     while (t < end) {
         double remaining = end - t;
-        int last = h >= (1 - 1e-7)*remaining;
-        double length = last ? remaining : h;
+        double now = h >= (1 - 1e-7)*remaining ? end : t + h;
+        double length = now - t;
         double error = try_step(length)/tolerance;
         h = next_length(length, error);
         if (!(error <= 1)) continue;
         accept();
-        double now = last ? end : t + length;
         y[0] = now;
         if (output_step > 0 && shown*output_step <= now) {
             interpolant(length);
