@@ -42,8 +42,7 @@ its rates one of the same shape. Any consistent units.
 
 @racketvarfont{collect} is what is wanted of a last state; it is done by the workers where it can be
 compiled, and here where not. @racket[fold] is called with each value and what it returned for
-those before; at first with @racket[from], which must be given with it. A result that does not grow
-needs no more memory for a million starts, which may be any sequence. @racket[on-each] is called
+those before; at first with @racket[from], which must be given with it. @racket[on-each] is called
 with each index and value. Values come in the order of the starts, whatever is finished first:
 sums are the same each time.
 
@@ -51,6 +50,15 @@ sums are the same each time.
 (define (swing m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (evolve-ensemble swing starts 2 #:parameters (for/list ([k 5]) (list 1.0 (+ 1 (* 0.1 k)) 9.8))
                  #:collect (lambda (s) (square (ref s 2))) #:fold + #:from 0 #:jobs 1)]
+
+What is returned is what takes memory: measured, a last state @racket[(up t q v)] takes 130 bytes,
+one of two coordinates, @racket[(up t (up x y) (up vx vy))], 280, a number made by
+@racketvarfont{collect} 30, and an occurrence some 200, so that the last states of a million
+pendulums take 130 MB; each of the @racket[jobs] takes 90 MB, whatever their number. With
+@racket[fold] and a result that does not grow, as a sum, a histogram or the worst of all, a million
+starts take no more than a hundred: values are dropped as soon as they are folded. The starts,
+which may be any sequence, take as much as last states do if they are a list, and nothing if they
+are made one by one, as a generator does.
 
 With @racket[events] (@racket[event]) the value of a start is the list of what happened on its
 way, occurrences in their order (@racket[occurrence-time], @racket[occurrence-state]), instead of
