@@ -3,10 +3,11 @@
 ;; in terms of velocities.
 
 (require "H-state.rkt" "declared.rkt" "told.rkt"
-         "../error/refusal.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/function.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
-         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../lagrangian/called.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/local-tuple.rkt"
          (only-in "../value/structure.rkt" flip))
 
 (require-on-demand ["Legendre-transform.rkt" Hamiltonian->Lagrangian Lstate->Hstate])
@@ -14,9 +15,22 @@
 (provide as-Lagrangian as-Lagrangian-along as-Lagrangian-at as-local)
 
 ;; -> the Lagrangian, and the force outside as a function of local tuples, or #f
-;; A function that nothing tells to be a Hamiltonian is taken for a Lagrangian.
+;; A function that nothing tells to be a Hamiltonian is taken for a Lagrangian, unless it is called
+;; one: the answer would be that to another question.
 ;; q : coordinates; force : a function of the same states as f, or #f
-(define (as-Lagrangian who f q [force #f]) (checked who f force (Hamiltonian-told? f q)))
+(define (as-Lagrangian who f q [force #f])
+  (define told? (Hamiltonian-told? f q))
+  (unless told? (check-not-called-Hamiltonian who f))
+  (checked who f force told?))
+
+(define (check-not-called-Hamiltonian who f)
+  (when (called-Hamiltonian? f)
+    (complain who
+              (string-append
+               "this is called a Hamiltonian, and nothing else tells it from a Lagrangian: ~a"
+               "\n  a Hamiltonian is made known by (make-Hamiltonian ~a)"
+               "\n  of a Lagrangian, take another name")
+              (value->text f) (value->text f))))
 
 ;; The same where there is a path q.  It may be none, and f no function: those who solve the
 ;; equations say so.

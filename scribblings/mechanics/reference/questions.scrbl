@@ -315,7 +315,9 @@ Lagrangian whose parameters are numbers.
 
 Whether the system stays near the equilibrium q when it starts there slowly. The kinetic
 energy is taken to be positive where its parameters leave that open; one that is not
-raises @racket[exn:fail:contract], as does an L that changes in time. An equilibrium is
+raises @racket[exn:fail:contract], as does an L that changes in time. A Hamiltonian that nothing
+but its name tells to be one, as where a pattern @racket[(up t q p)] takes its state apart, is an
+error, too; @racket[make-Hamiltonian] makes it known. An equilibrium is
 
 @itemlist[
 @item{@italic{stable} where the stiffness matrix is positive: the energy is least;}
