@@ -10,7 +10,7 @@
 ;; divided into *sections*, each a closed procedure of its own; a value that a
 ;; later section needs passes through a scratch vector.  The matrix of a system of
 ;; many unknowns, whose entries are more than a section holds, is filled by sections
-;; of its own.  Room for that, and for the
+;; of its own; many values are delivered by such.  Room for that, and for the
 ;; systems of equations that are solved, is made once for many runs, one after the
 ;; other; several threads may run the code at once, each with room of its own.
 
@@ -46,7 +46,9 @@
   `(linklet (,(list* 'solve-dense! 'solve-symmetric! (functions-used p))) (make-run)
      ,@(for/list ([name (in-list names)] [s (in-list sections)])
          `(define-values (,name)
-            ,(if (filling? s) (filling->procedure p s scratch) (section->procedure p s scratch))))
+            ,(cond [(filling? s) (filling->procedure p s scratch)]
+                   [(delivery? s) (delivery->procedure p s scratch)]
+                   [else (section->procedure p s scratch)])))
      (define-values (make-run)
        (lambda ()
          (let-values ([(scratch) (make-flvector ,(hash-count scratch))]
@@ -113,7 +115,7 @@
                #:when slot)
      `(unsafe-flvector-set! scratch ,slot ,(name k)))
    (for/list ([operand (in-vector (program-outputs p))] [i (in-naturals)]
-              #:when (stored-by? p s operand))
+              #:when (and (section-outputs? s) (stored-by? p s operand)))
      (define value
        (if (and (place? operand) (< (place-index operand) (program-inputs p)))
            (load p scratch (place-index operand))
@@ -174,6 +176,16 @@
         `(begin ,@(storing (map form (entries-of p f)) (filling-from f)
                            (system-unknowns system))
                 (void)))))
+
+(define (delivery->procedure p d scratch)
+  `(lambda (input output scratch systems)
+     ,@(for/list ([operand (in-list (outputs-of p d))] [k (in-naturals (delivery-from d))])
+         (define value
+           (if (place? operand)
+               (load p scratch (place-index operand))
+               (real->double-flonum operand)))
+         `(unsafe-flvector-set! output ,k ,value))
+     (void)))
 
 ;; As `wrap` of algebra/expression/operation.rkt has it.  What is not a number stays so.
 (define (wrapping x low cut period)
