@@ -130,8 +130,10 @@
     (for/fold ([phi (g:* (expt 2.0 steps) (car as) u)])
               ([a (in-list as)] [c (in-list cs)] [_ (in-range steps)])
       (g:* 0.5 (g:+ phi (g:asin (g:/ (g:* c (g:sin phi)) a))))))
-  (define sn (g:sin phi))
-  (receive sn (g:cos phi) (g:sqrt (g:- 1.0 (g:square (g:* k sn))))))
+  (define-values (sn cn) (values (g:sin phi) (g:cos phi)))
+  ;; 1 − k² sn² without a difference, which would leave few digits of what is nearly 0
+  (define rest (g:* (g:- 1.0 k) (g:+ 1.0 k)))
+  (receive sn cn (g:sqrt (g:+ (g:square cn) (g:* rest (g:square sn))))))
 
 ;; ---------------------------------------------------------------------------
 
