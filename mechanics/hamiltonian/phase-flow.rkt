@@ -23,7 +23,18 @@
     (unless (and (tuple? state) (> (structure-length (adopt state)) 1))
       (complain 'phase-space-divergence "expected a state (up t q p); given ~a"
                 (describe-with-value state)))
+    (check-shape state (derivative state))
     (trace-beyond-time derivative state)))
+
+(define (check-shape state rates)
+  (unless (same-shape? rates state)
+    (complain 'phase-space-divergence
+              (string-append "the state derivative is of another shape than the state\n"
+                             "  state: ~a\n  derivative: ~a~a")
+              (value->text state) (value->text rates)
+              (if (tuple? rates)
+                  ""
+                  "\n  (Hamiltonian->state-derivative H) makes a state derivative of a Hamiltonian"))))
 
 (define (trace-beyond-time derivative state)
   (define names (scalars state))

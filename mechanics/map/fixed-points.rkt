@@ -66,10 +66,12 @@
   (define (less-unit rows)
     (for/vector ([row (in-vector rows)] [i (in-naturals)])
       (for/vector ([x (in-vector row)] [j (in-naturals)]) (if (= i j) (- x 1.0) x))))
-  (define-values (z error)
+  (define (search)
     (newton (lambda (z) (displacement m z)) (lambda (z) (less-unit (slopes-of-image m z)))
             (map-on-tuples-start m)
             #:tolerance tolerance #:limit limit #:argument (map-on-tuples-point m) #:name who))
+  (define-values (z error)
+    (if (of-section? map) (call-for-section who search) (search)))
   (define M (slopes-of-image m z))
   (define lost (left-by-rounding (less-unit M) z))
   (unless (fl< lost (fl* most-lost (fl+ 1.0 (greatest z))))
@@ -94,6 +96,28 @@
 
 ;; By more, beside 1 + |x|, the point is none.
 (define most-lost 1e-2)
+
+;; Where the energy is kept the fixed points of a section are a curve, one for each energy, along
+;; which the derivatives of the displacement have no inverse.
+(define (call-for-section who search)
+  (define (advised e)
+    (string-append
+     (exn-message e)
+     "\n  where the energy is kept a section has such points for each energy, none apart from others;"
+     "\n  at one energy it is a map of the plane: (define (map q p return fail) ...), as HHmap is"))
+  (with-handlers ([exn:fail:mechanics:not-convergent?
+                   (lambda (e)
+                     (raise (struct-copy exn:fail:mechanics:not-convergent e
+                                         [message #:parent exn (advised e)])))]
+                  [exn:fail:mechanics:singular:matrix?
+                   (lambda (e)
+                     (raise (struct-copy exn:fail:mechanics:singular:matrix e
+                                         [message #:parent exn (advised e)])))])
+    (search)))
+
+(define (of-section? map)
+  (define d (value->datum map))
+  (and (pair? d) (eq? 'Poincare-map (car d))))
 
 ;; By falling size.
 (define (multipliers-of M)

@@ -40,12 +40,18 @@
 ;; Means that differ by more are not those of a regular orbit.
 (define least-irregular 1e-5)
 
+;; The steps are kept, and a million of them are no better than rounding.
+(define longest-orbit 10000000)
+
 ;; about : the point around which angles are taken, or #f if the first coordinate is one
 (define-plain (rotation-number map start [n 10000] #:about [about #f])
   (define who 'rotation-number)
   (check-map who map)
   (unless (and (exact-integer? n) (>= n 100))
     (complain-of-argument who "the length of the orbit, an integer of 100 or more" n))
+  (when (> n longest-orbit)
+    (complain-of-argument who (format "an orbit of at most ~a steps" longest-orbit) n
+                          "\n  10000 give ten digits and more where the orbit is regular"))
   (define p (point who start))
   (define angle
     (if about (angle-about who map (point who about)) (lambda (p) (flvector-ref p 0))))

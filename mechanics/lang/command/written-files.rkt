@@ -17,6 +17,8 @@
 (define (options-first arguments [with-value '("-o")])
   (let loop ([left arguments] [options '()] [files '()])
     (cond [(null? left) (append options files)]
+          ;; a file behind it would be taken for the value that was forgotten
+          [(and (null? (cdr left)) (member (car left) with-value)) (append options left)]
           [(and (member (car left) with-value) (pair? (cdr left)))
            (loop (cddr left) (append options (list (car left) (cadr left))) files)]
           [(regexp-match? #rx"^-" (car left))

@@ -12,7 +12,7 @@
 ;; left of it.
 
 (require racket/flonum
-         "../flvector.rkt")
+         (only-in "../constants.rkt" epsilon) "../flvector.rkt")
 
 (provide make-crawl crawls? rounding-exceeds? state-too-coarse)
 
@@ -138,4 +138,3 @@
     (for/fold ([most most]) ([a (in-flvector here)] [b (in-flvector there)] [x (in-flvector y)])
       (flmax most (fl/ (flabs (fl- b a)) (fl+ 1.0 (flabs x)))))))
 
-(define epsilon 2.220446049250313e-16)

@@ -158,6 +158,10 @@ changes the image by no more than whole turns of these.
 (find-fixed-point (stroboscopic-map (H-pend-sysder 1 1 9.8 0.05 omega) (/ :2pi omega))
                   (up 0 0.1 0.1))]
 
+A section of a system that keeps its energy has fixed points for each energy, a curve of them, on
+which Newton's method does not settle: then the map of the plane at one energy is to be asked, as
+@racket[HHmap] is one.
+
 Kinds are @racket['elliptic] (multipliers on the unit circle), @racket['hyperbolic],
 @racket['reflection-hyperbolic] (two negative ones), @racket['parabolic] (one is 1 or −1 to 1e-6),
 @racket['attracting], @racket['repelling], and @racket['mixed] of some on the unit circle and some
@@ -348,7 +352,7 @@ How a motion depends on its start is told by @racket[linearized-flow].
          (listof number?)]{
 
 The multipliers of a closed orbit, the eigenvalues of the derivatives of the state a period later
-by the state; where the first scalar of the state is by the state; where the first scalar of the state is the time, it is left out. The greatest in
+by the state; where the first scalar of the state is the time, it is left out. The greatest in
 size comes first. A period of 0 is an error.
 
 @examples[#:eval session
@@ -521,13 +525,12 @@ The first of the two is a lower bound of the parameter at which the circle break
 How many turns an orbit of a map of the plane makes for each step, a number from 0 to 1: of the
 first coordinate, an angle, or of the direction from the point @racket[about], then from −1/2 to
 1/2 and counterclockwise. Where the first coordinate does not turn, so that it may be no angle, it
-is said what @racket[#:about] is for. The steps are averaged with weights that vanish at both ends of the
-orbit, which gives some ten digits or more of 10,000 steps where the orbit is quasiperiodic. How
-much the averages over parts of the orbit differ tells how many; where those over its halves differ
-by more than
-1e-5, the orbit is followed on, eight times as far at most and to no more than 10,000 steps. Then it
-is said how many steps would do, or that the orbit does not look regular. An orbit that starts at
-@racket[about] itself is an error.
+ is said what @racket[#:about] is for. The steps, ten million at most, are averaged with weights
+ that vanish at both ends of the orbit, which gives some ten digits or more of 10,000 steps where
+ the orbit is quasiperiodic. How much the averages over parts of the orbit differ tells how many;
+ where those over its halves differ by more than 1e-5, the orbit is followed on, eight times as far
+ at most and to no more than 10,000 steps. Then it is said how many steps would do, or that the
+ orbit does not look regular. An orbit that starts at @racket[about] itself is an error.
 
 @examples[#:eval session
 (rotation-number (standard-map 0.8) (circle 0))

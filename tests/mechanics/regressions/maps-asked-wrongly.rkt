@@ -42,6 +42,12 @@
                               (format "~a" (rotation-number HH (up 0.25 0) 500
                                                             #:about (up 0.3 0))))))
 
+;; So many steps would fill the memory.
+(says
+ [(rotation-number twist (up 3 0) 1000000000)
+  "rotation-number: expected an orbit of at most 10000000 steps\n  given: the number 1000000000\n"
+  "  10000 give ten digits and more where the orbit is regular"])
+
 ;; ---------------------------------------------------------------------------
 ;; In whose name
 
@@ -103,6 +109,28 @@
   "F->C: the velocities are not of the shape of the coordinates\n"
   "  coordinates: (up r phi)\n  velocities: (down p_r p_phi)\n"
   "  they are momenta: states of these are transformed by (F->CH F)"])
+
+(says
+ [((phase-space-divergence HHHam) (up 0 (up 0 1/2) (down 1 0)))
+  "phase-space-divergence: the state derivative is of another shape than the state\n"
+  "  state: (up 0 (up 0 1/2) (down 1 0))\n  derivative: 7/12\n"
+  "  (Hamiltonian->state-derivative H) makes a state derivative of a Hamiltonian"])
+
+(test-case "points of a section that are fixed at each energy"
+  (define rising (event (lambda (s) (ref (coordinate s) 0)) #:direction 'rising))
+  (check-regexp-match
+   #rx"for each energy.*at one energy it is a map of the plane: .define .map q p return fail"
+   (message-of (find-fixed-point (Poincare-map (HHsysder) rising) (section->state 1/8 0.3 0))
+               exn:fail:mechanics?)))
+
+;; Van der Pol's oscillator keeps no energy: its limit cycle is at x = 2.0086 where v = 0.
+(test-case "the section of a limit cycle has a point that is fixed"
+  (define (van-der-Pol s)
+    (define-values (x v) (values (ref s 1) (ref s 2)))
+    (up 1 v (- (* (- 1 (square x)) v) x)))
+  (define at-rest (event (lambda (s) (ref s 2)) #:direction 'falling))
+  (define p (find-fixed-point (Poincare-map van-der-Pol at-rest) (up 0 2 0)))
+  (check-= (ref (fixed-point-coordinates p) 1) 2.00861986 1e-7))
 
 (test-case "circles that are not there"
   (define-syntax-rule (told expression)

@@ -48,6 +48,14 @@
   (check-false (wrote? "maker-C" "maker.c"))
   (check-true (wrote? "maker-C" "maker.py")))
 
+;; The name of the file was taken for the language.
+(test-case "an option without its value"
+  (for ([option '("--to" "-o")])
+    (define told (answer "swing.rkt" option))
+    (check-false (eqv? 0 (car told)))
+    (check-regexp-match (string-append "the \"" option "\" option needs 1 argument, but 0 provided")
+                        (cadr told))))
+
 (test-case "several: they are told, and one is chosen, or all"
   (program "two.rkt"
            "(define ((L-fall g) (up t (up x y) (up vx vy)))"
