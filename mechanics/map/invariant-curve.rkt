@@ -6,14 +6,17 @@
 ;; rotation do.  So an orbit and the rotation are followed together, from one angle.  Only the
 ;; points nearest to that angle, before it and behind it, need be kept: when the rotation comes
 ;; nearer than ever, the orbit must as well, on the same side.  If it does not it is ahead, or
-;; behind.  Where actions turn faster the greater they are, bisection finds the curve.
+;; behind: by the sum of what its steps had more than the rotation's, for two angles on either
+;; side of half a turn from the start do not tell.  That sum stays below a turn where the rotation
+;; numbers are the same (Poincaré).  Where actions turn faster the greater they are, bisection
+;; finds the curve.
 
 (require racket/flonum
          "compiled-map.rkt" "map-of-the-plane.rkt"
          "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/wrong-argument.rkt"
-         "../numeric/constants.rkt" "../numeric/finite.rkt"
+         "../numeric/constants.rkt" "../numeric/finite.rkt" "../numeric/whole-turns.rkt"
          "../search/find-root.rkt")
 
 (provide find-invariant-curve which-way?
@@ -64,20 +67,23 @@
     (flvector-ref orbit 0))
   (compare-order start turn low later most-steps))
 
-;; z : the rotation's angle, x : the orbit's; the nearest to the start so far: z- and x- before
-;; it, z+ and x+ behind it
+;; z : the rotation's angle, x : the orbit's; ahead : how far the orbit is ahead of the rotation,
+;; a step being as many turns as bring it nearest to the rotation's; the nearest to the start so
+;; far: z- and x- before it, z+ and x+ behind it
 (define (compare-order start turn low later most-steps)
-  (let loop ([n 0] [z start] [x start]
+  (let loop ([n 0] [z start] [x start] [ahead 0.0]
              [z- (fl- start :2pi)] [x- (fl- start :2pi)]
              [z+ (fl+ start :2pi)] [x+ (fl+ start :2pi)])
-    (define (on z- x- z+ x+) (loop (+ n 1) (wrapped (fl+ z turn) low) (later) z- x- z+ x+))
+    (define (on z- x- z+ x+)
+      (define next (later))
+      (loop (+ n 1) (wrapped (fl+ z turn) low) next
+            (fl+ ahead (whole-turns-less (fl- (fl- next x) turn)))
+            z- x- z+ x+))
+    (define (decided) (if (fl> ahead 0.0) 1 -1))
     (cond [(> n most-steps) 0]
-          [(fl< start z z+) (cond [(fl< start x x+) (on z- x- z x)]
-                                  [(fl> x start) 1]
-                                  [else -1])]
-          [(fl< z- z start) (cond [(fl< x- x start) (on z x z+ x+)]
-                                  [(fl< x start) -1]
-                                  [else 1])]
+          [(fl> (flabs ahead) :2pi) (decided)]
+          [(fl< start z z+) (if (fl< start x x+) (on z- x- z x) (decided))]
+          [(fl< z- z start) (if (fl< x- x start) (on z x z+ x+) (decided))]
           [else (on z- x- z+ x+)])))
 
 (define (wrapped x low)
