@@ -7,7 +7,7 @@
 
 (require "closed-orbit.rkt" "momentum-of-action.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
@@ -18,7 +18,7 @@
 (require-on-demand
  ["../motion/evolve-trajectory.rkt" evolve-trajectory]
  ["../motion/trajectory.rkt" trajectory-events trajectory-final-state]
- ["../motion/event/event.rkt" event occurrence-state occurrence-time])
+ ["../motion/event/event.rkt" event occurrence-time])
 
 (provide action-of-orbit frequency-of-orbit state->action-angle action-angle->state)
 
@@ -58,19 +58,27 @@
 (define (time-to-center who H state center turn tolerance period)
   (define start (up 0 (exact->inexact (coordinate state)) (exact->inexact (momentum state))))
   (define flow (Hamiltonian->state-derivative H))
-  (define (away s) (apart (coordinate s) center turn))
   (define (forwards? s) (> (coordinate (flow s)) 0))
+  (define centers (centers-around (coordinate start) center turn))
   (cond
-    [(and (= (away start) 0) (forwards? start)) 0]
+    [(and (memv (coordinate start) centers) (forwards? start)) 0]
     [else
+     (define (passing c)
+       (event (lambda (s) (g:- (coordinate s) c)) #:name 'passing #:direction 'rising))
      (define motion
        (evolve-trajectory flow start (* 1.01 period) #:tolerance tolerance
-                          #:events (event away #:name 'passing #:direction 'rising)))
-     ;; half a turn away the sine rises as the coordinate falls
-     (or (for/first ([o (in-list (trajectory-events motion))]
-                      #:when (forwards? (occurrence-state o)))
-           (occurrence-time o))
+                          #:events (map passing centers)))
+     (define met (trajectory-events motion))
+     (if (pair? met)
+         (occurrence-time (car met))
          (raise-not-passing who state center turn start (trajectory-final-state motion)))]))
+
+;; The center; of an angle those next to q on both sides, to which it may come
+(define (centers-around q center turn)
+  (cond [turn
+         (define above (+ center (* turn (ceiling (/ (- q center) turn)))))
+         (map exact->inexact (list (- above turn) above))]
+        [else (list (exact->inexact center))]))
 
 (define (raise-not-passing who state center turn start end)
   (when (and turn (< (- (coordinate end) (coordinate start)) (* -1/2 turn)))

@@ -6,7 +6,7 @@
 
 (require "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/on-demand.rkt"
+         "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
@@ -20,36 +20,49 @@
  ["../motion/trajectory.rkt" trajectory-events trajectory-final-state]
  ["../motion/event/event.rkt" event])
 
-(provide (struct-out orbit) closed-orbit at-rest? apart longest-orbit check-options)
+(provide (struct-out orbit) closed-orbit at-rest? longest-orbit check-options)
 
 (struct orbit (period action) #:authentic)
 
 ;; The motion goes away, and comes back where it began going the same way: the distance along the
-;; first velocity passes 0, falling and then rising; where it does so elsewhere, it goes on.
+;; first velocity passes 0, falling and then rising; where it does so elsewhere, it goes on.  An
+;; angle may go a whole turn instead: its distance from the start tells, however long the steps.
 (define (closed-orbit who H state turn tolerance longest)
   (define start (checked-start who H state))
   (when turn (check-turn who H start turn))
   (define flow (Hamiltonian->state-derivative H))
   (define first-rate (flow start))
+  (define (moved s) (g:- (coordinate (inner-state s)) (coordinate start)))
   (define (away s)
-    (define inner (inner-state s))
-    (g:+ (g:* (coordinate first-rate) (apart (coordinate inner) (coordinate start) turn))
-         (g:* (momentum first-rate) (g:- (momentum inner) (momentum start)))))
+    (g:+ (g:* (coordinate first-rate) (moved s))
+         (g:* (momentum first-rate) (g:- (momentum (inner-state s)) (momentum start)))))
+  (define (beyond-turn s) (g:- (g:* (moved s) (moved s)) (* turn turn)))
+  (define (turned? s) (and turn (> (abs (moved s)) (* almost turn))))
+  (define whole-turn (if turn (list (event beyond-turn #:terminal? #t)) '()))
   (define (until direction s)
-    (define passing (event away #:direction direction #:terminal? #t))
+    (define events (cons (event away #:direction direction #:terminal? #t) whole-turn))
     (define motion
       (with-handlers ([exn:fail:mechanics:singular? (lambda (e) (raise-runs-away who state e))])
-        (evolve-trajectory (with-area flow) s longest #:events passing #:tolerance tolerance)))
+        (evolve-trajectory (with-area flow) s longest #:events events #:tolerance tolerance)))
     (define end (trajectory-final-state motion))
     (when (null? (trajectory-events motion))
       (raise-not-closed who H state (and (not turn) (inner-state end)) longest end))
     (check-time-free who H (inner-state end))
     end)
   (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
-    (define end (until 'rising (until 'falling s)))
-    (if (near? (inner-state end) start turn)
-        (orbit (time end) (/ (abs (part end 2)) (* 2 pi)))
-        (follow end))))
+    (define fallen (until 'falling s))
+    (define end (if (turned? fallen) fallen (until 'rising fallen)))
+    (cond [(near? (inner-state end) start turn) (orbit (time end) (/ (part end 2) (* 2 pi)))]
+          [(turned? end) (raise-no-turn who H state turn (inner-state end))]
+          [else (follow end)])))
+
+(define almost (- 1 1e-9))
+
+(define (raise-no-turn who H state turn end)
+  (complain who
+            (string-append "the coordinate of ~a is no angle that comes again after ~a: a turn "
+                           "on the motion is another\n  start: ~a\n  end: ~a")
+            (value->text H) turn (value->text state) (value->text end)))
 
 (define (raise-runs-away who state e)
   (raise-not-convergent who (format "the motion through ~a does not close: ~a" (value->text state)
@@ -87,12 +100,6 @@
 
 (define (inner-state s) (up (time s) (part (part s 1) 0) (part (part s 1) 1)))
 (define (part s i) (vector-ref (tuple-elements s) i))
-
-;; q − q₀, and what is like it nearby and comes again at each turn
-(define (apart q q0 turn)
-  (if turn
-      (g:* (/ turn (* 2 pi)) (g:sin (g:* (/ (* 2 pi) turn) (g:- q q0))))
-      (g:- q q0)))
 
 (define closeness 1e-5)
 (define longest-orbit 1e4)       ; the time after which it is given up, where nobody says
