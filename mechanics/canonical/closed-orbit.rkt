@@ -53,16 +53,10 @@
     (define fallen (until 'falling s))
     (define end (if (turned? fallen) fallen (until 'rising fallen)))
     (cond [(near? (inner-state end) start turn) (orbit (time end) (/ (part end 2) (* 2 pi)))]
-          [(turned? end) (raise-no-turn who H state turn (inner-state end))]
+          [(turned? end) (raise-no-turn who H turn)]
           [else (follow end)])))
 
 (define almost (- 1 1e-9))
-
-(define (raise-no-turn who H state turn end)
-  (complain who
-            (string-append "the coordinate of ~a is no angle that comes again after ~a: a turn "
-                           "on the motion is another\n  start: ~a\n  end: ~a")
-            (value->text H) turn (value->text state) (value->text end)))
 
 (define (raise-runs-away who state e)
   (raise-not-convergent who (format "the motion through ~a does not close: ~a" (value->text state)
@@ -134,11 +128,14 @@
 ;; Degrees are easily given, and close no motion that radians do not.
 (define (check-turn who H start turn)
   (unless (comes-again? H start turn)
-    (complain who
-              (string-append "the coordinate of ~a does not come again after a turn of ~a: its "
-                             "value is another there~a")
-              (value->text H) (value->text turn)
-              (if (comes-again? H start (* 2 pi)) "\n  after (* 2 pi) it does" ""))))
+    (raise-no-turn who H turn
+                   (if (comes-again? H start (* 2 pi)) "\n  after (* 2 pi) it does" ""))))
+
+(define (raise-no-turn who H turn [hint ""])
+  (complain who
+            (string-append "the coordinate of ~a does not come again after a turn of ~a: its "
+                           "value is another there~a")
+            (value->text H) (value->text turn) hint))
 
 ;; Asked where the state is and at a few places beside it, where H has a value.
 (define (comes-again? H state turn)

@@ -34,5 +34,5 @@
   (check-= (action-of-orbit moved (up 0 0 -9) #:turn turn) -9 1e-10))
 
 (test-case "a coordinate that is no angle of that turn"
-  (check-exn #rx"is no angle that comes again after 3"
+  (check-exn #rx"does not come again after a turn of 3"
              (lambda () (action-of-orbit (turning 1) (up 0 0 5) #:turn 3))))
