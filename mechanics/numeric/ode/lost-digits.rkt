@@ -137,4 +137,3 @@
     (flvector-set! beside k x)
     (for/fold ([most most]) ([a (in-flvector here)] [b (in-flvector there)] [x (in-flvector y)])
       (flmax most (fl/ (flabs (fl- b a)) (fl+ 1.0 (flabs x)))))))
-

@@ -23,7 +23,8 @@
 ;; function that changes by Δ from each to the next comes out wrong by about δ √Σ Δ²: that is
 ;; what rounding of x makes of a narrow peak far from 0, or of sin x near 10⁶.
 
-(require racket/flonum)
+(require racket/flonum
+         (only-in "../constants.rkt" epsilon))
 
 (provide (struct-out panel) integrate-panel panel-centre panel-width panel-least panel-greatest
          panel-polynomial panels-from-the-left rounding-of-nodes rounding-of-panel
@@ -143,8 +144,6 @@
 (define (rounding-of-panel p)
   (define unit (fl* epsilon (flmax (flabs (panel-low p)) (flabs (panel-high p)))))
   (fl* unit (flsqrt (fl+ (squared-steps (panel-left p)) (squared-steps (panel-right p))))))
-
-(define epsilon (expt 2.0 -52))
 
 ;; Values from the centre outwards, as differences from that at the centre.
 (define (squared-steps differences)

@@ -155,7 +155,8 @@ void pendulum_derivative(const double *y, const double *p, double *dy)
  derivatives by variables and parameters; the method of Dormand and Prince of order 8 with
  interpolation; ensembles under OpenMP; a program for the command line, a library and a
  @tt{Makefile}. Rates are those of our own code to the last bit, except where a function of C's
- library rounds differently or more than eight coordinates share a mass matrix, and motions take the steps of @racket['Dormand-Prince-853].}
+ library rounds differently or more than eight coordinates share a mass matrix, and motions take
+ the steps of @racket['Dormand-Prince-853].}
  @item{@tt{'python}: a package that calls this C with arrays of NumPy, and ensembles over a
  cluster of Dask, with batches that are done again when a worker dies and a checkpoint.}
  @item{@tt{'JAX}: one module, in 64 bits: the rates, steps of Runge and Kutta's method,
