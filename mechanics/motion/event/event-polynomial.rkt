@@ -7,42 +7,85 @@
 ;; is no polynomial, and the step is looked at in places, as many as that radius asks for.
 
 (require racket/flonum
+         (only-in racket/list last)
          racket/unsafe/ops
          "event-noise.rkt"
          "../../compile/jet-program.rkt" "../../compile/program.rkt"
-         "../../numeric/flvector.rkt" "../../numeric/unboxed.rkt"
+         (only-in "../../numeric/constants.rkt" rounding)
+         "../../numeric/flvector.rkt" "../../numeric/unboxed.rkt" "../../numeric/vector-map.rkt"
          "../../numeric/jet/expansion.rkt" "../../numeric/jet/polynomial-zeros.rkt"
          "../../numeric/ode/taylor-piece.rkt")
 
 (provide polynomial-along zeros-along polynomial-end (struct-out zero))
 
 ;; p : the program of a function of a state of n scalars, or #f
-;; -> (interpolant, the value where the step begins or #f -> coefficients along the step, from
-;; 0 to 1, an flvector; 'clear if there is plainly no zero; or how many places to look at), and
-;; (interpolant -> is the function of that step, which was looked at last, only noise?)
+;; -> (interpolant, the value where the step begins or #f -> parts of the step, with
+;; coefficients along each; 'clear if there is plainly no zero; or how many places to look at),
+;; and (-> is the function of the step that was looked at last only noise?)
 (define (polynomial-along p n tolerance)
   (define coordinate (and p (coordinate-of p n)))
   (define make (and p (not coordinate) (program->expansion-maker p n #:follow? #t)))
-  (define f (and (procedure? make) (follower make n tolerance #f)))
-  (define row-along
-    (cond [coordinate (lambda (e) (coefficient-row e coordinate))]
-          [f (lambda (e) (follow-function! f e))]
+  (define f (and (procedure? make) (follower make n tolerance #f 1.0)))
+  (define along
+    (cond [coordinate (lambda (e span first) (coordinate-along e coordinate span first))]
+          [f (lambda (e span first) (function-along f e span first))]
           [else #f]))
-  (values (polynomial-maker row-along coordinate tolerance)
-          (lambda (at) (and f (follows-noise? f (taylor-piece-span at))))))
+  (values (lambda (at first)
+            (if (and along (taylor-piece? at))
+                (call-with-coefficients at (lambda (e) (along e (taylor-piece-span at) first)))
+                usual-places))
+          (lambda () (and f (follows-noise? f)))))
 
-(define (polynomial-maker row-along coordinate tolerance)
-  (lambda (at first)
-    (if (and row-along (taylor-piece? at))
-        (call-with-coefficients at
-          (lambda (e)
-            (define row (row-along e))
-            (define span (taylor-piece-span at))
-            (if (and coordinate (clear? row (expansion-order e) (flabs span)))
-                'clear
-                (polynomial row (expansion-order e) span first
-                            (if coordinate #f tolerance)))))
-        usual-places)))
+;; Of a step: where it begins and how wide it is, the step being 1; the coefficients along it.
+(struct part (from width coefficients) #:authentic)
+
+(define (coordinate-along e coordinate span first)
+  (define row (coefficient-row e coordinate))
+  (define c (beginning-with first (scaled row (expansion-order e) span)))
+  (cond [(clear? row (expansion-order e) (flabs span)) 'clear]
+        [(flvector-finite? c) (list (part 0.0 1.0 c))]
+        [else usual-places]))
+
+(define (function-along f e span first)
+  (define (follow rows span)
+    (follow-function! f rows (expansion-order e) span)
+    (scaled (function-row (follower-own f)) (expansion-order e) span))
+  (define c (beginning-with first (follow (expansion-states e) span)))
+  (define tolerance (follower-tolerance f))
+  (cond [(not (flvector-finite? c)) usual-places]
+        [(converges? c tolerance) (list (part 0.0 1.0 c))]
+        [else
+         (define rows
+           (for/vector ([row (in-vector (expansion-states e))])
+             (scaled row (expansion-order e) span)))
+         (or (halves-along (lambda (rows) (follow rows 1.0)) rows 0.0 1.0 first
+                           (flmax rounding (fl* 1e-3 tolerance)) most-halvings)
+             (places-for c))]))
+
+;; The value there as it was where the step before ended, lest a zero between is missed.
+(define (beginning-with first c)
+  (when first (flvector-set! c 0 first))
+  c)
+
+;; Half as long, a series of twenty terms ends a million times as small: little more work leaves
+;; nothing of its rest.
+;; follow : rows of the state, along what is 1 there -> coefficients of the function
+;; rows : along the part that begins at `from` -> the parts of its halves, or #f
+(define (halves-along follow rows from width first tolerance halvings)
+  (define half (fl* 0.5 width))
+  (define (parts rows from first)
+    (define c (beginning-with first (follow rows)))
+    (cond [(not (flvector-finite? c)) #f]
+          [(converges? c tolerance) (list (part from half c))]
+          [(= halvings 0) #f]
+          [else (halves-along follow rows from half first tolerance (- halvings 1))]))
+  (define left (vector-map halved rows))
+  (define earlier (parts left from first))
+  (define later
+    (and earlier (parts (vector-map shifted left) (fl+ from half) (polynomial-end earlier))))
+  (and later (append earlier later)))
+
+(define most-halvings 6)
 
 (define usual-places 8)
 (define most-places 400)
@@ -54,15 +97,6 @@
         (unsafe-fl> (unsafe-flabs (unsafe-flvector-ref row 0)) (unsafe-fl* 1.01 rest))
         (loop (unsafe-fx- k 1)
               (unsafe-fl* span (unsafe-fl+ rest (unsafe-flabs (unsafe-flvector-ref row k))))))))
-
-;; tolerance : of the last terms, or #f for the coefficients of a coordinate, good as they are
-(define (polynomial row order span first tolerance)
-  (define c (scaled row order span))
-  (when first (flvector-set! c 0 first))
-  (cond [(not (flvector-finite? c)) usual-places]
-        [(not tolerance) c]
-        [(converges? c tolerance) c]
-        [else (places-for c)]))
 
 ;; Six for the radius of convergence.
 (define (places-for c)
@@ -80,25 +114,24 @@
   (and (place? o) (< (place-index o) n) (place-index o)))
 
 ;; make : order inputs -> expansion; own : that of the function, made for the order when it is
-;; known
-(struct follower (make n tolerance [own #:mutable]) #:authentic)
+;; known; span : of what was followed last, in the unit of its coefficients
+(struct follower (make n tolerance [own #:mutable] [span #:mutable]) #:authentic)
 
-;; -> the row of the function along the motion
-(define (follow-function! f e)
+;; rows : of the state, which the row of the function becomes known of
+(define (follow-function! f rows order span)
   (unless (follower-own f)
-    (set-follower-own! f ((follower-make f) (expansion-order e) (make-flvector (follower-n f)))))
+    (set-follower-own! f ((follower-make f) order (make-flvector (follower-n f)))))
   (define own (follower-own f))
-  (for ([from (in-vector (expansion-states e))] [to (in-vector (expansion-states own))])
-    (flvector-copy! to from))
-  (follow! own)
-  (function-row own))
+  (for ([from (in-vector rows)] [to (in-vector (expansion-states own))]) (flvector-copy! to from))
+  (set-follower-span! f span)
+  (follow! own))
 
 (define (function-row own) (vector-ref (expansion-slopes own) 0))
 
 ;; The motion followed last is changed for it.
-(define (follows-noise? f span)
+(define (follows-noise? f)
   (define own (follower-own f))
-  (define (size row) (row-size row (expansion-order own) span))
+  (define (size row) (row-size row (expansion-order own) (follower-span f)))
   (define row (flvector-copy (function-row own)))
   (vary-rows! (expansion-states own) (follower-tolerance f))
   (follow! own)
@@ -126,10 +159,14 @@
         (loop (unsafe-fx- k 1) (unsafe-fl+ sum (of (unsafe-flvector-ref c k)))))))
 
 (define (total c) (sum c unsafe-flabs))
-(define (polynomial-end c) (sum c begin))
+(define (polynomial-end parts) (sum (part-coefficients (last parts)) begin))
 
-;; The zeros along a step.  Where the function hardly varies nothing is touched.
-(define (zeros-along c tolerance)
+(define (zeros-along parts tolerance)
+  (for*/list ([p (in-list parts)] [z (in-list (zeros-of (part-coefficients p) tolerance))])
+    (zero (fl+ (part-from p) (fl* (part-width p) (zero-at z))) (zero-kind z))))
+
+;; Where the function hardly varies nothing is touched.
+(define (zeros-of c tolerance)
   (define size (total c))
   (define varies (fl- size (flabs (flvector-ref c 0))))
   (define touch (flmax tolerance (fl* 1e-15 size)))

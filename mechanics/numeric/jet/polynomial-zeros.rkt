@@ -16,7 +16,7 @@
          racket/unsafe/ops
          "../unboxed.rkt")
 
-(provide polynomial-zeros (struct-out zero))
+(provide polynomial-zeros (struct-out zero) halved shifted)
 
 ;; at : in (0, 1]; kind : 'rising, 'falling, or 'touching if p keeps its sign
 (struct zero (at kind) #:transparent)
