@@ -241,8 +241,8 @@ separation is one with a symbol for the energy, which the state then gives its v
 a number for it, or another expression, actions and frequencies are an error. So are parameters of
 H that are no numbers, and a state with symbols or of another shape. A coordinate that does not
 turn back, as one whose equation is of degree 1 in its momentum, is an
-@racket[exn:fail:mechanics]; one that rests has no frequency, and is an error; an integral over a
-swing that does not converge is an
+@racket[exn:fail:mechanics]; one that rests has the action 0, and no frequency, which is an error;
+an integral over a swing that does not converge is an
 @racket[exn:fail:mechanics:not-convergent].
 
 @examples[#:eval session
