@@ -15,8 +15,8 @@
 (provide Poisson-bracket rate-of-quantity)
 
 (define (Poisson-bracket f g)
-  (check-quantity 'Poisson-bracket f)
-  (check-quantity 'Poisson-bracket g)
+  (check-bracketed f)
+  (check-bracketed g)
   (define (name) (list 'Poisson-bracket (value->datum f) (value->datum g)))
   (unary-function name (state)
     (check-H-state 'Poisson-bracket state)
@@ -24,6 +24,15 @@
     (if (scalar? value)
         (bracket-with-scalar f g state)
         (bracket-with-structure f g (f state) value state))))
+
+;; A state may be applied, as any tuple, but is no tuple of functions.
+(define (check-bracketed f)
+  (check-quantity 'Poisson-bracket f)
+  (unless (of-functions? f)
+    (complain 'Poisson-bracket
+              (string-append "it takes functions of the state, and what it gives the state: "
+                             "((Poisson-bracket f g) state); given ~a")
+              (describe-with-value f))))
 
 (define (bracket-with-scalar f g state)
   (along f state 0 (((partial 2) g) state) (g:negate (((partial 1) g) state))))

@@ -21,7 +21,7 @@
 ;; Of one orbit; +nan.0 where it ends.
 (define (fast-Lyapunov-indicator map start [n 1000])
   (define who 'fast-Lyapunov-indicator)
-  (check-map who map)
+  (check-map who map start)
   (check-steps who n)
   (define-values (x y) (values (start-abscissa who start) (start-ordinate who start)))
   (define-values (make-step! compiled?) (displacement-stepper who map x y))

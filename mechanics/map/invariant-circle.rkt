@@ -95,7 +95,7 @@
   (circle-for 'invariant-circle map rotation-number between most))
 
 (define (circle-for who map rotation-number between most)
-  (check-map who map)
+  (check-map who map rotation-number)
   (unless (exact-positive-integer? most)
     (complain-of-argument who "#:most-modes, a positive integer" most))
   (define rotation (flonum who rotation-number))

@@ -29,7 +29,7 @@
 
 ;; hint : what else may be done where there is none
 (define (curve-between who map rotation-number theta0 Jmin Jmax eps [hint ""])
-  (check-map who map)
+  (check-map who map rotation-number theta0 Jmin Jmax)
   (for ([x (in-list (list rotation-number theta0 Jmin Jmax))]
         [what (in-list '("rotation number" "angle" "least action" "greatest action"))])
     (unless (finite? (comparand x))
@@ -52,6 +52,8 @@
 ;; 1 if the orbit from (x0, y0) is found ahead of the rotation, -1 if behind, 0 if neither
 ;; within so many steps
 (define-plain (which-way? rotation-number x0 y0 map [most-steps 20000000])
+  (when (ormap map? (list rotation-number x0 y0))
+    (complain 'which-way? "the map comes last: (which-way? rotation-number x0 y0 map)"))
   (check-map 'which-way? map)
   (define start (real->double-flonum (comparand x0)))
   (define turn (fl* :2pi (real->double-flonum (comparand rotation-number))))

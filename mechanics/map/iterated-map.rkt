@@ -18,7 +18,7 @@
 (define worthwhile 10000)
 
 (define (iterated-map map n)
-  (check-map 'iterated-map map)
+  (check-map 'iterated-map map n)
   (unless (exact-nonnegative-integer? n)
     (complain-of-argument 'iterated-map "how many times, a natural number" n))
   (define step #f)                      ; compiled, or 'none if it cannot be

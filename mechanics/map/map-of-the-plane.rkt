@@ -11,16 +11,22 @@
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/called.rkt" "../lagrangian/of-momenta.rkt")
 
-(provide check-map map-hint called-energy? energy-hint
+(provide check-map map? map-hint called-energy? energy-hint
          image-of point-image-of check-image raise-no-image image-or-none image-or-else)
 
-(define (check-map who map)
-  (unless (and (procedure? map) (accepts? map 4))
+;; others : the arguments behind it, one of which may be the map
+(define (check-map who map . others)
+  (unless (map? map)
+    (when (ormap map? others)
+      (complain who "the map comes first; it was given after ~a" (describe-with-value map)))
     (complain who
               (string-append "expected a map, a procedure of two "
                              "coordinates and of two procedures"
                              "\n  given: ~a~a")
               (describe-function map) (map-hint map))))
+
+;; Tuples answer `procedure?`, and take any number of arguments.
+(define (map? x) (and (pointwise? x) (accepts? x 4)))
 
 ;; What may have been meant by what is no map.
 (define (map-hint f)

@@ -26,7 +26,7 @@
 
 ;; The points (list x y) of an orbit; it ends where there is no image.
 (define (orbit-stream map x y)
-  (check-map 'orbit-stream map)
+  (check-map 'orbit-stream map x y)
   (let orbit ([x x] [y y])
     (stream-cons (list x y)
                  (image-or-else 'orbit-stream map x y orbit (lambda () empty-stream)))))

@@ -14,7 +14,7 @@
 ;; region : (list x-min x-max y-min y-max); -> fixed points of period n and no lesser one
 (define-plain (periodic-points map n region #:grid [grid '(20 20)])
   (define who 'periodic-points)
-  (check-map who map)
+  (check-map who map n region)
   (unless (exact-positive-integer? n) (complain-of-argument who "a period, a positive integer" n))
   (define-values (x-min x-max y-min y-max) (checked-region who region))
   (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))

@@ -46,7 +46,7 @@
 ;; about : the point around which angles are taken, or #f if the first coordinate is one
 (define-plain (rotation-number map start [n 10000] #:about [about #f])
   (define who 'rotation-number)
-  (check-map who map)
+  (check-map who map start)
   (unless (and (exact-integer? n) (>= n 100))
     (complain-of-argument who "the length of the orbit, an integer of 100 or more" n))
   (when (> n longest-orbit)

@@ -11,7 +11,7 @@
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/elementary.rkt"
          "../../generic/function.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../hamiltonian/H-state.rkt"
+         "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/operator.rkt"
          "../../value/series/access.rkt")
@@ -25,6 +25,7 @@
 (define (flow-transform H epsilon) (exponential 'flow-transform flow-derivative H epsilon))
 
 (define (exponential who derivative H epsilon)
+  (check-Hamiltonian who H)
   (unless (scalar? epsilon)
     (complain who "the parameter of a Lie series is a number or a symbol; given ~a"
               (describe-with-value epsilon)))

@@ -232,3 +232,14 @@
     (check-message
      (format "~a: expected what separate-Hamilton-Jacobi gives; given the number 3" name)
      (take 3))))
+
+(says
+ [(Poisson-bracket H0 two)
+  "Poisson-bracket: it takes functions of the state, and what it gives the state: "
+  "((Poisson-bracket f g) state); given (up s (up phi theta) (down P p)), an up tuple of 3"]
+ [(Lie-transform 'H0 'epsilon)
+  "Lie-transform: a Hamiltonian is a function of the state (up t q p); given the symbol H0"
+  "\n  with its quote it is only a name; the function itself is H0"]
+ [(Lie-transformation two 'epsilon 2)
+  "Lie-transformation: a Hamiltonian is a function of the state (up t q p); "
+  "given (up s (up phi theta) (down P p)), an up tuple of 3"])

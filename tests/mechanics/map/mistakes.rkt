@@ -184,5 +184,28 @@
   "stroboscopic-map: expected a state derivative, a function of the state; given the symbol H\n"
   "  with its quote it is only a name; the function itself is H"]
  [((stroboscopic-map H-by-hand 1) (up 0 0 1))
-  "state-advancer: the state derivative is of another shape than the state\n"
+  "stroboscopic-map: the state derivative is of another shape than the state\n"
   "  state: (up 0 0 1)\n  derivative: -0.5" makes-rates])
+
+;; Other orders, and states that are none.
+(define rates (Hamiltonian->state-derivative H))
+
+(says
+ [(rotation-number (up 1 1) T)
+  "rotation-number: the map comes first; it was given after (up 1 1), an up tuple of 2"]
+ [(fast-Lyapunov-indicator (up 1 1) T)
+  "fast-Lyapunov-indicator: the map comes first; it was given after (up 1 1), an up tuple of 2"]
+ [(iterated-map 10 T) "iterated-map: the map comes first; it was given after the number 10"]
+ [(invariant-circle 0.6 T)
+  "invariant-circle: the map comes first; it was given after the number 0.6"]
+ [(orbit-stream 1 T 1) "orbit-stream: the map comes first; it was given after the number 1"]
+ [(periodic-points 3 T '(0 1 0 1))
+  "periodic-points: the map comes first; it was given after the number 3"]
+ [(which-way? T 0.61 0 3) "which-way?: the map comes last: (which-way? rotation-number x0 y0 map)"]
+ [(explore-map f (up 1 1) 10)
+  "explore-map" no-map "(up 1 1), an up tuple of 2"]
+ [(stroboscopic-map 1 rates)
+  "stroboscopic-map: the state derivative comes first, then the period; these look swapped"]
+ [((stroboscopic-map rates 1) 'q)
+  "stroboscopic-map: expected a state, a tuple of real numbers such as (up t q v)\n"
+  "  given: the symbol q\n  give its symbols values first"])
