@@ -61,6 +61,11 @@
 (define-plain (Lyapunov-exponents derivative state duration
                                   #:count [count #f] #:interval [interval #f]
                                   #:tolerance [tolerance 1e-10])
+  (when (map? derivative)
+    (complain 'Lyapunov-exponents
+              (string-append "expected a state derivative; this is a map of the plane: ~a\n"
+                             "  of maps there is (maximal-Lyapunov-exponent map point steps)")
+              (value->text derivative)))
   (exponents-of-motion 'Lyapunov-exponents derivative state duration count interval tolerance))
 
 ;; The greatest one: of a motion for a duration, or of a map of the plane for n steps.

@@ -30,16 +30,19 @@
 ;; hint : what else may be done where there is none
 (define (curve-between who map rotation-number theta0 Jmin Jmax eps [hint ""])
   (check-map who map rotation-number theta0 Jmin Jmax)
-  (for ([x (in-list (list rotation-number theta0 Jmin Jmax))]
-        [what (in-list '("rotation number" "angle" "least action" "greatest action"))])
-    (unless (finite? (comparand x))
-      (complain-of-argument who (format "a real number as ~a" what) x)))
+  (check-numbers who (list rotation-number theta0 Jmin Jmax)
+                 '("rotation number" "angle" "least action" "greatest action"))
   (unless (and (finite? (comparand eps)) (positive? (comparand eps)))
     (complain-of-argument who "a positive tolerance" eps))
   (define (ahead J) (which-way? rotation-number theta0 J map))
   (define-values (low high) (values (ahead Jmin) (ahead Jmax)))
   (when (= low high (if (= low 0) 1 low)) (raise-no-bracket who rotation-number Jmin Jmax low hint))
   (bisect ahead Jmin Jmax eps))
+
+(define (check-numbers who xs names)
+  (for ([x (in-list xs)] [what (in-list names)])
+    (unless (finite? (comparand x))
+      (complain-of-argument who (format "a real number as ~a" what) x))))
 
 (define (raise-no-bracket who rotation-number Jmin Jmax way hint)
   (complain who
@@ -55,6 +58,7 @@
   (when (ormap map? (list rotation-number x0 y0))
     (complain 'which-way? "the map comes last: (which-way? rotation-number x0 y0 map)"))
   (check-map 'which-way? map)
+  (check-numbers 'which-way? (list rotation-number x0 y0) '("rotation number" "angle" "action"))
   (define start (real->double-flonum (comparand x0)))
   (define turn (fl* :2pi (real->double-flonum (comparand rotation-number))))
   (define low (fl- start pi))
@@ -67,7 +71,21 @@
   (define (later)
     (next)
     (flvector-ref orbit 0))
-  (compare-order start turn low later most-steps))
+  (define period (denominator (inexact->exact (comparand rotation-number))))
+  (if (<= period longest-period)
+      (compare-after period start turn later)
+      (compare-order start turn low later most-steps)))
+
+;; A rotation by so many parts of a turn is back soon, and no nearer ever after.
+(define longest-period 100)
+
+;; How much further than the rotation the orbit has turned in a period
+(define (compare-after period start turn later)
+  (define-values (excess _x)
+    (for/fold ([excess 0.0] [x start]) ([_ (in-range period)])
+      (define next (later))
+      (values (fl+ excess (whole-turns-less (fl- (fl- next x) turn))) next)))
+  (cond [(fl> excess 0.0) 1] [(fl< excess 0.0) -1] [else 0]))
 
 ;; z : the rotation's angle, x : the orbit's; ahead : how far the orbit is ahead of the rotation,
 ;; a step being as many turns as bring it nearest to the rotation's; the nearest to the start so

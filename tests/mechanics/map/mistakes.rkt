@@ -209,3 +209,12 @@
  [((stroboscopic-map rates 1) 'q)
   "stroboscopic-map: expected a state, a tuple of real numbers such as (up t q v)\n"
   "  given: the symbol q\n  give its symbols values first"])
+
+(says
+ [(which-way? 0.6 'a 1 T)
+  "which-way?: expected a real number as angle\n  given: the symbol a"]
+ [(which-way? +inf.0 0 1 T)
+  "which-way?: expected a real number as rotation number\n  given: the number +inf.0"]
+ [(Lyapunov-exponents T (up 0 1) 100)
+  "Lyapunov-exponents: expected a state derivative; this is a map of the plane: standard-map\n"
+  "  of maps there is (maximal-Lyapunov-exponent map point steps)"])
