@@ -53,8 +53,8 @@
 
 (define (check-quantity who Q)
   (unless (and (procedure? Q) (accepts? Q 1))
-    (complain who "a quantity is a function of the state (up t q p); given ~a~a"
-              (describe-function Q) (quoted-name-hint Q))))
+    (complain who "a quantity is a function of the state (up t q p); given ~a"
+              (describe-function Q))))
 
 ;; H, refusing to go on when its value is no number.
 (define (number-valued who H)

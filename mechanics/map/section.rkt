@@ -119,7 +119,9 @@
   (define what
     (if (rests? derivative state)
         "the motion rests where it starts, and does not come to the surface"
-        "the motion has not come back to the surface"))
+        (string-append "the motion has not come back to the surface"
+                       "\n  an angle that goes round passes a value once; its sine "
+                       "comes back to it each turn")))
   (raise-not-convergent 'Poincare-map what state #f #:show? #f
                         "event" e "start" state "steps" steps))
 

@@ -95,7 +95,7 @@
     (regexp-match #px"^\\(*([^\\s()]+) [^\n]*\\): takes 1 argument; it was given ([3-9])" message))
   (define m
     (cond [made-by (miscount (cadr made-by) #f (string->number (caddr made-by)))]
-          [(regexp-match? #rx" (local|state)[)]" said) (read-miscount message)]
+          [(regexp-match? #rx"[()][^ ()]* (local|state)[)]" said) (read-miscount message)]
           [else #f]))
   (define call
     (and m (>= (miscount-given m) 3)

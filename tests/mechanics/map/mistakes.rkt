@@ -218,3 +218,11 @@
  [(Lyapunov-exponents T (up 0 1) 100)
   "Lyapunov-exponents: expected a state derivative; this is a map of the plane: standard-map\n"
   "  of maps there is (maximal-Lyapunov-exponent map point steps)"])
+
+(test-case "an angle that goes round does not come back, and what does is told"
+  (define next (Poincare-map rates (event coordinate)))
+  (check-exn #rx"come back to the surface\n  an angle that goes round passes a value once; its sine"
+             (lambda () (next (up 0 0 9)))
+             "rotating")
+  (define turning (Poincare-map rates (event (compose sin coordinate) #:direction 'rising)))
+  (check-= (coordinate (turning (up 0 0 9))) (* 2 pi) 1e-9))
