@@ -10,7 +10,7 @@
          racket/flonum
          racket/list
          "flonum-functions.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-nodes.rkt"
-         "jet-rows.rkt" "jet-sharing.rkt" "jet-sums.rkt" "jet-work.rkt"
+         "jet-rows.rkt" "jet-sharing.rkt" "jet-sums.rkt" "jet-work.rkt" "program.rkt"
          "../numeric/jet/expansion.rkt" "../numeric/jet/kernels.rkt"
          "../numeric/jet/linear-system.rkt")
 
@@ -26,17 +26,27 @@
         [else
          (define degrees (if follow? (node-degrees g #f) (node-degrees g (graph-outputs g))))
          (expansion-maker (lambda (order inputs) (make-expansion g degrees order inputs))
-                          (graph-work g degrees))]))
+                          (graph-work g degrees) (branches? p))]))
 
 ;; make : order flvector -> expansion, given the values of all inputs, of which those beyond
-;; stay; work : what it takes
-(struct expansion-maker (make work)
+;; stay; work : what it takes; branches? : as in numeric/jet/expansion.rkt
+(struct expansion-maker (make work branches?)
   #:authentic
   #:property prop:procedure 0)
 
 ;; With these inputs.
 (define (maker->expander m inputs)
-  (expander (lambda (order) (m order inputs)) (expansion-maker-work m)))
+  (expander (lambda (order) (m order inputs)) (expansion-maker-work m)
+            (expansion-maker-branches? m)))
+
+;; Roots, arcs and the like have several branches.
+(define (branches? p)
+  (for/or ([i (in-vector (program-instructions p))])
+    (not (memq (instruction-operation i) of-one-branch))))
+
+(define of-one-branch
+  '(add subtract multiply divide negate solve component
+    exp log sin cos tan sec csc cot sinh cosh tanh sech csch coth))
 
 (define (make-expansion g degrees order inputs)
   (define nodes (graph-nodes g))

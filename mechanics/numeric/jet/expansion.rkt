@@ -15,8 +15,9 @@
          (struct-out expansion) (struct-out ending) expand! follow! coefficient-row
          for-each-sum value-at! coefficients-finite?)
 
-;; What makes expansions.  make : order -> expansion; work : what one of them takes
-(struct expander (make work)
+;; What makes expansions.  make : order -> expansion; work : what one of them takes;
+;; branches? : may they go on where f takes another branch, as that of √x² = x does where x < 0?
+(struct expander (make work branches?)
   #:authentic
   #:property prop:procedure 0)
 

@@ -16,26 +16,28 @@
 
 ;; f!, n     : the right-hand side, of how many variables; e : its expansion
 ;; tolerance : of the error of a step; order : of the expansion; share : ln q
+;; branches? : may f take another branch within a step (numeric/jet/expansion.rkt)?
 ;; y, lost   : the present state, and what rounding has lost of it
 ;; z, rest   : those that the step tried last leads to; from : where the last one began;
-;; slope     : room
+;; slope, within : room
 ;; unit      : of the time of the coefficients, a power of 2; limit : of the next step, or #f
 ;;             if the coefficients are not those of y
 ;; last      : length of the step accepted last, 0 before the first; tried : of that tried last
 ;; piece     : the step whose coefficients are in e, or #f
 ;; reader    : an expansion for reading pieces later, made then; read : the piece in it; lock :
 ;;             for one reader at a time
-(struct run (f! n e tolerance order share y lost z rest from slope
+(struct run (f! n e tolerance order share branches? y lost z rest from slope within
              [unit #:mutable] [limit #:mutable] [last #:mutable] [tried #:mutable]
              [piece #:mutable] [reader #:mutable] [read #:mutable] lock)
   #:authentic)
 
 (define (make-run f! n tolerance)
-  (define-vectors n y lost z rest from slope)
+  (define-vectors n y lost z rest from slope within)
   (define expand (expandable-expand f!))
   (define order (order-for tolerance (expander-work expand)))
   (define e (expand order))
-  (run f! n e tolerance order (log-share order tolerance) y lost z rest from slope
+  (run f! n e tolerance order (log-share order tolerance) (expander-branches? expand)
+       y lost z rest from slope within
        #f #f 0.0 0.0 #f #f #f (make-semaphore 1)))
 
 ;; Nothing to do where it has just been tried (outlook-from).
@@ -58,7 +60,8 @@
 
 (define (limit-of r)
   (or (run-limit r)
-      (let ([limit (expand-in-fit-unit! r)])
+      (let* ([usual (run-unit r)] [limit (expand-in-fit-unit! r)])
+        (unless (fl> limit 0.0) (set-run-unit! r usual)) ; what was tried fits nothing
         (set-run-limit! r limit)
         limit)))
 

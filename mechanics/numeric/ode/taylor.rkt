@@ -3,9 +3,10 @@
 ;; 2005; F. Biscani and D. Izzo, Monthly Notices of the RAS 504, 2021).
 ;;
 ;; The step is known from the last coefficients before it is taken (taylor-run.rkt,
-;; taylor-order.rkt), and is taken once.  Only where it grows much, as the first one does from
-;; nothing, is it asked whether y' = f(y) holds at its end: terms beyond the order may be the
-;; first that are not 0.
+;; taylor-order.rkt), and is taken once.  Where it grows much, as the first one does from
+;; nothing, it is asked whether y' = f(y) holds in some places of it: terms beyond the order may
+;; be the first that are not 0.  It is asked of each step where f has branches: the series of
+;; |x| = √x², which is x, knows nothing of what is beyond 0.
 ;;
 ;; The state is kept with what rounding loses of it at each step, so that the error of a long
 ;; run grows as the root of the number of steps.  What the motion is within a step, taylor-piece.rkt
@@ -15,7 +16,7 @@
          racket/unsafe/ops
          "expandable.rkt" "stepper.rkt" "taylor-order.rkt" "taylor-piece.rkt" "taylor-run.rkt"
          "vectors.rkt"
-         "../fields.rkt" "../flvector.rkt"
+         "../fields.rkt" "../flvector.rkt" "../unboxed.rkt"
          "../jet/expansion.rkt")
 
 (provide taylor outlook-from (struct-out outlook))
@@ -63,16 +64,25 @@
 
 ;; -> the error, as far as it is looked at
 (define (try! r h)
-  (define-fields run r e y lost z rest unit last)
+  (define-fields run r e y lost z rest unit last branches?)
   (limit-of r)
   (set-run-tried! r h)
   (advance-all! e (fl/ h unit) y lost z rest)
   (cond [(not (flvector-finite? z)) +nan.0]
-        [(fl<= (flabs h) (fl* growth last)) 0.0]
-        [else (fl* 0.01 (defect r h))]))
+        [(fl> (flabs h) (fl* growth last)) (fl* 0.01 (greatest-defect r h))]
+        [branches?
+         (define d (defect-at r h (fl/ h unit) z))
+         (if (fl<= d no-branch) 0.0 (fl* 0.01 d))]
+        [else 0.0]))
 
 ;; A step that is longer than the last by more is looked at.
 (define growth 4.0)
+
+;; In these parts of it: what is periodic may be the same at its end as it was at its beginning.
+(define places '(0.236 0.618 1.0))
+
+;; A defect of no more may be rounding's.
+(define no-branch 1e-11)
 
 ;; z + rest = y + lost + Σ c_k u^k, k from 1, where rounding loses nothing that is not in `rest`
 (define (advance-all! e u y lost z rest)
@@ -90,20 +100,37 @@
                           (unsafe-fl+ (unsafe-fl- x (unsafe-fl- sum back))
                                       (unsafe-fl- d back)))))
 
-;; By how much y' and f(y) differ at the end of a step, times its length.
-(define (defect r h)
-  (define-fields run r f! n e y z slope order unit)
-  (f! z slope)
-  (define u (fl/ h unit))
-  (for/fold ([greatest 0.0]) ([i (in-range n)])
-    (define change (fl* u (derivative (coefficient-row e i) order u)))
-    (define change-by-f (fl* h (flvector-ref slope i)))
-    (define scale (fl+ 1.0 (flmax (flabs (flvector-ref z i)) (flabs change))))
-    (flmax greatest (fl/ (flabs (fl- change change-by-f)) scale))))
+(define (greatest-defect r h)
+  (define-fields run r e unit within)
+  (for/fold ([greatest 0.0]) ([theta (in-list places)])
+    (define u (fl* theta (fl/ h unit)))
+    (value-at! e u within)
+    (worse greatest (defect-at r h u within))))
+
+;; +nan.0 is worse than any.
+(define (worse x y) (if (fl<= y x) x y))
+
+;; By how much y' and f(y) differ at the time u, in units, when the state is y, times the length of
+;; the step.
+(define (defect-at r h u y)
+  (define-fields run r f! n e slope order unit)
+  (f! y slope)
+  (define steps (fl/ h unit))
+  (let loop ([i 0] [greatest 0.0])
+    (if (unsafe-fx= i n)
+        (unboxed greatest)
+        (let* ([change (unsafe-fl* steps (derivative (coefficient-row e i) order u))]
+               [by-f (unsafe-fl* h (at slope i))]
+               [scale (unsafe-fl+ 1.0 (unsafe-flmax (unsafe-flabs (at y i)) (unsafe-flabs change)))]
+               [d (unsafe-fl/ (unsafe-flabs (unsafe-fl- change by-f)) scale)])
+          (loop (unsafe-fx+ i 1) (if (unsafe-fl<= d greatest) greatest d))))))
 
 (define (derivative row order u)
-  (for/fold ([sum 0.0]) ([k (in-range order 0 -1)])
-    (fl+ (fl* (->fl k) (at row k)) (fl* u sum))))
+  (let loop ([k order] [factor (->fl order)] [sum 0.0])
+    (if (unsafe-fx= k 0)
+        (unboxed sum)
+        (loop (unsafe-fx- k 1) (unsafe-fl- factor 1.0)
+              (unsafe-fl+ (unsafe-fl* factor (at row k)) (unsafe-fl* u sum))))))
 
 (define (accept! r)
   (define-fields run r y lost z rest from tried)
