@@ -48,7 +48,7 @@
   (check-swinging who alpha beta E)
   (when (at-rest? who beta E) (complain who "a pendulum at rest has no phase"))
   (define k (modulus beta E))
-  (define s (g:/ (g:sin (g:* 1/2 (coordinate state))) k))
+  (define s (g:/ (g:sin (g:* 1/2 (in-turn (coordinate state)))) k))
   (define dt (g:/ (elliptic-integral-F (asin-within s) k) (g:sqrt (g:/ beta alpha))))
   (if (negative? (number-of who "the momentum" (momentum state)))
       (g:- (g:/ pi (pendulum-oscillating-frequency alpha beta E)) dt)
@@ -69,9 +69,17 @@
 (define (time-of-turn who alpha beta state)
   (define E (energy alpha beta state))
   (check-turning who alpha beta E)
+  (when (downwards? who state) (raise-downwards who state))
   (define k (g:/ 1 (modulus beta E)))
   (define u (elliptic-integral-F (g:* 1/2 (in-turn (coordinate state))) k))
   (g:/ u (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha)))))
+
+(define (raise-downwards who state)
+  (complain who
+            (string-append "the pendulum turns with a negative momentum, and this is for a "
+                           "positive one; given ~a\n  the global variables are for both: "
+                           "pendulum-state-to-global-aa-state")
+            (value->text state)))
 
 ;; The angle, between −π and π
 (define (pendulum-oscillating-phase alpha beta)

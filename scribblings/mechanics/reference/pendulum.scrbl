@@ -14,10 +14,12 @@
 The pendulum H = p²/2α − β cos θ, for a pendulum of mass m and length l with α = ml² and β = mgl,
 by elliptic functions: what perturbation theory is compared with. With an energy E less than β it
 swings, with more it turns; an energy of the other sort, or below −β, is an error, as is β itself,
-where there is no period. Times count from θ = 0 with p > 0. The names are those of scmutils.
+where there is no period. Times count from θ = 0 with p > 0, and angles are between −π and π. The
+names are those of scmutils.
 Parameters, energies, times and states are numbers, α and β positive ones, in any consistent units;
 others are errors. A pendulum at rest has no angle variable: that is an error, too, but it stays
-where it is.
+where it is. What is of turns takes those with p > 0, but for @racket[pendulum-advance] and the
+global variables, which take all.
 
 @deftogether[(@defproc[((Hpendulum [alpha scalar] [beta scalar]) [state structure?]) scalar]
               @defproc[((pendulum-Hamiltonian [alpha scalar] [beta scalar]) [state structure?])
