@@ -8,9 +8,11 @@
 ;;     (n + 1) Zₙ₊₁ = ½ [A − B, Zₙ] + Σₚ B₂ₚ/(2p)! Σ [Z_{k₁}, [ ⋯ [Z_{k₂ₚ}, A + B] ⋯ ]],
 ;;
 ;; where the k add up to n: brackets alone.  For operators these are commutators.  Hamiltonians
-;; stand for their Lie derivatives, and [L_f, L_g] = L_{g, f} by Jacobi's identity.
+;; stand for their Lie derivatives, and [L_f, L_g] = L_{g, f} by Jacobi's identity.  The inner sums
+;; come again from order to order, and are kept.
 
 (require (only-in math/number-theory bernoulli-number)
+         "settled.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
          "../../hamiltonian/Poisson-bracket.rkt"
@@ -24,38 +26,42 @@
 (define (Baker-Campbell-Hausdorff A B)
   (define bracket
     (cond [(and (operator? A) (operator? B)) commutator]
-          [(and (pointwise? A) (pointwise? B)) (lambda (f g) (Poisson-bracket g f))]
+          [(and (pointwise? A) (pointwise? B))
+           (lambda (f g) (settled 'Baker-Campbell-Hausdorff (Poisson-bracket g f)))]
           [else
            (complain 'Baker-Campbell-Hausdorff
                      "expected two operators, or two Hamiltonians; given ~a and ~a"
                      (describe-with-value A) (describe-with-value B))]))
+  (define sums (make-hash))             ; (r . n) : the nested sums
   (define terms
     (make-coefficients
      (lambda (n)
        (case n
          [(0) 0]
          [(1) (g:+ A B)]
-         [else (term bracket A B n (lambda (k) (coefficient terms k)))]))))
+         [else (term bracket A B n (lambda (k) (coefficient terms k)) sums)]))))
   (series-of terms))
 
 ;; Zₙ of those before
-(define (term bracket A B n Z)
+(define (term bracket A B n Z sums)
   (define last (sub1 n))
   (define half (g:* 1/2 (bracket (g:- A B) (Z last))))
   (define sum
     (for*/fold ([sum half]) ([p (in-range 1 (add1 (quotient last 2)))]
-                             [nested (in-value (nested-sum bracket (g:+ A B) Z (* 2 p) last))]
+                             [nested (in-value (nested-sum bracket (g:+ A B) Z (* 2 p) last sums))]
                              #:when nested)
       (g:+ sum (g:* (/ (bernoulli-number (* 2 p)) (factorial (* 2 p))) nested))))
   (g:* (/ 1 n) sum))
 
 ;; Σ [Z_{k₁}, [ ⋯ [Z_{kᵣ}, X] ⋯ ]] over k₁ + ⋯ + kᵣ = n, all at least 1; #f if there is none
-(define (nested-sum bracket X Z r n)
-  (cond [(= r 0) (and (= n 0) X)]
-        [else
-         (for/fold ([sum #f]) ([k (in-range 1 (add1 n))])
-           (define inner (nested-sum bracket X Z (sub1 r) (- n k)))
-           (define part (and inner (bracket (Z k) inner)))
-           (cond [(not part) sum]
-                 [sum (g:+ sum part)]
-                 [else part]))]))
+(define (nested-sum bracket X Z r n sums)
+  (define (sum)
+    (for/fold ([sum #f]) ([k (in-range 1 (add1 n))])
+      (define inner (nested-sum bracket X Z (sub1 r) (- n k) sums))
+      (define part (and inner (bracket (Z k) inner)))
+      (cond [(not part) sum]
+            [sum (g:+ sum part)]
+            [else part])))
+  (if (= r 0)
+      (and (= n 0) X)
+      (hash-ref! sums (cons r n) sum)))
