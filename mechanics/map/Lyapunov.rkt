@@ -43,7 +43,7 @@
   (define later (list-tail history (quotient (length history) 2)))
   (for/fold ([most 0.0]) ([entry (in-list later)])
     (for/fold ([most most]) ([x (in-list (cdr entry))] [end (in-list (growth-values g))])
-      (flmax most (flabs (fl- x end))))))
+      (if (fl= x end) most (flmax most (flabs (fl- x end)))))))
 
 (define (growth->text g)
   (define end (car (car (reverse (growth-history g)))))
@@ -136,7 +136,8 @@
            (define turned (orthonormal moved (lambda (l) (set! lengths (cons (fllog l) lengths)))))
            (loop (+ k 1) next turned (map fl+ sums (reverse lengths)) now)])))
 
-;; Gram and Schmidt; (note! length) of each, freed of those before it
+;; Gram and Schmidt; (note! length) of each, freed of those before it.  What has shrunk to nothing
+;; stays so, and its exponent is −∞.
 (define (orthonormal vs note!)
   (reverse
    (for/fold ([done '()]) ([v (in-list vs)])
@@ -144,7 +145,9 @@
        (for/fold ([v v]) ([u (in-list (reverse done))]) (along v (fl- 0.0 (dot u v)) u)))
      (define length (norm free))
      (note! length)
-     (cons (for/flvector #:length (flvector-length free) ([x (in-flvector free)]) (fl/ x length))
+     (define divisor (if (fl> length 0.0) length 1.0))
+     (cons (for/flvector #:length (flvector-length free) ([x (in-flvector free)])
+             (fl/ x divisor))
            done))))
 
 ;; ---------------------------------------------------------------------------

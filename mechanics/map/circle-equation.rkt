@@ -27,17 +27,17 @@
 ;; A curve to begin with: an orbit near the circle, its points in the order of the rotation's.
 
 ;; -> (n -> x, y: the curve at n angles), and the greatest distance across between neighbours
+;; The start is not one of the points: a map of the torus may bring it back turns away.
 (define (curve-of-orbit map y0 omega)
   (define count 16384)
   (define p (flvector 0.0 y0))
   (define step! (orbit-stepper map 0.0 y0))
   (define points
-    (for/vector #:length count ([k (in-range count)])
+    (for/vector #:length count ([k (in-range 1 (+ count 1))])
+      (unless (step! p) (raise-no-image 'invariant-circle map 0.0 y0))
       (define turned (fl* (->fl k) omega))
       (define theta (fl- turned (fl* :2pi (flfloor (fl/ turned :2pi)))))
-      (begin0 (flvector theta (whole-turns-less (fl- (flvector-ref p 0) theta))
-                        (flvector-ref p 1))
-              (unless (step! p) (raise-no-image 'invariant-circle map 0.0 y0)))))
+      (flvector theta (whole-turns-less (fl- (flvector-ref p 0) theta)) (flvector-ref p 1))))
   (vector-sort! points (lambda (a b) (fl< (flvector-ref a 0) (flvector-ref b 0))))
   (values (lambda (n) (values (interpolated points n 1) (interpolated points n 2)))
           (greatest-gap points)))
