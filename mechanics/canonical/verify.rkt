@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Is a transformation canonical?  The answer as a verdict.
 ;;
-;; A transformation that keeps all Poisson brackets of coordinates and momenta is canonical for
-;; every Hamiltonian; with H and the new Hamiltonian it is asked about these two alone.  All
-;; brackets may come out multiplied by one number λ: then the motion is still Hamilton's, with
-;; H' = H∘C/λ, and the verdict, a refutation, says so.
+;; A transformation that keeps the pace of time and all Poisson brackets of coordinates and momenta
+;; is canonical for every Hamiltonian; with H and the new Hamiltonian it is asked about these two
+;; alone.  All brackets may come out multiplied by one number λ: then the motion is still
+;; Hamilton's, with H' = H∘C/λ, and the verdict, a refutation, says so.
 
 (require racket/list
          "any-state.rkt" "canonical.rkt" "exponents.rkt" "symplectic-transformation.rkt"
@@ -24,7 +24,7 @@
 ;; (verify-canonical C state), or (verify-canonical C H H' state)
 (define verify-canonical
   (case-lambda
-    [(C state) (verify-brackets 'verify-canonical C state canonical-transform?)]
+    [(C state) (verify-brackets 'verify-canonical C state brackets-and-clock)]
     [(C H H-prime state)
      (check-Hamiltonian 'verify-canonical H)
      (check-Hamiltonian 'verify-canonical H-prime)
@@ -54,6 +54,14 @@
   (judged state (list C) (lambda () ((residual C) state))
           (lambda (change) (verify-brackets who (change C) state residual))
           (lambda () (remarks-on-brackets C state))))
+
+;; The brackets do not see how fast the old time goes: where that is not as the new one does, the
+;; difference is judged as well.
+(define ((brackets-and-clock C) state)
+  (define residual ((canonical-transform? C) state))
+  (define-values (_image rate) (value-and-derivative-along C state (rate-of-clock state)))
+  (define off (g:- (time rate) 1))
+  (if (eqv? off 0) residual (up residual off)))
 
 (define (check-question who state C . Hs)
   (check-for-any-state who C state)
@@ -109,12 +117,21 @@
 ;; All brackets multiplied by one number
 
 (define (remarks-on-brackets C state)
-  (define factor (common-factor C state))
-  (if factor
-      (list (format (string-append "all Poisson brackets are multiplied by ~a, a constant: "
-                                   "the motion is that of the Hamiltonian H∘C divided by it")
-                    (value->text factor)))
-      '()))
+  (define clock? (keeps-time? C state))
+  (define factor (and clock? (common-factor C state)))
+  (cond
+    [(not clock?)
+     (list "the transformation changes the time, which is to go on as in the new state")]
+    [factor
+     (list (format (string-append "all Poisson brackets are multiplied by ~a, a constant: "
+                                  "the motion is that of the Hamiltonian H∘C divided by it")
+                   (value->text factor)))]
+    [else '()]))
+
+;; Does the old time go as the new one, whatever the coordinates and momenta?
+(define (keeps-time? C state)
+  (for/and ([slope (in-list (scalars ((D (lambda (s) (time (C s)))) state)))] [k (in-naturals)])
+    (proved? (prove-zero (g:- slope (if (= k 0) 1 0))))))
 
 ;; -> λ, free of the state and not 0, if the brackets are λ times those of q and p; else #f
 (define (common-factor C state)

@@ -151,10 +151,10 @@ SICM, first edition.}
            [(verify-canonical [C procedure?] [H procedure?] [H-prime procedure?]
                               [state structure?]) verdict?])]{
 
-Is a transformation canonical: does it keep all Poisson brackets, or does it take the motions of
-H-prime to those of H? The state is made of symbols. Where parameters of C have to be chosen,
-the verdict says how, exponents in a remark; if all brackets come out multiplied by one constant, it
-says so.
+Is a transformation canonical: does it keep all Poisson brackets and the pace of time, or does it
+take the motions of H-prime to those of H? The state is made of symbols. Where parameters of C have
+to be chosen, the verdict says how, exponents in a remark; if all brackets come out multiplied by
+one constant, it says so.
 
 @examples[#:eval session
 (verify-canonical (F->CH p->r) polar)
