@@ -45,8 +45,15 @@
   (unless row (complain who "there are no starts"))
   (set-rows-ahead! r row)
   (check-parameter-list 0 (cdr row))
+  (check-finite (car row))
   (state-vector who (car row))
   (values (car row) (as-flonums (cdr row))))
+
+;; A number of the first start that is none is told with its index, as of the others.
+(define (check-finite state)
+  (when (tuple? state)
+    (define numbers (filter number? (scalars state)))
+    (unless (andmap finite? numbers) (raise-bad-start 0 state))))
 
 ;; As workers have them.
 (define (as-flonums ps)

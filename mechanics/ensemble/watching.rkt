@@ -24,7 +24,9 @@
                          (lambda (x) (unless (fl= x to) (set! stopped (state-at x))))
                          #:state state-at
                          #:shown values
-                         #:give-up (lambda (e x y) (raise-undefined e x (system-state s y) #f))))
+                         #:give-up (lambda (e x y)
+                                     (raise-undefined e x (system-state s y) #f
+                                                      'evolve-ensemble))))
     (define last (run-system plan s start (start-time s start) end visit))
     (values (or stopped (structure->flvector last values))
             (map occurrence->happened (recorded-occurrences r)))))

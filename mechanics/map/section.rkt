@@ -93,7 +93,7 @@
     (define c (first-crossing (watch at) (and (= steps 1) (at-start at))))
     (when c
       (when (undefined? (crossing-event c))
-        (raise-undefined e from state #f))
+        (raise-undefined e from state #f 'Poincare-map))
       (set! found (fl+ (fl- from start) (fl* (crossing-at c) (fl- to from))))
       (at (crossing-at c) there))
     (and (not c) (< steps most) (fl< (flabs (fl- to start)) longest-wait)))

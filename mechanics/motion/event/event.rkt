@@ -66,8 +66,8 @@
 (struct crossing (at event grazing?) #:authentic)
 
 ;; so-far : the trajectory up to there
-(define (raise-undefined e t state so-far)
-  (raise-singular 'evolve-trajectory "the function of an event has no real value" so-far
+(define (raise-undefined e t state so-far [who 'evolve-trajectory])
+  (raise-singular who "the function of an event has no real value" so-far
                   "event" e
                   "time" t
                   "state" state))

@@ -627,7 +627,8 @@ H0 + ε H1 + ε² H2 + ⋯, with H0 a function of the momenta alone and the othe
 cosines of integer multiples of the coordinates, which are angles, is transformed by Lie series
 so that waves disappear, order by order. It prints as the new Hamiltonian, order by order, and
 what was divided by. Waves whose frequency is 0 whatever the momenta, and those asked for, a list
-of the integers of each, stay: resonances. The state is made of symbols.
+of the integers of each, stay: resonances. With one stay all whose integers are in its proportion,
+for their frequencies are 0 at the same momenta. The state is made of symbols.
 
 Errors are an H0 that depends on the coordinates; a perturbation that is no finite sum of sines and
 cosines of integer multiples of them (it is shown what is not), or depends on the time

@@ -119,7 +119,8 @@ For each point of an orbit, how many of the points before it have a lesser angle
 brought to one turn below @racket[cut]; the angles in @racket[before], rising, count as well. Two
 orbits that go around in the same order have the same positions.
 @racket[compare-streams] counts the numbers on which two streams agree, from @racket[count] on; it
-is negative if the first one on which they do not is greater in the second stream.
+is negative if the first one on which they do not is less in the second stream, and 0 if one ends
+before.
 
 @examples[#:eval session
 (define (positions map)
