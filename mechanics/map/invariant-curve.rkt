@@ -21,7 +21,7 @@
 
 (provide find-invariant-curve which-way?
          ;; for invariant circles
-         curve-between)
+         curve-between check-irrational)
 
 ;; -> the action at the angle theta0
 (define (find-invariant-curve map rotation-number theta0 Jmin Jmax eps)
@@ -32,6 +32,7 @@
   (check-map who map rotation-number theta0 Jmin Jmax)
   (check-numbers who (list rotation-number theta0 Jmin Jmax)
                  '("rotation number" "angle" "least action" "greatest action"))
+  (check-irrational who (real->double-flonum (comparand rotation-number)))
   (unless (and (finite? (comparand eps)) (positive? (comparand eps)))
     (complain-of-argument who "a positive tolerance" eps))
   (define (ahead J) (which-way? rotation-number theta0 J map))
@@ -43,6 +44,17 @@
   (for ([x (in-list xs)] [what (in-list names)])
     (unless (finite? (comparand x))
       (complain-of-argument who (format "a real number as ~a" what) x))))
+
+;; On a circle whose rotation number is a fraction all orbits would be periodic; of such circles a
+;; map keeps none but those that it turns like a rotation.
+(define (check-irrational who rotation)
+  (define fraction (rationalize (inexact->exact rotation) 1/1000000000000))
+  (when (<= (denominator fraction) 100)
+    (complain who
+              (string-append "a circle that is kept has an irrational rotation number; this is ~a"
+                             "\n  given: ~a\n  (periodic-points map ~a region) finds what is left of "
+                             "such a circle")
+              fraction rotation (denominator fraction))))
 
 (define (raise-no-bracket who rotation-number Jmin Jmax way hint)
   (complain who
@@ -59,6 +71,8 @@
     (complain 'which-way? "the map comes last: (which-way? rotation-number x0 y0 map)"))
   (check-map 'which-way? map)
   (check-numbers 'which-way? (list rotation-number x0 y0) '("rotation number" "angle" "action"))
+  (unless (exact-nonnegative-integer? most-steps)
+    (complain-of-argument 'which-way? "how many steps at most, a natural number" most-steps))
   (define start (real->double-flonum (comparand x0)))
   (define turn (fl* :2pi (real->double-flonum (comparand rotation-number))))
   (define low (fl- start pi))

@@ -4,7 +4,8 @@
 (require "map-of-the-plane.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../numeric/constants.rkt"
+         "../generic/wrong-argument.rkt"
+         "../numeric/constants.rkt" "../numeric/finite.rkt"
          "../search/find-root.rkt"
          "../value/principal-value.rkt")
 
@@ -12,7 +13,13 @@
 
 ;; -> the action between Jmin and Jmax where the angle phi is mapped to itself
 (define (radially-mapping-points map Jmin Jmax phi eps)
-  (check-map 'radially-mapping-points map)
+  (define who 'radially-mapping-points)
+  (check-map who map)
+  (for ([x (in-list (list Jmin Jmax phi eps))]
+        [what (in-list '("least action" "greatest action" "angle" "tolerance"))])
+    (unless (finite? (comparand x))
+      (complain-of-argument who (format "a real number as ~a" what) x)))
+  (unless (positive? (comparand eps)) (complain-of-argument who "a positive tolerance" eps))
   (define (turned J)
     (define image (image-of 'radially-mapping-points map phi J (lambda (angle action) angle)))
     (half-turn (g:- phi image)))

@@ -26,7 +26,7 @@
 (define (Baker-Campbell-Hausdorff A B)
   (define bracket
     (cond [(and (operator? A) (operator? B)) commutator]
-          [(and (pointwise? A) (pointwise? B))
+          [(and (of-a-state? A) (of-a-state? B))
            (lambda (f g) (settled 'Baker-Campbell-Hausdorff (Poisson-bracket g f)))]
           [else
            (complain 'Baker-Campbell-Hausdorff
@@ -41,6 +41,8 @@
          [(1) (g:+ A B)]
          [else (term bracket A B n (lambda (k) (coefficient terms k)) sums)]))))
   (series-of terms))
+
+(define (of-a-state? f) (and (pointwise? f) (accepts? f 1)))
 
 ;; Zₙ of those before
 (define (term bracket A B n Z sums)

@@ -80,6 +80,30 @@
   (check-tells-state "linearized-flow"
                      (lambda () ((linearized-flow (HHsysder)) runs-away 10))))
 
+;; These were answered by Racket, or by bisect; the first was followed for minutes.
+(says
+ [(find-invariant-curve twist 1/2 0 2.0 5.0 1e-6)
+  "find-invariant-curve: a circle that is kept has an irrational rotation number; this is 1/2\n"
+  "  given: 0.5\n  (periodic-points map 2 region) finds what is left of such a circle"]
+ [(which-way? 'a 0 2 twist)
+  "which-way?: expected a real number as rotation number\n  given: the symbol a"]
+ [(which-way? golden 0 (up 1 2) twist)
+  "which-way?: expected a real number as ordinate\n  given: (up 1 2), an up tuple of 2"]
+ [(which-way? golden +nan.0 2 twist)
+  "which-way?: expected a real number as abscissa\n  given: the number +nan.0"]
+ [(which-way? golden 0 2 twist -1)
+  "which-way?: expected how many steps at most, a natural number\n  given: the number -1"]
+ [(radially-mapping-points twist sin 2.4 1.0 1e-12)
+  "radially-mapping-points: expected a real number as least action\n"
+  "  given: the procedure `sin`"]
+ [(radially-mapping-points (iterated-map (standard-map 0.3) 3) 1.8 2.4 1.0 0)
+  "radially-mapping-points: expected a positive tolerance\n  given: the number 0"]
+ [(radially-mapping-points twist 1.8 2.4 1.0 +inf.0)
+  "radially-mapping-points: expected a real number as tolerance\n  given: the number +inf.0"]
+ [(Baker-Campbell-Hausdorff HHHam (lambda () 1))
+  "Baker-Campbell-Hausdorff: expected two operators, or two Hamiltonians; given the procedure "
+  "`HHHam` and a function without a name"])
+
 ;; ---------------------------------------------------------------------------
 ;; Advice
 
