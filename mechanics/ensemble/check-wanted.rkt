@@ -43,6 +43,8 @@
   (if events?
       (check-callback "#:collect" collect 2 "a state and a list of occurrences, with #:events")
       (check-callback "#:collect" collect 1 "a state"))
+  (unless on-each
+    (complain who "#:on-each is a procedure of an index and a value\n  given: #f, a boolean"))
   (check-callback "#:on-each" on-each 2 "an index and a value")
   (check-callback "#:fold" fold 2 "a value and what was made of those before")
   (when (and fold (void? from))

@@ -22,7 +22,7 @@
   (check-frame who f)
   (unless (trajectory? tr)
     (complain-of-argument who "a trajectory, such as evolve-trajectory gives" tr))
-  (for ([f (in-list (list a b))] #:when f)
+  (for ([f (in-list (if b (list a b) (list a)))])
     (unless (and (procedure? f) (accepts? f 1))
       (raise-other-function who "a function of the state, such as coordinate" f)))
   (define x (if b (lambda (t state) (a state)) (lambda (t state) t)))

@@ -46,6 +46,9 @@
 ;; bits : of numbers of higher precision than flonums, or #f
 (define (check-tolerance who x [bits #f])
   (check-positive who "tolerance" x)
+  (when (> (real-number x) 1)
+    (complain-of who "a tolerance of more than 1 leaves nothing of the state" x
+                 "\n  a billionth is 1e-9"))
   (unless (>= (real-number x) (if bits (expt 2 (- 3 bits)) least-tolerance))
     (complain-of who
                  (if bits

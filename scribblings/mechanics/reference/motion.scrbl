@@ -15,7 +15,7 @@ constant 1, as in a local tuple, that component is the time.
 
 The tolerance bounds the error of each step, relative to 1 plus the size of each
 component; the steps are as long as it lets them be. It is a positive number not below
-@racket[1e-15], and @racket[1e-10] unless given. With a precision
+@racket[1e-15] nor above 1, and @racket[1e-10] unless given. With a precision
 (@secref["precision"]), it follows that. Units are any consistent ones.
 
 Two keywords bound the steps of integration: @racket[#:longest-step], for what is so short
