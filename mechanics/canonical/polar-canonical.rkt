@@ -9,7 +9,8 @@
 ;; two particles with what leads from the first to the second.
 
 (require "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
@@ -21,6 +22,7 @@
 ;; (t, θ, I) ↦ (t, x, p), of one coordinate or of each of several
 (define (polar-canonical alpha)
   (check-parameter 'polar-canonical "alpha" alpha)
+  (check-positive 'polar-canonical alpha)
   (unary-function (lambda () (list 'polar-canonical (value->datum alpha))) (state)
     (by-degrees 'polar-canonical state
                 (lambda (theta I)
@@ -30,6 +32,7 @@
 ;; (t, x, p) ↦ (t, θ, I)
 (define (polar-canonical-inverse alpha)
   (check-parameter 'polar-canonical-inverse "alpha" alpha)
+  (check-positive 'polar-canonical-inverse alpha)
   (unary-function (lambda () (list 'polar-canonical-inverse (value->datum alpha))) (state)
     (by-degrees 'polar-canonical-inverse state
                 (lambda (x p)
@@ -55,6 +58,12 @@
   (unless (scalar? x)
     (complain who "~a is a number or a symbol; given ~a~a" what (describe-with-value x)
               (if (H-state? x) "\n  was a parameter left out? the state comes after it" ""))))
+
+;; Of another number the roots are imaginary.
+(define (check-positive who alpha)
+  (define a (comparand alpha))
+  (when (and (number? a) (not (and (real? a) (< 0 a +inf.0))))
+    (complain who "alpha is positive; given ~a" (describe-with-value alpha))))
 
 (define (list->structure-like s xs) (same-orientation (adopt s) (list->vector xs)))
 

@@ -16,7 +16,7 @@
 (require "../calculus/elliptic.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/function.rkt"
+         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          "../numeric/constants.rkt")
@@ -54,8 +54,7 @@
 ;; Does it swing at that energy, rather than turn?
 (define (swinging? who alpha beta E)
   (define-values (b e) (values (number-of who "beta" beta) (number-of who "the energy" E)))
-  (check-positive who "alpha" alpha (comparand alpha))
-  (check-positive who "beta" beta b)
+  (check-parameters who alpha beta)
   (when (< e (- b))
     (complain who "the energy of a pendulum is at least -beta; given ~a, with beta = ~a" E beta))
   (when (= e b)
@@ -65,7 +64,13 @@
 ;; r : x as a number, where it is one
 (define (check-positive who what x r)
   (when (and (number? r) (not (and (real? r) (> r 0))))
-    (complain who "~a is positive; given ~a" what (describe-with-value x))))
+    (complain who "~a is positive; given ~a" what (describe-with-value x)))
+  (unless (scalar? x)
+    (complain who "~a is a number or a symbol; given ~a" what (describe-with-value x))))
+
+(define (check-parameters who alpha beta)
+  (check-positive who "alpha" alpha (comparand alpha))
+  (check-positive who "beta" beta (comparand beta)))
 
 (define (check-swinging who alpha beta E)
   (unless (swinging? who alpha beta E)
@@ -113,7 +118,9 @@
   (g:/ (g:* (/ 4.0 pi) (g:sqrt (g:* alpha beta)) (second-elliptic-integral k)) k))
 
 ;; That of the whole region in which it swings
-(define (pendulum-separatrix-action alpha beta) (g:* (/ 8.0 pi) (g:sqrt (g:* alpha beta))))
+(define (pendulum-separatrix-action alpha beta)
+  (check-parameters 'pendulum-separatrix-action alpha beta)
+  (g:* (/ 8.0 pi) (g:sqrt (g:* alpha beta))))
 
 ;; ---------------------------------------------------------------------------
 ;; Motions: functions of the time since θ = 0
@@ -152,10 +159,12 @@
   (Jacobi-elliptic-functions (g:* omega (g:- t (g:* turns period))) k receive))
 
 (define (pendulum-separatrix-angle alpha beta)
+  (check-parameters 'pendulum-separatrix-angle alpha beta)
   (function-of (t) (pendulum-separatrix-angle alpha beta)
     (g:* 2 (gudermannian (g:* (omega-0 alpha beta) t)))))
 
 (define (pendulum-separatrix-angular-momentum alpha beta)
+  (check-parameters 'pendulum-separatrix-angular-momentum alpha beta)
   (function-of (t) (pendulum-separatrix-angular-momentum alpha beta)
     (g:/ (g:* 2 (g:sqrt (g:* alpha beta))) (g:cosh (g:* (omega-0 alpha beta) t)))))
 

@@ -271,7 +271,8 @@ SICM, first edition; @sicm{5.2.2, pp. 351–353}}
 
 From an angle and its momentum to x = √(2I/α) sin θ and p = √(2Iα) cos θ, and back; of several
 coordinates each with its momentum. With α = √(km) they make the energy of an oscillator
-√(k/m) I. An α that is no scalar, as a state where it was left out, is an error.
+√(k/m) I. An α that is no scalar, as a state where it was left out, or a number that is not
+positive is an error.
 
 @examples[#:eval session
 ((polar-canonical 'alpha) line)
