@@ -91,6 +91,8 @@
 ;; (return crossing beyond): where x next becomes positive, and the state at the end of the
 ;; step of dt in which it does.
 (define (find-next-crossing state advance dt sec-eps return)
+  (check-positive 'find-next-crossing "dt" dt)
+  (check-positive 'find-next-crossing "sec-eps" sec-eps)
   (let loop ([s state])
     (define next (advance s dt))
     (if (and (< (ref (coordinate s) 0) 0)
@@ -98,10 +100,15 @@
         (return (refine-crossing sec-eps advance s) next)
         (loop next))))
 
-;; Newton's method for the time at which x = 0, from a state near by.
+;; Newton's method for the time at which x = 0, from a state near by; to sec-eps, or as near as
+;; rounding lets it come.
 (define (refine-crossing sec-eps advance state)
-  (define-values (x xdot) (values (ref (coordinate state) 0) (ref (momentum state) 0)))
-  (define closer (advance state (- (/ x xdot))))
-  (if (< (abs (ref (coordinate closer) 0)) sec-eps)
-      closer
-      (refine-crossing sec-eps advance closer)))
+  (check-positive 'refine-crossing "sec-eps" sec-eps)
+  (let closer ([state state] [steps 0])
+    (define-values (x xdot) (values (ref (coordinate state) 0) (ref (momentum state) 0)))
+    (define next (advance state (- (/ x xdot))))
+    (if (or (< (abs (ref (coordinate next) 0)) sec-eps) (= steps most-refinements))
+        next
+        (closer next (+ steps 1)))))
+
+(define most-refinements 50)

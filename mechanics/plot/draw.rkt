@@ -3,7 +3,8 @@
 
 (require racket/flonum
          "coordinate.rkt" "frame.rkt" "points.rkt" "style.rkt"
-         "../generic/define-plain.rkt")
+         "../error/complain.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt")
 
 (provide plot-point plot-line plot-function plot-parametric plot-parametric-fill
          ;; for the curves of motions
@@ -70,9 +71,12 @@
   (check-open who f)
   (check-function who curve 1)
   (check-function who near? 2)
+  (define drawn 0)
   (define (at t)
     (define point (curve t))
     (define-values (x y) (plane-point who (lambda () (format "the value at ~a" t)) point))
+    (set! drawn (+ drawn 1))
+    (when (> drawn most-points) (raise-never-near who near?))
     (add-dot! who f color size label x y)
     (and (rational? x) (rational? y) point))
   (define (together? p q) (if (and p q) (near? p q) (eq? p q)))    ; nothing is near nothing
@@ -85,6 +89,16 @@
       (unless (and (together? at-a at-m) (together? at-m at-b))
         (fill a at-a m at-m)
         (fill m at-m b at-b)))))
+
+;; More than these are asked for by a nearness that no two points have, and would fill the memory.
+(define most-points 1000000)
+
+(define (raise-never-near who near?)
+  (complain who
+            (string-append "the curve has more than ~a points before all neighbours are near"
+                           "\n  near: ~a\n  (plane-near? 0.01) takes points for near that are less "
+                           "than 0.01 apart")
+            most-points (value->text near?)))
 
 ;; Are two points closer than about a pixel?
 (define (near-in f)

@@ -149,7 +149,7 @@ circles]}
 Points of a curve, as close as @racket[near?] demands of the values of @racket[curve] at
 neighbouring parameters: what lies between two that are not near is filled in by halving.
 This follows a curve that is stretched very differently along its length, such as an
-unstable manifold.
+unstable manifold. More than a million points are an error.
 
 @examples[#:eval session
 (define spiral (frame -1 1 -1 1 #:width 250 #:height 250))
