@@ -107,8 +107,22 @@
   (cond [(pair? (signature-parameters s)) ""]
         [(< given (length needed))
          (format "\n  missing: ~a" (string-join (drop needed given) ", "))]
-        [(or (signature-rest s) (null? (signature-keywords s))) ""]
-        [else (question (likely-keywords s (positional-after most message)))]))
+        [(signature-rest s) ""]
+        [else
+         (string-append
+          (if (null? (signature-keywords s))
+              ""
+              (question (likely-keywords s (positional-after most message))))
+          (if (and (= given (add1 most)) (gives-function? s)) (applied s needed) ""))]))
+
+;; One too many may be what its value is to be applied to, as the state is to which a state
+;; derivative is.
+(define (gives-function? s)
+  (regexp-match? #rx"^(function|operator)$|→" (or (signature-result s) "")))
+
+(define (applied s needed)
+  (format "\n  its value is a function, which takes what comes next: ((~a ~a) ...)"
+          (substring (car (signature-call s)) 1) (string-join needed " ")))
 
 ;; Many of them, the call has named already.
 (define (question keywords)

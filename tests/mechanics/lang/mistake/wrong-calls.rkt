@@ -66,7 +66,15 @@
 
 (test-case "a function that is called in two steps, too many or too few in either"
   (define one "\n  it is called as (F->C F)")
-  (check-equal? (count-hint (arity 'F->C 1 2)) one)
+  (define applied "\n  its value is a function, which takes what comes next: ((F->C F) ...)")
+  (check-equal? (count-hint (arity 'F->C 1 2)) (string-append one applied))
+  (check-equal? (count-hint (arity 'F->C 1 3)) one)
+  (check-equal? (count-hint (arity 'cube 1 2)) "\n  it is called as (cube x)")
+  (check-equal? (count-hint "Hamilton-equations: takes 1 argument; it was given 2")
+                (text ""
+                      "  it is called as (Hamilton-equations H [#:force force])"
+                      "  did you mean #:force?"
+                      "  its value is a function, which takes what comes next: ((Hamilton-equations H) ...)"))
   (define called "\n  it is called as ((principal-value cut) x)")
   (check-equal? (count-hint (arity 'principal-value 1 2)) called))
 
