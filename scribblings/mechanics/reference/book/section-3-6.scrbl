@@ -73,7 +73,8 @@ crossings are zeros of the polynomials that it is along its steps, so that none 
 The section step by step, as the book has it: an advancer of one tolerance; the next state at
 which x becomes positive, given to @racket[return] with the state at the end of the step of
 @racket[dt] in which it does; and Newton's method for the time of the crossing, from a state near
-by. Both numbers are positive. @racket[Poincare-map] does the same for any section, a hundred times faster.
+by. Both numbers are positive. @racket[Poincare-map] does the same for any section, a hundred times
+faster.
 
 @examples[#:eval session
 (define advance (make-advance (state-advancer HHsysder) 1e-12))
