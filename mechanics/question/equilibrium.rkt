@@ -2,9 +2,10 @@
 ;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
 
 (require "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt" "../generic/notation.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt"
-         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt")
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../value/shape.rkt")
 
 (provide equilibrium equilibrium?
          (rename-out [coordinates-at-rest equilibrium-coordinates]
@@ -28,7 +29,14 @@
 (define (check-coordinates who q)
   (unless (or (scalar? q) (and (tuple? q) (up? q)))
     (complain who "expected coordinates, a scalar or an up tuple of scalars\n  given: ~a~a"
-              (if (equilibrium? q) q (describe-with-value q)) (hint q))))
+              (if (equilibrium? q) q (describe-with-value q)) (hint q)))
+  (define all (scalars q))
+  (when (null? all) (complain who "expected coordinates; given an up tuple of none"))
+  (for ([x (in-list all)])
+    (define number (comparand x))
+    (when (and (number? number) (not (rational? number)))
+      (complain who "coordinates are finite real numbers, or symbols; given ~a"
+                (describe-with-value q)))))
 
 (define (hint q)
   (if (equilibrium? q)
