@@ -82,7 +82,7 @@
      (bad) (small-oscillation-frequencies (lambda (s) (bad (L-oscillator s))) 0.0)]
    [action-of-orbit (bad) (action-of-orbit (lambda (s) (bad (H-oscillator s))) start)]
    [frequency-of-orbit (bad) (frequency-of-orbit (lambda (s) (bad (H-oscillator s))) start)]
-   [loop-integral (bad) (loop-integral (lambda (x) (up 0 (sin x) (bad (cos x)))) 0.0 6.28)]))
+   [loop-integral (bad) (loop-integral (lambda (x) (up 0 (sin x) (bad (cos x)))) 0.0 (* 2 pi))]))
 
 ;; d : the state derivative
 (define-syntax-rule (motion-rows (d) [name question] ...)
@@ -99,7 +99,7 @@
      [evolve ((evolve (lambda () d)) start void 0.5 2.0)]
      [free-run-state-advancer ((free-run-state-advancer (lambda () d)) start 2.0)]
      [ode-advancer ((ode-advancer d) start 2.0)]
-     [advance-beyond ((advance-beyond (lambda () d)) start 0.1 2.0 2.0)]
+     [advance-beyond ((advance-beyond (lambda () d)) start 0.1 1e-9 2.0)]
      [evolve-trajectory (evolve-trajectory d start 2.0)]
      [evolve-trajectory (evolve-trajectory d start 2.0 #:method 'Dormand-Prince-853)]
      [evolve-trajectory (evolve-trajectory d start 2.0 #:method 'Radau-IIA-5)]

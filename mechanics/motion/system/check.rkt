@@ -92,12 +92,6 @@
 ;; maker : what is to make a state derivative of that many parameters
 (define (check-maker who maker parameters)
   (check-not-residual who maker)
-  (when (and (pair? parameters) (state-derivative? maker))
-    (complain who
-              (string-append "it makes a state derivative of the parameters, and this is one "
-                             "already\n  given: ~a\n  parameters: ~a\n  what takes them is as "
-                             "(lambda (m) (Lagrangian->state-derivative (L m)))")
-              (value->text maker) (value->text parameters)))
   (unless (procedure? maker)
     (complain who "expected a procedure that makes a state derivative\n  given: ~a"
               (describe-with-value maker)))
@@ -111,7 +105,13 @@
      (if (null? parameters) "none" (value->text parameters))
      (if (takes-state-only? maker '())
          "\n  a state derivative itself is given without parameters"
-         ""))))
+         "")))
+  (when (and (pair? parameters) (state-derivative? maker))
+    (complain who
+              (string-append "it makes a state derivative of the parameters, and this is one "
+                             "already\n  given: ~a\n  parameters: ~a\n  what takes them is as "
+                             "(lambda (m) (Lagrangian->state-derivative (L m)))")
+              (value->text maker) (value->text parameters))))
 
 (define (state-derivative? f)
   (define d (value->datum f))

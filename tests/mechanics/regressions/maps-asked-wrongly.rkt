@@ -121,9 +121,9 @@
   "Poincare-map: the state derivative is of another shape than the state\n"
   "  state: (up 0 (up 0 1/2) (down 1 0))\n  derivative: 0.5833333333333334\n"
   "  (Hamiltonian->state-derivative H) makes a state derivative of a Hamiltonian"]
- [((evolve swing 9.8 1 1) (up 0 1 0) void 1 10)
+ [((evolve swing 9.8) (up 0 1 0) void 1 10)
   "evolve: it makes a state derivative of the parameters, and this is one already\n"
-  "  given: (Lagrangian->state-derivative L-pendulum)\n  parameters: (9.8 1 1)\n"
+  "  given: (Lagrangian->state-derivative L-pendulum)\n  parameters: (9.8)\n"
   "  what takes them is as (lambda (m) (Lagrangian->state-derivative (L m)))"]
  [(evolve-ensemble swing (list (up 0 1 0)) 10 #:parameters '((9.8)))
   "evolve-ensemble: it makes a state derivative of the parameters, and this is one already\n"
