@@ -14,7 +14,7 @@
          "../numeric/jet/expansion.rkt" "../numeric/jet/kernels.rkt"
          "../numeric/jet/linear-system.rkt")
 
-(provide program->expansion-maker maker->expander)
+(provide program->expansion-maker maker->expander expansion-maker-branches?)
 
 ;; p : a program of the rates of as many inputs as it has outputs, the first ones; or, with
 ;; #:follow?, of any functions of the first `varying` inputs; constants : the values of those

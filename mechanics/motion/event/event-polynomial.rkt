@@ -18,14 +18,16 @@
 
 (provide polynomial-along zeros-along polynomial-end (struct-out zero))
 
-;; p : the program of a function of a state of n scalars, or #f
+;; p : the program of a function of a state of n scalars, or #f; value-at : flvector -> its value
 ;; -> (interpolant, the value where the step begins or #f -> parts of the step, with
 ;; coefficients along each; 'clear if there is plainly no zero; or how many places to look at),
 ;; and (-> is the function of the step that was looked at last only noise?)
-(define (polynomial-along p n tolerance)
+(define (polynomial-along p n tolerance value-at)
   (define coordinate (and p (coordinate-of p n)))
   (define make (and p (not coordinate) (program->expansion-maker p n #:follow? #t)))
-  (define f (and (procedure? make) (follower make n tolerance #f 1.0)))
+  (define f
+    (and (procedure? make)
+         (follower make n tolerance (and (expansion-maker-branches? make) value-at) #f 1.0)))
   (define along
     (cond [coordinate (lambda (e span first) (coordinate-along e coordinate span first))]
           [f (lambda (e span first) (function-along f e span first))]
@@ -47,44 +49,42 @@
         [else usual-places]))
 
 (define (function-along f e span first)
-  (define (follow rows span)
-    (follow-function! f rows (expansion-order e) span)
-    (scaled (function-row (follower-own f)) (expansion-order e) span))
-  (define c (beginning-with first (follow (expansion-states e) span)))
+  (define order (expansion-order e))
   (define tolerance (follower-tolerance f))
-  (cond [(not (flvector-finite? c)) usual-places]
-        [(converges? c tolerance) (list (part 0.0 1.0 c))]
-        [else
-         (define rows
-           (for/vector ([row (in-vector (expansion-states e))])
-             (scaled row (expansion-order e) span)))
-         (or (halves-along (lambda (rows) (follow rows 1.0)) rows 0.0 1.0 first
-                           (flmax rounding (fl* 1e-3 tolerance)) most-halvings)
-             (places-for c))]))
+  (define states (expansion-states e))
+  (define c (beginning-with first (follow-function! f states order span)))
+  (define (halves)
+    (define rows (for/vector ([row (in-vector states)]) (scaled row order span)))
+    ;; half as long, a series of twenty terms ends a million times as small: little more work
+    ;; leaves nothing of its rest
+    (halves-along f rows order 0.0 1.0 first (flmax rounding (fl* 1e-3 tolerance)) most-halvings))
+  (define least-places (if (follower-value-at f) places-about-branch usual-places))
+  (cond [(not (flvector-finite? c)) least-places]
+        [(not (converges? c tolerance)) (or (halves) (max least-places (places-for c)))]
+        [(on-one-branch? f states span c) (list (part 0.0 1.0 c))]
+        [else (or (halves) least-places)]))
 
 ;; The value there as it was where the step before ended, lest a zero between is missed.
 (define (beginning-with first c)
   (when first (flvector-set! c 0 first))
   c)
 
-;; Half as long, a series of twenty terms ends a million times as small: little more work leaves
-;; nothing of its rest.
-;; follow : rows of the state, along what is 1 there -> coefficients of the function
-;; rows : along the part that begins at `from` -> the parts of its halves, or #f
-(define (halves-along follow rows from width first tolerance halvings)
+;; rows : of the state, along the part that begins at `from` -> the parts of its halves, or #f
+(define (halves-along f rows order from width first tolerance halvings)
   (define half (fl* 0.5 width))
   (define (parts rows from first)
-    (define c (beginning-with first (follow rows)))
+    (define c (beginning-with first (follow-function! f rows order 1.0)))
     (cond [(not (flvector-finite? c)) #f]
-          [(converges? c tolerance) (list (part from half c))]
+          [(and (converges? c tolerance) (on-one-branch? f rows 1.0 c)) (list (part from half c))]
           [(= halvings 0) #f]
-          [else (halves-along follow rows from half first tolerance (- halvings 1))]))
+          [else (halves-along f rows order from half first tolerance (- halvings 1))]))
   (define left (vector-map halved rows))
   (define earlier (parts left from first))
   (define later
     (and earlier (parts (vector-map shifted left) (fl+ from half) (polynomial-end earlier))))
   (and later (append earlier later)))
 
+(define places-about-branch 64)
 (define most-halvings 6)
 
 (define usual-places 8)
@@ -113,18 +113,31 @@
   (define o (vector-ref (program-outputs p) 0))
   (and (place? o) (< (place-index o) n) (place-index o)))
 
-;; make : order inputs -> expansion; own : that of the function, made for the order when it is
-;; known; span : of what was followed last, in the unit of its coefficients
-(struct follower (make n tolerance [own #:mutable] [span #:mutable]) #:authentic)
+;; make : order inputs -> expansion; value-at : flvector -> value, or #f if it has no branches;
+;; own : expansion of the function, made for the order when it is known; span : of what was
+;; followed last, in the unit of its coefficients
+(struct follower (make n tolerance value-at [own #:mutable] [span #:mutable]) #:authentic)
 
-;; rows : of the state, which the row of the function becomes known of
+;; rows : of the state -> coefficients of the function along the span, from 0 to 1
 (define (follow-function! f rows order span)
   (unless (follower-own f)
     (set-follower-own! f ((follower-make f) order (make-flvector (follower-n f)))))
   (define own (follower-own f))
   (for ([from (in-vector rows)] [to (in-vector (expansion-states own))]) (flvector-copy! to from))
   (set-follower-span! f span)
-  (follow! own))
+  (follow! own)
+  (scaled (function-row own) order span))
+
+;; Has the function the values of the polynomial c, in the middle and at the end?
+(define (on-one-branch? f rows span c)
+  (define value-at (follower-value-at f))
+  (define near (fl* (fl* 100.0 (follower-tolerance f)) (flmax 1.0 (total c))))
+  (define (near? theta)
+    (define point
+      (for/flvector #:length (vector-length rows) ([row (in-vector rows)])
+        (polynomial-value row (fl* theta span))))
+    (fl<= (flabs (fl- (value-at point) (polynomial-value c theta))) near))
+  (or (not value-at) (and (near? 1.0) (near? 0.5))))
 
 (define (function-row own) (vector-ref (expansion-slopes own) 0))
 
@@ -159,6 +172,9 @@
         (loop (unsafe-fx- k 1) (unsafe-fl+ sum (of (unsafe-flvector-ref c k)))))))
 
 (define (total c) (sum c unsafe-flabs))
+(define (polynomial-value c x)
+  (for/fold ([sum 0.0]) ([k (in-range (- (flvector-length c) 1) -1 -1)])
+    (fl+ (flvector-ref c k) (fl* x sum))))
 (define (polynomial-end parts) (sum (part-coefficients (last parts)) begin))
 
 (define (zeros-along parts tolerance)

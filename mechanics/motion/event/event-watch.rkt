@@ -39,9 +39,14 @@
 ;; codes : of the events' functions, compiled
 (define (watches-by-code events codes n tolerance)
   (define (new-watch e c)
+    (define code (compiled-function-runner c))
+    (define value (make-flvector 1))
+    (define (value-at point)
+      (code point value)
+      (flvector-ref value 0))
     (define-values (polynomial noise?)
-      (polynomial-along (compiled-function-program c) n tolerance))
-    (define-values (sampled doubtful) (samplers (compiled-function-runner c) n tolerance))
+      (polynomial-along (compiled-function-program c) n tolerance value-at))
+    (define-values (sampled doubtful) (samplers value-at n tolerance))
     (watched e polynomial noise? sampled doubtful #f 0.0))
   (lambda () (watch (map new-watch events codes) tolerance)))
 
@@ -53,22 +58,18 @@
         found))
     (if (or (null? found) (null? (cdr found))) found (sort found < #:key crossing-at))))
 
-;; code : flvector flvector -> void
-(define (samplers code n tolerance)
+;; value-at : flvector -> value
+(define (samplers value-at n tolerance)
   (define point (make-flvector n))
-  (define value (make-flvector 1))
-  (define (value-at-point)
-    (code point value)
-    (flvector-ref value 0))
   (define ((sampled at) theta)
     (at theta point)
-    (value-at-point))
+    (value-at point))
   (define (doubtful at)
     (define by (uncertainties at n tolerance))
     (lambda (theta)
       (at theta point)
       (vary-point! point by)
-      (value-at-point)))
+      (value-at point)))
   (values sampled doubtful))
 
 (define (event-code who e state)

@@ -324,8 +324,9 @@ that: the one for which the motion takes least time, higher the shorter the stat
 is. The step follows from the last two coefficients. The state is summed with what rounding loses
 of it, so that the
 error of long runs grows as the root of the time. Between the ends of steps the motion is
-that polynomial, and events are its zeros, of which none is missed. A state derivative that
-takes decisions, uses @racket[abs] or another function that has no recurrence, or has no
+that polynomial, and events are its zeros, of which none is missed. No step goes over a place
+where a root or an arc takes another branch, as √x² does at 0. A state derivative that takes
+decisions, uses @racket[abs] or another function that has no recurrence, or has no
 coefficients where the motion begins, is refused.}
 @item{@racket['Dormand-Prince-853], of order 8 with interpolation of order 7 (Hairer,
 Nørsett and Wanner 1993), for state derivatives of any kind.}
