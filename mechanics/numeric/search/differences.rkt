@@ -52,17 +52,35 @@
     (define next (if there? (refined s after middle before h) (interrupted s)))
     (define last? (>= (search-count next) most-rows))
     (define good? (and there? (good-enough? s next tolerance)))
+    (define end? (and good? (= (search-bends next) 0) (or last? (at-its-best? next tolerance))))
     (cond
       [(and good? (>= (search-bends next) most-bends)) (raise-kinked who x)]
-      [(and good? (= (search-bends next) 0) (or last? (at-its-best? next tolerance)))
+      [(and end? (holds-elsewhere? f x h next tolerance))
        (define best (search-best next))
        (values (entry-value best) (entry-error best) (evaluations next))]
       [(and last? (not there?))
        (raise-singular who "the function is not finite on both sides" x "at" x)]
-      [(and last? (not good?)) (raise-not-found who x next shape)]
-      [else (loop (* 0.5 h) next)])))
+      [(and last? (or end? (not good?))) (raise-not-found who x next shape)]
+      [else (loop (* 0.5 h) (if end? (begun-anew next) next))])))
 
 (define (evaluations s) (+ 1 (* 2 (search-count s))))
+
+;; All steps may be many periods of f, and nearly whole ones: 1000/10, 1000/20 ... are, of the
+;; sine, by a hundredth.  Then a step that is no half of another finds something else; the
+;; quotient over it is to be no farther from the derivative than that over the last one, which
+;; is longer.
+(define (holds-elsewhere? f x h s tolerance)
+  (define h* (* golden-fraction h))
+  (define-values (after before) (values (f (+ x h*)) (f (- x h*))))
+  (define best (entry-value (search-best s)))
+  (define last (entry-value (car (search-row s))))
+  (for/and ([a (in-flvector after)] [b (in-flvector before)] [v (in-flvector best)]
+            [q (in-flvector last)] [scale (in-flvector (search-scale s))])
+    (define rounding (/ (* 8.0 epsilon (+ (abs a) (abs b))) h*))
+    (<= (distance (/ (- a b) (* 2.0 h*)) v)
+        (+ (* 2.0 (distance q v)) rounding (* 10.0 tolerance (max (abs v) scale))))))
+
+(define (begun-anew s) (search '() #f (search-scale s) #f 0 (search-count s)))
 
 (define (raise-not-found who x s shape)
   (define best (search-best s))
