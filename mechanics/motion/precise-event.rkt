@@ -4,7 +4,7 @@
 ;; States within a step are dear, each being the end of a step of its own; so the sign
 ;; of the event's function is looked at where a cubic guesses them, and only between two
 ;; places where it differs is its zero found, by the Illinois method, as for flonums
-;; (sign-change.rkt).
+;; (event/sign-change.rkt).
 
 (require "precise.rkt"
          "event/event.rkt" "event/sign-change.rkt"
