@@ -16,10 +16,10 @@
          "value/signature.rkt" "value/simplify.rkt" (except-in "value/structure.rkt" up down)
          (only-in "value/symbols-like.rkt" typical-object)
          "value/complex.rkt" "value/vector.rkt"
-         "value/linear/eigenvalues.rkt"
          (except-in "value/linear/linear-algebra.rkt" square-entries) "value/linear/matrix.rkt"
          "value/linear/quotient.rkt"
-         (only-in "value/on-demand.rkt" eigenvectors svd polynomial-roots read-expression)
+         (only-in "value/on-demand.rkt" characteristic-polynomial eigenvalues eigenvectors svd
+                  polynomial-roots read-expression)
          "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
          "verdict/equality.rkt" "verdict/prove-zero.rkt" "verdict/verdict.rkt")

@@ -4,10 +4,7 @@
 
 (require racket/match
          "base.rkt"
-         "calculus/elliptic.rkt"
-         (only-in "compile/definite-integral.rkt" definite-integral integral-conditions
-                  verify-integral
-                  definite-integral-with-tolerance)
+         "calculus/on-demand.rkt"
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
          "algebra/notation/formula-style.rkt"
@@ -20,13 +17,12 @@
          (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
                     asked-for-momentum?)
          "hamiltonian/on-demand.rkt"
-         "lagrangian/action.rkt" "lagrangian/coordinate-transformation.rkt"
-         "lagrangian/energy.rkt" (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
-         "lagrangian/frames.rkt" "lagrangian/generalized-LE.rkt"
+         "lagrangian/coordinate-transformation.rkt"
+         (only-in "lagrangian/external-force.rkt" Rayleigh-dissipation)
          "lagrangian/Lagrange-equations.rkt"
          (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/Noether.rkt"
-         "lagrangian/path.rkt" "lagrangian/state-derivative.rkt"
-         "lagrangian/total-derivative.rkt" "lagrangian/variation.rkt"
+         "lagrangian/on-demand.rkt"
+         "lagrangian/state-derivative.rkt" "lagrangian/total-derivative.rkt"
          "lang/application.rkt" "lang/help/help.rkt" "lang/mistake/caret.rkt" "lang/Scheme.rkt"
          "lang/scmutils.rkt"
          "lang/session.rkt"
@@ -34,10 +30,10 @@
          "map/on-demand.rkt"
          "motion/on-demand.rkt"
          (only-in "numeric/progress.rkt" report-progress)
-         "question/on-demand.rkt" "question/verify-solution.rkt"
+         "question/on-demand.rkt"
          "rigid/on-demand.rkt"
          "search/on-demand.rkt"
-         "teach/derivation.rkt" "teach/on-demand.rkt"
+         "teach/on-demand.rkt"
          "value/linear/quaternion-units.rkt" "value/on-demand.rkt")
 
 (provide
@@ -76,7 +72,7 @@
  ;; systems in other languages
  export-system
  ;; equations of motion
- Lagrange-equations generalized-LE delta verify-solution
+ Lagrange-equations generalized-LE delta
  Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
  Lagrange-equations-first-order Lagrange-equations-1 qv->state-path qv->local-path
  make-Lagrangian Rayleigh-dissipation
@@ -98,7 +94,7 @@
  (all-from-out "question/on-demand.rkt")
  ;; functions of local tuples
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
- derivation-steps show-derivation (all-from-out "teach/on-demand.rkt")
+ (all-from-out "teach/on-demand.rkt")
  ;; numbers of higher precision, functions through data
  (all-from-out "value/on-demand.rkt")
  ;; rotations and rigid bodies, with the names of both editions and of scmutils

@@ -4,8 +4,8 @@
 
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/failure.rkt" "../generic/arithmetic.rkt"
-         "../generic/branches.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
+         "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
 
 (require-on-demand
  ["one-variable.rkt" compile-scalar]
@@ -18,10 +18,11 @@
 
 ;; tolerance : relative to the integral of |f|
 ;; report    : receives the value, a bound of its error, the number of evaluations
-(define (definite-integral f low high [tolerance 1e-10] #:report [report first-of-three])
+(define-plain (definite-integral f low high [tolerance 1e-10] #:report [report first-of-three])
   (integrate 'definite-integral f low high tolerance #:report report))
 
-(define (definite-integral-with-tolerance f low high tolerance #:report [report first-of-three])
+(define-plain (definite-integral-with-tolerance f low high tolerance
+                                                #:report [report first-of-three])
   (integrate 'definite-integral-with-tolerance f low high tolerance #:report report))
 
 ;; The same on behalf of `who`.

@@ -3,13 +3,13 @@
 ;; Of a Lagrangian that depends on derivatives up to order n, ∫ L ∘ Γ[q; n + 2].
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt" "several-paths.rkt" "swapped.rkt"
-         "../compile/definite-integral.rkt")
+         "../compile/definite-integral.rkt" "../generic/define-plain.rkt")
 
 (provide Lagrangian-action)
 
-(define (Lagrangian-action L q t1 t2 [tolerance 1e-10]
-                           #:order [n 1]
-                           #:report [report (lambda (value bound count) value)])
+(define-plain (Lagrangian-action L q t1 t2 [tolerance 1e-10]
+                                 #:order [n 1]
+                                 #:report [report (lambda (value bound count) value)])
   (check-Lagrangian 'Lagrangian-action L)
   (check-order 'Lagrangian-action n)
   (check-time-of-path 'Lagrangian-action q t1

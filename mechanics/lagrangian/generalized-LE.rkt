@@ -8,13 +8,13 @@
 
 (require "coordinate-transformation.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../value/structure.rkt")
 
 (provide generalized-LE)
 
 ;; n : the order for paths; a local tuple tells it by its length
-(define (generalized-LE L #:order [n 2]) (equations-of-either L n residual-at))
+(define-plain (generalized-LE L #:order [n 2]) (equations-of-either L n residual-at))
 
 (define (residual-at L local)
   (define n (- (quotient (s:length local) 2) 1))

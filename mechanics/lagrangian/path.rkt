@@ -4,8 +4,8 @@
 
 (require racket/list
          "action.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/wrong-argument.rkt")
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt" "../generic/wrong-argument.rkt")
 
 (provide make-path make-eta parametric-path-action
          linear-interpolants Lagrange-interpolation-function)
@@ -31,7 +31,7 @@
 ;; ((parametric-path-action L t0 q0 t1 q1) qs): the action of the path of
 ;; make-path, as a function of the intermediate coordinates.
 ;; observe : called with each path and its action
-(define (parametric-path-action L t0 q0 t1 q1 #:order [n 1] #:observe [observe void])
+(define-plain (parametric-path-action L t0 q0 t1 q1 #:order [n 1] #:observe [observe void])
   (lambda (qs)
     (define path (make-path t0 q0 t1 q1 qs))
     (define action (Lagrangian-action L path t0 t1 #:order n))

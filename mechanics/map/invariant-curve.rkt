@@ -32,7 +32,6 @@
   (check-map who map rotation-number theta0 Jmin Jmax)
   (check-numbers who (list rotation-number theta0 Jmin Jmax)
                  '("rotation number" "angle" "least action" "greatest action"))
-  (check-irrational who (real->double-flonum (comparand rotation-number)))
   (unless (and (finite? (comparand eps)) (positive? (comparand eps)))
     (complain-of-argument who "a positive tolerance" eps))
   (define (ahead J) (which-way? rotation-number theta0 J map))

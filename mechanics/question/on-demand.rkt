@@ -16,4 +16,5 @@
  ["ignorable.rkt" verify-ignorable ignorable-coordinates conserved-momenta]
  ["small-oscillations.rkt" mass-matrix stiffness-matrix gyroscopic-matrix normal-modes
                            small-oscillation-frequencies]
- ["verify-again.rkt" verify-again])
+ ["verify-again.rkt" verify-again]
+ ["verify-solution.rkt" verify-solution])

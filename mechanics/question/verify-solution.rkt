@@ -2,7 +2,7 @@
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
 (require "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
-         "../generic/on-demand.rkt"
+         "../generic/define-plain.rkt" "../generic/on-demand.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/swapped.rkt"
@@ -17,8 +17,8 @@
 ;; The verdict on the residual of the path q at a symbolic time t; where the path has kinks, or
 ;; no value, the residual does not tell.  With constraints but
 ;; no multipliers the question is whether there are any.
-(define (verify-solution given q [dissipation #f] #:force [Q #f] #:order [n 1]
-                         #:constraints [constraints #f] #:multipliers [multipliers #f])
+(define-plain (verify-solution given q [dissipation #f] #:force [Q #f] #:order [n 1]
+                               #:constraints [constraints #f] #:multipliers [multipliers #f])
   (when (or constraints multipliers) (check-constrained n constraints))
   (define-values (L force) (as-Lagrangian-along given q Q))
   (with-handlers ([exn:fail:contract?

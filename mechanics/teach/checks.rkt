@@ -10,7 +10,7 @@
          "canonical-map.rkt"
          "../error/words.rkt"
          "../generic/describe.rkt"
-         "../question/on-demand.rkt" "../question/verify-solution.rkt"
+         "../question/on-demand.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide check-solution check-not-solution check-residual check-equal-expression

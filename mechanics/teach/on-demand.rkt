@@ -3,6 +3,7 @@
 
 (require "../generic/on-demand.rkt")
 
-(provide-on-demand ["derivations.rkt" derive-Legendre-transform derive-F->C
+(provide-on-demand ["derivation.rkt" derivation-steps show-derivation]
+                   ["derivations.rkt" derive-Legendre-transform derive-F->C
                     derive-generalized-force derive-multipliers derive-Noether-integral
                     derive-Hamilton-equations])

@@ -10,6 +10,7 @@
  ["interpolation/barycentric.rkt" barycentric-interpolation-function
                                   Hermite-interpolation-function]
  ["linear/decompositions.rkt" eigenvectors svd]
+ ["linear/eigenvalues.rkt" characteristic-polynomial eigenvalues]
  ["linear/polynomial-roots.rkt" polynomial-roots]
  ["read-expression.rkt" read-expression]
  ["quaternion.rkt" quaternion? quaternion make-quaternion real&3vector->quaternion

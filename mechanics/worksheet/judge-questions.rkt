@@ -4,7 +4,7 @@
 (require "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
          "../calculus/derivative.rkt"
          "../hamiltonian/on-demand.rkt"
-         "../question/on-demand.rkt" "../question/verify-solution.rkt"
+         "../question/on-demand.rkt"
          "../teach/canonical-map.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
          "../value/read-expression.rkt" "../value/shape.rkt" "../value/simplify.rkt"

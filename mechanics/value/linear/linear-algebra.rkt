@@ -5,12 +5,16 @@
 ;; over the outer index, so that the components of A are the columns of its
 ;; matrix when A is seen as acting on tuples x (SICM p. 516 and 5.2.2).
 
-(require "matrix.rkt" "row-systems.rkt"
+(require "matrix.rkt"
          "../structure.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/dispatch.rkt"
-         "../../generic/function.rkt" "../../generic/kind.rkt" "../../generic/scalar.rkt"
-         "../../generic/up-down.rkt")
+         "../../generic/function.rkt" "../../generic/kind.rkt" "../../generic/on-demand.rkt"
+         "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         (only-in "../../numeric/linear/rows.rkt" rows-transpose))
+
+(require-on-demand
+ ["row-systems.rkt" rows-determinant rows-null-space rows-rank rows-solve rows-solve-each])
 
 (provide transpose determinant trace
          solve-linear-left solve-linear-right

@@ -5,13 +5,14 @@
 ;; Where the book means a matrix, a tuple of tuples is accepted too: the one
 ;; whose components are the rows.
 
-(require "row-products.rkt" "row-systems.rkt"
+(require "row-products.rkt"
          "../structure.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/dispatch.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
          "../../generic/notation.rkt" "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
-         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt")
+         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
+         (only-in "../../numeric/linear/rows.rkt" rows-transpose))
 
 (provide
  ;; construction
@@ -22,7 +23,9 @@
  ;; for the linear algebra above
  matrix matrix-rows square-rows m:invert matrix-of-functions?)
 
-(require-on-demand ["exponential.rkt" rows-exponential])
+(require-on-demand
+ ["exponential.rkt" rows-exponential]
+ ["row-systems.rkt" rows-inverse rows-solve rows-solve-each])
 
 (define kind:matrix
   (make-kind #:rank rank:matrix

@@ -430,11 +430,11 @@ changed over the last half of the time, at most.
                        (or/c -1 0 1)])]{
 
 The action at the angle @racket[theta0] of the invariant curve that has a rotation number, of a map
-that turns angles the faster the greater the action. The number is irrational, as for
-@racket[invariant-circle]. @racket[which-way?] compares the order of
+that turns angles the faster the greater the action. @racket[which-way?] compares the order of
 points around the circle with that of a rotation: 1 if the orbit from there is ahead, −1 if it is
 behind, 0 if no difference is seen in @racket[most-steps] steps. @racket[find-invariant-curve]
-bisects.
+bisects. Where the number is a fraction with a denominator up to 100 there is no such curve in
+general, and the action is that of an orbit that has turned so far when it has its angle back.
 
 @examples[#:eval session
 (define golden (- 1 (/ 1 golden-ratio)))

@@ -80,17 +80,14 @@
   (check-tells-state "linearized-flow"
                      (lambda () ((linearized-flow (HHsysder)) runs-away 10))))
 
-;; These were answered by Racket, or by bisect; the first was followed for minutes.
+;; These were answered by Racket, or by bisect.
 (says
- [(find-invariant-curve twist 1/2 0 2.0 5.0 1e-6)
-  "find-invariant-curve: a circle that is kept has an irrational rotation number; this is 1/2\n"
-  "  given: 0.5\n  (periodic-points map 2 region) finds what is left of such a circle"]
  [(which-way? 'a 0 2 twist)
   "which-way?: expected a real number as rotation number\n  given: the symbol a"]
  [(which-way? golden 0 (up 1 2) twist)
-  "which-way?: expected a real number as ordinate\n  given: (up 1 2), an up tuple of 2"]
+  "which-way?: expected a real number as action\n  given: (up 1 2), an up tuple of 2"]
  [(which-way? golden +nan.0 2 twist)
-  "which-way?: expected a real number as abscissa\n  given: the number +nan.0"]
+  "which-way?: expected a real number as angle\n  given: the number +nan.0"]
  [(which-way? golden 0 2 twist -1)
   "which-way?: expected how many steps at most, a natural number\n  given: the number -1"]
  [(radially-mapping-points twist sin 2.4 1.0 1e-12)
@@ -111,9 +108,8 @@
 
 (says
  [(Lyapunov-exponents HH (up 0.1 0.1) 100)
-  "Lyapunov-exponents: expected a state derivative, a function of the state\n"
-  "  given: the procedure `HHmap`, which takes 4 arguments\n"
-  "  of a map, (maximal-Lyapunov-exponent map start n) tells the greatest"]
+  "Lyapunov-exponents: expected a state derivative; this is a map of the plane: HHmap\n"
+  "  of maps there is (maximal-Lyapunov-exponent map point steps)"]
  [(Poincare-map HHsysder crossing)
   "Poincare-map: " sections-of-motions "; given the procedure `HHsysder`, which takes 0 arguments\n"
   "  it makes one: (HHsysder)"]
