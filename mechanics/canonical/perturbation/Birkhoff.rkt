@@ -2,9 +2,9 @@
 ;; Normal forms near an equilibrium (Birkhoff 1927; with resonances Gustavson 1966).
 ;;
 ;; H = Σ ωⱼ (qⱼ² + pⱼ²)/2 + h₃ + h₄ + ⋯, with hₙ of degree n in coordinates and momenta, is
-;; transformed degree by degree (../Lie/Lie-triangle.rkt).  In z = q + i p and w = q − i p the monomial
-;; zᵃ wᵇ is removed by dividing by i ω·(a − b): it stays if that is 0, which it always is for
-;; a = b, and otherwise is a resonance of the frequencies.
+;; transformed degree by degree (../Lie/Lie-triangle.rkt).  In z = q + i p and w = q − i p the
+;; monomial zᵃ wᵇ is removed by dividing by i ω·(a − b): it stays if that is 0, which it always is
+;; for a = b, and otherwise is a resonance of the frequencies.
 
 (require racket/list
          "../Lie/Lie-triangle.rkt" "complex-polynomial.rkt" "vanishing-divisor.rkt"
