@@ -3,8 +3,8 @@
 ;;
 ;; H = H₀(I) + ε H₁(θ, I) + ε² H₂(θ, I) + ⋯ with waves in the angles θ is transformed, order by
 ;; order, to one without angles (../Lie/Lie-triangle.rkt, homological.rkt).  What can not be
-;; removed, or is not to be, stays: resonances.  All that was divided by is kept with the answer, for where
-;; it is small the answer is worth nothing.
+;; removed, or is not to be, stays: resonances.  All that was divided by is kept with the answer,
+;; for where it is small the answer is worth nothing.
 
 (require "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt" "homological.rkt"
          "unperturbed.rkt"
