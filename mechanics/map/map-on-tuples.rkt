@@ -117,8 +117,10 @@
 ;; -> list of booleans: the most coordinates that are angles together.  One that moves another by
 ;; whole turns, where that one is none, is none itself.
 (define (angles-of image start)
+  (define (at v) (numbers (image (up-of-numbers v))))
   (define all (range (flvector-length start)))
-  (define moves (for/list ([k (in-list all)]) (moved-by-a-turn image start k)))
+  (define here (at start))              ; where there is no image the user is told
+  (define moves (for/list ([k (in-list all)]) (moved-by-a-turn at start here k)))
   (define (angle? k among)
     (define those (list-ref moves k))
     (and those (subset? those among)))
@@ -132,21 +134,18 @@
 
 ;; -> which numbers of the image a whole turn of number k moves, all of them by whole turns; or
 ;; #f.  Seen at two places, for at one it may be chance.
-(define (moved-by-a-turn image start k)
-  (define (at v) (numbers (image (up-of-numbers v))))
-  (define (moved v)
+(define (moved-by-a-turn at start here k)
+  (define (at-or-not v) (with-handlers ([refusal? (lambda (e) #f)]) (at v)))
+  (define (moved v image)
     (define further (flvector-copy v))
     (flvector-set! further k (fl+ :2pi (flvector-ref v k)))
-    (with-handlers ([refusal? (lambda (e) #f)])
-      (turned (at v) (at further))))
-  (define those (moved start))
-  (define also (if (and those (has-image? at (beside start))) (moved (beside start)) '()))
+    (define there (at-or-not further))
+    (and there (turned image there)))
+  (define those (moved start here))
+  (define near (beside start))
+  (define image (and those (at-or-not near)))
+  (define also (if image (moved near image) '()))
   (and those also (remove-duplicates (append those also))))
-
-(define (has-image? at v)
-  (with-handlers ([refusal? (lambda (e) #f)])
-    (at v)
-    #t))
 
 (define (beside v)
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals 1)])

@@ -20,7 +20,7 @@
       "  maker: the procedure `harmonic`, which takes 2 arguments\n  parameters: (1.0)")
      (follow harmonic 1.0))
     (check-exn #rx"parameters: none$" (lambda () (follow harmonic)))
-    (check-exn #rx"it makes a state derivative of the parameters, and this is one already"
+    (check-exn #rx"parameters: [(]1 1[)]\n  a state derivative itself is given without parameters$"
                (lambda () (follow unit 1 1)))))
 
 (test-case "a state derivative alone, or made without parameters, is followed"
