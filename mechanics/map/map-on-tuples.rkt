@@ -28,13 +28,13 @@
 
 ;; map : a map of the plane, or a function of states; at : a point or a state
 (define (make-map-on-tuples who map at times)
-  (define plane? (and (procedure? map) (accepts? map 4)))
+  (define plane? (map? map))
   (when (and (not (pointwise? map)) (pointwise? at))
     (complain who "the map comes first, then the point; these look swapped"))
   (unless (or plane? (and (pointwise? map) (accepts? map 1)))
     (complain who "expected a map of the plane, or a function of a state\n  given: ~a~a"
               (describe-function map) (map-hint map)))
-  (check-no-energy who map at)
+  (unless plane? (check-no-energy who map at))
   (define start (point-numbers who at plane?))
   (define once (if plane? (plane-image who map) (state-image who map at)))
   (define angles (angles-of once start))
@@ -70,8 +70,8 @@
 
 ;; An energy makes a number of a state, and what is called one may not take a point (up x y).
 (define (check-no-energy who map at)
-  (define takes? (with-handlers ([refusal? (lambda (e) #f)]) (map at) #t))
-  (when (or (of-momenta? map) (and (called-energy? map) (not takes?))) (raise-energy who map)))
+  (define (takes?) (with-handlers ([refusal? (lambda (e) #f)]) (map at) #t))
+  (when (or (of-momenta? map) (and (called-energy? map) (not (takes?)))) (raise-energy who map)))
 
 (define (raise-energy who f)
   (complain who "expected a map of the plane, or a function of a state\n  given: ~a~a"
