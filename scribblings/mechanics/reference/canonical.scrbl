@@ -440,9 +440,8 @@ coordinate is an angle that comes again after @racket[turn], after one turn. The
 integrated to a tolerance; one that has not closed by the time @racket[longest], or runs away, is
 an @racket[exn:fail:mechanics:not-convergent]. Errors are a state at rest, a state of several
 coordinates or with symbols, parameters of H that are no numbers, an H that depends on the time,
- a tolerance, turn or time that is not positive, and a turn after which H is another, as 360 where
- the angle is in radians. The pendulum is there in closed form, too:
- @secref["reference-pendulum"].
+a tolerance, turn or time that is not positive, and a turn after which H is another, as 360 where
+the angle is in radians. The pendulum is there in closed form, too: @secref["reference-pendulum"].
 
 @deftogether[(@defproc[(action-of-orbit [H procedure?] [state structure?]
                                         [#:turn turn (or/c real? #f) #f]

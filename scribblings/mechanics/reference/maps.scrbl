@@ -527,12 +527,12 @@ The first of the two is a lower bound of the parameter at which the circle break
 How many turns an orbit of a map of the plane makes for each step, a number from 0 to 1: of the
 first coordinate, an angle, or of the direction from the point @racket[about], then from −1/2 to
 1/2 and counterclockwise. Where the first coordinate does not turn, so that it may be no angle, it
- is said what @racket[#:about] is for. The steps, ten million at most, are averaged with weights
- that vanish at both ends of the orbit, which gives some ten digits or more of 10,000 steps where
- the orbit is quasiperiodic. How much the averages over parts of the orbit differ tells how many;
- where those over its halves differ by more than 1e-5, the orbit is followed on, eight times as far
- at most and to no more than 10,000 steps. Then it is said how many steps would do, or that the
- orbit does not look regular. An orbit that starts at @racket[about] itself is an error.
+is said what @racket[#:about] is for. The steps, ten million at most, are averaged with weights
+that vanish at both ends of the orbit, which gives some ten digits or more of 10,000 steps where
+the orbit is quasiperiodic. How much the averages over parts of the orbit differ tells how many;
+where those over its halves differ by more than 1e-5, the orbit is followed on, eight times as far
+at most and to no more than 10,000 steps. Then it is said how many steps would do, or that the
+orbit does not look regular. An orbit that starts at @racket[about] itself is an error.
 
 @examples[#:eval session
 (rotation-number (standard-map 0.8) (circle 0))
