@@ -147,6 +147,17 @@
                         #f #f #:show? #f
                         "rotation number" rotation "start of the orbit" (up 0.0 J)))
 
+;; On a circle whose rotation number is a fraction all orbits would be periodic; of such circles a
+;; map keeps none but those that it turns like a rotation.
+(define (check-irrational who rotation)
+  (define fraction (rationalize (inexact->exact rotation) 1/1000000000000))
+  (when (<= (denominator fraction) 100)
+    (complain who
+              (string-append "a circle that is kept has an irrational rotation number; this is ~a"
+                             "\n  given: ~a\n  (periodic-points map ~a region) finds what is left of "
+                             "such a circle")
+              fraction rotation (denominator fraction))))
+
 ;; Where actions are the angles by which they turn, as in the standard map, half a radian on both
 ;; sides of the rotation's is usually enough.
 (define (ends who between omega)

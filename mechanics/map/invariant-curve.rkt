@@ -21,7 +21,7 @@
 
 (provide find-invariant-curve which-way?
          ;; for invariant circles
-         curve-between check-irrational)
+         curve-between)
 
 ;; -> the action at the angle theta0
 (define (find-invariant-curve map rotation-number theta0 Jmin Jmax eps)
@@ -43,17 +43,6 @@
   (for ([x (in-list xs)] [what (in-list names)])
     (unless (finite? (comparand x))
       (complain-of-argument who (format "a real number as ~a" what) x))))
-
-;; On a circle whose rotation number is a fraction all orbits would be periodic; of such circles a
-;; map keeps none but those that it turns like a rotation.
-(define (check-irrational who rotation)
-  (define fraction (rationalize (inexact->exact rotation) 1/1000000000000))
-  (when (<= (denominator fraction) 100)
-    (complain who
-              (string-append "a circle that is kept has an irrational rotation number; this is ~a"
-                             "\n  given: ~a\n  (periodic-points map ~a region) finds what is left of "
-                             "such a circle")
-              fraction rotation (denominator fraction))))
 
 (define (raise-no-bracket who rotation-number Jmin Jmax way hint)
   (complain who
