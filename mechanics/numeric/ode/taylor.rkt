@@ -100,15 +100,17 @@
                           (unsafe-fl+ (unsafe-fl- x (unsafe-fl- sum back))
                                       (unsafe-fl- d back)))))
 
+;; +nan.0 is worse than any.
+(define-syntax-rule (worse x y)
+  (if (or (unsafe-fl<= y x) (not (unsafe-fl= x x))) x y))
+
 (define (greatest-defect r h)
   (define-fields run r e unit within)
   (for/fold ([greatest 0.0]) ([theta (in-list places)])
     (define u (fl* theta (fl/ h unit)))
     (value-at! e u within)
-    (worse greatest (defect-at r h u within))))
-
-;; +nan.0 is worse than any.
-(define (worse x y) (if (fl<= y x) x y))
+    (define d (defect-at r h u within))
+    (worse greatest d)))
 
 ;; By how much y' and f(y) differ at the time u, in units, when the state is y, times the length of
 ;; the step.
@@ -123,7 +125,7 @@
                [by-f (unsafe-fl* h (at slope i))]
                [scale (unsafe-fl+ 1.0 (unsafe-flmax (unsafe-flabs (at y i)) (unsafe-flabs change)))]
                [d (unsafe-fl/ (unsafe-flabs (unsafe-fl- change by-f)) scale)])
-          (loop (unsafe-fx+ i 1) (if (unsafe-fl<= d greatest) greatest d))))))
+          (loop (unsafe-fx+ i 1) (worse greatest d))))))
 
 (define (derivative row order u)
   (let loop ([k order] [factor (->fl order)] [sum 0.0])
