@@ -43,10 +43,10 @@
 
 (define (coordinate-along e coordinate span first)
   (define row (coefficient-row e coordinate))
-  (define c (beginning-with first (scaled row (expansion-order e) span)))
   (cond [(clear? row (expansion-order e) (flabs span)) 'clear]
-        [(flvector-finite? c) (list (part 0.0 1.0 c))]
-        [else usual-places]))
+        [else
+         (define c (beginning-with first (scaled row (expansion-order e) span)))
+         (if (flvector-finite? c) (list (part 0.0 1.0 c)) usual-places)]))
 
 (define (function-along f e span first)
   (define order (expansion-order e))
