@@ -39,11 +39,6 @@
   (when (= low high (if (= low 0) 1 low)) (raise-no-bracket who rotation-number Jmin Jmax low hint))
   (bisect ahead Jmin Jmax eps))
 
-(define (check-numbers who xs names)
-  (for ([x (in-list xs)] [what (in-list names)])
-    (unless (finite? (comparand x))
-      (complain-of-argument who (format "a real number as ~a" what) x))))
-
 (define (raise-no-bracket who rotation-number Jmin Jmax way hint)
   (complain who
             (string-append

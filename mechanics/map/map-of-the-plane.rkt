@@ -7,11 +7,12 @@
 
 (require "../calculus/perturbed.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/refusal.rkt" "../error/words.rkt"
-         "../generic/compare.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
-         "../lagrangian/called.rkt" "../lagrangian/of-momenta.rkt")
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../lagrangian/called.rkt" "../lagrangian/of-momenta.rkt"
+         "../numeric/finite.rkt")
 
-(provide check-map map? map-hint called-energy? energy-hint
+(provide check-map check-numbers map? map-hint called-energy? energy-hint
          image-of point-image-of check-image raise-no-image image-or-none image-or-else)
 
 ;; others : the arguments behind it, one of which may be the map
@@ -146,3 +147,9 @@
                       [(pointwise? value)
                        (format "\n  parameters are supplied first: (~a ...)" (value->text map))]
                       [else ""])))
+
+;; xs : to be real numbers; names : what each is called
+(define (check-numbers who xs names)
+  (for ([x (in-list xs)] [what (in-list names)])
+    (unless (finite? (comparand x))
+      (complain-of-argument who (format "a real number as ~a" what) x))))

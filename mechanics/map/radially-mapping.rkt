@@ -5,7 +5,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/wrong-argument.rkt"
-         "../numeric/constants.rkt" "../numeric/finite.rkt"
+         "../numeric/constants.rkt"
          "../search/find-root.rkt"
          "../value/principal-value.rkt")
 
@@ -15,13 +15,11 @@
 (define (radially-mapping-points map Jmin Jmax phi eps)
   (define who 'radially-mapping-points)
   (check-map who map)
-  (for ([x (in-list (list Jmin Jmax phi eps))]
-        [what (in-list '("least action" "greatest action" "angle" "tolerance"))])
-    (unless (finite? (comparand x))
-      (complain-of-argument who (format "a real number as ~a" what) x)))
+  (check-numbers who (list Jmin Jmax phi eps)
+                 '("least action" "greatest action" "angle" "tolerance"))
   (unless (positive? (comparand eps)) (complain-of-argument who "a positive tolerance" eps))
   (define (turned J)
-    (define image (image-of 'radially-mapping-points map phi J (lambda (angle action) angle)))
+    (define image (image-of who map phi J (lambda (angle action) angle)))
     (half-turn (g:- phi image)))
   (check-bracket phi Jmin (turned Jmin) Jmax (turned Jmax))
   (bisect turned Jmin Jmax eps))

@@ -137,13 +137,11 @@
 
 ;; (advance), of a state and its displacements: if it fails, the state alone is told.
 (define (call-for-state who advance)
-  (define (retold raise-failure what e-state)
-    (define s (if (tuple? e-state) (ref e-state 0) e-state))
-    (raise-failure who what s "last state" s))
-  (with-handlers ([exn:fail:mechanics:singular?
-                   (lambda (e)
-                     (retold raise-singular "the motion cannot be followed any further"
-                             (exn:fail:mechanics:singular-where e)))])
+  (define (retold e)
+    (define where (exn:fail:mechanics:singular-where e))
+    (define s (if (tuple? where) (ref where 0) where))
+    (raise-singular who "the motion cannot be followed any further" s "last state" s))
+  (with-handlers ([exn:fail:mechanics:singular? retold])
     (advance)))
 
 ;; One in the direction of each scalar of the state from number `first` on.
