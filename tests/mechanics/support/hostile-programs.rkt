@@ -75,6 +75,10 @@
    (hostile "primitives-of-the-machine"
             (with-answer "(require ffi/unsafe/vm)" "(vm-eval '(system \"true\"))")
             #rx"does not run")
+   (hostile "machine-code"
+            (with-answer "(require mechanics/numeric/machine/executable)"
+                         "(machine-procedures (bytes #xc3) '((0 flvector)))")
+            #rx"does not run")
    (hostile "a-place"
             (with-answer "(require '#%place)"
                          (format "(dynamic-place '(file ~s) 'main)" canary))
