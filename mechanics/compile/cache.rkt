@@ -7,7 +7,7 @@
 (require racket/list
          "tiers.rkt")
 
-(provide compiled-program clear-compiled-programs compiled-program-count)
+(provide (protect-out compiled-program) clear-compiled-programs compiled-program-count)
 
 (define capacity 32)
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; From programs to machine code.
+;; From programs to machine code, by the compiler of Racket.
 ;;
 ;; A program becomes the body of a *linklet*, the form below modules that Racket
 ;; hands to its compiler: it knows the primitives and nothing of macros, so that
@@ -19,7 +19,7 @@
          "flonum-functions.rkt" "program.rkt" "sections.rkt"
          "../numeric/linear/factored-system.rkt" "../numeric/linear/symmetric-system.rkt")
 
-(provide program->maker)
+(provide (protect-out program->maker))
 
 ;; -> (-> (input output -> void)), which makes procedures from one flvector into
 ;; another, to be used by one thread at a time each.

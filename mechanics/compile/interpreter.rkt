@@ -1,34 +1,37 @@
 #lang racket/base
 ;; Programs run by an interpreter, at once.
 ;;
-;; Machine code (code.rkt) takes as long to make as some thousand runs of it save: too long
-;; for a motion of a hundred steps of a big system.  So the instructions become numbers in an
-;; fxvector, four to each: operation, place of the value, places of one or two operands.  All
+;; What Racket's compiler makes (code.rkt) takes as long to make as some thousand runs of it save:
+;; too long for a motion of a hundred steps of a big system.  So the instructions become numbers in
+;; an fxvector, four to each: operation, place of the value, places of one or two operands.  All
 ;; values are in one flvector: inputs, values of instructions, and constants behind them.  A
 ;; loop goes through it, at some nanoseconds an instruction.
+;;
+;; Where the processor is known, a stretch of machine code is one instruction
+;; (machine-stretches.rkt), and little is left to interpret.
 
 (require racket/fixnum
          racket/flonum
-         racket/list
          racket/unsafe/ops
          "flonum-functions.rkt" "program.rkt"
          "../numeric/linear/factored-system.rkt" "../numeric/linear/symmetric-system.rkt")
 
-(provide program->interpreter-maker)
+(provide (protect-out program->interpreter-maker))
 
 ;; code      : fxvector; outputs : fxvector of places; inputs : how many
 ;; start     : flvector of all values, with the constants in their places
 ;; functions : vector of functions of flonums, for operations without a number of their own
-;; systems   : vector of systems
-(struct bytecode (code outputs inputs start functions systems) #:authentic)
+;; systems   : vector of systems; stretches : vector of procedures of the values
+(struct bytecode (code outputs inputs start functions systems stretches) #:authentic)
 
 ;; n unknowns; entries : fxvector of the places of the rows [A b]; first : place of the first
 ;; component, after which the others are, as many as `components`
 (struct system (n entries components solve!) #:authentic)
 
 ;; -> (-> (input output -> void)), as program->maker has it
-(define (program->interpreter-maker p)
-  (define m (assemble p))
+;; stretches : place -> (procedure . length), instructions that are one
+(define (program->interpreter-maker p #:stretches [stretches (hasheqv)])
+  (define m (assemble p stretches))
   (lambda () (interpreter-runner m)))
 
 ;; ---------------------------------------------------------------------------
@@ -36,9 +39,9 @@
 
 (define operation-numbers
   (hasheq 'multiply 0 'add 1 'subtract 2 'divide 3 'negate 4 'sin 5 'cos 6 'sqrt 7
-          'solve 8 'call 9))
+          'solve 8 'call 9 'stretch 10))
 
-(define (assemble p)
+(define (assemble p stretches)
   (define first-constant (+ (program-inputs p) (program-length p)))
   (define constants (make-hasheqv))
   (define (place-of x)
@@ -46,21 +49,20 @@
         (place-index x)
         (hash-ref! constants (real->double-flonum x)
                    (lambda () (+ first-constant (hash-count constants))))))
-  (define parts (assemble-instructions p place-of))
+  (define parts (assemble-instructions p place-of stretches))
   (define outputs
     (for/fxvector #:length (vector-length (program-outputs p)) ([x (in-vector (program-outputs p))])
       (place-of x)))
   (define start (make-flvector (+ first-constant (hash-count constants))))
   (for ([(x k) (in-hash constants)]) (flvector-set! start k x))
   (bytecode (assembled-code parts) outputs (program-inputs p) start
-           (assembled-functions parts) (assembled-systems parts)))
+           (assembled-functions parts) (assembled-systems parts) (assembled-stretches parts)))
 
-(struct assembled (code functions systems) #:authentic)
+(struct assembled (code functions systems stretches) #:authentic)
 
-(define (assemble-instructions p place-of)
+(define (assemble-instructions p place-of stretches)
   (define instructions (program-instructions p))
-  (define functions (growing))
-  (define systems (growing))
+  (define-values (functions systems procedures) (values (growing) (growing) (growing)))
   (define (operation-of i)
     (define name (instruction-operation i))
     (define operands (instruction-operands i))
@@ -71,12 +73,22 @@
        (values name (place-of (car operands)) (place-of (cadr operands)))]
       [(negate sin cos sqrt) (values name (place-of (car operands)) 0)]
       [else (values 'call (grow! functions (assemble-call name (map place-of operands))) 0)]))
+  (define (number name) (hash-ref operation-numbers name))
+  (define end (vector-length instructions))
   (define code
-    (for/list ([i (in-vector instructions)] [k (in-naturals (program-inputs p))]
-               #:unless (eq? 'component (instruction-operation i)))
-      (define-values (name a b) (operation-of i))
-      (list (hash-ref operation-numbers name) k a b)))
-  (assembled (apply fxvector (append* code)) (grown functions) (grown systems)))
+    (let loop ([j 0])
+      (define i (and (< j end) (vector-ref instructions j)))
+      (define k (+ j (program-inputs p)))
+      (define stretch (hash-ref stretches k #f))
+      (cond [(not i) '()]
+            [stretch
+             (list* (number 'stretch) k (grow! procedures (car stretch)) 0
+                    (loop (+ j (cdr stretch))))]
+            [(eq? 'component (instruction-operation i)) (loop (+ j 1))]
+            [else
+             (define-values (name a b) (operation-of i))
+             (list* (number name) k a b (loop (+ j 1)))])))
+  (assembled (apply fxvector code) (grown functions) (grown systems) (grown procedures)))
 
 ;; values -> the value of a function of what is at those places
 (define (assemble-call name places)
@@ -151,7 +163,8 @@
               [(is? 7) (set (unsafe-flsqrt (value-at v a)))]
               [(is? 8) (run-system (unsafe-vector-ref (bytecode-systems m) a)
                                    (unsafe-vector-ref room a) v to)]
-              [else (set ((unsafe-vector-ref (bytecode-functions m) a) v))])
+              [(is? 9) (set ((unsafe-vector-ref (bytecode-functions m) a) v))]
+              [else ((unsafe-vector-ref (bytecode-stretches m) a) v)])
         (loop (unsafe-fx+ k 4))))))
 
 ;; ---------------------------------------------------------------------------

@@ -14,7 +14,7 @@
 
 (provide
  ;; the program
- (struct-out program) program-length (struct-out place)
+ (struct-out program) program-length instruction-at (struct-out place)
  instruction-operation instruction-operands system-unknowns symmetric-system?
  ;; from expressions
  expressions->program
@@ -27,6 +27,10 @@
 (struct program (inputs instructions outputs) #:transparent)
 
 (define (program-length p) (vector-length (program-instructions p)))
+
+;; The one whose value has the place k.
+(define (instruction-at p k)
+  (vector-ref (program-instructions p) (- k (program-inputs p))))
 
 ;; inputs : symbols; es : expressions.  (fail e) is called, not to return, with
 ;; an expression that has no value: another symbol, an unknown function.

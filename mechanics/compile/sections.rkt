@@ -11,7 +11,7 @@
 
 (provide divide allocate-scratch
          (struct-out section) (struct-out filling) (struct-out delivery)
-         instruction-at entries-of outputs-of operands-read)
+         entries-of outputs-of operands-read)
 
 ;; Racket interprets procedures of more than 10,000 symbols, numbers and ends of lists; and fails
 ;; where such a one takes a sine.
@@ -19,9 +19,6 @@
 
 ;; How many values are stored by a filling, by a delivery or, beside its own, by a section.
 (define most-stored 250)
-
-(define (instruction-at p k)
-  (vector-ref (program-instructions p) (- k (program-inputs p))))
 
 ;; Places from `start` on and before `end`; the outputs are stored by sections, too, or not.
 (struct section (start end outputs?) #:authentic)

@@ -1,21 +1,28 @@
 #lang racket/base
-;; Two tiers: long programs are interpreted first, and compiled when that has paid.
+;; Tiers: how a program is run, by its length.
 ;;
-;; A run saves some nanoseconds an instruction if it is compiled, and compiling takes some ten
-;; thousand times that, so the size of the program does not matter: what counts is how often
-;; it was run, by anybody.  Short programs are compiled at once, which nobody notices.  Both
-;; tiers do the same operations in the same order, and give the same values.
+;; Short programs are compiled by Racket at once, which nobody notices, and are called a little
+;; faster so.  Others are stretches of machine code where the processor is known.  Elsewhere long
+;; ones are interpreted first, and compiled when that has paid: a run saves some nanoseconds an
+;; instruction if it is compiled, and compiling takes some ten thousand times that, so the size of
+;; the program does not matter; what counts is how often it was run, by anybody.  All do the same
+;; operations in the same order, and give the same values.
 
-(require "code.rkt" "interpreter.rkt" "program.rkt")
+(require "code.rkt" "interpreter.rkt" "machine-stretches.rkt" "program.rkt")
 
-(provide program->tiered-maker)
+(provide (protect-out program->tiered-maker tiered-maker))
 
+(define longest-compiled 50)
 (define longest-at-once 500)
 (define runs-that-pay 8000)
 
 ;; -> (-> (input output -> void)), as program->maker has it
 (define (program->tiered-maker p)
-  (if (<= (program-length p) longest-at-once) (program->maker p) (tiered-maker p)))
+  (define length (program-length p))
+  (define stretches (if (<= length longest-compiled) (hasheqv) (machine-stretches p)))
+  (cond [(positive? (hash-count stretches)) (program->interpreter-maker p #:stretches stretches)]
+        [(<= length longest-at-once) (program->maker p)]
+        [else (tiered-maker p)]))
 
 ;; counted : runs of the interpreter, by all runners; compiled : maker, or #f
 ;; Threads that count at once may lose a run or compile twice, no more.

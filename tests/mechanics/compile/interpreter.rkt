@@ -8,7 +8,7 @@
          (only-in mechanics/compile/compile-function compiled-function-program)
          (only-in mechanics/compile/interpreter program->interpreter-maker)
          (only-in mechanics/compile/program place program program-outputs)
-         (only-in mechanics/compile/tiers program->tiered-maker))
+         (only-in mechanics/compile/tiers program->tiered-maker tiered-maker))
 
 (define (run maker p input)
   (define output (make-flvector (vector-length (program-outputs p))))
@@ -72,7 +72,7 @@
     (program 1
              (for/vector ([k (in-range 600)]) (list 'add (place k) 1.0))
              (vector (place 600))))
-  (define maker (program->tiered-maker p))
+  (define maker (tiered-maker p))
   (define one (maker))
   (define out (make-flvector 1))
   (for ([k (in-range 10000)])

@@ -1,0 +1,244 @@
+#lang racket/base
+;; From instructions of a program to machine code of the processor, without a compiler.
+;;
+;; An instruction becomes one or two of the processor, in the order of the program, and a call for
+;; what the library of C computes: the same operations on the same operands as code.rkt has them, so
+;; that the values are the same to the last bit.  Writing one takes less than a microsecond.
+
+(require racket/list
+         "instruction.rkt" "machine-values.rkt" "program.rkt"
+         "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt")
+
+(provide program->machine-code machine-instruction? write-straight-code!)
+
+;; given : values of the last inputs, which are numbers in the code
+;; -> (assembly -> void), which writes a procedure as one of C is, of the addresses of the other
+;; inputs and of outputs, which do not overlap; or #f where there is no such code
+(define (program->machine-code p [given '()])
+  (and (machine?)
+       (for/and ([i (in-vector (program-instructions p))]) (machine-instruction? i))
+       (lambda (a) (write-program! a p given))))
+
+(define (write-program! a p given)
+  (define first (program-inputs p))
+  (define varying (- first (length given)))
+  (write-straight-code!
+   a (program-instructions p) first
+   (lambda (inputs outputs)
+     (define (elsewhere k)
+       (if (< k varying)
+           (behind inputs (* 8 k))
+           (constant (real->double-flonum (list-ref given (- k varying))))))
+     (define (output i) (behind outputs (* 8 i)))
+     (define targets
+       (for/fold ([targets (hasheqv)]) ([o (in-vector (program-outputs p))] [i (in-naturals)]
+                                        #:when (and (place? o) (>= (place-index o) first)))
+         (hash-update targets (place-index o) (lambda (to) (cons (output i) to)) '())))
+     (define (write-others!)
+       (for ([o (in-vector (program-outputs p))] [i (in-naturals)]
+             #:unless (and (place? o) (>= (place-index o) first)))
+         (movsd! a 0 (if (place? o) (elsewhere (place-index o)) (constant (real->double-flonum o))))
+         (store-sd! a (output i) 0)))
+     (values elsewhere targets write-others!))))
+
+;; ---------------------------------------------------------------------------
+;; What there is code for
+
+(define (machine-instruction? i)
+  (case (instruction-operation i)
+    [(add subtract multiply divide negate abs sqrt) #t]
+    [else (calls? i)]))
+
+(define (calls? i)
+  (and (C-name (instruction-operation i) (length (instruction-operands i))) #t))
+
+;; -> the name in the library of C, or #f
+(define (C-name name arguments)
+  (case name
+    [(sin cos tan exp log asin acos) (symbol->string name)]
+    [(atan) (and (= arguments 1) "atan")]
+    [(expt) "pow"]
+    [else #f]))
+
+;; ---------------------------------------------------------------------------
+;; A procedure
+
+;; from : the place of the first instruction; s : where values are; elsewhere : place before that
+;; -> memory or constant; targets : place -> list of memory; pairs : place of a sine or cosine ->
+;; that of the other one of the same angle, computed with it
+(struct context (a from s elsewhere targets pairs) #:authentic)
+
+;; A procedure of up to two addresses.  (places x y), given the registers they are in ->
+;; elsewhere : place before `from` -> memory or a constant
+;; targets   : place -> where it is to be stored, a list of memory
+;; finish!   : -> void, which writes what is done last and may use xmm0
+(define (write-straight-code! a instructions from places)
+  (define any-calls? (for/or ([i (in-vector instructions)]) (calls? i)))
+  (define-values (x y) (if any-calls? (values rbx r12) (values rdi rsi)))
+  (define-values (elsewhere targets finish!) (places x y))
+  (define pairs (sines-and-cosines instructions from))
+  (define s (make-values-at a (uses-of instructions from pairs)))
+  (define c (context a from s elsewhere targets pairs))
+  (when any-calls?
+    (push! a rbx)
+    (push! a r12)
+    (mov! a rbx rdi)
+    (mov! a r12 rsi))
+  (define reserve! (later-add! a rsp))
+  (for ([i (in-vector instructions)] [k (in-naturals from)]) (write-instruction! c i k))
+  (finish!)
+  ;; rsp is a multiple of 16 where a function of C is called
+  (define size (+ 8 (* 16 (quotient (+ (stack-size s) 1) 2))))
+  (reserve! (- size))
+  (add! a rsp size)
+  (when any-calls?
+    (pop! a r12)
+    (pop! a rbx))
+  (ret! a))
+
+;; place - from -> the instructions that use it
+(define (uses-of instructions from pairs)
+  (define uses (make-vector (vector-length instructions) '()))
+  (for ([k (in-range (- (vector-length instructions) 1) -1 -1)]
+        #:unless (eq? 'later (hash-ref pairs (+ from k) #f)))
+    (for ([o (in-list (remove-duplicates (instruction-operands (vector-ref instructions k))))]
+          #:when (and (place? o) (>= (place-index o) from)))
+      (define p (- (place-index o) from))
+      (vector-set! uses p (cons (+ from k) (vector-ref uses p)))))
+  uses)
+
+;; place -> place of the other one, for the first of a sine and a cosine; 'later for the second
+(define (sines-and-cosines instructions from)
+  (define together (C-function "sincos"))
+  (define seen (make-hash))
+  (for/fold ([pairs (hasheqv)])
+            ([i (in-vector instructions)] [k (in-naturals from)]
+             #:when (and together (memq (instruction-operation i) '(sin cos))))
+    (define other (hash-ref seen (cons (other-one (instruction-operation i)) (first-operand i)) #f))
+    (hash-set! seen (cons (instruction-operation i) (first-operand i)) k)
+    (if (and other (not (hash-ref pairs other #f)))
+        (hash-set (hash-set pairs other k) k 'later)
+        pairs)))
+
+(define (other-one name) (if (eq? name 'sin) 'cos 'sin))
+
+;; ---------------------------------------------------------------------------
+;; An instruction
+
+(define (write-instruction! c i k)
+  (define s (context-s c))
+  (define name (instruction-operation i))
+  (define operands (instruction-operands i))
+  (define pair (hash-ref (context-pairs c) k #f))
+  (cond [(eq? pair 'later) (void)]
+        [else
+         (cond [pair (write-sine-and-cosine! c name (car operands) k pair)]
+               [(calls? i) (write-call! c (C-name name (length operands)) operands k)]
+               [else (write-operation! c name operands k)])
+         (used! s (filter values (map (lambda (o) (own-place c o)) operands)) k)])
+  (store-value! c k)
+  (used! s (list (own c k)) k))
+
+;; The values of these instructions are numbered from 0 on where they are kept.
+(define (own c k) (- k (context-from c)))
+(define (own-place c o)
+  (and (place? o) (>= (place-index o) (context-from c)) (own c (place-index o))))
+
+;; What an instruction of the processor takes.
+(define (operand c o)
+  (cond [(own-place c o) => (lambda (p) (location (context-s c) p))]
+        [(place? o) ((context-elsewhere c) (place-index o))]
+        [else (constant (real->double-flonum o))]))
+
+(define (load! c o r)
+  (define there (operand c o))
+  (unless (eqv? there r)
+    ((if (fixnum? there) movapd! movsd!) (context-a c) r there)))
+
+(define (write-operation! c name operands k)
+  (define a (context-a c))
+  (define-values (x y) (first-and-second c name operands k))
+  (define r (or (last-in-register c x k)
+                (register-for! (context-s c) (filter fixnum? (list (operand c x) (operand c y))))))
+  (define-syntax-rule (apply! instruction! operand)
+    (begin (load! c x r)
+           (instruction! a r operand)))
+  (case name
+    [(add) (apply! addsd! (operand c y))]
+    [(subtract) (apply! subsd! (operand c y))]
+    [(multiply) (apply! mulsd! (operand c y))]
+    [(divide) (apply! divsd! (operand c y))]
+    [(negate) (apply! xorpd! (constant sign))]
+    [(abs) (apply! andpd! (constant all-but-sign))]
+    [(sqrt) (sqrtsd! a r (operand c x))])
+  (bind-register! (context-s c) (own c k) r))
+
+(define sign (expt 2 63))
+(define all-but-sign (- sign 1))
+
+;; Of a sum or product that operand comes first whose register is free for the result; where there
+;; is but one, it is both.
+(define (first-and-second c name operands k)
+  (define x (first operands))
+  (define y (if (pair? (rest operands)) (second operands) x))
+  (if (and (memq name '(add multiply))
+           (not (last-in-register c x k))
+           (last-in-register c y k))
+      (values y x)
+      (values x y)))
+
+;; The register of a value that the k-th instruction is the last to use, or #f.
+(define (last-in-register c o k)
+  (define p (own-place c o))
+  (and p
+       (not (used-after? (context-s c) p k))
+       (in-register (context-s c) p)))
+
+;; ---------------------------------------------------------------------------
+;; Calls, which change all registers for flonums
+
+(define (write-call! c name operands k)
+  (define s (context-s c))
+  (keep-on-stack! s k)
+  (load-arguments! c operands)
+  (call-address! (context-a c) (C-function name))
+  (forget-registers! s)
+  (bind-register! s (own c k) 0))
+
+(define (load-arguments! c operands)
+  (define-values (x y) (values (car operands) (and (pair? (cdr operands)) (cadr operands))))
+  (cond [(and y (eqv? 0 (operand c y)))
+         (define other (if (eqv? 2 (operand c x)) 3 2))
+         (movapd! (context-a c) other 0)
+         (load! c x 0)
+         (movapd! (context-a c) 1 other)]
+        [else
+         (load! c x 0)
+         (when y (load! c y 1))]))
+
+(define (write-sine-and-cosine! c name x k other)
+  (define-values (a s) (values (context-a c) (context-s c)))
+  (keep-on-stack! s k)
+  (load! c x 0)
+  (define-values (this that)
+    (values (bind-slot! s (own c k)) (bind-slot! s (own c other))))
+  (define-values (sine cosine) (if (eq? name 'sin) (values this that) (values that this)))
+  (lea! a rdi sine)
+  (lea! a rsi cosine)
+  (call-address! a (C-function "sincos"))
+  (forget-registers! s))
+
+;; ---------------------------------------------------------------------------
+;; Storing
+
+(define (store-value! c k)
+  (define targets (hash-ref (context-targets c) k '()))
+  (unless (null? targets)
+    (define r (or (in-register (context-s c) (own c k)) (loaded! c k)))
+    (for ([to (in-list targets)]) (store-sd! (context-a c) to r))))
+
+;; -> a register where it is for now
+(define (loaded! c k)
+  (define r (register-for! (context-s c) '()))
+  (movsd! (context-a c) r (location (context-s c) (own c k)))
+  r)

@@ -1,0 +1,66 @@
+#lang racket/base
+;; Stretches of a program as machine code, between what there is none for.
+;;
+;; Systems of equations and functions beyond those of the library of C are left to the interpreter
+;; (interpreter.rkt); the instructions between them are stretches, each a procedure of the flvector
+;; of all values, from which it takes what was computed before and where it stores what others need.
+
+(require racket/vector
+         "machine-code.rkt" "program.rkt"
+         "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt")
+
+(provide (protect-out machine-stretches))
+
+;; -> place -> (procedure . how many instructions), for the first place of each stretch
+(define (machine-stretches p)
+  (define ranges (if (machine?) (stretches p) '()))
+  (define needed (needed-elsewhere p ranges))
+  (define a (make-assembly))
+  (define entries
+    (for/list ([r (in-list ranges)])
+      (define where (make-label))
+      (label-here! a where)
+      (write-stretch! a p (car r) (cdr r) needed)
+      (list (label-place where) 'flvector)))
+  (define procedures (and (pair? ranges) (machine-procedures (assembly->bytes a) entries)))
+  (if procedures
+      (for/hasheqv ([r (in-list ranges)] [f (in-list procedures)])
+        (values (car r) (cons f (- (cdr r) (car r)))))
+      (hasheqv)))
+
+;; -> list of (from . to), places: as long as may be
+(define (stretches p)
+  (define first (program-inputs p))
+  (define end (+ first (program-length p)))
+  (define (machine? k) (machine-instruction? (instruction-at p k)))
+  (let loop ([k first])
+    (cond [(= k end) '()]
+          [(machine? k)
+           (define next (let further ([k k]) (if (and (< k end) (machine? k)) (further (+ k 1)) k)))
+           (cons (cons k next) (loop next))]
+          [else (loop (+ k 1))])))
+
+;; place -> #t, where it is an output, or computed in a stretch and used outside it
+(define (needed-elsewhere p ranges)
+  (define needed (make-hasheqv))
+  (define (need! o before)
+    (when (and (place? o) (< (place-index o) before)) (hash-set! needed (place-index o) #t)))
+  (for ([o (in-vector (program-outputs p))]) (need! o +inf.0))
+  (define start-of (make-hasheqv))
+  (for* ([r (in-list ranges)] [k (in-range (car r) (cdr r))]) (hash-set! start-of k (car r)))
+  (for ([i (in-vector (program-instructions p))] [k (in-naturals (program-inputs p))])
+    (define before (hash-ref start-of k +inf.0))
+    (for ([o (in-list (instruction-operands i))]) (need! o before)))
+  needed)
+
+(define (write-stretch! a p from to needed)
+  (define first (program-inputs p))
+  (lea! a rdi (behind rdi flvector-data))
+  (write-straight-code!
+   a (vector-copy (program-instructions p) (- from first) (- to first)) from
+   (lambda (values-of _)
+     (define (in-memory k) (behind values-of (* 8 k)))
+     (values in-memory
+             (for/hasheqv ([k (in-range from to)] #:when (hash-ref needed k #f))
+               (values k (list (in-memory k))))
+             void))))

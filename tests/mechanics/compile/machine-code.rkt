@@ -1,0 +1,109 @@
+#lang racket/base
+;; Machine code of programs has the values that Racket's compiler gives, bit for bit.
+
+(require racket/flonum
+         rackunit
+         mechanics/compile/code
+         mechanics/compile/interpreter
+         mechanics/compile/machine-code
+         mechanics/compile/machine-stretches
+         mechanics/compile/program
+         mechanics/numeric/machine/executable
+         "../support/machine-run.rkt" "../support/random.rkt" "../support/skip.rkt")
+
+(define (random-operand k)
+  (cond [(zero? (random 10)) (random-flonum)]
+        [(zero? (random 3)) (place (random k))]
+        [else (place (max 0 (- k 1 (random (min k 25)))))]))
+
+;; calls : how often an operation is a function
+(define (random-program inputs instructions outputs calls others)
+  (define (operand k) (random-operand k))
+  (define (instruction k)
+    (define names
+      (cond [(< (random) others) '(sinh tanh atan2)]
+            [(< (random) calls) '(sin cos sin cos tan exp log asin acos atan expt)]
+            [else '(add subtract multiply add subtract multiply divide negate abs sqrt)]))
+    (define name (apply random-choice names))
+    (case name
+      [(add subtract multiply divide expt) (list name (operand k) (operand k))]
+      [(atan2) (list 'atan (operand k) (operand k))]
+      [else (list name (operand k))]))
+  (define end (+ inputs instructions))
+  (program inputs
+           (for/vector ([k (in-range inputs end)]) (instruction k))
+           (for/vector ([_ (in-range outputs)]) (operand end))))
+
+(define odd-numbers
+  '(0.0 -0.0 1.0 -1.0 +inf.0 -inf.0 +nan.0 1e300 1e-310 0.5 2.0 3.0 -3.0 1e22 -2.5))
+
+(define (random-inputs n)
+  (for/flvector #:length n ([_ (in-range n)])
+    (if (zero? (random 4)) (apply random-choice odd-numbers) (random-flonum))))
+
+(define (values-by run p input)
+  (define output (make-flvector (vector-length (program-outputs p)) 99.0))
+  (run input output)
+  output)
+
+(define (check-alike p machine)
+  (define compiled ((program->maker p)))
+  (for ([_ (in-range 10)])
+    (define input (random-inputs (program-inputs p)))
+    (with-check-info (['program p] ['input input])
+      (check-equal? (values-by machine p input) (values-by compiled p input)))))
+
+(define (check-machine-code)
+  (test-case "random programs, with many calls and few"
+    (with-seeds 150
+      (define p (random-program 5 (random-integer 1 150) 6 (random-choice 0 0.05 0.3 1) 0))
+      (check-alike p (machine-run (program->machine-code p)))))
+
+  (test-case "values of the last inputs may be numbers in the code"
+    (with-seeds 20
+      (define p (random-program 5 40 3 0.1 0))
+      (define write! (program->machine-code p '(0.25 -3)))
+      (define machine (machine-run write!))
+      (define compiled ((program->maker p)))
+      (define input (random-inputs 5))
+      (flvector-set! input 3 0.25)
+      (flvector-set! input 4 -3.0)
+      (define without (flvector-copy input 0 3))
+      (check-equal? (values-by machine p without) (values-by compiled p input))))
+
+  (test-case "stretches, between functions that there is no code for"
+    (with-seeds 60
+      (define p (random-program 5 (random-integer 1 200) 6 0.1 (random-choice 0 0.02 0.2)))
+      (define stretches (machine-stretches p))
+      (check-alike p ((program->interpreter-maker p #:stretches stretches)))))
+
+  (test-case "sine and cosine of one angle at once are those of it alone"
+    (define both
+      (program 1 (vector (list 'sin (place 0)) (list 'cos (place 0))) (vector (place 1) (place 2))))
+    (define run (machine-run (program->machine-code both)))
+    (with-seed 1
+      (for ([_ (in-range 20000)])
+        (define x (* (exp (* 60 (- (random) 0.5))) (- (random) 0.5)))
+        (check-equal? (values-by run both (flvector x)) (flvector (flsin x) (flcos x))))))
+
+  (test-case "powers of numbers that are special"
+    (define power (program 2 (vector (list 'expt (place 0) (place 1))) (vector (place 2))))
+    (define run (machine-run (program->machine-code power)))
+    (for* ([x (in-list odd-numbers)] [y (in-list odd-numbers)])
+      (check-equal? (values-by run power (flvector x y)) (flvector (flexpt x y)))))
+
+  (test-case "more values at once than there are registers"
+    (define n 60)
+    (define p
+      (program n
+               (for/vector ([k (in-range (* 2 n))])
+                 (if (< k n)
+                     (list 'multiply (place k) (place (modulo (+ k 1) n)))
+                     (list 'add (place k) (place (- (* 3 n) k 1)))))
+               (for/vector ([k (in-range n)]) (place (+ n n k)))))
+    (with-seeds 5 (check-alike p (machine-run (program->machine-code p)))))
+
+  (test-case "no code where there is none for a function"
+    (check-false (program->machine-code (program 1 (vector (list 'sinh (place 0))) (vector))))))
+
+(skip-unless (machine?) "no processor that machine code is written for" (check-machine-code))
