@@ -58,6 +58,7 @@
             (lambda () (and (jacobian-maker) (fix-parameters ((jacobian-maker)) n parameters)))
             (program-length (task-slope t))
             (once (lambda () (program-expander (task-slope t) n parameters)))
+            (once (lambda () (program-machine-rates (task-slope t) parameters)))
             #f (box '()) (box #f) #f)))
 
 (define (failed e)

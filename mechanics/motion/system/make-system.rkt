@@ -49,4 +49,5 @@
           (lambda () (let ([make (jacobian)]) (and make (make))))
           (compiled-function-operations code)
           (once (lambda () (expander-of code n (flvector))))
+          (once (lambda () (machine-rates-of code (flvector))))
           corrections (box '()) (box #f) #f))

@@ -1,7 +1,7 @@
 #lang racket/base
-;; What is made of the compiled rates of a system beside these: Taylor coefficients, and the
-;; derivatives that implicit methods ask for; and rates whose parameters, inputs after those of
-;; the state, have values.
+;; What is made of the compiled rates of a system beside these: Taylor coefficients, machine code
+;; for whole steps, and the derivatives that implicit methods ask for; and rates whose parameters,
+;; inputs after those of the state, have values.
 ;;
 ;; All come from the list of instructions of the rates: nothing of the user's is run again, and
 ;; what was true of the rates when they were compiled is true of these.
@@ -9,10 +9,12 @@
 (require racket/flonum
          racket/unsafe/ops
          "../../compile/cache.rkt" "../../compile/compile-function.rkt"
-         "../../compile/jet-program.rkt" "../../compile/tangent-program.rkt"
-         "../../numeric/flvector.rkt")
+         "../../compile/jet-program.rkt" "../../compile/machine-code.rkt"
+         "../../compile/tangent-program.rkt"
+         "../../numeric/flvector.rkt" "../../numeric/ode/expandable.rkt")
 
-(provide expander-of program-expander jacobian-maker rates-jacobian fix-parameters)
+(provide expander-of program-expander machine-rates-of program-machine-rates
+         jacobian-maker rates-jacobian fix-parameters)
 
 ;; n : how many scalars a state has; ps : the values of the parameters
 (define (expander-of code n ps)
@@ -24,6 +26,15 @@
 (define (program-expander p n ps)
   (define make (program->expansion-maker p n #:constants (flvector->list ps)))
   (if (string? make) make (maker->expander make (inputs-with n ps))))
+
+;; Machine code of the rates, the parameters being numbers in it; or #f
+(define (machine-rates-of code ps)
+  (define p (compiled-function-program code))
+  (and p (program-machine-rates p ps)))
+
+(define (program-machine-rates p ps)
+  (define write! (program->machine-code p (flvector->list ps)))
+  (and write! (make-machine-rates write!)))
 
 ;; Room for a state, and the parameters.
 (define (inputs-with n ps)

@@ -22,8 +22,8 @@
 ;; spares         : a box of right-hand sides that no integration uses any more
 ;; separable      : a box: was that found out (separable.rkt)?
 ;; own            : its right-hand side in one integration, or #f
-(struct system (shape clock? derivative make-slope! make-jacobian! operations expander corrections
-                spares separable own)
+(struct system (shape clock? derivative make-slope! make-jacobian! operations expander machine
+                corrections spares separable own)
   #:authentic)
 
 ;; What a method integrates.
@@ -36,7 +36,8 @@
                           (lambda () (or ((system-make-jacobian! s)) (differences slope! n)))))]
         [else (or (system-own s) (new-right-hand-side s))]))
 
-(define (new-right-hand-side s) (expandable ((system-make-slope! s)) (system-expand s)))
+(define (new-right-hand-side s)
+  (expandable ((system-make-slope! s)) (system-expand s) ((system-machine s))))
 
 ;; What makes Taylor coefficients of motions, or a string that says why there are none.
 (define (system-expand s) ((system-expander s)))

@@ -1,15 +1,35 @@
 #lang racket/base
-;; Right-hand sides of y' = f(y) with what computes Taylor coefficients of solutions.
+;; Right-hand sides of y' = f(y) with what methods make of them: Taylor coefficients of solutions,
+;; and machine code of whole steps.
 
-(provide expandable expandable? expandable-expand
+(provide expandable expandable? expandable-expand rates-code
+         (protect-out make-machine-rates)
          take-work! rest!)
 
-;; run    : y dy -> void
-;; expand : order -> expansion (numeric/jet/expansion.rkt), for one thread at a time
-;; work   : what a method made for its latest integration, or #f; idle? : may the next one use it?
-(struct expandable (run expand [work #:auto #:mutable] [idle? #:auto #:mutable])
+;; run     : y dy -> void
+;; expand  : order -> expansion (numeric/jet/expansion.rkt), for one thread at a time
+;; machine : machine-rates, or #f
+;; work    : what a method made for its latest integration, or #f; idle? : may the next one use it?
+(struct expandable (run expand machine [work #:auto #:mutable] [idle? #:auto #:mutable])
   #:authentic
   #:property prop:procedure 0)
+
+;; write! : assembly -> void, which writes the rates as a procedure as one of C is, of the addresses
+;; of y and of dy; made : what methods have made with it, method -> code
+(struct machine-rates (write! [made #:mutable]) #:authentic)
+
+(define (make-machine-rates write!) (machine-rates write! (hasheq)))
+
+;; (make write!) : -> what a method makes of the rates of f!, or #f; made once
+;; -> that, or #f where they have no machine code
+(define (rates-code f! method make)
+  (define m (and (expandable? f!) (expandable-machine f!)))
+  (and m
+       (hash-ref (machine-rates-made m) method
+                 (lambda ()
+                   (define code (make (machine-rates-write! m)))
+                   (set-machine-rates-made! m (hash-set (machine-rates-made m) method code))
+                   code))))
 
 ;; What was made before, if it is idle and (fits? work); else what (make) makes.
 (define (take-work! f! fits? make)

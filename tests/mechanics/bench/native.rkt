@@ -19,7 +19,7 @@
 (require racket/fixnum racket/flonum racket/runtime-path racket/string
          (only-in mechanics/compile/trace trace)
          (only-in mechanics/motion/system/make-system make-system)
-         (only-in mechanics/motion/system/system system-make-slope!)
+         (only-in mechanics/motion/system/system system-right-hand-side)
          (only-in mechanics/value/shape structure->flvector)
          mechanics/numeric/ode/dormand-prince-853 mechanics/numeric/ode/integrate
          "C.rkt" "clock.rkt" "motion-systems.rkt" "program-text.rkt" "python.rkt"
@@ -52,8 +52,8 @@
 
 (define (our-figures s)
   (define y (structure->flvector (motion-start s) values))
-  (define f! ((system-make-slope! (make-system 'bench (motion-derivative s)
-                                               (motion-start s)))))
+  (define f! (system-right-hand-side (make-system 'bench (motion-derivative s) (motion-start s))
+                                     dormand-prince-853))
   (define steps 0)
   (define evaluations 0)
   (define (counted-f! y dy)
