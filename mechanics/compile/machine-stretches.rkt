@@ -6,8 +6,9 @@
 ;; of all values, from which it takes what was computed before and where it stores what others need.
 
 (require racket/vector
-         "machine-code.rkt" "program.rkt"
-         "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt")
+         "program.rkt"
+         "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt"
+         "../numeric/machine/straight-code.rkt")
 
 (provide (protect-out machine-stretches))
 
@@ -55,12 +56,12 @@
 
 (define (write-stretch! a p from to needed)
   (define first (program-inputs p))
-  (lea! a rdi (behind rdi flvector-data))
-  (write-straight-code!
-   a (vector-copy (program-instructions p) (- from first) (- to first)) from
-   (lambda (values-of _)
-     (define (in-memory k) (behind values-of (* 8 k)))
-     (values in-memory
-             (for/hasheqv ([k (in-range from to)] #:when (hash-ref needed k #f))
-               (values k (list (in-memory k))))
-             void))))
+  (define (in-memory k) (behind rbx (* 8 k)))
+  (push! a rbx)
+  (lea! a rbx (behind rdi flvector-data))
+  (write-straight-code! a (vector-copy (program-instructions p) (- from first) (- to first)) from
+                        in-memory
+                        (for/list ([k (in-range from to)] #:when (hash-ref needed k #f))
+                          (cons (place k) (in-memory k))))
+  (pop! a rbx)
+  (ret! a))

@@ -9,9 +9,10 @@
 (require racket/flonum
          racket/unsafe/ops
          "../../compile/cache.rkt" "../../compile/compile-function.rkt"
-         "../../compile/jet-program.rkt" "../../compile/machine-code.rkt"
+         "../../compile/jet-program.rkt" "../../compile/program.rkt"
          "../../compile/tangent-program.rkt"
-         "../../numeric/flvector.rkt" "../../numeric/ode/expandable.rkt")
+         "../../numeric/flvector.rkt" "../../numeric/machine/executable.rkt"
+         "../../numeric/machine/straight-code.rkt" "../../numeric/ode/expandable.rkt")
 
 (provide expander-of program-expander machine-rates-of program-machine-rates
          jacobian-maker rates-jacobian fix-parameters)
@@ -33,8 +34,10 @@
   (and p (program-machine-rates p ps)))
 
 (define (program-machine-rates p ps)
-  (define write! (program->machine-code p (flvector->list ps)))
-  (and write! (make-machine-rates write!)))
+  (and (machine?)
+       (for/and ([i (in-vector (program-instructions p))]) (machine-instruction? i))
+       (let ([q (with-given p (flvector->list ps))])
+         (make-machine-rates (program-inputs q) (program-instructions q) (program-outputs q)))))
 
 ;; Room for a state, and the parameters.
 (define (inputs-with n ps)

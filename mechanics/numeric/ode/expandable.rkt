@@ -3,6 +3,7 @@
 ;; and machine code of whole steps.
 
 (provide expandable expandable? expandable-expand rates-code
+         machine-rates-inputs machine-rates-instructions machine-rates-outputs
          (protect-out make-machine-rates)
          take-work! rest!)
 
@@ -14,20 +15,21 @@
   #:authentic
   #:property prop:procedure 0)
 
-;; write! : assembly -> void, which writes the rates as a procedure as one of C is, of the addresses
-;; of y and of dy; made : what methods have made with it, method -> code
-(struct machine-rates (write! [made #:mutable]) #:authentic)
+;; The rates as straight code (numeric/machine/straight-code.rkt) of so many inputs, the components
+;; of y; outputs : operands; made : what methods have made of it, method -> code
+(struct machine-rates (inputs instructions outputs [made #:mutable]) #:authentic)
 
-(define (make-machine-rates write!) (machine-rates write! (hasheq)))
+(define (make-machine-rates inputs instructions outputs)
+  (machine-rates inputs instructions outputs (hasheq)))
 
-;; (make write!) : -> what a method makes of the rates of f!, or #f; made once
+;; (make rates) : -> what a method makes of the rates of f!, or #f; made once
 ;; -> that, or #f where they have no machine code
 (define (rates-code f! method make)
   (define m (and (expandable? f!) (expandable-machine f!)))
   (and m
        (hash-ref (machine-rates-made m) method
                  (lambda ()
-                   (define code (make (machine-rates-write! m)))
+                   (define code (make m))
                    (set-machine-rates-made! m (hash-set (machine-rates-made m) method code))
                    code))))
 

@@ -6,14 +6,16 @@
 ;; are written in less than a millisecond, once for a system and a method, and do what the Racket
 ;; code of the method does, operation for operation: a motion is the same to the last bit.
 ;;
-;; They work in one flvector, the *room*: the error of a step and its divisor, then vectors of n
+;; They work in one flvector, the *room*: the error of a step, its divisor and h, then vectors of n
 ;; components, those of the slopes and w.  The present slope is an flvector of its own, as the
-;; states are.
+;; states are.  A step of few components is straight code (step-code.rkt); else its stages are loops
+;; over vectors, two components at a time (numeric/machine/elements.rkt), and calls of the rates.
 
 (require racket/flonum
          racket/list
-         "expandable.rkt" "stepper.rkt"
-         "../machine/assembler.rkt" "../machine/elements.rkt" "../machine/executable.rkt")
+         "expandable.rkt" "step-code.rkt" "stepper.rkt"
+         "../machine/assembler.rkt" "../machine/elements.rkt" "../machine/executable.rkt"
+         "../machine/straight-code.rkt")
 
 (provide (struct-out method-formulas)
          (protect-out as-machine-code))
@@ -28,7 +30,7 @@
 (define ((as-machine-code formulas start) f! y0)
   (define n (flvector-length y0))
   (define code
-    (rates-code f! formulas (lambda (write-rates!) (method-code formulas n write-rates!))))
+    (rates-code f! formulas (lambda (rates) (method-code formulas n rates))))
   (if code (stepper-of code n y0 formulas) (start f! y0)))
 
 (define (stepper-of code n y0 formulas)
@@ -52,7 +54,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Room
 
-(define results 2)
+(define results 3)
 
 (define (room-vectors formulas)
   (remove-duplicates
@@ -87,16 +89,27 @@
 ;; ---------------------------------------------------------------------------
 ;; Code
 
-;; write-rates! : assembly -> void; -> list of procedures, or #f
-(define (method-code formulas n write-rates!)
+;; Of a step with more components, or rates of more instructions, straight code is no faster or
+;; takes too long to write.
+(define-values (most-components most-instructions) (values 8 200))
+
+;; rates : machine-rates; -> list of procedures, or #f
+(define (method-code formulas n m)
+  (define-values (instructions outputs)
+    (values (machine-rates-instructions m) (machine-rates-outputs m)))
+  (define straight?
+    (and (<= n most-components) (<= (vector-length instructions) most-instructions)))
   (define a (make-assembly))
-  (define rates (written a (lambda () (write-rates! a))))
+  (define rates (written a (lambda () (write-procedure! a n instructions outputs))))
   (define-syntax-rule (entry (type ...) form)
     (list (label-place (written a (lambda () form))) type ...))
   (define-values (v x) (values 'flvector 'flonum))
   (define entries
     (list (entry (v v) (write-begin! a n formulas rates))
-          (entry (x v v v v) (write-try! a n formulas rates))
+          (entry (x v v v v)
+                 (if straight?
+                     (write-straight-try! a n formulas instructions outputs)
+                     (write-try! a n formulas rates)))
           (entry (v v v v v) (write-accept! a n formulas rates))
           (entry (x v v v v v) (write-prepare! a n formulas rates))
           (entry (x v v) (write-value! a n formulas))))
@@ -134,10 +147,34 @@
       (write-error! a n places (method-formulas-error formulas)))))
 
 (define (with-room formulas n given)
-  (for/fold ([places given])
-            ([(name place)
-              (in-hash (places-in-room formulas n (vector-at-base (hash-ref given 'room))))])
+  (define base (vector-at-base (hash-ref given 'room)))
+  (for/fold ([places (with-places given 'error (vector-at base 0) 'divisor (vector-at base 8))])
+            ([(name place) (in-hash (places-in-room formulas n base))])
     (hash-set places name place)))
+
+;; The same.
+(define (write-straight-try! a n formulas instructions outputs)
+  (define slope (slope-name formulas))
+  (with-vectors a (list 'y 'z slope 'room)
+    (lambda (given)
+      (define places (with-room formulas n given))
+      (define (component name i)
+        (define v (hash-ref places name))
+        (behind (vector-at-base v) (+ (vector-at-distance v) (* 8 i))))
+      (define (input k)
+        (cond [(< k n) (component 'y k)]
+              [(< k (+ n n)) (component slope (- k n))]
+              [else (behind (vector-at-base (hash-ref given 'room)) 16)]))
+      (define-values (code results)
+        (step-code n instructions outputs (method-formulas-slopes formulas)
+                   (method-formulas-error formulas)))
+      (store-sd! a (input (+ n n)) 0)
+      (write-straight-code! a code (+ n n 1) input
+                            (for*/list ([(name operands) (in-hash results)]
+                                        #:when (hash-ref places name #f)
+                                        #:unless (eq? name 'y)
+                                        [i (in-range (vector-length operands))])
+                              (cons (vector-ref operands i) (component name i)))))))
 
 ;; old y z slope room: y becomes z, and old what it was
 (define (write-accept! a n formulas rates)
@@ -188,10 +225,8 @@
                        (for/list ([m (in-list means)])
                          `((local x (fl/ (weighted i ,@(rest m)) scale))
                            (total ,(first m) (fl* x x)))))))
-  (define room (vector-at-base (hash-ref places 'room)))
   (emit-elements! a 1
-                  (with-places (with-length a with-sums)
-                    'error (vector-at room 0) 'divisor (vector-at room 8))
+                  (with-length a with-sums)
                   `(,@(for/list ([m (in-list means)])
                         `(local ,(first m) (flsqrt (fl/ ,(first m) ,n))))
                     ,@(for/list ([f (in-list formulas)]) (cons 'local f))

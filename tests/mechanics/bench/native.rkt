@@ -7,14 +7,12 @@
 ;; is the machine code; and formulas a programmer would have written down.  Steps and
 ;; evaluations are counted on both sides: they are to be the same.
 ;;
-;; What is left between the two was measured part by part.  Right-hand sides alone take 1.03 to 1.1
-;; times C's; 1.6 times in the rigid body, for C takes sine and cosine of one angle by one call of
-;; `sincos`, and nothing but memory survives our calls; 1 ns more where there are a dozen
-;; operations, for the call itself.  A step with a slope that costs nothing takes 145 ns with three
-;; components, 254 with seven and 560 with nineteen, in C 110, 141 and 337: a term a k is five
-;; instructions here, as numbers in the code are reached through pointers, and three there.  Other
-;; orders of sums, coefficients in a vector, slopes side by side, sums begun before a slope is
-;; known, and sines of our own changed the whole by less than a tenth, and were not kept.
+;; Ours is machine code that the library writes itself (numeric/ode/machine-method.rkt).  Of few
+;; components a whole step is straight code, in which a slope goes from the rates to the next stage in
+;; registers; of many, loops work on two components at a time.  Both save what C spends on memory
+;; between its function of the rates and its loops; and what chooses the next step's length, in
+;; Racket, takes that again.  A system that equations are solved for has no such code: the chain's
+;; stages are Racket's.
 
 (require racket/fixnum racket/flonum racket/runtime-path racket/string
          (only-in mechanics/compile/trace trace)

@@ -5,10 +5,10 @@
          rackunit
          mechanics/compile/code
          mechanics/compile/interpreter
-         mechanics/compile/machine-code
          mechanics/compile/machine-stretches
          mechanics/compile/program
          mechanics/numeric/machine/executable
+         mechanics/numeric/machine/straight-code
          "../support/machine-run.rkt" "../support/random.rkt" "../support/skip.rkt")
 
 (define (random-operand k)
@@ -46,30 +46,34 @@
   (run input output)
   output)
 
-(define (check-alike p machine)
+(define (machine p)
+  (machine-run
+   (lambda (a)
+     (write-procedure! a (program-inputs p) (program-instructions p) (program-outputs p)))))
+
+(define (check-alike p run)
   (define compiled ((program->maker p)))
   (for ([_ (in-range 10)])
     (define input (random-inputs (program-inputs p)))
     (with-check-info (['program p] ['input input])
-      (check-equal? (values-by machine p input) (values-by compiled p input)))))
+      (check-equal? (values-by run p input) (values-by compiled p input)))))
 
 (define (check-machine-code)
   (test-case "random programs, with many calls and few"
     (with-seeds 150
       (define p (random-program 5 (random-integer 1 150) 6 (random-choice 0 0.05 0.3 1) 0))
-      (check-alike p (machine-run (program->machine-code p)))))
+      (check-alike p (machine p))))
 
   (test-case "values of the last inputs may be numbers in the code"
     (with-seeds 20
       (define p (random-program 5 40 3 0.1 0))
-      (define write! (program->machine-code p '(0.25 -3)))
-      (define machine (machine-run write!))
+      (define fewer (machine (with-given p '(0.25 -3))))
       (define compiled ((program->maker p)))
       (define input (random-inputs 5))
       (flvector-set! input 3 0.25)
       (flvector-set! input 4 -3.0)
       (define without (flvector-copy input 0 3))
-      (check-equal? (values-by machine p without) (values-by compiled p input))))
+      (check-equal? (values-by fewer p without) (values-by compiled p input))))
 
   (test-case "stretches, between functions that there is no code for"
     (with-seeds 60
@@ -80,7 +84,7 @@
   (test-case "sine and cosine of one angle at once are those of it alone"
     (define both
       (program 1 (vector (list 'sin (place 0)) (list 'cos (place 0))) (vector (place 1) (place 2))))
-    (define run (machine-run (program->machine-code both)))
+    (define run (machine both))
     (with-seed 1
       (for ([_ (in-range 20000)])
         (define x (* (exp (* 60 (- (random) 0.5))) (- (random) 0.5)))
@@ -88,7 +92,7 @@
 
   (test-case "powers of numbers that are special"
     (define power (program 2 (vector (list 'expt (place 0) (place 1))) (vector (place 2))))
-    (define run (machine-run (program->machine-code power)))
+    (define run (machine power))
     (for* ([x (in-list odd-numbers)] [y (in-list odd-numbers)])
       (check-equal? (values-by run power (flvector x y)) (flvector (flexpt x y)))))
 
@@ -101,9 +105,10 @@
                      (list 'multiply (place k) (place (modulo (+ k 1) n)))
                      (list 'add (place k) (place (- (* 3 n) k 1)))))
                (for/vector ([k (in-range n)]) (place (+ n n k)))))
-    (with-seeds 5 (check-alike p (machine-run (program->machine-code p)))))
+    (with-seeds 5 (check-alike p (machine p))))
 
   (test-case "no code where there is none for a function"
-    (check-false (program->machine-code (program 1 (vector (list 'sinh (place 0))) (vector))))))
+    (check-false (machine-instruction? (list 'sinh (place 0))))
+    (check-false (machine-instruction? (list 'solve 2 1)))))
 
 (skip-unless (machine?) "no processor that machine code is written for" (check-machine-code))

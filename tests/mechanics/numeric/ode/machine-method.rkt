@@ -5,7 +5,6 @@
 (require racket/flonum
          rackunit
          mechanics/compile/code
-         mechanics/compile/machine-code
          mechanics/compile/program
          mechanics/numeric/machine/executable
          mechanics/numeric/ode/dormand-prince-54
@@ -28,7 +27,9 @@
   (program n instructions (for/vector ([i (in-range n)]) (place (+ n (* 3 i) 2)))))
 
 (define (by-machine p)
-  (expandable ((program->maker p)) #f (make-machine-rates (program->machine-code p))))
+  (expandable ((program->maker p)) #f
+              (make-machine-rates (program-inputs p) (program-instructions p)
+                                  (program-outputs p))))
 
 (define (random-state n) (for/flvector #:length n ([_ (in-range n)]) (fl* 0.3 (random-flonum))))
 

@@ -1,52 +1,22 @@
 #lang racket/base
-;; From instructions of a program to machine code of the processor, without a compiler.
+;; Straight flonum code as machine code of the processor, without a compiler.
 ;;
-;; An instruction becomes one or two of the processor, in the order of the program, and a call for
-;; what the library of C computes: the same operations on the same operands as code.rkt has them, so
-;; that the values are the same to the last bit.  Writing one takes less than a microsecond.
+;; An instruction becomes one or two of the processor, in the order given, and a call for what the
+;; library of C computes: the same operations on the same operands as Racket's compiler has them, so
+;; that the values are the same to the last bit.  (larger x y) is y where one is no number.  Writing
+;; an instruction takes less than a microsecond.
 
 (require racket/list
-         "instruction.rkt" "machine-values.rkt" "program.rkt"
-         "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt")
+         "assembler.rkt" "executable.rkt" "registers.rkt" "straight-instruction.rkt")
 
-(provide program->machine-code machine-instruction? write-straight-code!)
-
-;; given : values of the last inputs, which are numbers in the code
-;; -> (assembly -> void), which writes a procedure as one of C is, of the addresses of the other
-;; inputs and of outputs, which do not overlap; or #f where there is no such code
-(define (program->machine-code p [given '()])
-  (and (machine?)
-       (for/and ([i (in-vector (program-instructions p))]) (machine-instruction? i))
-       (lambda (a) (write-program! a p given))))
-
-(define (write-program! a p given)
-  (define first (program-inputs p))
-  (define varying (- first (length given)))
-  (write-straight-code!
-   a (program-instructions p) first
-   (lambda (inputs outputs)
-     (define (elsewhere k)
-       (if (< k varying)
-           (behind inputs (* 8 k))
-           (constant (real->double-flonum (list-ref given (- k varying))))))
-     (define (output i) (behind outputs (* 8 i)))
-     (define targets
-       (for/fold ([targets (hasheqv)]) ([o (in-vector (program-outputs p))] [i (in-naturals)]
-                                        #:when (and (place? o) (>= (place-index o) first)))
-         (hash-update targets (place-index o) (lambda (to) (cons (output i) to)) '())))
-     (define (write-others!)
-       (for ([o (in-vector (program-outputs p))] [i (in-naturals)]
-             #:unless (and (place? o) (>= (place-index o) first)))
-         (movsd! a 0 (if (place? o) (elsewhere (place-index o)) (constant (real->double-flonum o))))
-         (store-sd! a (output i) 0)))
-     (values elsewhere targets write-others!))))
+(provide machine-instruction? write-straight-code! write-procedure!)
 
 ;; ---------------------------------------------------------------------------
 ;; What there is code for
 
 (define (machine-instruction? i)
   (case (instruction-operation i)
-    [(add subtract multiply divide negate abs sqrt) #t]
+    [(add subtract multiply divide negate abs sqrt larger) #t]
     [else (calls? i)]))
 
 (define (calls? i)
@@ -63,38 +33,50 @@
 ;; ---------------------------------------------------------------------------
 ;; A procedure
 
-;; from : the place of the first instruction; s : where values are; elsewhere : place before that
-;; -> memory or constant; targets : place -> list of memory; pairs : place of a sine or cosine ->
-;; that of the other one of the same angle, computed with it
-(struct context (a from s elsewhere targets pairs) #:authentic)
+;; Writes a procedure as one of C is, of the addresses of inputs and of outputs, which do not
+;; overlap.  instructions : their values have the places after the inputs; outputs : operands
+(define (write-procedure! a inputs instructions outputs)
+  (push! a rbx)
+  (push! a r12)
+  (mov! a rbx rdi)
+  (mov! a r12 rsi)
+  (add! a rsp -8)
+  (write-straight-code! a instructions inputs
+                        (lambda (k) (behind rbx (* 8 k)))
+                        (for/list ([o (in-vector outputs)] [i (in-naturals)])
+                          (cons o (behind r12 (* 8 i)))))
+  (add! a rsp 8)
+  (pop! a r12)
+  (pop! a rbx)
+  (ret! a))
 
-;; A procedure of up to two addresses.  (places x y), given the registers they are in ->
-;; elsewhere : place before `from` -> memory or a constant
-;; targets   : place -> where it is to be stored, a list of memory
-;; finish!   : -> void, which writes what is done last and may use xmm0
-(define (write-straight-code! a instructions from places)
-  (define any-calls? (for/or ([i (in-vector instructions)]) (calls? i)))
-  (define-values (x y) (if any-calls? (values rbx r12) (values rdi rsi)))
-  (define-values (elsewhere targets finish!) (places x y))
+;; ---------------------------------------------------------------------------
+;; Straight code
+
+;; s : where values are; from : the place of the first instruction's value; elsewhere : place before
+;; that -> memory; targets : place -> where it is to be stored, a list of memory; pairs : place of a
+;; sine or cosine -> that of the other one of the same angle, computed with it
+(struct context (a s from elsewhere targets pairs) #:authentic)
+
+;; Code within a procedure, where rsp is a multiple of 16; rax, rdi, rsi and registers for flonums
+;; change.  stores : list of (operand . memory), where values go, as soon as they are known
+(define (write-straight-code! a instructions from elsewhere stores)
   (define pairs (sines-and-cosines instructions from))
   (define s (make-values-at a (uses-of instructions from pairs)))
-  (define c (context a from s elsewhere targets pairs))
-  (when any-calls?
-    (push! a rbx)
-    (push! a r12)
-    (mov! a rbx rdi)
-    (mov! a r12 rsi))
+  (define-values (own others)
+    (partition (lambda (x) (and (place? (car x)) (>= (place-index (car x)) from))) stores))
+  (define targets
+    (for/fold ([targets (hasheqv)]) ([x (in-list own)])
+      (hash-update targets (place-index (car x)) (lambda (to) (cons (cdr x) to)) '())))
+  (define c (context a s from elsewhere targets pairs))
   (define reserve! (later-add! a rsp))
   (for ([i (in-vector instructions)] [k (in-naturals from)]) (write-instruction! c i k))
-  (finish!)
-  ;; rsp is a multiple of 16 where a function of C is called
-  (define size (+ 8 (* 16 (quotient (+ (stack-size s) 1) 2))))
+  (for ([x (in-list others)])
+    (load! c (car x) 0)
+    (store-sd! a (cdr x) 0))
+  (define size (* 16 (quotient (+ (stack-size s) 1) 2)))
   (reserve! (- size))
-  (add! a rsp size)
-  (when any-calls?
-    (pop! a r12)
-    (pop! a rbx))
-  (ret! a))
+  (add! a rsp size))
 
 ;; place - from -> the instructions that use it
 (define (uses-of instructions from pairs)
@@ -168,6 +150,7 @@
     [(subtract) (apply! subsd! (operand c y))]
     [(multiply) (apply! mulsd! (operand c y))]
     [(divide) (apply! divsd! (operand c y))]
+    [(larger) (apply! maxsd! (operand c y))]
     [(negate) (apply! xorpd! (constant sign))]
     [(abs) (apply! andpd! (constant all-but-sign))]
     [(sqrt) (sqrtsd! a r (operand c x))])

@@ -6,7 +6,7 @@
 ;; farthest moves to the stack (L. A. Belady's rule).  A value on the stack may be in a register as
 ;; well.
 
-(require "../numeric/machine/assembler.rkt")
+(require "assembler.rkt")
 
 (provide make-values-at location in-register used-after? register-for! bind-register!
          bind-slot! keep-on-stack! forget-registers! used! stack-size)

@@ -1,0 +1,102 @@
+#lang racket/base
+;; A step of a method as straight code, the rates in it again for each of its stages.
+;;
+;; All is one list of instructions: what one stage computes the next takes from registers.  Of few
+;; components that is twice as fast as loops over vectors, for which each slope goes through memory.
+
+(require racket/flonum
+         "../machine/straight-instruction.rkt")
+
+(provide step-code)
+
+;; inputs, instructions, outputs : of the rates; slopes, error : as formulas.rkt has them
+;; The inputs of the step are y, its slope k0, and h.
+;; -> its instructions, and name -> vector of operands: z, the slopes, error and divisor
+(define (step-code inputs instructions outputs slopes error)
+  (define n inputs)
+  (define b (make-builder (+ n n 1)))
+  (define (vector-from k) (build-vector n (lambda (i) (place (+ k i)))))
+  (define start (hasheq 'y (vector-from 0) 'k0 (vector-from n) 'h (vector (place (+ n n)))))
+  (define (reached vectors terms)
+    (for/vector ([i (in-range n)])
+      (write! b i vectors `(fl+ (at y i) (fl* h (weighted i ,@terms))))))
+  (define-values (stages end) (values (car slopes) (cadr slopes)))
+  (define-values (with-slopes last)
+    (for/fold ([vectors start] [last #f]) ([s (in-list stages)])
+      (define w (reached vectors (cdr s)))
+      (values (hash-set vectors (car s) (write-rates! b w instructions outputs)) w)))
+  (define z (if (pair? end) (reached with-slopes end) last))
+  (define results (write-error! b n (hash-set with-slopes 'z z) error))
+  (values (instructions-of b) results))
+
+;; The rates at w -> their operands
+(define (write-rates! b w instructions outputs)
+  (define n (vector-length w))
+  (define values (make-vector (vector-length instructions) #f))
+  (define (moved o)
+    (cond [(not (place? o)) o]
+          [(< (place-index o) n) (vector-ref w (place-index o))]
+          [else (vector-ref values (- (place-index o) n))]))
+  (for ([i (in-vector instructions)] [k (in-naturals)])
+    (vector-set! values k
+                 (apply emit! b (instruction-operation i) (map moved (instruction-operands i)))))
+  (for/vector #:length n ([o (in-vector outputs)]) (moved o)))
+
+(define (write-error! b n vectors error)
+  (define-values (means formulas dividend divisor) (apply values error))
+  (define scales
+    (for/vector ([i (in-range n)])
+      (write! b i vectors '(fl+ 1.0 (flmax (flabs (at y i)) (flabs (at z i)))))))
+  (define (mean terms)
+    (define sum
+      (for/fold ([sum 0.0]) ([i (in-range n)])
+        (define e (write! b i vectors `(weighted i ,@terms)))
+        (define x (emit! b 'divide e (vector-ref scales i)))
+        (emit! b 'add sum (emit! b 'multiply x x))))
+    (vector (emit! b 'sqrt (emit! b 'divide sum (->fl n)))))
+  (define with-means
+    (for/fold ([vectors vectors]) ([m (in-list means)])
+      (hash-set vectors (car m) (mean (cdr m)))))
+  (define with-all
+    (for/fold ([vectors with-means]) ([f (in-list formulas)])
+      (hash-set vectors (car f) (vector (write! b 0 vectors (cadr f))))))
+  (define d (write! b 0 with-all divisor))
+  (hash-set* with-all
+             'divisor (vector d)
+             'error (vector (emit! b 'divide (write! b 0 with-all dividend) d))))
+
+;; ---------------------------------------------------------------------------
+;; Formulas (numeric/machine/elements.rkt), of the components of index i
+
+;; vectors : name -> vector of operands, of one for a number
+(define (write! b i vectors f)
+  (define (operand f) (write! b i vectors f))
+  (define (two name) (emit! b name (operand (cadr f)) (operand (caddr f))))
+  (cond [(real? f) f]
+        [(symbol? f) (vector-ref (hash-ref vectors f) 0)]
+        [else
+         (case (car f)
+           [(at) (vector-ref (hash-ref vectors (cadr f)) i)]
+           [(fl+) (two 'add)]
+           [(fl-) (two 'subtract)]
+           [(fl*) (two 'multiply)]
+           [(fl/) (if (andmap real? (cdr f)) (apply fl/ (cdr f)) (two 'divide))]
+           [(flmax) (two 'larger)]
+           [(flabs) (emit! b 'abs (operand (cadr f)))]
+           [(flsqrt) (emit! b 'sqrt (operand (cadr f)))]
+           [(weighted)
+            (for/fold ([sum #f]) ([p (in-list (cddr f))])
+              (define x (emit! b 'multiply (operand (car p)) (operand `(at ,(cadr p) i))))
+              (if sum (emit! b 'add sum x) x))])]))
+
+;; next : the place of the next value; written : instructions, the latest first
+(struct builder ([next #:mutable] [written #:mutable]) #:authentic)
+
+(define (make-builder first) (builder first '()))
+(define (instructions-of b) (list->vector (reverse (builder-written b))))
+
+(define (emit! b . instruction)
+  (define k (builder-next b))
+  (set-builder-next! b (+ k 1))
+  (set-builder-written! b (cons instruction (builder-written b)))
+  (place k))
