@@ -7,11 +7,15 @@
 (require racket/list
          "tiers.rkt")
 
-(provide (protect-out compiled-program) clear-compiled-programs compiled-program-count)
+(provide (protect-out compiled-program) made-of-program
+         clear-compiled-programs compiled-program-count)
 
 (define capacity 32)
 
-;; ((program . maker) ...), the latest first
+;; made : what others have made of the program, by name
+(struct entry (program maker [made #:mutable]) #:authentic)
+
+;; list of entries, the latest first
 (define cache (box '()))
 
 (define (clear-compiled-programs) (set-box! cache '()))
@@ -20,15 +24,27 @@
 (define (compiled-program-count) (length (unbox cache)))
 
 (define (compiled-program p)
-  (define known (assoc p (unbox cache)))
-  (cond [known (cdr known)]
+  (define known (entry-of p))
+  (cond [known (entry-maker known)]
         [else
          (define maker (program->tiered-maker p))
-         (remember p maker)
+         (remember (entry p maker (hasheq)))
          maker]))
 
-(define (remember p maker)
+(define (entry-of p)
+  (for/first ([e (in-list (unbox cache))] #:when (equal? p (entry-program e))) e))
+
+(define (remember e)
   (define old (unbox cache))
   (define kept (if (< (length old) capacity) old (take old (- capacity 1))))
-  (define new (cons (cons p maker) kept))
-  (unless (box-cas! cache old new) (remember p maker)))
+  (unless (box-cas! cache old (cons e kept)) (remember e)))
+
+;; What (make) makes of a program, kept under a name as long as the program is.
+(define (made-of-program p name make)
+  (define e (entry-of p))
+  (define known (and e (hash-ref (entry-made e) name #f)))
+  (cond [known known]
+        [else
+         (define new (make))
+         (when e (set-entry-made! e (hash-set (entry-made e) name new)))
+         new]))

@@ -19,7 +19,7 @@
  ;; from expressions
  expressions->program
  ;; programs made of others
- with-given builder->program write-expression! solve!)
+ builder->program write-expression! solve!)
 
 ;; inputs : how many
 ;; instructions : vector; the value of the k-th has the place inputs + k
@@ -45,20 +45,6 @@
 ;; What was written, as far as these operands need it.
 (define (builder->program b inputs outputs)
   (prune (program inputs (written b) (list->vector outputs))))
-
-;; Values for the last inputs, which are inputs no longer.
-(define (with-given p xs)
-  (define inputs (- (program-inputs p) (length xs)))
-  (define (with o)
-    (define k (and (place? o) (place-index o)))
-    (cond [(not k) o]
-          [(< k inputs) o]
-          [(< k (program-inputs p)) (real->double-flonum (list-ref xs (- k inputs)))]
-          [else (place (- k (length xs)))]))
-  (program inputs
-           (for/vector #:length (program-length p) ([i (in-vector (program-instructions p))])
-             (cons (instruction-operation i) (map with (instruction-operands i))))
-           (for/vector ([o (in-vector (program-outputs p))]) (with o))))
 
 ;; -> the operand that an expression in the leaves, symbol -> operand, becomes
 (define (write-expression! b e leaves)

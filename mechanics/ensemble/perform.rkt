@@ -30,23 +30,15 @@
   (define last (run-system plan s start (start-time s start) end visit))
   (values (structure->flvector last values) '()))
 
-;; -> (parameters -> system), the last one again for the same parameters.  The third time it is one
-;; with machine code of its own, in which the parameters are numbers: that takes as long to write as
-;; a short motion.
+;; -> (parameters -> system), the last one again for the same parameters
 (define (systems t)
   (define system-of (system-maker t))
   (define last-system #f)
   (define last-parameters #f)
-  (define times 0)
-  (define (renew! parameters machine?)
-    (set! last-system (system-of parameters machine?))
-    (set! last-parameters parameters))
   (lambda (parameters)
-    (set! times (if (equal? parameters last-parameters) (+ times 1) 1))
-    (case times
-      [(1) (renew! parameters #f)]
-      [(3) (renew! parameters #t)]
-      [else (void)])
+    (unless (equal? parameters last-parameters)
+      (set! last-system (system-of parameters))
+      (set! last-parameters parameters))
     last-system))
 
 (define (system-maker t)
@@ -55,7 +47,8 @@
   (define slope-maker (program->maker (task-slope t)))
   (define jacobian-maker
     (once (lambda () (and (task-jacobian t) (program->maker (task-jacobian t))))))
-  (lambda (parameters machine?)
+  (define machine (once (lambda () (program-machine-rates (task-slope t) n))))
+  (lambda (parameters)
     (define slope! (fix-parameters (slope-maker) n parameters))
     (define (derivative state)
       (define rates (make-flvector n))
@@ -66,7 +59,7 @@
             (lambda () (and (jacobian-maker) (fix-parameters ((jacobian-maker)) n parameters)))
             (program-length (task-slope t))
             (once (lambda () (program-expander (task-slope t) n parameters)))
-            (once (lambda () (and machine? (program-machine-rates (task-slope t) parameters))))
+            machine parameters
             #f (box '()) (box #f) #f)))
 
 (define (failed e)

@@ -49,5 +49,6 @@
           (lambda () (let ([make (jacobian)]) (and make (make))))
           (compiled-function-operations code)
           (once (lambda () (expander-of code n (flvector))))
-          (once (lambda () (machine-rates-of code (flvector))))
+          (once (lambda () (machine-rates-of code n)))
+          (flvector)
           corrections (box '()) (box #f) #f))

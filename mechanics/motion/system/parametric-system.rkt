@@ -43,7 +43,8 @@
                (lambda () (let ([make (jacobian)]) (and make (with-parameters (make)))))
                (compiled-function-operations code)
                (once (lambda () (expander-of code n ps)))
-               (once (lambda () (machine-rates-of code ps)))
+               (once (lambda () (machine-rates-of code n)))
+               ps
                #f (box '()) (box #f) #f)))
 
 ;; Masses may be given as a tuple.

@@ -28,16 +28,17 @@
   (define make (program->expansion-maker p n #:constants (flvector->list ps)))
   (if (string? make) make (maker->expander make (inputs-with n ps))))
 
-;; Machine code of the rates, the parameters being numbers in it; or #f
-(define (machine-rates-of code ps)
+;; The rates for machine code, kept with their program; or #f
+(define (machine-rates-of code n)
   (define p (compiled-function-program code))
-  (and p (program-machine-rates p ps)))
+  (and p (made-of-program p 'machine-rates (lambda () (program-machine-rates p n)))))
 
-(define (program-machine-rates p ps)
+;; The inputs after the first n are parameters.
+(define (program-machine-rates p n)
   (and (machine?)
        (for/and ([i (in-vector (program-instructions p))]) (machine-instruction? i))
-       (let ([q (with-given p (flvector->list ps))])
-         (make-machine-rates (program-inputs q) (program-instructions q) (program-outputs q)))))
+       (make-machine-rates n (- (program-inputs p) n)
+                           (program-instructions p) (program-outputs p))))
 
 ;; Room for a state, and the parameters.
 (define (inputs-with n ps)

@@ -18,12 +18,14 @@
 ;; operations     : how many flonum operations its rates take, or #f
 ;; expander       : -> expander (numeric/jet/expansion.rkt), or a string that says why there
 ;;                  is none; found out when first asked for
+;; machine        : -> machine-rates (numeric/ode/expandable.rkt), or #f; found out so, too
+;; parameters     : their values in these, an flvector
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
 ;; spares         : a box of right-hand sides that no integration uses any more
 ;; separable      : a box: was that found out (separable.rkt)?
 ;; own            : its right-hand side in one integration, or #f
 (struct system (shape clock? derivative make-slope! make-jacobian! operations expander machine
-                corrections spares separable own)
+                parameters corrections spares separable own)
   #:authentic)
 
 ;; What a method integrates.
@@ -37,7 +39,8 @@
         [else (or (system-own s) (new-right-hand-side s))]))
 
 (define (new-right-hand-side s)
-  (expandable ((system-make-slope! s)) (system-expand s) ((system-machine s))))
+  (expandable ((system-make-slope! s)) (system-expand s) ((system-machine s))
+              (system-parameters s)))
 
 ;; What makes Taylor coefficients of motions, or a string that says why there are none.
 (define (system-expand s) ((system-expander s)))

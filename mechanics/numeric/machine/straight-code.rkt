@@ -33,21 +33,20 @@
 ;; ---------------------------------------------------------------------------
 ;; A procedure
 
-;; Writes a procedure as one of C is, of the addresses of inputs and of outputs, which do not
-;; overlap.  instructions : their values have the places after the inputs; outputs : operands
-(define (write-procedure! a inputs instructions outputs)
-  (push! a rbx)
-  (push! a r12)
-  (mov! a rbx rdi)
-  (mov! a r12 rsi)
-  (add! a rsp -8)
-  (write-straight-code! a instructions inputs
-                        (lambda (k) (behind rbx (* 8 k)))
+;; Writes a procedure as one of C is, of three addresses: of inputs, of outputs, which do not overlap
+;; with these, and of parameters.  The places of the values of instructions are those after the
+;; inputs and the parameters, so many; outputs : operands
+(define (write-procedure! a inputs parameters instructions outputs)
+  (define kept (list rbx r12 r13))      ; leaves rsp a multiple of 16
+  (for ([r (in-list kept)] [given (in-list (list rdi rsi rdx))])
+    (push! a r)
+    (mov! a r given))
+  (write-straight-code! a instructions (+ inputs parameters)
+                        (lambda (k)
+                          (if (< k inputs) (behind rbx (* 8 k)) (behind r13 (* 8 (- k inputs)))))
                         (for/list ([o (in-vector outputs)] [i (in-naturals)])
                           (cons o (behind r12 (* 8 i)))))
-  (add! a rsp 8)
-  (pop! a r12)
-  (pop! a rbx)
+  (for ([r (in-list (reverse kept))]) (pop! a r))
   (ret! a))
 
 ;; ---------------------------------------------------------------------------

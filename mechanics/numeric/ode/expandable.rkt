@@ -2,25 +2,27 @@
 ;; Right-hand sides of y' = f(y) with what methods make of them: Taylor coefficients of solutions,
 ;; and machine code of whole steps.
 
-(provide expandable expandable? expandable-expand rates-code
-         machine-rates-inputs machine-rates-instructions machine-rates-outputs
+(provide expandable expandable? expandable-expand expandable-parameters rates-code
+         machine-rates-inputs machine-rates-parameters machine-rates-instructions
+         machine-rates-outputs
          (protect-out make-machine-rates)
          take-work! rest!)
 
 ;; run     : y dy -> void
 ;; expand  : order -> expansion (numeric/jet/expansion.rkt), for one thread at a time
-;; machine : machine-rates, or #f
+;; machine : machine-rates, or #f; parameters : their values, an flvector
 ;; work    : what a method made for its latest integration, or #f; idle? : may the next one use it?
-(struct expandable (run expand machine [work #:auto #:mutable] [idle? #:auto #:mutable])
+(struct expandable (run expand machine parameters [work #:auto #:mutable] [idle? #:auto #:mutable])
   #:authentic
   #:property prop:procedure 0)
 
-;; The rates as straight code (numeric/machine/straight-code.rkt) of so many inputs, the components
-;; of y; outputs : operands; made : what methods have made of it, method -> code
-(struct machine-rates (inputs instructions outputs [made #:mutable]) #:authentic)
+;; Rates as straight code (numeric/machine/straight-code.rkt): of so many inputs, the components of y,
+;; and as many parameters behind them; outputs : operands; made : what methods have made of it,
+;; method -> code
+(struct machine-rates (inputs parameters instructions outputs [made #:mutable]) #:authentic)
 
-(define (make-machine-rates inputs instructions outputs)
-  (machine-rates inputs instructions outputs (hasheq)))
+(define (make-machine-rates inputs parameters instructions outputs)
+  (machine-rates inputs parameters instructions outputs (hasheq)))
 
 ;; (make rates) : -> what a method makes of the rates of f!, or #f; made once
 ;; -> that, or #f where they have no machine code

@@ -31,9 +31,9 @@
   (define n (flvector-length y0))
   (define code
     (rates-code f! formulas (lambda (rates) (method-code formulas n rates))))
-  (if code (stepper-of code n y0 formulas) (start f! y0)))
+  (if code (stepper-of code n y0 (expandable-parameters f!) formulas) (start f! y0)))
 
-(define (stepper-of code n y0 formulas)
+(define (stepper-of code n y0 ps formulas)
   (define-values (begin! try! accept! prepare! value!) (apply values code))
   (define y (flvector-copy y0))
   (define-values (z slope old) (values (make-flvector n) (make-flvector n) (make-flvector n)))
@@ -42,14 +42,14 @@
   (define step 0.0)
   (define (try h)
     (set! step h)
-    (try! h y z slope room)
+    (try! h y z slope room ps)
     (if (fl= (flvector-ref room 1) 0.0) 0.0 (flvector-ref room 0)))
   (define (interpolant)
     (define kept (make-flvector (* n coefficients)))
-    (prepare! step old y slope room kept)
+    (prepare! step old y slope room kept ps)
     (lambda (theta out) (value! theta kept out)))
-  (begin! y slope)
-  (stepper y (lambda () slope) try (lambda () (accept! old y z slope room)) interpolant))
+  (begin! y slope ps)
+  (stepper y (lambda () slope) try (lambda () (accept! old y z slope room ps)) interpolant))
 
 ;; ---------------------------------------------------------------------------
 ;; Room
@@ -95,23 +95,25 @@
 
 ;; rates : machine-rates; -> list of procedures, or #f
 (define (method-code formulas n m)
-  (define-values (instructions outputs)
-    (values (machine-rates-instructions m) (machine-rates-outputs m)))
+  (define instructions (machine-rates-instructions m))
   (define straight?
     (and (<= n most-components) (<= (vector-length instructions) most-instructions)))
   (define a (make-assembly))
-  (define rates (written a (lambda () (write-procedure! a n instructions outputs))))
+  (define rates
+    (written a (lambda ()
+                 (write-procedure! a n (machine-rates-parameters m) instructions
+                                   (machine-rates-outputs m)))))
   (define-syntax-rule (entry (type ...) form)
     (list (label-place (written a (lambda () form))) type ...))
   (define-values (v x) (values 'flvector 'flonum))
   (define entries
-    (list (entry (v v) (write-begin! a n formulas rates))
-          (entry (x v v v v)
+    (list (entry (v v v) (write-begin! a n formulas rates))
+          (entry (x v v v v v)
                  (if straight?
-                     (write-straight-try! a n formulas instructions outputs)
+                     (write-straight-try! a n formulas m)
                      (write-try! a n formulas rates)))
-          (entry (v v v v v) (write-accept! a n formulas rates))
-          (entry (x v v v v v) (write-prepare! a n formulas rates))
+          (entry (v v v v v v) (write-accept! a n formulas rates))
+          (entry (x v v v v v v) (write-prepare! a n formulas rates))
           (entry (x v v) (write-value! a n formulas))))
   (machine-procedures (assembly->bytes a) entries))
 
@@ -122,24 +124,25 @@
   (write)
   l)
 
-;; y slope
+;; y slope parameters
 (define (write-begin! a n formulas rates)
-  (with-vectors a '(y slope)
+  (with-vectors a '(y slope parameters)
     (lambda (places) (call-rates! a places 'y 'slope rates))))
 
 (define (call-rates! a places from to rates)
   (lea! a rdi (start-of places from))
   (lea! a rsi (start-of places to))
+  (lea! a rdx (start-of places 'parameters))
   (call! a rates))
 
 (define (start-of places name)
   (define v (hash-ref places name))
   (behind (vector-at-base v) (vector-at-distance v)))
 
-;; h y z slope room: z, the slopes, and the error
+;; h y z slope room parameters: z, the slopes, and the error
 (define (write-try! a n formulas rates)
   (define slope (slope-name formulas))
-  (with-vectors a (list 'y 'z slope 'room)
+  (with-vectors a (list 'y 'z slope 'room 'parameters)
     (lambda (given)
       (define places (with-room formulas n given))
       (emit-elements! a n places `((store k0 (at ,slope i))))
@@ -153,9 +156,9 @@
     (hash-set places name place)))
 
 ;; The same.
-(define (write-straight-try! a n formulas instructions outputs)
+(define (write-straight-try! a n formulas m)
   (define slope (slope-name formulas))
-  (with-vectors a (list 'y 'z slope 'room)
+  (with-vectors a (list 'y 'z slope 'room 'parameters)
     (lambda (given)
       (define places (with-room formulas n given))
       (define (component name i)
@@ -164,22 +167,22 @@
       (define (input k)
         (cond [(< k n) (component 'y k)]
               [(< k (+ n n)) (component slope (- k n))]
-              [else (behind (vector-at-base (hash-ref given 'room)) 16)]))
+              [(= k (+ n n)) (behind (vector-at-base (hash-ref given 'room)) 16)]
+              [else (component 'parameters (- k n n 1))]))
       (define-values (code results)
-        (step-code n instructions outputs (method-formulas-slopes formulas)
-                   (method-formulas-error formulas)))
+        (step-code m (method-formulas-slopes formulas) (method-formulas-error formulas)))
       (store-sd! a (input (+ n n)) 0)
-      (write-straight-code! a code (+ n n 1) input
+      (write-straight-code! a code (+ n n 1 (machine-rates-parameters m)) input
                             (for*/list ([(name operands) (in-hash results)]
                                         #:when (hash-ref places name #f)
                                         #:unless (eq? name 'y)
                                         [i (in-range (vector-length operands))])
                               (cons (vector-ref operands i) (component name i)))))))
 
-;; old y z slope room: y becomes z, and old what it was
+;; old y z slope room parameters: y becomes z, and old what it was
 (define (write-accept! a n formulas rates)
   (define slope (slope-name formulas))
-  (with-vectors a (list 'old 'y 'z slope 'room)
+  (with-vectors a (list 'old 'y 'z slope 'room 'parameters)
     (lambda (given)
       (define places (with-room formulas n given))
       (emit-elements! a n places '((store old (at y i)) (store y (at z i))))
@@ -187,9 +190,9 @@
           (emit-elements! a n places `((store slope (at ,(method-formulas-last formulas) i))))
           (call-rates! a places 'y slope rates)))))
 
-;; h old y slope room kept: further slopes, and the coefficients
+;; h old y slope room kept parameters: further slopes, and the coefficients
 (define (write-prepare! a n formulas rates)
-  (with-vectors a (list 'old 'y (slope-name formulas) 'room 'kept)
+  (with-vectors a (list 'old 'y (slope-name formulas) 'room 'kept 'parameters)
     (lambda (given)
       (define places
         (for/fold ([places (with-room formulas n given)])
@@ -269,20 +272,21 @@
 ;; ---------------------------------------------------------------------------
 ;; What a procedure is given
 
-(define own-registers (list rbx rbp r12 r13 r14))
+(define own-registers (list rbx rbp r12 r13 r14 r15))
 
-;; A procedure of h, perhaps, and of flvectors by these names, up to five; (write places) writes
-;; what it does, while h is on the stack twice and rsp a multiple of 16.
+;; A procedure of h, perhaps, and of flvectors by these names, up to six; (write places) writes what
+;; it does, while h is on the stack twice and rsp a multiple of 16.
 (define (with-vectors a names write)
   (for ([r (in-list own-registers)]) (push! a r))
-  (add! a rsp -16)
+  (add! a rsp -24)
   (unpcklpd! a 0 0)
   (store-pd! a (behind rsp 0) 0)
-  (for ([_ (in-list names)] [r (in-list own-registers)] [given (in-list (list rdi rsi rdx rcx r8))])
+  (for ([_ (in-list names)] [r (in-list own-registers)]
+        [given (in-list (list rdi rsi rdx rcx r8 r9))])
     (lea! a r (behind given flvector-data)))
   (write (for/hasheq ([name (in-list names)] [r (in-list own-registers)])
            (values name (vector-at r 0))))
-  (add! a rsp 16)
+  (add! a rsp 24)
   (for ([r (in-list (reverse own-registers))]) (pop! a r))
   (ret! a))
 

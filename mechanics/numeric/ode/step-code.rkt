@@ -5,16 +5,17 @@
 ;; components that is twice as fast as loops over vectors, for which each slope goes through memory.
 
 (require racket/flonum
+         "expandable.rkt"
          "../machine/straight-instruction.rkt")
 
 (provide step-code)
 
-;; inputs, instructions, outputs : of the rates; slopes, error : as formulas.rkt has them
-;; The inputs of the step are y, its slope k0, and h.
+;; r : the rates; slopes, error : as formulas.rkt has them
+;; The inputs of the step are y, its slope k0, h, and the parameters of the rates.
 ;; -> its instructions, and name -> vector of operands: z, the slopes, error and divisor
-(define (step-code inputs instructions outputs slopes error)
-  (define n inputs)
-  (define b (make-builder (+ n n 1)))
+(define (step-code r slopes error)
+  (define n (machine-rates-inputs r))
+  (define b (make-builder (+ n n 1 (machine-rates-parameters r))))
   (define (vector-from k) (build-vector n (lambda (i) (place (+ k i)))))
   (define start (hasheq 'y (vector-from 0) 'k0 (vector-from n) 'h (vector (place (+ n n)))))
   (define (reached vectors terms)
@@ -24,23 +25,27 @@
   (define-values (with-slopes last)
     (for/fold ([vectors start] [last #f]) ([s (in-list stages)])
       (define w (reached vectors (cdr s)))
-      (values (hash-set vectors (car s) (write-rates! b w instructions outputs)) w)))
+      (values (hash-set vectors (car s) (write-rates! b w r)) w)))
   (define z (if (pair? end) (reached with-slopes end) last))
   (define results (write-error! b n (hash-set with-slopes 'z z) error))
   (values (instructions-of b) results))
 
 ;; The rates at w -> their operands
-(define (write-rates! b w instructions outputs)
+(define (write-rates! b w r)
   (define n (vector-length w))
+  (define instructions (machine-rates-instructions r))
+  (define first (+ n (machine-rates-parameters r)))
   (define values (make-vector (vector-length instructions) #f))
   (define (moved o)
-    (cond [(not (place? o)) o]
-          [(< (place-index o) n) (vector-ref w (place-index o))]
-          [else (vector-ref values (- (place-index o) n))]))
+    (define k (and (place? o) (place-index o)))
+    (cond [(not k) o]
+          [(< k n) (vector-ref w k)]
+          [(< k first) (place (+ k n 1))]
+          [else (vector-ref values (- k first))]))
   (for ([i (in-vector instructions)] [k (in-naturals)])
     (vector-set! values k
                  (apply emit! b (instruction-operation i) (map moved (instruction-operands i)))))
-  (for/vector #:length n ([o (in-vector outputs)]) (moved o)))
+  (for/vector #:length n ([o (in-vector (machine-rates-outputs r))]) (moved o)))
 
 (define (write-error! b n vectors error)
   (define-values (means formulas dividend divisor) (apply values error))

@@ -49,7 +49,7 @@
 (define (machine p)
   (machine-run
    (lambda (a)
-     (write-procedure! a (program-inputs p) (program-instructions p) (program-outputs p)))))
+     (write-procedure! a (program-inputs p) 0 (program-instructions p) (program-outputs p)))))
 
 (define (check-alike p run)
   (define compiled ((program->maker p)))
@@ -63,17 +63,6 @@
     (with-seeds 150
       (define p (random-program 5 (random-integer 1 150) 6 (random-choice 0 0.05 0.3 1) 0))
       (check-alike p (machine p))))
-
-  (test-case "values of the last inputs may be numbers in the code"
-    (with-seeds 20
-      (define p (random-program 5 40 3 0.1 0))
-      (define fewer (machine (with-given p '(0.25 -3))))
-      (define compiled ((program->maker p)))
-      (define input (random-inputs 5))
-      (flvector-set! input 3 0.25)
-      (flvector-set! input 4 -3.0)
-      (define without (flvector-copy input 0 3))
-      (check-equal? (values-by fewer p without) (values-by compiled p input))))
 
   (test-case "stretches, between functions that there is no code for"
     (with-seeds 60

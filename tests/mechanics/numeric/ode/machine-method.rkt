@@ -6,6 +6,7 @@
          rackunit
          mechanics/compile/code
          mechanics/compile/program
+         (only-in mechanics/motion/system/rates-code fix-parameters)
          mechanics/numeric/machine/executable
          mechanics/numeric/ode/dormand-prince-54
          mechanics/numeric/ode/dormand-prince-853
@@ -14,22 +15,31 @@
          mechanics/numeric/ode/stepper
          "../../support/random.rkt" "../../support/skip.rkt")
 
-;; Rates of n components, y' = sin a − y or cos a − y, a being a sum or product of two of them.
-(define (random-rates n)
-  (define (input) (place (random n)))
+;; Rates of n components, y' = sin a − y or cos a − y, a being a sum or product of two of them or of
+;; the parameters.
+(define (random-rates n [parameters 0])
+  (define inputs (+ n parameters))
+  (define (input) (place (random inputs)))
   (define instructions
     (for*/vector ([i (in-range n)] [step (in-range 3)])
-      (define before (place (+ n (* 3 i) step -1)))
+      (define before (place (+ inputs (* 3 i) step -1)))
       (case step
         [(0) (list (random-choice 'multiply 'subtract 'add) (input) (input))]
         [(1) (list (random-choice 'sin 'cos) before)]
         [else (list 'subtract before (place i))])))
-  (program n instructions (for/vector ([i (in-range n)]) (place (+ n (* 3 i) 2)))))
+  (program inputs instructions
+           (for/vector ([i (in-range n)]) (place (+ inputs (* 3 i) 2)))))
 
-(define (by-machine p)
-  (expandable ((program->maker p)) #f
-              (make-machine-rates (program-inputs p) (program-instructions p)
-                                  (program-outputs p))))
+;; ps : values of the inputs after as many as there are outputs
+(define (by-compiler p ps)
+  (fix-parameters ((program->maker p)) (vector-length (program-outputs p)) ps))
+
+(define (by-machine p [ps (flvector)])
+  (define n (vector-length (program-outputs p)))
+  (expandable (by-compiler p ps) #f
+              (make-machine-rates n (flvector-length ps) (program-instructions p)
+                                  (program-outputs p))
+              ps))
 
 (define (random-state n) (for/flvector #:length n ([_ (in-range n)]) (fl* 0.3 (random-flonum))))
 
@@ -38,9 +48,9 @@
 ;; (f! y0) -> stepper
 (define (start m f! y0) ((method-start m) f! y0))
 
-(define (check-steps m p n y0)
-  (define a (start m ((program->maker p)) y0))
-  (define b (start m (by-machine p) y0))
+(define (check-steps m p n y0 ps)
+  (define a (start m (by-compiler p ps) y0))
+  (define b (start m (by-machine p ps) y0))
   (define (same part) (check-equal? (part b) (part a)))
   (same stepper-state)
   (same (lambda (s) ((stepper-slope s))))
@@ -62,8 +72,10 @@
   (test-case "steps of random systems"
     (with-seeds 25
       (define n (random-choice 1 2 3 4 5 8 9 13 24 31))
-      (define p (random-rates n))
-      (for ([m (in-list methods)]) (check-steps m p n (random-state n)))))
+      (define parameters (random-choice 0 0 1 3))
+      (define p (random-rates n parameters))
+      (define ps (random-state parameters))
+      (for ([m (in-list methods)]) (check-steps m p n (random-state n) ps))))
 
   (test-case "integrations, with steps that are rejected"
     (with-seeds 10
