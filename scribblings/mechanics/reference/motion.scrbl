@@ -315,7 +315,8 @@ passes a place where its state has too few digits for the tolerance, as a spheri
 polar coordinates at 1e-10 from the vertical, whatever method follows it, if its steps are not
 of fixed length and not implicit. A system of
 many coordinates takes its rates from derivatives of its Lagrangian's own list of operations,
-which is short, and is run by an interpreter until compiling it pays: a chain of 100 links
+which is short, and runs as machine code written at once, or by an interpreter until compiling it
+pays: a chain of 100 links
 is released and followed for a second in a third of a second, derivation included.}
 @item{@racket['Taylor], the Taylor series of the motion itself, whose coefficients follow from
 recurrences for the operations that the state derivative is made of (Jorba and Zou 2005;
@@ -329,7 +330,10 @@ where a root or an arc takes another branch, as √x² does at 0. A state deriva
 decisions, uses @racket[abs] or another function that has no recurrence, or has no
 coefficients where the motion begins, is refused.}
 @item{@racket['Dormand-Prince-853], of order 8 with interpolation of order 7 (Hairer,
-Nørsett and Wanner 1993), for state derivatives of any kind.}
+Nørsett and Wanner 1993), for state derivatives of any kind. Where the operations are known and
+no linear system of numbers is among them, a step runs as machine code of its own on x86-64 under
+Linux and macOS: in 0.2 to 0.8 microseconds in the examples of the benchmarks, 0.96 to 1.2 times
+what the same operations take in C.}
 @item{@racket['Dormand-Prince-54], of order 5, for tolerances above about
 @racket[1e-6].}
 @item{@racket['bulirsch-stoer], by extrapolation of Gragg's method to order 14: long
