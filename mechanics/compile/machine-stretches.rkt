@@ -33,11 +33,15 @@
 (define (stretches p)
   (define first (program-inputs p))
   (define end (+ first (program-length p)))
-  (define (machine? k) (machine-instruction? (instruction-at p k)))
+  (define (straight? k) (machine-instruction? (instruction-at p k)))
+  (define (end-of-stretch from)
+    (define farthest (min end (+ from longest-straight)))
+    (or (for/first ([k (in-range from farthest)] #:unless (straight? k)) k)
+        farthest))
   (let loop ([k first])
     (cond [(= k end) '()]
-          [(machine? k)
-           (define next (let further ([k k]) (if (and (< k end) (machine? k)) (further (+ k 1)) k)))
+          [(straight? k)
+           (define next (end-of-stretch k))
            (cons (cons k next) (loop next))]
           [else (loop (+ k 1))])))
 

@@ -36,6 +36,7 @@
 ;; The inputs after the first n are parameters.
 (define (program-machine-rates p n)
   (and (machine?)
+       (<= (program-length p) longest-straight)
        (for/and ([i (in-vector (program-instructions p))]) (machine-instruction? i))
        (make-machine-rates n (- (program-inputs p) n)
                            (program-instructions p) (program-outputs p))))

@@ -11,7 +11,7 @@
  make-assembly assembly->bytes
  ;; operands
  rax rcx rdx rbx rsp rbp rsi rdi r8 r9 r12 r13 r14 r15
- behind eight-behind (struct-out constant)
+ behind eight-behind (struct-out constant) sign all-but-sign
  ;; flonums
  movsd! movupd! movapd! movhpd! store-sd! store-pd!
  addsd! subsd! mulsd! divsd! sqrtsd! maxsd!
@@ -44,6 +44,10 @@
 
 ;; A flonum, or a pattern of 64 bits, a natural number.
 (struct constant (value) #:authentic)
+
+;; Of the bits of a flonum that of its sign, and the others.
+(define sign (constant (expt 2 63)))
+(define all-but-sign (constant (- (expt 2 63) 1)))
 
 (struct label ([place #:mutable]) #:authentic)
 (define (make-label) (label #f))

@@ -87,7 +87,7 @@
          (case (car f)
            [(weighted) (sum! c (cddr f) r)]
            [(flabs) (formula! c (cadr f) r)
-                    (andpd! (context-a c) r (constant all-but-sign))]
+                    (andpd! (context-a c) r all-but-sign)]
            [(flsqrt) (formula! c (cadr f) r)
                      ((if (context-pair? c) sqrtpd! sqrtsd!) (context-a c) r r)]
            [else (operation! c (car f) (cadr f) (caddr f) r)])]))
@@ -97,8 +97,6 @@
   (or (not (pair? f)) (eq? (car f) 'at) (fraction? f)))
 
 (define (fraction? f) (and (eq? (car f) 'fl/) (andmap real? (cdr f))))
-
-(define all-but-sign (- (expt 2 63) 1))
 
 (define (sum! c products r)
   (define (product! p r) (operation! c 'fl* (car p) `(at ,(cadr p) i) r))

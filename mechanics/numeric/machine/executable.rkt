@@ -7,37 +7,60 @@
 ;; stay where they are.
 ;;
 ;; This is for Racket CS on x86-64, on Linux and macOS; and where a system forbids new code, there
-;; are no such procedures either.
+;; are no such procedures either, nor are there more at once than a system has areas of memory for.
 
 (require ffi/unsafe
          ffi/unsafe/alloc
-         ffi/unsafe/vm)
+         ffi/unsafe/vm
+         racket/flonum)
 
 (provide machine? flvector-data C-function
          (protect-out machine-procedures))
 
-;; Is there a processor that the assembler knows, and the way to call that is known here?
-(define (machine?)
-  (and (eq? 'chez-scheme (system-type 'vm))
-       (eq? 'x86_64 (system-type 'arch))
-       (memq (system-type 'os*) '(linux macosx))
-       #t))
-
 ;; code : bytes; entries : list of (where type ...), where a procedure begins and what it is given:
 ;; up to six flvectors, type 'flvector, and before these perhaps a flonum, type 'flonum
 ;; -> list of procedures, run for what they store in the flvectors; or #f where there are none
+;; They take their arguments as they are: flvectors as long as the code believes.
 (define (machine-procedures code entries)
   (define memory (and (machine?) (executable code)))
   (and memory
        (for/list ([e (in-list entries)]) (caller memory (car e) (cdr e)))))
 
+;; ---------------------------------------------------------------------------
+;; What is known here
+
+;; Is there a processor that the assembler knows, and the way to call that is known here?
+(define (machine?) known?)
+
 ;; What a procedure is given of an flvector is so many bytes before its first component.
 (define flvector-data 9)
 
-;; The address of a function of the library of C, or #f.
+(define (known-processor?)
+  (and (eq? 'chez-scheme (system-type 'vm))
+       (eq? 'x86_64 (system-type 'arch))
+       (memq (system-type 'os*) '(linux macosx))
+       (memq (vm-eval '(machine-type)) '(ta6le a6le ta6osx a6osx))
+       #t))
+
+;; Are components where they are thought to be?  So it was in all versions so far.
+(define (flvectors-as-known?)
+  (define object-ref (vm-eval '($primitive $object-ref)))
+  (define v (flvector 1.5 -2.5 0.75))
+  (for/and ([x (in-flvector v)] [k (in-naturals)])
+    (eqv? x (object-ref 'double v (+ flvector-data (* 8 k))))))
+
+(define known?
+  (with-handlers ([exn:fail? (lambda (_) #f)])
+    (and (known-processor?) (flvectors-as-known?))))
+
+;; The address of a function of the library of C, a symbol; or #f.
 (define (C-function name)
-  (define p (ffi-obj-ref name #f (lambda () #f)))
-  (and p (address-of p)))
+  (hash-ref! addresses name
+             (lambda ()
+               (define p (ffi-obj-ref name #f (lambda () #f)))
+               (and p (address-of p)))))
+
+(define addresses (make-hasheq))
 
 (define (address-of p) (cast p _pointer _intptr))
 
@@ -64,18 +87,31 @@
 (define-C mprotect (_fun _pointer _size _int -> _int))
 (define-C munmap (_fun _pointer _size -> _int))
 
-(define (give-back m) (munmap (executable-memory-pages m) (executable-memory-size m)))
+;; So many pieces are there now, and may be: a system counts areas of memory, of which Linux grants
+;; a process 65,530, and Racket takes its own from these as well.
+(define pieces 0)
+(define most-pieces 10000)
+(define (count! x) (set! pieces (+ pieces x)))
+
+(define (give-back m)
+  (count! -1)
+  (munmap (executable-memory-pages m) (executable-memory-size m)))
 
 ;; Of nobody else, and of no file.
 (define private+anonymous (if (eq? 'macosx (system-type 'os*)) #x1002 #x22))
 
+;; -> executable-memory, or #f.  What is allocated here is given back by nobody but a garbage
+;; collection and the end of a place, whatever custodian shuts down; nothing else happens meanwhile.
 (define allocate
   ((allocator give-back)
    (lambda (size)
-     (define address (mmap #f size may-read-and-write private+anonymous -1 0))
+     (define address
+       (and (< pieces most-pieces)
+            (mmap #f size may-read-and-write private+anonymous -1 0)))
      (and address
           (not (= address -1))
-          (executable-memory (cast address _intptr _pointer) size)))))
+          (begin (count! 1)
+                 (executable-memory (cast address _intptr _pointer) size))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Calls
@@ -92,13 +128,16 @@
     [(7) (lambda (a b c d e f g) (run a b c d e f g) (void/reference-sink m))]))
 
 ;; types -> (address -> procedure); each is compiled once, which takes longer than most code here.
-(define callers (make-hash))
-
+;; Threads that ask at once, or are killed in between, compile one twice, no more.
 (define (caller-of types)
-  (hash-ref! callers types
-             (lambda ()
-               (vm-eval `(lambda (address)
-                           (foreign-procedure address ,(map C-type types) void))))))
+  (define k (+ (* 2 (length types)) (if (memq 'flonum types) 1 0)))
+  (or (vector-ref callers k)
+      (let ([make (vm-eval `(lambda (address)
+                              (foreign-procedure address ,(map C-type types) void)))])
+        (vector-set! callers k make)
+        make)))
+
+(define callers (make-vector 16 #f))
 
 (define (C-type type)
   (if (eq? type 'flonum) 'double 'scheme-object))

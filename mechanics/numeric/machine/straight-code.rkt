@@ -9,7 +9,11 @@
 (require racket/list
          "assembler.rkt" "executable.rkt" "registers.rkt" "straight-instruction.rkt")
 
-(provide machine-instruction? write-straight-code! write-procedure!)
+(provide machine-instruction? write-straight-code! write-procedure! longest-straight)
+
+;; Of instructions in a procedure: their values take no more than 64 KiB of the stack, which a system
+;; may have cut to a few hundred for a place.
+(define longest-straight 8192)
 
 ;; ---------------------------------------------------------------------------
 ;; What there is code for
@@ -19,15 +23,15 @@
     [(add subtract multiply divide negate abs sqrt larger) #t]
     [else (calls? i)]))
 
-(define (calls? i)
-  (and (C-name (instruction-operation i) (length (instruction-operands i))) #t))
+(define (calls? i) (and (function-of i) #t))
 
-;; -> the name in the library of C, or #f
-(define (C-name name arguments)
+;; -> the function of the library of C, its address; or #f
+(define (function-of i)
+  (define name (instruction-operation i))
   (case name
-    [(sin cos tan exp log asin acos) (symbol->string name)]
-    [(atan) (and (= arguments 1) "atan")]
-    [(expt) "pow"]
+    [(sin cos tan exp log asin acos) (C-function name)]
+    [(atan) (and (= 1 (length (instruction-operands i))) (C-function 'atan))]
+    [(expt) (C-function 'pow)]
     [else #f]))
 
 ;; ---------------------------------------------------------------------------
@@ -90,7 +94,7 @@
 
 ;; place -> place of the other one, for the first of a sine and a cosine; 'later for the second
 (define (sines-and-cosines instructions from)
-  (define together (C-function "sincos"))
+  (define together (C-function 'sincos))
   (define seen (make-hash))
   (for/fold ([pairs (hasheqv)])
             ([i (in-vector instructions)] [k (in-naturals from)]
@@ -114,7 +118,7 @@
   (cond [(eq? pair 'later) (void)]
         [else
          (cond [pair (write-sine-and-cosine! c name (car operands) k pair)]
-               [(calls? i) (write-call! c (C-name name (length operands)) operands k)]
+               [(function-of i) => (lambda (f) (write-call! c f operands k))]
                [else (write-operation! c name operands k)])
          (used! s (filter values (map (lambda (o) (own-place c o)) operands)) k)])
   (store-value! c k)
@@ -150,13 +154,10 @@
     [(multiply) (apply! mulsd! (operand c y))]
     [(divide) (apply! divsd! (operand c y))]
     [(larger) (apply! maxsd! (operand c y))]
-    [(negate) (apply! xorpd! (constant sign))]
-    [(abs) (apply! andpd! (constant all-but-sign))]
+    [(negate) (apply! xorpd! sign)]
+    [(abs) (apply! andpd! all-but-sign)]
     [(sqrt) (sqrtsd! a r (operand c x))])
   (bind-register! (context-s c) (own c k) r))
-
-(define sign (expt 2 63))
-(define all-but-sign (- sign 1))
 
 ;; Of a sum or product that operand comes first whose register is free for the result; where there
 ;; is but one, it is both.
@@ -179,11 +180,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Calls, which change all registers for flonums
 
-(define (write-call! c name operands k)
+(define (write-call! c function operands k)
   (define s (context-s c))
   (keep-on-stack! s k)
   (load-arguments! c operands)
-  (call-address! (context-a c) (C-function name))
+  (call-address! (context-a c) function)
   (forget-registers! s)
   (bind-register! s (own c k) 0))
 
@@ -207,7 +208,7 @@
   (define-values (sine cosine) (if (eq? name 'sin) (values this that) (values that this)))
   (lea! a rdi sine)
   (lea! a rsi cosine)
-  (call-address! a (C-function "sincos"))
+  (call-address! a (C-function 'sincos))
   (forget-registers! s))
 
 ;; ---------------------------------------------------------------------------

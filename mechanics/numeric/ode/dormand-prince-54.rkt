@@ -8,12 +8,11 @@
 ;;     y(θ) = y + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + (1 − θ) c₃))),
 ;;
 ;; of order 4 (II.6).
-
 ;;
 ;; Its numbers are fractions; each is rounded once.
 
 (require racket/flonum
-         "formulas.rkt" "machine-method.rkt" "stepper.rkt" "vectors.rkt"
+         "formulas.rkt" "machine-method.rkt" "method-code.rkt" "stepper.rkt" "vectors.rkt"
          "../flvector.rkt")
 
 (provide dormand-prince-54)

@@ -2,7 +2,9 @@
 ;; Right-hand sides of y' = f(y) with what methods make of them: Taylor coefficients of solutions,
 ;; and machine code of whole steps.
 
-(provide expandable expandable? expandable-expand expandable-parameters rates-code
+(provide expandable expandable? expandable-expand
+         expandable-machine-rates expandable-parameters
+         rates-code machine-rates-pay? step-taken! steps-that-pay
          machine-rates-inputs machine-rates-parameters machine-rates-instructions
          machine-rates-outputs
          (protect-out make-machine-rates)
@@ -18,22 +20,31 @@
 
 ;; Rates as straight code (numeric/machine/straight-code.rkt): of so many inputs, the components of y,
 ;; and as many parameters behind them; outputs : operands; made : what methods have made of it,
-;; method -> code
-(struct machine-rates (inputs parameters instructions outputs [made #:mutable]) #:authentic)
+;; method -> code, or #f where it is none; steps : so many were taken without it, by all
+;; integrations; threads may lose some
+(struct machine-rates (inputs parameters instructions outputs [made #:mutable] [steps #:mutable])
+  #:authentic)
 
-(define (make-machine-rates inputs parameters instructions outputs)
-  (machine-rates inputs parameters instructions outputs (hasheq)))
+(define (make-machine-rates inputs parameters instructions outputs #:steps [steps 0])
+  (machine-rates inputs parameters instructions outputs (hasheq) steps))
 
-;; (make rates) : -> what a method makes of the rates of f!, or #f; made once
-;; -> that, or #f where they have no machine code
-(define (rates-code f! method make)
-  (define m (and (expandable? f!) (expandable-machine f!)))
-  (and m
-       (hash-ref (machine-rates-made m) method
-                 (lambda ()
-                   (define code (make m))
-                   (set-machine-rates-made! m (hash-set (machine-rates-made m) method code))
-                   code))))
+;; -> machine-rates, or #f
+(define (expandable-machine-rates f!) (and (expandable? f!) (expandable-machine f!)))
+
+;; A method takes as long to make its code as for about so many steps.
+(define steps-that-pay 200)
+
+(define (machine-rates-pay? m) (>= (machine-rates-steps m) steps-that-pay))
+(define (step-taken! m) (set-machine-rates-steps! m (+ 1 (machine-rates-steps m))))
+
+;; (make) : -> what a method makes of the rates, or #f; made once
+(define (rates-code m method make)
+  (define made (hash-ref (machine-rates-made m) method 'not-yet))
+  (cond [(eq? made 'not-yet)
+         (define code (make))
+         (set-machine-rates-made! m (hash-set (machine-rates-made m) method code))
+         code]
+        [else made]))
 
 ;; What was made before, if it is idle and (fits? work); else what (make) makes.
 (define (take-work! f! fits? make)

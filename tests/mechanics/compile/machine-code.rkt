@@ -7,6 +7,7 @@
          mechanics/compile/interpreter
          mechanics/compile/machine-stretches
          mechanics/compile/program
+         (only-in mechanics/motion/system/rates-code program-machine-rates)
          mechanics/numeric/machine/executable
          mechanics/numeric/machine/straight-code
          "../support/machine-run.rkt" "../support/random.rkt" "../support/skip.rkt")
@@ -95,6 +96,23 @@
                      (list 'add (place k) (place (- (* 3 n) k 1)))))
                (for/vector ([k (in-range n)]) (place (+ n n k)))))
     (with-seeds 5 (check-alike p (machine p))))
+
+  (test-case "a procedure takes little of the stack: longer programs are several, or none"
+    (define n 10000)
+    (define p
+      (program 1
+               (for/vector ([k (in-range 1 (* 2 n))])
+                 (cond [(< k n) (list 'add (place (- k 1)) (/ 1.0 k))]
+                       [else (list 'multiply (place (- k 1)) (place (- (* 2 n) k 1)))]))
+               (vector (place (- (* 2 n) 1)) (place n) (place 17))))
+    (check-false (program-machine-rates p 1))
+    (define stretches (machine-stretches p))
+    (check-equal? (hash-count stretches) 3)
+    (define-values (run by-machine)
+      (values ((program->interpreter-maker p))
+              ((program->interpreter-maker p #:stretches stretches))))
+    (for ([x (in-list '(-0.3 -9.0 1e-5))])
+      (check-equal? (values-by by-machine p (flvector x)) (values-by run p (flvector x)))))
 
   (test-case "no code where there is none for a function"
     (check-false (machine-instruction? (list 'sinh (place 0))))

@@ -135,13 +135,13 @@
     (check-equal? (outcome (lambda (a)
                              (push! a rsi)
                              (movsd! a 0 (behind rdi 0))
-                             (call-address! a (C-function "cos"))
+                             (call-address! a (C-function 'cos))
                              (pop! a rsi)
                              (store-sd! a (behind rsi 0) 0)
                              (ret! a))
                            '(0.7) 1)
                   (list (flcos 0.7)))
-    (check-false (C-function "no_such_function_of_C")))
+    (check-false (C-function 'no_such_function_of_C)))
 
   (test-case "a piece of code is longer than any buffer"
     (define n 2000)

@@ -13,7 +13,7 @@
          mechanics/numeric/ode/expandable
          mechanics/numeric/ode/integrate
          mechanics/numeric/ode/stepper
-         "../../support/random.rkt" "../../support/skip.rkt")
+         "../../support/machine-counter.rkt" "../../support/random.rkt" "../../support/skip.rkt")
 
 ;; Rates of n components, y' = sin a − y or cos a − y, a being a sum or product of two of them or of
 ;; the parameters.
@@ -34,11 +34,12 @@
 (define (by-compiler p ps)
   (fix-parameters ((program->maker p)) (vector-length (program-outputs p)) ps))
 
-(define (by-machine p [ps (flvector)])
+;; steps : so many are left to Racket code
+(define (by-machine p [ps (flvector)] [steps 0])
   (define n (vector-length (program-outputs p)))
   (expandable (by-compiler p ps) #f
               (make-machine-rates n (flvector-length ps) (program-instructions p)
-                                  (program-outputs p))
+                                  (program-outputs p) #:steps (- steps-that-pay steps))
               ps))
 
 (define (random-state n) (for/flvector #:length n ([_ (in-range n)]) (fl* 0.3 (random-flonum))))
@@ -48,9 +49,10 @@
 ;; (f! y0) -> stepper
 (define (start m f! y0) ((method-start m) f! y0))
 
-(define (check-steps m p n y0 ps)
+;; steps : so many are taken before machine code is
+(define (check-steps m p n y0 [ps (flvector)] [steps 0])
   (define a (start m (by-compiler p ps) y0))
-  (define b (start m (by-machine p ps) y0))
+  (define b (start m (by-machine p ps steps) y0))
   (define (same part) (check-equal? (part b) (part a)))
   (same stepper-state)
   (same (lambda (s) ((stepper-slope s))))
@@ -77,6 +79,23 @@
       (define ps (random-state parameters))
       (for ([m (in-list methods)]) (check-steps m p n (random-state n) ps))))
 
+  (test-case "steps of which the first are Racket code"
+    (with-seeds 10
+      (define n (random-choice 1 2 5 8 9 13))
+      (define p (random-rates n 1))
+      (for* ([m (in-list methods)] [steps (in-list '(1 2 4))])
+        (check-steps m p n (random-state n) (flvector 0.7) steps))))
+
+  (test-case "machine code is written when that pays, by all integrations of the rates together"
+    (define p (random-rates 2))
+    (define r (make-machine-rates 2 0 (program-instructions p) (program-outputs p)))
+    (define f! (expandable ((program->maker p)) #f r (flvector)))
+    (for ([k (in-range (* 2 steps-that-pay))])
+      (define s (start dormand-prince-54 f! (flvector 0.1 0.2)))
+      ((stepper-try! s) 0.1)
+      ((stepper-accept! s))
+      (check-equal? (machine-rates-pay? r) (>= k (- steps-that-pay 1)))))
+
   (test-case "integrations, with steps that are rejected"
     (with-seeds 10
       (define n (random-integer 1 12))
@@ -99,6 +118,15 @@
     (for ([m (in-list methods)])
       (define s (start m (by-machine p) (flvector 1.0 2.0)))
       (check-equal? ((stepper-try! s) 0.1) 0.0)))
+
+  (test-case "where there is no memory for code, steps are those of Racket code"
+    (define p (random-rates 3))
+    (define all
+      (let loop ([all '()])
+        (define counter (make-counter))
+        (if counter (loop (cons counter all)) all)))
+    (for ([m (in-list methods)]) (check-steps m p 3 (flvector 0.1 0.2 0.3)))
+    (check-equal? (count-to 3 (car all)) 3.0))
 
   (test-case "two integrations of one right-hand side are apart"
     (with-seed 3
