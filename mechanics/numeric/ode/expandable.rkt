@@ -18,8 +18,8 @@
   #:authentic
   #:property prop:procedure 0)
 
-;; Rates as straight code (numeric/machine/straight-code.rkt): of so many inputs, the components of y,
-;; and as many parameters behind them; outputs : operands; made : what methods have made of it,
+;; Rates as straight code (numeric/machine/straight-code.rkt): of so many inputs, the components of
+;; y, and so many parameters behind them; outputs : operands; made : what methods have made of it,
 ;; method -> code, or #f where it is none; steps : so many were taken without it, by all
 ;; integrations; threads may lose some
 (struct machine-rates (inputs parameters instructions outputs [made #:mutable] [steps #:mutable])
@@ -31,8 +31,8 @@
 ;; -> machine-rates, or #f
 (define (expandable-machine-rates f!) (and (expandable? f!) (expandable-machine f!)))
 
-;; A method takes as long to make its code as for about so many steps.
-(define steps-that-pay 200)
+;; About so many steps of a pendulum take as much less time by machine code as it takes to write.
+(define steps-that-pay 500)
 
 (define (machine-rates-pay? m) (>= (machine-rates-steps m) steps-that-pay))
 (define (step-taken! m) (set-machine-rates-steps! m (+ 1 (machine-rates-steps m))))

@@ -3,7 +3,7 @@
 ;;
 ;; Where the rates of a system have machine code, it and the formulas of a method become procedures
 ;; of whole steps (method-code.rkt), the same to the last bit as the Racket code of the method.
-;; Writing them takes as long as some hundred steps; so that many are taken in Racket code first, by
+;; Writing them takes what some hundred steps save; so that many are taken in Racket code first, by
 ;; all integrations of the system together, and the one that is under way goes over.
 
 (require racket/flonum

@@ -7,9 +7,9 @@
 ;; is the machine code; and formulas a programmer would have written down.  Steps and
 ;; evaluations are counted on both sides: they are to be the same.
 ;;
-;; Ours is machine code that the library writes itself (numeric/ode/machine-method.rkt).  Of few
-;; components a whole step is straight code, in which a slope goes from the rates to the next stage in
-;; registers; of many, loops work on two components at a time.  Both save what C spends on memory
+;; Ours is machine code that the library writes itself (numeric/ode/method-code.rkt).  Of few
+;; components a whole step is straight code, in which a slope goes from the rates to the next stage
+;; in registers; of many, loops work on two components at a time.  Both save what C spends on memory
 ;; between its function of the rates and its loops; and what chooses the next step's length, in
 ;; Racket, takes that again.  A system that equations are solved for has no such code: the chain's
 ;; stages are Racket's.
