@@ -21,7 +21,7 @@
 ;; p : the program of a function of a state of n scalars, or #f; value-at : flvector -> its value
 ;; -> (interpolant, the value where the step begins or #f -> parts of the step, with
 ;; coefficients along each; 'clear if there is plainly no zero; or how many places to look at),
-;; and (-> is the function of the step that was looked at last only noise?)
+;; and (part -> is the function only noise along it?), to be asked of the step looked at last
 (define (polynomial-along p n tolerance value-at)
   (define coordinate (and p (coordinate-of p n)))
   (define make (and p (not coordinate) (program->expansion-maker p n #:follow? #t)))
@@ -36,17 +36,18 @@
             (if (and along (taylor-piece? at))
                 (call-with-coefficients at (lambda (e) (along e (taylor-piece-span at) first)))
                 usual-places))
-          (lambda () (and f (follows-noise? f)))))
+          (lambda (p) (and f (follows-noise? f (part-rows p))))))
 
-;; Of a step: where it begins and how wide it is, the step being 1; the coefficients along it.
-(struct part (from width coefficients) #:authentic)
+;; Of a step: where it begins and how wide it is, the step being 1; the coefficients along it,
+;; and the rows of the state that gave them, or #f where these are what was followed last.
+(struct part (from width coefficients rows) #:authentic)
 
 (define (coordinate-along e coordinate span first)
   (define row (coefficient-row e coordinate))
   (cond [(clear? row (expansion-order e) (flabs span)) 'clear]
         [else
          (define c (beginning-with first (scaled row (expansion-order e) span)))
-         (if (flvector-finite? c) (list (part 0.0 1.0 c)) usual-places)]))
+         (if (flvector-finite? c) (list (part 0.0 1.0 c #f)) usual-places)]))
 
 (define (function-along f e span first)
   (define order (expansion-order e))
@@ -61,7 +62,7 @@
   (define least-places (if (follower-value-at f) places-about-branch usual-places))
   (cond [(not (flvector-finite? c)) least-places]
         [(not (converges? c tolerance)) (or (halves) (max least-places (places-for c)))]
-        [(on-one-branch? f states span c) (list (part 0.0 1.0 c))]
+        [(on-one-branch? f states span c) (list (part 0.0 1.0 c #f))]
         [else (or (halves) least-places)]))
 
 ;; The value there as it was where the step before ended, lest a zero between is missed.
@@ -75,7 +76,8 @@
   (define (parts rows from first)
     (define c (beginning-with first (follow-function! f rows order 1.0)))
     (cond [(not (flvector-finite? c)) #f]
-          [(and (converges? c tolerance) (on-one-branch? f rows 1.0 c)) (list (part from half c))]
+          [(and (converges? c tolerance) (on-one-branch? f rows 1.0 c))
+           (list (part from half c rows))]
           [(= halvings 0) #f]
           [else (halves-along f rows order from half first tolerance (- halvings 1))]))
   (define left (vector-map halved rows))
@@ -141,9 +143,10 @@
 
 (define (function-row own) (vector-ref (expansion-slopes own) 0))
 
-;; The motion followed last is changed for it.
-(define (follows-noise? f)
+;; rows : of the state, or #f : those that were followed last, which are changed for it
+(define (follows-noise? f rows)
   (define own (follower-own f))
+  (when rows (follow-function! f rows (expansion-order own) 1.0))
   (define (size row) (row-size row (expansion-order own) (follower-span f)))
   (define row (flvector-copy (function-row own)))
   (vary-rows! (expansion-states own) (follower-tolerance f))
@@ -177,8 +180,13 @@
     (fl+ (flvector-ref c k) (fl* x sum))))
 (define (polynomial-end parts) (sum (part-coefficients (last parts)) begin))
 
-(define (zeros-along parts tolerance)
-  (for*/list ([p (in-list parts)] [z (in-list (zeros-of (part-coefficients p) tolerance))])
+;; In each part those that its own noise does not account for: a function that ends in nothing
+;; but noise may well have had zeros before.
+(define (zeros-along parts tolerance noise?)
+  (for*/list ([p (in-list parts)]
+              [zeros (in-value (zeros-of (part-coefficients p) tolerance))]
+              #:unless (or (null? zeros) (noise? p))
+              [z (in-list zeros)])
     (zero (fl+ (part-from p) (fl* (part-width p) (zero-at z))) (zero-kind z))))
 
 ;; Where the function hardly varies nothing is touched.

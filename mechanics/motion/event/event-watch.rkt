@@ -19,7 +19,7 @@
 (provide watch-for watches-for watches-by-code)
 
 ;; polynomial : interpolant, value where it begins or #f -> its polynomials along the step, or #f
-;; noise?     : -> are these noise?
+;; noise?     : one of these -> is the function noise along it?
 ;; sampled    : interpolant -> place -> value; doubtful : the same, of a state that is changed by
 ;;              what is uncertain of it
 ;; last       : its value where the last step ended, or #f; size : the greatest that was seen
@@ -89,8 +89,7 @@
          '()]
         [else
          (set-watched-last! w (polynomial-end p))
-         (define found (crossings-of w (zeros-along p tolerance)))
-         (if (and (pair? found) ((watched-noise? w))) '() found)]))
+         (crossings-of w (zeros-along p tolerance (watched-noise? w)))]))
 
 (define (crossings-of w zeros)
   (define e (watched-event w))
