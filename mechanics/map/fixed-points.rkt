@@ -40,17 +40,18 @@
 (define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])
   (unless (exact-positive-integer? period)
     (complain-of-argument 'find-fixed-point "a period, a positive integer" period))
-  (define p (fixed-point-near 'find-fixed-point map guess period tolerance))
-  (or (of-lesser-period map p tolerance) p))
+  (define m (make-map-on-tuples 'find-fixed-point map guess period))
+  (define-values (p z) (fixed-point-of 'find-fixed-point map m tolerance))
+  (or (of-lesser-period map m z tolerance) p))
 
-;; The same point with the least period, or #f if that is the one it has.
-(define (of-lesser-period map p tolerance)
-  (define-values (at period) (values (fixed-point-coordinates p) (fixed-point-period p)))
-  (for/or ([k (in-range 1 period)] #:when (zero? (remainder period k)))
-    (define m (make-map-on-tuples 'find-fixed-point map at k))
-    (and (short? (displacement m (map-on-tuples-start m)) (map-on-tuples-start m) comes-back)
-         (with-handlers ([refusal? (lambda (e) #f)])
-           (fixed-point-near 'find-fixed-point map at k tolerance)))))
+;; The same point z with the least period, or #f if that is the one it has.
+(define (of-lesser-period map m z tolerance)
+  (define (back? d) (short? d z comes-back))
+  (define (found k)
+    (define-values (p at) (fixed-point-of 'find-fixed-point map (done-times m k z) tolerance))
+    p)
+  (for/or ([k (in-list (returns-after m z back?))])
+    (with-handlers ([refusal? (lambda (e) #f)]) (found k))))
 
 ;; How near a point comes back to itself that is taken to come back, beside 1 + |x|.
 (define comes-back 1e-9)
@@ -59,10 +60,15 @@
   (for/and ([d (in-flvector v)] [c (in-flvector x)])
     (fl<= (flabs d) (fl* tolerance (fl+ 1.0 (flabs c))))))
 
+(define (fixed-point-near who map guess period tolerance [limit 100])
+  (define-values (p z)
+    (fixed-point-of who map (make-map-on-tuples who map guess period) tolerance limit))
+  p)
+
 ;; Newton's method for the displacement, the derivatives being exact where the map can be
 ;; differentiated, as those made of motions can.
-(define (fixed-point-near who map guess period tolerance [limit 100])
-  (define m (make-map-on-tuples who map guess period))
+;; -> the fixed point of m, which does the map so many times, and its numbers
+(define (fixed-point-of who map m tolerance [limit 100])
   (define (less-unit rows)
     (for/vector ([row (in-vector rows)] [i (in-naturals)])
       (for/vector ([x (in-vector row)] [j (in-naturals)]) (if (= i j) (- x 1.0) x))))
@@ -79,9 +85,10 @@
                           ((map-on-tuples-point m) z) lost))
   (define multipliers (multipliers-of M))
   (define determinant (apply * multipliers))
-  (fixed-point ((map-on-tuples-point m) z) period multipliers
-               (kind-of multipliers (real-part determinant))
-               (real-part determinant) (max error lost) M (map-on-tuples-angles m) map))
+  (values (fixed-point ((map-on-tuples-point m) z) (map-on-tuples-times m) multipliers
+                       (kind-of multipliers (real-part determinant))
+                       (real-part determinant) (max error lost) M (map-on-tuples-angles m) map)
+          z))
 
 ;; An image is rounded: where it differs from z by nothing, z may be off by A⁻¹ ε z all the same,
 ;; with A the derivatives of the displacement.  Where A has no inverse there is a whole line of

@@ -19,12 +19,18 @@
          "../numeric/whole-turns.rkt"
          "../value/shape.rkt")
 
-(provide make-map-on-tuples (struct-out map-on-tuples)
-         displacement slopes-of-image)
+(provide make-map-on-tuples (struct-out map-on-tuples) done-times
+         displacement returns-after slopes-of-image)
 
-;; image : (up z ...) -> (up z' ...), of the numbers that come back; point : flvector -> what the
-;; user calls a point; start : flvector; angles : list of booleans
-(struct map-on-tuples (image point start angles))
+;; once : (up z ...) -> (up z' ...), of the numbers that come back; it is done so many times
+;; point : flvector -> what the user calls a point; start : flvector; angles : list of booleans
+(struct map-on-tuples (once times point start angles))
+
+;; The same map done so many times instead, from another start.
+(define (done-times m times start) (struct-copy map-on-tuples m [times times] [start start]))
+
+(define ((image-by m) p) (for/fold ([p p]) ([_ (in-range (map-on-tuples-times m))])
+                           ((map-on-tuples-once m) p)))
 
 ;; map : a map of the plane, or a function of states; at : a point or a state
 (define (make-map-on-tuples who map at times)
@@ -38,11 +44,10 @@
   (define start (point-numbers who at plane?))
   (define once (if plane? (plane-image who map) (state-image who map at)))
   (define angles (angles-of once start))
-  (define (image p) (for/fold ([p p]) ([_ (in-range times)]) (once p)))
   (define (point v)
     (define p (apply up (flvector->list v)))
     (if plane? p (with-time at p)))
-  (map-on-tuples image point start angles))
+  (map-on-tuples once times point start angles))
 
 (define ((plane-image who map) p)
   (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
@@ -164,18 +169,30 @@
   (and (fl< (flabs x) 1e8) (fl< (flabs (whole-turns-less x)) 1e-6)))
 
 ;; How far the image of z is from z.
-(define (displacement m z [image (numbers ((map-on-tuples-image m) (up-of-numbers z)))])
+(define (displacement m z [image (numbers ((image-by m) (up-of-numbers z)))])
   (for/flvector #:length (flvector-length z)
                 ([a (in-flvector z)] [b (in-flvector image)]
                  [angle? (in-list (map-on-tuples-angles m))])
     (if angle? (whole-turns-less (fl- b a)) (fl- b a))))
+
+;; -> the proper divisors of the times, least first, after which z is back already, as (back? v)
+;; tells of its displacement; the map is done once for all of them
+(define (returns-after m z back?)
+  (let loop ([divisors (proper-divisors (map-on-tuples-times m))] [k 0] [p (up-of-numbers z)])
+    (cond [(null? divisors) '()]
+          [(< k (car divisors)) (loop divisors (+ k 1) ((map-on-tuples-once m) p))]
+          [(back? (displacement m z (numbers p))) (cons k (loop (cdr divisors) k p))]
+          [else (loop (cdr divisors) k p)])))
+
+(define (proper-divisors n)
+  (for/list ([k (in-range 1 n)] #:when (zero? (remainder n k))) k))
 
 ;; -> the derivatives of the image, a vector of rows
 (define (slopes-of-image m z)
   (define n (flvector-length z))
   (define all
     (list->vector
-     (for/list ([x (in-list (scalars (derivative-at (map-on-tuples-image m) (up-of-numbers z))))])
+     (for/list ([x (in-list (scalars (derivative-at (image-by m) (up-of-numbers z))))])
        (real->double-flonum (comparand (innermost x))))))
   (for/vector #:length n ([i (in-range n)])
     (for/vector #:length n ([j (in-range n)]) (vector-ref all (+ i (* j n))))))

@@ -73,13 +73,14 @@
    1e-7))
 
 (define (lesser-period? map p n)
-  (define at (fixed-point-coordinates p))
-  (for/or ([k (in-range 1 n)] #:when (zero? (remainder n k)))
-    (near? p (image-after map at k))))
+  (let loop ([k 1] [at (fixed-point-coordinates p)])
+    (define image (and (<= k (quotient n 2)) (image-once map at)))
+    (and image
+         (or (and (zero? (remainder n k)) (near? p image))
+             (loop (+ k 1) image)))))
 
-(define (image-after map at k)
-  (for/fold ([at at]) ([_ (in-range k)])
-    (image-of 'periodic-points map (abscissa at) (ordinate at) make-point)))
+(define (image-once map at)
+  (image-of 'periodic-points map (abscissa at) (ordinate at) make-point))
 
 (define (checked-region who region)
   (define bounds (and (list? region) (for/list ([x (in-list region)]) (comparand x))))

@@ -2,8 +2,10 @@
 ;; Fixed and periodic points, and what maps do near them.
 
 (require (except-in rackunit fail)
+         (only-in racket/flonum flvector)
          mechanics
          mechanics/book
+         (only-in mechanics/map/map-on-tuples make-map-on-tuples returns-after)
          "../support/close.rkt" "../support/messages.rkt")
 
 (define (found map guess [period 1]) (find-fixed-point map guess #:period period))
@@ -114,3 +116,20 @@
 (test-case "no fixed point"
   (check-exn exn:fail:mechanics? (lambda () (found shift (up 0.6 0.2))))
   (check-equal? (periodic-points shift 1 '(0 1 0 1)) '()))
+
+(test-case "whether the period is a lesser one costs one run through the greatest of its divisors"
+  (define runs 0)
+  (define (third-of-a-turn x y return fail)
+    (set! runs (+ runs 1))
+    (return (- (* -1/2 x) (* (sqrt 3/4) y)) (+ (* (sqrt 3/4) x) (* -1/2 y))))
+  (define m (make-map-on-tuples 'test third-of-a-turn (up 1.0 0.0) 12))
+  (define (back? d) (for/and ([z d]) (< (abs z) 1e-9)))
+  (set! runs 0)
+  (check-equal? (returns-after m (flvector 1.0 0.0) back?) '(3 6))
+  (check-equal? runs 6))
+
+(test-case "a point found with a multiple of its period has its own"
+  (for ([n '(2 4 6 12)])
+    (define p (found (standard-map 0.6) (up 0.1 3.0) n))
+    (check-equal? (fixed-point-period p) 2)
+    (check-close (fixed-point-coordinates p) (up 0 :pi) 1e-12)))
