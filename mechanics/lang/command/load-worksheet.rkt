@@ -27,8 +27,7 @@
             file))
 
 (define (check-there who file)
-  (cond [(equal? file "") (complain who "which file? the name that was given is empty")]
-        [(file-exists? file) (void)]
+  (cond [(file-exists? file) (void)]
         [(directory-exists? file)
          (complain who "this is a folder; the programs in it: ~a\n  folder: ~a"
                    (programs-text file) file)]

@@ -21,15 +21,29 @@
   (cond [(ormap (lambda (a) (member a '("-h" "--help"))) arguments)
          (print-command c)
          0]
+        [(member "" arguments)
+         (tell-empty (command-name c) arguments)
+         2]
         [else
          (with-handlers ([exn:fail? (lambda (e)
                                       (eprintf "~a\n" (exn-message e))
                                       2)])
            ((command-run c) arguments))]))
 
+;; As the shell gives it for a variable that has no value: that is no name of anything.
+(define (tell-empty name arguments)
+  (define before
+    (for/last ([a (in-list (cons name arguments))] [next (in-list arguments)]
+               #:when (and (string=? next "") (regexp-match? #rx"^-" a)))
+      a))
+  (if before
+      (eprintf "~a: what follows ~a is empty\n" name before)
+      (eprintf "~a: which ~a? the name that was given is empty\n"
+               name (if (string=? name "help") "name" "file"))))
+
 (define (tell-unknown name)
   (define near
     (nearest-names name (for/list ([c (in-list commands)]) (string->symbol (command-name c)))))
-  (eprintf "raco mechanics: ~a is no command~a\n" name
+  (eprintf "raco mechanics: ~a is no command~a\n" (if (string=? name "") "an empty name" name)
            (if (null? near) "" (format "; did you mean ~a?" (alternatives near))))
   (eprintf "raco mechanics help lists them\n"))

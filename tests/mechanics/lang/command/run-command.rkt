@@ -53,6 +53,23 @@
 (test-case "the prompt takes no arguments"
   (check-equal? (answer "repl" "x") '(2 "raco mechanics repl: it takes no arguments\n")))
 
+;; Racket's own words came of it: path-string?, simple-form-path.
+(test-case "a name that is empty, as that of a shell's variable, is told"
+  (define (refused text . arguments)
+    (check-equal? (apply answer arguments) (list 2 (string-append text "\n"))))
+  (for ([name '("show" "tex" "new" "worksheet" "handout" "check" "export")])
+    (refused (format "~a: which file? the name that was given is empty" name) name ""))
+  (for ([arguments '(("show" "-o") ("handout" "-o") ("check" "--worksheet") ("check" "--report")
+                     ("check" "--gradescope") ("export" "-o") ("export" "--to"))])
+    (define-values (name option) (apply values arguments))
+    (define text (format "~a: what follows ~a is empty" name option))
+    (refused text name "a.rkt" option "")
+    (refused text name option "" "a.rkt"))
+  (refused "help: which name? the name that was given is empty" "help" "")
+  (refused (string-append "raco mechanics: an empty name is no command\n"
+                          "raco mechanics help lists them")
+           ""))
+
 (test-case "raco knows the command, and where it is"
   (define found (assoc "mechanics" ((get-info '("mechanics")) 'raco-commands)))
   (check-true (module-path? (second found)))
