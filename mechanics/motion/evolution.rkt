@@ -71,8 +71,9 @@
 (define (linearized-flow derivative-maker . parameters)
   (check-maker 'linearized-flow derivative-maker parameters)
   (define datum (made-by 'linearized-flow derivative-maker parameters))
+  (define check-once (rates-check-by-shape 'linearized-flow derivative-maker parameters))
   (define (derivative p parameters? state duration)
-    (check-rates-at 'linearized-flow derivative-maker parameters state)
+    (check-once state)
     (note-followed derivative-maker parameters state)
     (flow-derivative (advancing p) derivative-maker parameters state duration parameters?))
   (define (derivative/keywords #:by-parameters? [parameters? #f] #:method [method #f]
@@ -87,7 +88,15 @@
     (derivative (plan-with tolerance) parameters? (car arguments) (cadr arguments)))
   (make-function (telling-what-it-takes 'linearized-flow derivative/keywords) 12 datum))
 
-;; A maker that makes something else is told of the state, and not of its displacements.
+;; A maker that makes something else is told of the state, and not of its displacements: once for
+;; each shape of state.
+(define (rates-check-by-shape who maker parameters)
+  (define known '())
+  (lambda (state)
+    (unless (ormap (lambda (s) (same-shape? s state)) known)
+      (check-rates-at who maker parameters state)
+      (set! known (cons state known)))))
+
 (define (check-rates-at who maker parameters state)
   (define derivative (derivative-for maker parameters))
   (when (and (tuple? state) (procedure? derivative) (accepts? derivative 1))

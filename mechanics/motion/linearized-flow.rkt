@@ -7,7 +7,7 @@
 ;; differences of motions.  What is differentiated may itself be a derivative: the motion of
 ;; pairs is followed by the same advancer, which finds the ε of the other derivative in it.
 
-(require "system/parametric-system.rkt"
+(require "stuck.rkt" "system/parametric-system.rkt"
          "../calculus/derivative.rkt" "../calculus/dual.rkt" "../calculus/perturbed.rkt"
          "../calculus/recorded.rkt"
          "../error/failure.rkt"
@@ -135,13 +135,14 @@
              (define-values (slope change) (value-and-derivative-along f s v))
              change))))
 
-;; (advance), of a state and its displacements: if it fails, the state alone is told.
+;; (advance), of a state and its displacements: where the motion ends the state alone is told.
+;; Other failures are those of what it follows.
 (define (call-for-state who advance)
   (define (retold e)
-    (define where (exn:fail:mechanics:singular-where e))
-    (define s (if (tuple? where) (ref where 0) where))
-    (raise-singular who "the motion cannot be followed any further" s "last state" s))
-  (with-handlers ([exn:fail:mechanics:singular? retold])
+    (define state (ref (exn:fail:mechanics:singular-where e) 0))
+    (define cause (cut-short-cause e))
+    (raise-cut-short who 'ended #f state state (or cause "") cause))
+  (with-handlers ([cut-short? retold])
     (advance)))
 
 ;; One in the direction of each scalar of the state from number `first` on.

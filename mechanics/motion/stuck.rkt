@@ -10,25 +10,28 @@
          "../numeric/ode/stepper.rkt"
          "../value/shape.rkt")
 
-(provide raise-stuck raise-cut-short)
+(provide raise-stuck raise-cut-short (struct-out cut-short))
+
+;; A motion that goes no further; cause : what its state derivative says there, or #f.
+(struct cut-short exn:fail:mechanics:singular (cause))
 
 ;; s : system; m : method; t, y : the last time and the state there; why : as
 ;; numeric/ode/integrate.rkt says; kept : what the failure is to carry
 (define (raise-stuck who s m t y why kept)
-  (raise-cut-short who why t (system-state s y) kept (hints s m y why)))
+  (raise-cut-short who why t (system-state s y) kept (hints s m y why) (cause s y why)))
 
-;; hints : what the message says beside the time and the last state
-(define (raise-cut-short who why t state kept [hints ""])
+;; t : the time, or #f; hints : what the message says beside the time and the last state
+(define (raise-cut-short who why t state kept [hints ""] [cause #f])
   (define too-many? (eq? why 'too-many-steps))
   (define message
-    (format "~a\n  time: ~a\n  last state: ~a~a"
+    (format "~a~a\n  last state: ~a~a"
             (if too-many?
                 "the motion takes more steps than allowed"
                 "the motion cannot be followed any further")
-            t (value->text state) hints))
+            (if t (format "\n  time: ~a" t) "") (value->text state) hints))
   (if too-many?
       (raise-not-convergent who message kept #f #:show? #f)
-      (raise-singular who message kept)))
+      (raise (cut-short (format "~a: ~a" who message) (current-continuation-marks) kept cause))))
 
 (define (hints s m y why)
   (define singular (if (method-step m) "" (singular-coordinate-text s y)))
@@ -62,14 +65,29 @@
 
 ;; What there is instead of a finite state derivative; #f if there is one.
 (define (slope-text s y where)
+  (or (refusal-text s y where no-value?)
+      (let ([slope ((system-derivative s) (system-state s y))])
+        (and (not (andmap finite? (map real-number (scalars slope))))
+             (format "\n  state derivative ~a: ~a" where (value->text slope))))))
+
+;; What the state derivative says if it raises a failure of that kind, or #f.
+(define (refusal-text s y where kind?)
   (with-handlers ([exn:fail:mechanics:singular:matrix?
                    (lambda (e)
                      (string-append (format "\n  the mass matrix has no inverse ~a" where)
                                     (directions->text (null-vectors e))))]
-                  [no-value? (lambda (e) (failure-text where e))])
-    (define slope ((system-derivative s) (system-state s y)))
-    (and (not (andmap finite? (map real-number (scalars slope))))
-         (format "\n  state derivative ~a: ~a" where (value->text slope)))))
+                  [kind? (lambda (e) (failure-text where e))])
+    ((system-derivative s) (system-state s y))
+    #f))
+
+;; Which hints quote the state derivative, and show none of its values?
+(define (cause s y why)
+  (case why
+    [(too-many-steps step-fails lost-digits) #f]
+    [else
+     (or (refusal-text s y "there" no-value?)
+         (and (not (eq? why 'no-slope))
+              (around s y (lambda (y) (refusal-text s y "beyond" exn:fail?)))))]))
 
 (define (failure-text where e) (format "\n  ~a: ~a" where (exn-message e)))
 
@@ -78,14 +96,18 @@
 (define (beyond-text s y) (or (slope-text s y "there") (slope-text-around s y)))
 
 (define (slope-text-around s y)
+  (define (text y)
+    (with-handlers ([exn:fail? (lambda (e) (failure-text "beyond" e))])
+      (slope-text s y "beyond")))
+  (around s y text))
+
+;; What (text y) tells of the first place of which it tells anything
+(define (around s y text)
   (define slope (scalars ((system-derivative s) (system-state s y))))
-  (define (state-after h)
+  (define (after h)
     (along y h (for/flvector #:length (flvector-length y) ([v (in-list slope)])
                  (real->double-flonum (real-number v)))))
-  (define (text h)
-    (with-handlers ([exn:fail? (lambda (e) (failure-text "beyond" e))])
-      (slope-text s (state-after h) "beyond")))
-  (for/or ([h (in-list '(1e-9 -1e-9 1e-6 -1e-6))]) (text h)))
+  (for/or ([h (in-list '(1e-9 -1e-9 1e-6 -1e-6))]) (text (after h))))
 
 (define (null-vectors e) (or (exn:fail:mechanics:singular:matrix-null-vectors e) '()))
 
