@@ -13,8 +13,8 @@
 (require racket/flonum
          "compiled-map.rkt" "jacobian.rkt" "map-of-the-plane.rkt" "period.rkt" "plane-points.rkt"
          "../error/complain.rkt"
-         "../generic/compare.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../motion/system/check.rkt" "../motion/evolution.rkt" "../motion/followed.rkt"
          "../motion/linearized-flow.rkt"
@@ -61,6 +61,7 @@
 (define-plain (Lyapunov-exponents derivative state duration
                                   #:count [count #f] #:interval [interval #f]
                                   #:tolerance [tolerance 1e-10])
+  (check-order 'Lyapunov-exponents "the state derivative" "state" derivative state duration)
   (check-no-map 'Lyapunov-exponents derivative)
   (exponents-of-motion 'Lyapunov-exponents derivative state duration count interval tolerance))
 
@@ -68,7 +69,8 @@
 (define-plain (maximal-Lyapunov-exponent system start duration
                                          #:interval [interval #f] #:tolerance [tolerance 1e-10])
   (define who 'maximal-Lyapunov-exponent)
-  (if (and (procedure? system) (accepts? system 4))
+  (check-order who "the state derivative or map" "start" system start duration)
+  (if (map? system)
       (exponent-of-map who system start duration)
       (exponents-of-motion who system start duration 1 interval tolerance)))
 
@@ -92,6 +94,16 @@
   (note-followed f '() state)
   (call-unwatched
    (lambda () (collect step state (map row (scattered all n)) (fl/ T (->fl steps)) steps))))
+
+;; Arguments in another order are told as such; first, second : what is to be there
+(define (check-order who first second system start duration)
+  (cond [(pointwise? system)
+         (when (and (tuple? duration) (not (tuple? start)))
+           (complain who "the ~a comes before how long it is followed\n  given second: ~a" second
+                     (describe-with-value start)))]
+        [(or (pointwise? start) (pointwise? duration))
+         (complain who "~a comes first, then the ~a and how long\n  given first: ~a"
+                   first second (describe-with-value system))]))
 
 (define (check-no-map who f)
   (when (and (map? f) (not (accepts? f 1)))

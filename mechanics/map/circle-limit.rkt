@@ -29,19 +29,21 @@
     (complain-of-argument who "a tolerance, a positive number" tolerance))
   (define (circle-of k)
     (circle-for who (family k) rotation-number between most))
-  (unless (found? circle-of from) (raise-missing who rotation-number from to))
-  (when (found? circle-of to) (raise-found who rotation-number to))
+  (define missed (missed-at circle-of from))
+  (when missed (raise-missing who missed from to))
+  (unless (missed-at circle-of to) (raise-found who rotation-number to))
   (let narrow ([found from] [missing to])
     (define middle (/ (+ found missing) 2.0))
     (cond [(or (<= (abs (- missing found)) enough) (= middle found) (= middle missing))
            (list found missing)]
-          [(found? circle-of middle) (narrow middle missing)]
-          [else (narrow found middle)])))
+          [(missed-at circle-of middle) (narrow found middle)]
+          [else (narrow middle missing)])))
 
-(define (found? circle-of k)
-  (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) #f)])
+;; -> the failure to find a circle, or #f
+(define (missed-at circle-of k)
+  (with-handlers ([exn:fail:mechanics:not-convergent? values])
     (circle-of k)
-    #t))
+    #f))
 
 (define (check-family who family)
   (unless (and (procedure? family) (accepts? family 1))
@@ -55,11 +57,14 @@
   (unless (finite? number) (complain-of-argument who "a real number as the parameter" x))
   number)
 
-(define (raise-missing who rotation from to)
-  (raise-not-convergent who
-                        "no circle was found at the first of the two parameters, where it is to be"
-                        #f #f #:show? #f
-                        "rotation number" rotation "first" from "second" to))
+;; The failure says why, and what is known of the circle.
+(define (raise-missing who failure from to)
+  (define why (regexp-replace (format "^~a: " who) (exn-message failure) ""))
+  (define message
+    (format (string-append "~a: no circle was found at the first of the two parameters, where it "
+                           "is to be\n  first: ~a\n  second: ~a\n  why: ~a")
+            who from to why))
+  (raise (struct-copy exn:fail:mechanics:not-convergent failure [message #:parent exn message])))
 
 (define (raise-found who rotation-number to)
   (complain who

@@ -157,13 +157,40 @@
     (message-of expression exn:fail:mechanics:not-convergent?))
   (check-regexp-match #rx"whole turns, 0[.]61803398874989[0-9]* is the same rotation"
                       (told (invariant-circle twist golden-ratio #:most-modes 64)))
-  (check-equal? (told (invariant-circle-limit standard-map (- 1 golden) 1.1 0.9 #:most-modes 64))
-                (string-append
-                 "invariant-circle-limit: no circle was found at the first of the two parameters, "
-                 "where it is to be\n  rotation number: 0.3819660112501052\n"
-                 "  first: 1.1\n  second: 0.9")))
+  (check-regexp-match
+   (string-append
+    "^invariant-circle-limit: no circle was found at the first of the two parameters, "
+    "where it is to be\n  first: 1.1\n  second: 0.9\n"
+    "  why: no invariant circle was found: the orbit that turns most like it lies on no curve,\n"
+    "  as where the motion is chaotic; it may have broken up\n"
+    "  rotation number: 0.3819660112501052\n  start of the orbit: [(]up 0.0 2.0743593599[0-9]*[)]$")
+   (told (invariant-circle-limit standard-map (- 1 golden) 1.1 0.9 #:most-modes 64))))
 
 (test-case "a parameter that is 1 is no name"
   (define P
     (perturbation-series (H0 'alpha) (H1 'beta) (up 't 'theta 'p) #:order 1 #:parameter 1))
   (check-regexp-match #rx"^perturbation to order 1\n" (format "~a" P)))
+
+;; ---------------------------------------------------------------------------
+;; The order of arguments, which was told as that of a point, or by the user's own `ref`
+
+(define at (up 0 0.1 0.2))
+
+(says
+ [(maximal-Lyapunov-exponent (up 0.1 0.2) twist 100)
+  "maximal-Lyapunov-exponent: the state derivative or map comes first, then the start and how "
+  "long\n"
+  "  given first: (up 0.1 0.2), an up tuple of 2"]
+ [(maximal-Lyapunov-exponent at swing 100)
+  "maximal-Lyapunov-exponent: the state derivative or map comes first, then the start and how "
+  "long\n"
+  "  given first: (up 0 0.1 0.2), an up tuple of 3"]
+ [(maximal-Lyapunov-exponent swing 100 at)
+  "maximal-Lyapunov-exponent: the start comes before how long it is followed\n"
+  "  given second: the number 100"]
+ [(Lyapunov-exponents swing 100 at)
+  "Lyapunov-exponents: the state comes before how long it is followed\n"
+  "  given second: the number 100"]
+ [(Lyapunov-exponents 100 swing at)
+  "Lyapunov-exponents: the state derivative comes first, then the state and how long\n"
+  "  given first: the number 100"])
