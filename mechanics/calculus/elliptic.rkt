@@ -132,8 +132,8 @@
       (g:* 0.5 (g:+ phi (g:asin (g:/ (g:* c (g:sin phi)) a))))))
   (define-values (sn cn) (values (g:sin phi) (g:cos phi)))
   ;; 1 − k² sn² without a difference, which would leave few digits of what is nearly 0
-  (define rest (g:* (g:- 1.0 k) (g:+ 1.0 k)))
-  (receive sn cn (g:sqrt (g:+ (g:square cn) (g:* rest (g:square sn))))))
+  (define complement (g:* (g:- 1.0 k) (g:+ 1.0 k)))
+  (receive sn cn (g:sqrt (g:+ (g:square cn) (g:* complement (g:square sn))))))
 
 ;; ---------------------------------------------------------------------------
 

@@ -7,26 +7,26 @@
 
 (provide note-left-rest)
 
-;; y, last : the states at the start and at the end; clock? : is the first number the time?
-(define (note-left-rest who f! y last clock?)
-  (define first (if clock? 1 0))
-  (when (and (left? y last first) (rest-by-rounding? f! y first))
+;; y, end : the states at the start and at the end; clock? : is the first number the time?
+(define (note-left-rest who f! y end clock?)
+  (define from (if clock? 1 0))
+  (when (and (left? y end from) (rest-by-rounding? f! y from))
     (note-once
      (string-append (symbol->string who)
                     ": the motion begins at rest but for rounding, which decides when it leaves\n"
                     "and where to; to see how an equilibrium is left, begin beside it"))))
 
-(define (left? y last first)
-  (for/or ([a (in-flvector y first)] [b (in-flvector last first)])
+(define (left? y end from)
+  (for/or ([a (in-flvector y from)] [b (in-flvector end from)])
     (fl> (flabs (fl- b a)) (fl* noticeable (fl+ 1.0 (flabs a))))))
 
 ;; At rest exactly it would stay.
-(define (rest-by-rounding? f! y first)
+(define (rest-by-rounding? f! y from)
   (define slope (make-flvector (flvector-length y)))
   (f! y slope)
-  (and (for/and ([v (in-flvector slope first)] [x (in-flvector y first)])
+  (and (for/and ([v (in-flvector slope from)] [x (in-flvector y from)])
          (fl<= (flabs v) (fl* rounding-of-rates (fl+ 1.0 (flabs x)))))
-       (for/or ([v (in-flvector slope first)]) (not (fl= v 0.0)))))
+       (for/or ([v (in-flvector slope from)]) (not (fl= v 0.0)))))
 
 (define noticeable 1e-6)
 (define rounding-of-rates 1e-14)

@@ -32,5 +32,6 @@
     (define-values (value error count)
       (difference-derivative (lambda (x) (structure->flvector (f x) odd-value)) at
                              #:step (or step (* 0.1 (max 1.0 (abs at))))
+                             #:middle (structure->flvector example odd-value)
                              #:tolerance tolerance #:shape shape #:name who))
     (report (shape value) (shape error) count)))

@@ -35,16 +35,22 @@
 ;; bends : how many times in a row they came no closer to each other; count : of steps
 (struct search (row best scale turn bends count) #:authentic)
 
-;; f      : flonum -> flvector, of one length
+;; given  : flonum -> flvector, of one length
+;; known  : its value at x, which counts as one evaluation, or #f
 ;; shape  : what an flvector is to the user
 ;; -> derivative, error, evaluations
-(define (difference-derivative f x
+(define (difference-derivative given x
                                #:step [step (* 0.1 (max 1.0 (abs x)))]
                                #:tolerance [tolerance 1e-8]
+                               #:middle [known #f]
                                #:shape [shape values]
                                #:name [who 'D-numeric])
   (check-tolerance who tolerance)
-  (define middle (f x))
+  (define evaluations (if known 1 0))
+  (define (f x)
+    (set! evaluations (+ evaluations 1))
+    (given x))
+  (define middle (or known (f x)))
   (let loop ([h (real->double-flonum step)] [s (search '() #f #f #f 0 0)])
     (define after (f (+ x h)))
     (define before (f (- x h)))
@@ -57,13 +63,11 @@
       [(and good? (>= (search-bends next) most-bends)) (raise-kinked who x)]
       [(and end? (holds-elsewhere? f x h next tolerance))
        (define best (search-best next))
-       (values (entry-value best) (entry-error best) (evaluations next))]
+       (values (entry-value best) (entry-error best) evaluations)]
       [(and last? (not there?))
        (raise-singular who "the function is not finite on both sides" x "at" x)]
-      [(and last? (or end? (not good?))) (raise-not-found who x next shape)]
+      [(and last? (or end? (not good?))) (raise-not-found who x next shape evaluations)]
       [else (loop (* 0.5 h) (if end? (begun-anew next) next))])))
-
-(define (evaluations s) (+ 1 (* 2 (search-count s))))
 
 ;; All steps may be many periods of f, and nearly whole ones: 1000/10, 1000/20 ... are, of the
 ;; sine, by a hundredth.  Then a step that is no half of another finds something else; the
@@ -73,20 +77,20 @@
   (define h* (* golden-fraction h))
   (define-values (after before) (values (f (+ x h*)) (f (- x h*))))
   (define best (entry-value (search-best s)))
-  (define last (entry-value (car (search-row s))))
+  (define longer (entry-value (car (search-row s))))
   (for/and ([a (in-flvector after)] [b (in-flvector before)] [v (in-flvector best)]
-            [q (in-flvector last)] [scale (in-flvector (search-scale s))])
+            [q (in-flvector longer)] [scale (in-flvector (search-scale s))])
     (define rounding (/ (* 8.0 epsilon (+ (abs a) (abs b))) h*))
     (<= (distance (/ (- a b) (* 2.0 h*)) v)
         (+ (* 2.0 (distance q v)) rounding (* 10.0 tolerance (max (abs v) scale))))))
 
 (define (begun-anew s) (search '() #f (search-scale s) #f 0 (search-count s)))
 
-(define (raise-not-found who x s shape)
+(define (raise-not-found who x s shape evaluations)
   (define best (search-best s))
   (raise-not-convergent who "no derivative found" (shape (entry-value best))
                         (shape (entry-error best))
-                        "at" x "evaluations" (evaluations s)))
+                        "at" x "evaluations" evaluations))
 
 ;; After a step h more.
 (define (refined s after middle before h)

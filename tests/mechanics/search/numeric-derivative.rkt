@@ -42,6 +42,30 @@
   (check-= (ref v 2 1) 0 1e-9)
   (check-true (up? ((D-numeric helix #:report (lambda (value error count) error)) 1))))
 
+;; Of a sine over nearly whole periods the search begins anew (differences.rkt).
+(test-case "all evaluations are told"
+  (define-syntax-rule (check-count expression)
+    (let ([calls 0])
+      (define ((counted f) x)
+        (set! calls (+ calls 1))
+        (f x))
+      (define count ((expression counted) 1))
+      (check-equal? count calls)))
+  (define (only-count value error count) count)
+  (check-count (lambda (counted) (D-numeric (counted g:sin) #:report only-count)))
+  (check-count (lambda (counted)
+                 (D-numeric (counted (lambda (x) (sin (* 200 (atan 1) x)))) #:report only-count)))
+  (check-count (lambda (counted)
+                 (richardson-derivative (counted g:sin) 1e-8 (* 2000 (acos -1.0))
+                                        #:report only-count)))
+  (check-count (lambda (counted)
+                 (lambda (x)
+                   (define step (counted (lambda (x) (if (< x 1) 0 1))))
+                   (define failure
+                     (with-handlers ([exn:fail:mechanics:not-convergent? exn-message])
+                       ((D-numeric step) x)))
+                   (string->number (cadr (regexp-match #rx"evaluations: ([0-9]+)" failure)))))))
+
 (test-case "a step may be given"
   (define-values (value error count) ((richardson-derivative g:sin 1e-8 0.01 #:report values) 1))
   (check-= value (cos 1.0) error)
