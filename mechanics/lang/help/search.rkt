@@ -1,8 +1,13 @@
 #lang racket/base
-;; Cards that a text is about.  All its words must occur, each in the name, in the sentence or
-;; in the name of an argument; those with all of them in the name come first, then those with
-;; all of them in the sentence.  Where these are few, those follow of which the manual says more
-;; with the words.
+;; Cards that a text is about.  All its words must occur, each in the name, in the sentence, in the
+;; name of an argument or in the title of the page.
+;;
+;; What a name says counts more than what a sentence says, and a word more than a part of one.
+;; But a word has many senses: `golden-section-min` is no section of a motion.  So it counts, too,
+;; how much the card's page has to do with the words: a page that is named after them, or on which
+;; many cards have them, is about what is asked for.
+;;
+;; Where few are found, those follow of which the manual says more with the words.
 
 (require racket/list
          racket/string
@@ -10,18 +15,17 @@
 
 (provide found-cards)
 
-;; -> cards: those that have the words in their names, in their sentences, elsewhere; else in the
-;; order of the manual
+;; -> cards, the best first; of equals in the order of the manual
 (define (found-cards text cards)
-  (define words (map stem (string-split (string-downcase text))))
-  (define (split-by text-of cards) (partition (lambda (c) (all-in? words (text-of c))) cards))
-  (define-values (in-name others)
-    (split-by name-text (filter (lambda (c) (all-in? words (all-text c))) cards)))
-  (define-values (in-sentence elsewhere) (split-by sentence-text others))
-  (define found (append in-name in-sentence elsewhere))
+  (define words (map stem (string-split (plain text))))
+  (define matching (filter (lambda (c) (all-in? words (all-text c))) cards))
+  (define topic (topic-of-pages words matching cards))
+  (define whole (plain (string-trim text)))
+  (define (score c) (+ (weight words whole c) (* most-for-topic (hash-ref topic (card-page c)))))
+  (define found (sort matching > #:key score #:cache-keys? #t))
   (if (< (length found) few)
       (remove-duplicates
-       (append found (filter (lambda (c) (all-begin-in? words (card-words c))) cards))
+       (append found (filter (lambda (c) (all-begin-in? words (plain (card-words c)))) cards))
        eq?)
       found))
 
@@ -37,17 +41,63 @@
 ;; Within a word they would be found by chance.
 (define (all-begin-in? words text)
   (for/and ([w (in-list words)])
-    (regexp-match? (string-append "(^| )" (regexp-quote w)) text)))
+    (regexp-match? (string-append "(^|[^a-z0-9])" (regexp-quote w)) text)))
 
-(define (name-text c) (string-downcase (symbol->string (card-name c))))
+;; In small letters, without accents: Poincaré is found as he is typed.
+(define (plain text)
+  (string-foldcase (regexp-replace* #px"\\p{Mn}" (string-normalize-nfd text) "")))
+
+;; ---------------------------------------------------------------------------
+;; Which come first
+
+;; whole : the text, which may be the name itself
+(define (weight words whole c)
+  (define name (name-text c))
+  (define sentence (plain (or (card-sentence c) "")))
+  (define both (string-append name " " sentence))
+  (+ (cond [(string=? name whole) 6.0]
+           [(all-begin-in? words name) 3.0]
+           [(all-in? words name) 2.5]
+           [(all-begin-in? words both) 2.0]
+           [(all-in? words both) 1.5]
+           [else 0.0])
+     (if (eq? (card-library c) 'mechanics) 0.0 for-another-library)))
+
+;; What mechanics itself provides is nearer than the examples of the book.
+(define for-another-library -0.4)
+
+(define most-for-topic 1.5)
+
+;; A page of few cards is not about all that it names.
+(define cards-of-a-page 5)
+
+;; -> hash, page to a number up to 1: how much of it is about the words
+(define (topic-of-pages words matching cards)
+  (define all (pages-counted cards))
+  (define telling
+    (pages-counted (filter (lambda (c) (all-in? words (sentence-text c))) matching)))
+  (for/hash ([(page count) (in-hash all)])
+    (values page
+            (if (all-begin-in? words (plain page))
+                1.0
+                (/ (hash-ref telling page 0) (+ count cards-of-a-page 0.0))))))
+
+(define (pages-counted cards)
+  (for/fold ([counts (hash)]) ([c (in-list cards)])
+    (hash-update counts (card-page c) add1 0)))
+
+;; ---------------------------------------------------------------------------
+;; What there is to be found in
+
+(define (name-text c) (plain (symbol->string (card-name c))))
 
 (define (sentence-text c)
-  (string-downcase (string-append (name-text c) " " (or (card-sentence c) ""))))
+  (plain (string-append (symbol->string (card-name c)) " " (or (card-sentence c) ""))))
 
 (define (all-text c)
-  (string-downcase
+  (plain
    (string-join
-    (list* (name-text c)
+    (list* (symbol->string (card-name c))
            (or (card-sentence c) "")
            (card-page c)
            (append-map signature-call (card-signatures c))))))

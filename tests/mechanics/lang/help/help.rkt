@@ -126,6 +126,23 @@ end
   (check-equal? (found "spline hermite") '(Hermite-spline))
   (check-equal? (found "no such thing here") '()))
 
+;; A minimum by golden sections came first, and for an integral the failures to find one.
+(test-case "of what has the words, that comes first which is about them"
+  (define (page-of name) (card-page (card-of name)))
+  (for ([text '("section" "map" "matrix" "integral")]
+        [page '(#rx"aps" #rx"aps" #rx"^Matrices and linear" #rx"^Local tuples and actions$")])
+    (for ([name (take (found text) 5)]) (check-regexp-match page (page-of name) text)))
+  (check-not-false (memq 'golden-section-min (found "section"))))
+
+(test-case "what is called as the text is comes first of all"
+  (for ([name '(Lagrangian derivative sqrt up velocity)])
+    (check-eq? (car (found (symbol->string name))) name)))
+
+(test-case "accents may be typed or not"
+  (for ([with '("Poincaré" "Hénon" "POINCARE\u301")] [without '("Poincare" "Henon" "poincare")])
+    (check-pred pair? (found with))
+    (check-equal? (found with) (found without))))
+
 (test-case "where few are found, what the manual says beyond its first sentence finds more"
   (check-equal? (found "projection") '(consistent-state constrained-state-derivative))
   (check-equal? (found "constraint projection")
