@@ -20,8 +20,8 @@
   (define words (map stem (string-split (plain text))))
   (define matching (filter (lambda (c) (all-in? words (all-text c))) cards))
   (define topic (topic-of-pages words matching cards))
-  (define whole (plain (string-trim text)))
-  (define (score c) (+ (weight words whole c) (* most-for-topic (hash-ref topic (card-page c)))))
+  (define (score c)
+    (+ (weight words (string-trim text) c) (* most-for-topic (hash-ref topic (card-page c)))))
   (define found (sort matching > #:key score #:cache-keys? #t))
   (if (< (length found) few)
       (remove-duplicates
@@ -31,17 +31,28 @@
 
 (define few 3)
 
-;; Plurals find what is said in the singular, and sine finds sin.
+;; What a word begins with, whatever its ending: plurals find what is said in the singular, sine
+;; finds sin, Lagrange's Lagrange, and conservation what is conserved.
 (define (stem word)
-  (if (> (string-length word) 3) (regexp-replace #rx"(ies|y|es|s|e)$" word "") word))
+  (define owner (regexp-replace #rx"['’]s?$" word ""))
+  (define long (regexp-match #rx"^(......*?)(ication|ation|ing|ed)s?$" owner))
+  (cond [long (cadr long)]
+        [(> (string-length owner) 3) (regexp-replace #rx"(ies|y|es|s|e)$" owner "")]
+        [else owner]))
+
+(define endings "(y|ies|e|es|s|'s|ed|ing|ations?|ications?)?")
 
 (define (all-in? words text)
   (for/and ([w (in-list words)]) (string-contains? text w)))
 
 ;; Within a word they would be found by chance.
-(define (all-begin-in? words text)
+(define (all-begin-in? words text [end ""])
   (for/and ([w (in-list words)])
-    (regexp-match? (string-append "(^|[^a-z0-9])" (regexp-quote w)) text)))
+    (regexp-match? (string-append "(^|[^a-z0-9])" (regexp-quote w) end) text)))
+
+;; As words, and not as what longer ones begin with: sin, and not singular
+(define (all-words-in? words text)
+  (all-begin-in? words text (string-append endings "([^a-z0-9]|$)")))
 
 ;; In small letters, without accents: Poincaré is found as he is typed.
 (define (plain text)
@@ -50,15 +61,18 @@
 ;; ---------------------------------------------------------------------------
 ;; Which come first
 
-;; whole : the text, which may be the name itself
-(define (weight words whole c)
+;; text : all of it, which may be the name itself
+(define (weight words text c)
   (define name (name-text c))
   (define sentence (plain (or (card-sentence c) "")))
   (define both (string-append name " " sentence))
-  (+ (cond [(string=? name whole) 6.0]
-           [(all-begin-in? words name) 3.0]
-           [(all-in? words name) 2.5]
-           [(all-begin-in? words both) 2.0]
+  (+ (cond [(string=? (symbol->string (card-name c)) text) 7.0]
+           [(string=? name (plain text)) 6.0]
+           [(all-words-in? words name) 3.0]
+           [(all-begin-in? words name) 2.7]
+           [(all-in? words name) 2.4]
+           [(all-words-in? words both) 2.0]
+           [(all-begin-in? words both) 1.8]
            [(all-in? words both) 1.5]
            [else 0.0])
      (if (eq? (card-library c) 'mechanics) 0.0 for-another-library)))
@@ -73,12 +87,11 @@
 
 ;; -> hash, page to a number up to 1: how much of it is about the words
 (define (topic-of-pages words matching cards)
-  (define all (pages-counted cards))
   (define telling
-    (pages-counted (filter (lambda (c) (all-in? words (sentence-text c))) matching)))
-  (for/hash ([(page count) (in-hash all)])
+    (pages-counted (filter (lambda (c) (all-words-in? words (sentence-text c))) matching)))
+  (for/hash ([(page count) (in-hash (pages-counted cards))])
     (values page
-            (if (all-begin-in? words (plain page))
+            (if (all-words-in? words (plain page))
                 1.0
                 (/ (hash-ref telling page 0) (+ count cards-of-a-page 0.0))))))
 

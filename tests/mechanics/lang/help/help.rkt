@@ -134,8 +134,15 @@ end
     (for ([name (take (found text) 5)]) (check-regexp-match page (page-of name) text)))
   (check-not-false (memq 'golden-section-min (found "section"))))
 
+;; sin is what singular begins with, and nothing has Lagrange's written so in its name.
+(test-case "words are found with other endings, and before what only begins like them"
+  (for ([text '("sine" "Lagrange's equations" "Lagrange’s equation" "simplification")]
+        [name '(sin Lagrange-equations Lagrange-equations simplify)])
+    (check-eq? (car (found text)) name))
+  (check-not-false (memq 'Noether-integral (found "angular momentum conservation"))))
+
 (test-case "what is called as the text is comes first of all"
-  (for ([name '(Lagrangian derivative sqrt up velocity)])
+  (for ([name '(Lagrangian derivative sqrt up UP velocity)])
     (check-eq? (car (found (symbol->string name))) name)))
 
 (test-case "accents may be typed or not"
