@@ -3,16 +3,17 @@
 ;;
 ;; A coordinate is a polynomial already.  Of another function Taylor coefficients follow from
 ;; those of the state by the same recurrences.  Its radius of convergence may be less than
-;; that of the motion, by which the step was chosen: where the last terms are not small there
-;; is no polynomial, and the step is looked at in places, as many as that radius asks for.
+;; that of the motion, by which the step was chosen: where they do not tell zeros (told-zeros.rkt)
+;; each half of the step has coefficients of its own, and so on; where there are still none, as at
+;; a pole, the step is looked at in places, as many as that radius asks for.
 
 (require racket/flonum
          (only-in racket/list last)
          racket/unsafe/ops
-         "event-noise.rkt"
+         "event-noise.rkt" "told-zeros.rkt"
          "../../compile/jet-program.rkt" "../../compile/program.rkt"
          (only-in "../../numeric/constants.rkt" rounding)
-         "../../numeric/flvector.rkt" "../../numeric/unboxed.rkt" "../../numeric/vector-map.rkt"
+         "../../numeric/flvector.rkt" "../../numeric/vector-map.rkt"
          "../../numeric/jet/expansion.rkt" "../../numeric/jet/polynomial-zeros.rkt"
          "../../numeric/ode/taylor-piece.rkt")
 
@@ -27,7 +28,7 @@
   (define make (and p (not coordinate) (program->expansion-maker p n #:follow? #t)))
   (define f
     (and (procedure? make)
-         (follower make n tolerance (and (expansion-maker-branches? make) value-at) #f 1.0)))
+         (follower make n tolerance value-at (expansion-maker-branches? make) #f 1.0)))
   (define along
     (cond [coordinate (lambda (e span first) (coordinate-along e coordinate span first))]
           [f (lambda (e span first) (function-along f e span first))]
@@ -38,8 +39,8 @@
                 usual-places))
           (lambda (p) (and f (follows-noise? f (part-rows p))))))
 
-;; Of a step: where it begins and how wide it is, the step being 1; the coefficients along it,
-;; and the rows of the state that gave them, or #f where these are what was followed last.
+;; Of a step: where it begins and how wide it is, the step being 1; the coefficients along it; and
+;; the rows of the state that gave them, if there are zeros, or #f where these were followed last.
 (struct part (from width coefficients rows) #:authentic)
 
 (define (coordinate-along e coordinate span first)
@@ -54,20 +55,22 @@
   (define tolerance (follower-tolerance f))
   (define states (expansion-states e))
   (define c (beginning-with first (follow-function! f states order span)))
+  (define (uncertain) (uncertainty f span))
   (define (halves)
     (define rows (for/vector ([row (in-vector states)]) (scaled row order span)))
     ;; half as long, a series of twenty terms ends a million times as small: little more work
     ;; leaves nothing of its rest
     (halves-along f rows order 0.0 1.0 first (flmax rounding (fl* 1e-3 tolerance)) most-halvings))
-  (define least-places (if (follower-value-at f) places-about-branch usual-places))
+  (define least-places (if (follower-branches? f) places-about-branch usual-places))
   (cond [(not (flvector-finite? c)) least-places]
-        [(not (converges? c tolerance)) (or (halves) (max least-places (places-for c)))]
-        [(on-one-branch? f states span c) (list (part 0.0 1.0 c #f))]
+        [(not (tells-zeros? c tolerance uncertain)) (or (halves) (max least-places (places-for c)))]
+        [(follows-polynomial? f states span c uncertain) (list (part 0.0 1.0 c #f))]
         [else (or (halves) least-places)]))
 
-;; The value there as it was where the step before ended, lest a zero between is missed.
+;; Beginning on the side of 0 on which the step before ended, lest a zero between is missed, or
+;; found twice.  On the same side the function knows better.
 (define (beginning-with first c)
-  (when first (flvector-set! c 0 first))
+  (when (and first (not (fl> (fl* first (flvector-ref c 0)) 0.0))) (flvector-set! c 0 first))
   c)
 
 ;; rows : of the state, along the part that begins at `from` -> the parts of its halves, or #f
@@ -75,9 +78,10 @@
   (define half (fl* 0.5 width))
   (define (parts rows from first)
     (define c (beginning-with first (follow-function! f rows order 1.0)))
+    (define (uncertain) (uncertainty f 1.0))
     (cond [(not (flvector-finite? c)) #f]
-          [(and (converges? c tolerance) (on-one-branch? f rows 1.0 c))
-           (list (part from half c rows))]
+          [(and (tells-zeros? c tolerance uncertain) (follows-polynomial? f rows 1.0 c uncertain))
+           (list (part from half c (and (pair? (zeros-of c (follower-tolerance f))) rows)))]
           [(= halvings 0) #f]
           [else (halves-along f rows order from half first tolerance (- halvings 1))]))
   (define left (vector-map halved rows))
@@ -87,10 +91,7 @@
   (and later (append earlier later)))
 
 (define places-about-branch 64)
-(define most-halvings 6)
-
-(define usual-places 8)
-(define most-places 400)
+(define most-halvings 12)
 
 ;; Is the row far enough from 0 all the way for that to be plain?
 (define (clear? row order span)
@@ -100,25 +101,16 @@
         (loop (unsafe-fx- k 1)
               (unsafe-fl* span (unsafe-fl+ rest (unsafe-flabs (unsafe-flvector-ref row k))))))))
 
-;; Six for the radius of convergence.
-(define (places-for c)
-  (define n (- (flvector-length c) 1))
-  (define (ratio k)
-    (flexpt (fl/ (flabs (flvector-ref c k)) (fl+ 1e-300 (flabs (flvector-ref c 0))))
-            (fl/ 1.0 (->fl k))))
-  (define wanted (fl* 6.0 (flmax (ratio n) (ratio (- n 1)))))
-  (if (fl< wanted (->fl most-places)) (max usual-places (fl->exact-integer (ceiling wanted)))
-      most-places))
-
 ;; The index of the coordinate that the program gives, or #f.
 (define (coordinate-of p n)
   (define o (vector-ref (program-outputs p) 0))
   (and (place? o) (< (place-index o) n) (place-index o)))
 
-;; make : order inputs -> expansion; value-at : flvector -> value, or #f if it has no branches;
-;; own : expansion of the function, made for the order when it is known; span : of what was
-;; followed last, in the unit of its coefficients
-(struct follower (make n tolerance value-at [own #:mutable] [span #:mutable]) #:authentic)
+;; make : order inputs -> expansion; value-at : flvector -> value; branches? : may it leave its
+;; series?  own : expansion of the function, made for the order when it is known; span : of what
+;; was followed last, in the unit of its coefficients
+(struct follower (make n tolerance value-at branches? [own #:mutable] [span #:mutable])
+  #:authentic)
 
 ;; rows : of the state -> coefficients of the function along the span, from 0 to 1
 (define (follow-function! f rows order span)
@@ -130,16 +122,18 @@
   (follow! own)
   (scaled (function-row own) order span))
 
-;; Has the function the values of the polynomial c, in the middle and at the end?
-(define (on-one-branch? f rows span c)
+;; Has the function the values of the polynomial c, in the middle and at the end?  Not where it has
+;; taken another branch, nor where terms of higher order than these grow, as of exp(100 t).
+(define (follows-polynomial? f rows span c uncertain)
   (define value-at (follower-value-at f))
-  (define near (fl* (fl* 100.0 (follower-tolerance f)) (flmax 1.0 (total c))))
-  (define (near? theta)
+  (define (off theta)
     (define point
       (for/flvector #:length (vector-length rows) ([row (in-vector rows)])
         (polynomial-value row (fl* theta span))))
-    (fl<= (flabs (fl- (value-at point) (polynomial-value c theta))) near))
-  (or (not value-at) (and (near? 1.0) (near? 0.5))))
+    (flabs (fl- (value-at point) (polynomial-value c theta))))
+  (define most (flmax (off 1.0) (off 0.5)))
+  (or (fl<= most (fl* (fl* 100.0 (follower-tolerance f)) (total c)))
+      (fl<= most (uncertain))))
 
 (define (function-row own) (vector-ref (expansion-slopes own) 0))
 
@@ -149,36 +143,23 @@
   (when rows (follow-function! f rows (expansion-order own) 1.0))
   (define (size row) (row-size row (expansion-order own) (follower-span f)))
   (define row (flvector-copy (function-row own)))
+  (noise? (size row) (size (change! f))))
+
+;; By how much the function that was followed last may be off where it begins, and its change from
+;; there on.  Of higher orders nothing is said: they are large where there is no series.
+(define (uncertainty f span)
+  (define by (change! f))
+  (fl+ (flabs (flvector-ref by 0)) (flabs (fl* span (flvector-ref by 1)))))
+
+;; -> row, by how much the function changes with what is uncertain of the state
+(define (change! f)
+  (define own (follower-own f))
+  (define row (flvector-copy (function-row own)))
   (vary-rows! (expansion-states own) (follower-tolerance f))
   (follow! own)
-  (noise? (size row) (size (difference (function-row own) row))))
+  (difference (function-row own) row))
 
-;; c_k span^k, 0 where c_k is, however long the step
-(define (scaled row order span)
-  (define c (make-flvector (+ order 1)))
-  (let loop ([k 0] [power 1.0])
-    (when (unsafe-fx<= k order)
-      (define x (unsafe-flvector-ref row k))
-      (unsafe-flvector-set! c k (if (unsafe-fl= x 0.0) 0.0 (unsafe-fl* power x)))
-      (loop (unsafe-fx+ k 1) (unsafe-fl* span power))))
-  c)
-
-(define (converges? c tolerance)
-  (define n (flvector-length c))
-  (define last (fl+ (flabs (flvector-ref c (- n 1))) (flabs (flvector-ref c (- n 2)))))
-  (fl<= last (fl* (fl* 10.0 tolerance) (flmax 1.0 (total c)))))
-
-(define-syntax-rule (sum c of)
-  (let loop ([k (unsafe-fx- (flvector-length c) 1)] [sum 0.0])
-    (if (unsafe-fx< k 0)
-        (unboxed sum)
-        (loop (unsafe-fx- k 1) (unsafe-fl+ sum (of (unsafe-flvector-ref c k)))))))
-
-(define (total c) (sum c unsafe-flabs))
-(define (polynomial-value c x)
-  (for/fold ([sum 0.0]) ([k (in-range (- (flvector-length c) 1) -1 -1)])
-    (fl+ (flvector-ref c k) (fl* x sum))))
-(define (polynomial-end parts) (sum (part-coefficients (last parts)) begin))
+(define (polynomial-end parts) (polynomial-value (part-coefficients (last parts)) 1.0))
 
 ;; In each part those that its own noise does not account for: a function that ends in nothing
 ;; but noise may well have had zeros before.

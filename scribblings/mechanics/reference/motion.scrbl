@@ -217,8 +217,9 @@ accuracy
 of the trajectory. A
 terminal event ends the trajectory. A zero at the start is no event, and neither is a
 pole. With the method @racket['Taylor] no zero within a step is missed where @racket[f] has a
-Taylor series along the step; and where @racket[f] only touches zero, up to the tolerance, an
-event whose direction is @racket['both] happens, of which @racket[occurrence-grazing?] is true.
+Taylor series along the step, which need not converge over more than a 4096th of it; and where
+@racket[f] only touches zero, up to the tolerance, an event whose direction is
+@racket['both] happens, of which @racket[occurrence-grazing?] is true.
 With other methods, and where @racket[f] has no such series, as at a kink, two zeros much closer
 than an eighth of a step can be missed. A function that along a step is not told from 0 by what
 the tolerance leaves uncertain of the state, as an energy less its value at the start, has no
