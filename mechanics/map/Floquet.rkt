@@ -23,6 +23,9 @@
 ;; (up t q p) those by all but the time.
 (define-plain (Floquet-multipliers derivative state period #:tolerance [tolerance 1e-12])
   (define who 'Floquet-multipliers)
+  (when (and (tuple? period) (not (tuple? state)))
+    (complain who "the state comes before the period\n  given second: ~a"
+              (describe-with-value state)))
   (check-derivative who derivative state)
   (check-real who "period" period)
   (when (zero? (comparand period))

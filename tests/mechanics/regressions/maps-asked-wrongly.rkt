@@ -193,4 +193,6 @@
   "  given second: the number 100"]
  [(Lyapunov-exponents 100 swing at)
   "Lyapunov-exponents: the state derivative comes first, then the state and how long\n"
-  "  given first: the number 100"])
+  "  given first: the number 100"]
+ [(Floquet-multipliers swing 3 at)
+  "Floquet-multipliers: the state comes before the period\n  given second: the number 3"])
