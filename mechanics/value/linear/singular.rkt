@@ -60,11 +60,12 @@
 
 ;; Σ yᵢ (row i) = 0, as the last of them in terms of the others.
 (define (dependence-text y)
-  (define last (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (eqv? c 0)) i))
+  (define (none? c) (and (number? c) (zero? c)))
+  (define end (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (none? c)) i))
   (define terms
-    (for/list ([c (in-vector y)] [i (in-range last)] #:unless (eqv? c 0))
-      (multiple-text (simple (e:/ (e:negate c) (vector-ref y last))) i)))
-  (format "row ~a is ~a" last (if (null? terms) "zero" (joined terms " plus "))))
+    (for/list ([c (in-vector y)] [i (in-range end)] #:unless (none? c))
+      (multiple-text (simple (e:/ (e:negate c) (vector-ref y end))) i)))
+  (format "row ~a is ~a" end (if (null? terms) "zero" (joined terms " plus "))))
 
 (define (multiple-text c i)
   (if (eqv? c 1) (format "row ~a" i) (format "~a times row ~a" (value->text c) i)))
