@@ -4,6 +4,7 @@
 ;; It knows no key and gives no verdict.  The program runs in a sandbox of Racket's, and so does
 ;; whatever is asked of its values, for applying an answer or writing it down runs what the
 ;; student wrote.  What gets out of the sandbox is in a process that has nothing (isolation.rkt).
+;; An answer that ends the program ends no other: the program is opened anew for those.
 ;;
 ;; It reads a request, and writes a line for each answer (answer-lines.rkt).
 
@@ -23,14 +24,16 @@
     (write-line-of name d out)
     (flush-output out))
   (write-lines '*ready* '(unanswered))
-  (define p
+  (define (open)
     (parameterize ([checking? #f])
       (open-program (request-text r) (request-seconds r) (request-megabytes r))))
+  (define p (open))
   (when (program-problem p) (write-lines '*program* (list 'failed (program-problem p))))
-  (when (program-evaluator p)
-    (for ([e (in-list (request-exercises r))])
-      (define d (answer-of p e))
-      (when d (write-lines (exercise-name e) d)))))
+  (for/fold ([p p]) ([e (in-list (request-exercises r))] #:when (program-evaluator p))
+    (define d (answer-of p e))
+    (when d (write-lines (exercise-name e) d))
+    (if (program-ended? p) (open) p))
+  (void))
 
 ;; A program that does not define the name leaves it unanswered, unless it did not run to its end.
 (define (answer-of p e)

@@ -7,7 +7,7 @@
 (require racket/match
          racket/sandbox)
 
-(provide open-program answer-in (struct-out program) reason)
+(provide open-program answer-in program-ended? (struct-out program) reason)
 
 ;; evaluator : or #f, if nothing of it could be run
 ;; problem   : why it does not run as a whole, or #f
@@ -82,6 +82,9 @@
        (cond [failure (list 'failed failure)]
              [(defined? name) (retold (answer-of (eval name)))]
              [else otherwise])))))
+
+;; Has what it did ended it, by `exit` or by taking too much?
+(define (program-ended? p) (not (evaluator-alive? (program-evaluator p))))
 
 (define (retold d)
   (match d

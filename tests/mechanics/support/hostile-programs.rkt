@@ -84,6 +84,8 @@
                          (format "(dynamic-place '(file ~s) 'main)" canary))
             'any)
    (hostile "exit" (with-answer "(exit 0)") #rx"")
+   (hostile "answer-that-exits"
+            (program "(define (motion t) (exit 0))" right "(define why \"because\")") 'right)
    (hostile "kills-its-thread" (with-answer "(kill-thread (current-thread))") #rx"")
    (hostile "shuts-its-custodian" (with-answer "(custodian-shutdown-all (current-custodian))")
             #rx"")

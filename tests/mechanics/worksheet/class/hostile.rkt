@@ -117,6 +117,11 @@
   (check-equal? (map judgment-status (graded-judgments (hash-ref slow-results "answer-that-loops")))
                 '(right failed failed)))
 
+;; What followed it was told to have taken too long.
+(test-case "an answer that ends the program costs only itself"
+  (define g (hash-ref quick-results "answer-that-exits"))
+  (check-equal? (map judgment-status (graded-judgments g)) '(right failed kept)))
+
 (test-case "two answers to one item are told"
   (check-equal? (graded-notes (hash-ref quick-results "answered-twice"))
                 '("frequency is answered twice; the last answer was judged")))
