@@ -31,6 +31,13 @@
     (check-times (lambda (s) (- (exp (* k (x s))) 1)) 10.0 quarters)
     (check-times (lambda (s) (- 1 (exp (* -1 k (x s))))) 10.0 quarters)))
 
+;; Far from there its terms are as small as 10⁻⁸⁷.
+(test-case "a function that comes near 0 for a short time"
+  (for ([k '(20 50 200 500)])
+    (define off (asin (sqrt (/ (log 2) k))))
+    (check-times (lambda (s) (- (exp (* -1 k (square (x s)))) 1/2)) 10.0
+                 (for*/list ([q quarters] [sign '(-1 1)]) (+ q (* sign off))))))
+
 (test-case "a function that is small throughout"
   (for ([size '(1 1e-12 1e-25 1e-200)])
     (check-times (lambda (s) (* size (sin (* 10 (t s))))) 10.0
