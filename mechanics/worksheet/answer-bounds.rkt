@@ -29,8 +29,10 @@
     (when (> depth deepest) (reject "its parts are nested too deeply"))
     (cond [(list? d) (for ([part (in-list d)]) (walk part (+ depth 1)))]
           [(symbol? d) (check-symbol d reject)]
-          [(number? d) (void)]
+          [(number? d) (unless (finite? d) (reject (format "~a in it is no number" d)))]
           [else (reject "it is no expression")])))
+
+(define (finite? z) (and (rational? (real-part z)) (rational? (imag-part z))))
 
 (define (check-symbol s reject)
   (define text (symbol->string s))
