@@ -17,11 +17,12 @@
 
 ;; -> cards, the best first; of equals in the order of the manual
 (define (found-cards text cards)
-  (define words (map stem (string-split (plain text))))
+  (define telling (telling-words text))
+  (define words (remove-duplicates (map (lambda (w) (stem (plain w))) telling)))
   (define matching (filter (lambda (c) (all-in? words (all-text c))) cards))
   (define topic (topic-of-pages words matching cards))
   (define (score c)
-    (+ (weight words (string-trim text) c) (* most-for-topic (hash-ref topic (card-page c)))))
+    (+ (weight words (string-join telling) c) (* most-for-topic (hash-ref topic (card-page c)))))
   (define found (sort matching > #:key score #:cache-keys? #t))
   (if (< (length found) few)
       (remove-duplicates
@@ -31,10 +32,20 @@
 
 (define few 3)
 
+;; Those that only join others are left out, unless there are none but these.
+(define (telling-words text)
+  (define all (string-split text))
+  (define telling (filter (lambda (w) (not (member (plain w) joining-words))) all))
+  (if (null? telling) all telling))
+
+(define joining-words
+  '("a" "an" "and" "are" "at" "by" "do" "does" "for" "from" "has" "have" "how" "i" "in" "is" "it"
+    "my" "of" "on" "or" "that" "the" "there" "this" "to" "what" "where" "which" "with"))
+
 ;; What a word begins with, whatever its ending: plurals find what is said in the singular, sine
 ;; finds sin, Lagrange's Lagrange, and conservation what is conserved.
 (define (stem word)
-  (define owner (regexp-replace #rx"['’]s?$" word ""))
+  (define owner (regexp-replace #rx"(.)['’]s?$" word "\\1"))
   (define long (regexp-match #rx"^(......*?)(ication|ation|ing|ed)s?$" owner))
   (cond [long (cadr long)]
         [(> (string-length owner) 3) (regexp-replace #rx"(ies|y|es|s|e)$" owner "")]
@@ -54,14 +65,14 @@
 (define (all-words-in? words text)
   (all-begin-in? words text (string-append endings "([^a-z0-9]|$)")))
 
-;; In small letters, without accents: Poincaré is found as he is typed.
+;; In small letters, without accents and joined letters: Poincaré is found as he is typed.
 (define (plain text)
-  (string-foldcase (regexp-replace* #px"\\p{Mn}" (string-normalize-nfd text) "")))
+  (string-foldcase (regexp-replace* #px"\\p{Mn}" (string-normalize-nfkd text) "")))
 
 ;; ---------------------------------------------------------------------------
 ;; Which come first
 
-;; text : all of it, which may be the name itself
+;; text : all the words, which may be the name itself
 (define (weight words text c)
   (define name (name-text c))
   (define sentence (plain (or (card-sentence c) "")))

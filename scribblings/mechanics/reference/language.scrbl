@@ -48,9 +48,9 @@ that is not there yet, or known names that are spelt nearly so.}
 Prints what this reference says of a name: how it is called, a sentence, an example with
 its result, where the book treats it, and what else to look at. The name need not be
 quoted, and nothing is opened or fetched. For a text it lists the names whose entries have
-all its words, with accents or without: those first that have them in the name, and on a page
-that is about them. An unknown name is answered by names that are spelt nearly so, and one of a
-later chapter by its section.
+all its words but such as @litchar{of}, with accents or without: those first that have them in
+the name, and on a page that is about them. An unknown name is answered by names that are spelt
+nearly so, and one of a later chapter by its section.
 
 @examples[#:eval session
 (help cube)
