@@ -24,7 +24,7 @@
 
 (provide Lie-derivative Lie-derivative-procedure flow-derivative
          ;; for what is made of it
-         on-quantity)
+         on-quantity graph-size)
 
 ;; F ↦ {F, H}
 (define (Lie-derivative H) (derivation-of 'Lie-derivative H 0))

@@ -6,7 +6,8 @@
 ;; of them by substitution.
 
 (require racket/list
-         "Poisson-series.rkt" "homological.rkt"
+         "../Lie/Lie-derivative.rkt"
+         "Poisson-series.rkt" "homological.rkt" "named-decimals.rkt"
          "../../calculus/expression-function.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
@@ -21,11 +22,13 @@
 (provide perturbation? perturbation-Hamiltonian perturbation-generators
          perturbation-divisors perturbation-resonances
          ;; for what makes it, and what is made of it
-         (struct-out perturbation) check-perturbation actions-of angles-of term-function)
+         (struct-out perturbation) check-perturbation actions-of angles-of term-function
+         series->formula for-all-decimals)
 
 ;; state : of symbols; given : functions H₀, H₁, …; terms, Ws : Poisson series, of H' and
-;; the Wₙ; removals : for each order the list of what was removed
-(value-struct perturbation (state given parameter terms Ws removals)
+;; the Wₙ; removals : for each order the list of what was removed; decimals : the symbols that
+;; stand for decimals in terms, Ws and removals, and these (named-decimals.rkt)
+(value-struct perturbation (state given parameter terms Ws removals decimals)
   #:text (lambda (P) (perturbation->text P)))
 
 (define (angles-of P) (scalars (coordinate (perturbation-state P))))
@@ -38,10 +41,33 @@
 ;; ---------------------------------------------------------------------------
 ;; What is found
 
+;; A Poisson series as an expression, with the decimals put back
+(define (series->formula P s)
+  (in-numbers P (simplify-strictly (series->expression s (angles-of P)))))
+
+;; An expression with the decimals put back.  Its factors are multiplied where it is no long sum,
+;; of which decimals would become integers of a hundred digits.
+(define (in-numbers P e)
+  (define decimals (perturbation-decimals P))
+  (define numbers (with-decimals-back e decimals))
+  (if (or (null? decimals) (> (graph-size numbers) short)) numbers (simplify-strictly numbers)))
+
+(define short 40)                       ; nodes of a graph
+
+;; P with the names of its decimals left in their place, so that what holds of it holds for all
+;; numbers there
+(define (for-all-decimals P)
+  (define-values (state decimals) (values (perturbation-state P) (perturbation-decimals P)))
+  (define names (scalars state))
+  (define (general H)
+    (define e (with-decimals-named (H state) decimals))
+    (lambda (at) (evaluate-generically e (map cons names (scalars at)))))
+  (struct-copy perturbation P [given (map general (perturbation-given P))] [decimals '()]))
+
 ;; The function of the state that a Poisson series is.
 (define (term-function P s)
   (define state (perturbation-state P))
-  (define e (simplify-strictly (series->expression s (angles-of P))))
+  (define e (series->formula P s))
   (define names (scalars state))
   (unary-function (lambda () (value->datum e)) (at)
     (check-state-like 'perturbation-series state at)
@@ -64,7 +90,7 @@
   (check-perturbation 'perturbation-divisors P)
   (for*/list ([(gone n) (in-parallel (perturbation-removals P) (in-naturals 1))]
               [r (in-list gone)])
-    (list n (removed-numbers r) (removed-divisor r))))
+    (list n (removed-numbers r) (in-numbers P (removed-divisor r)))))
 
 ;; ((order integers term) …) of the waves that stayed, of which the integers are not all zero
 (define (perturbation-resonances P)
@@ -73,9 +99,7 @@
               [k (in-list (wave-numbers s))]
               #:unless (andmap zero? k))
     (define w (hash-ref (series-waves s) k))
-    (list n k (simplify-strictly
-               (series->expression
-                (one-wave (length k) k (wave-cosine w) (wave-sine w)) (angles-of P))))))
+    (list n k (series->formula P (one-wave (length k) k (wave-cosine w) (wave-sine w))))))
 
 ;; ---------------------------------------------------------------------------
 ;; In words
@@ -85,9 +109,7 @@
   (define lines
     (for/list ([n (in-range (add1 order))])
       (format "  order ~a: ~a" n
-              (value->text
-               (simplify-strictly (series->expression (list-ref (perturbation-terms P) n)
-                                             (angles-of P)))))))
+              (value->text (series->formula P (list-ref (perturbation-terms P) n))))))
   (define divided
     (for/list ([d (in-list (remove-duplicates (map cdr (perturbation-divisors P))))])
       (format "  divided by: ~a, of the wave ~a" (value->text (cadr d)) (car d))))

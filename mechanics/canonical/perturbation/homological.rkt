@@ -22,15 +22,17 @@
   (simplify-strictly (for/fold ([sum 0]) ([i (in-list k)] [omega (in-list frequencies)])
               (g:+ sum (g:* i omega)))))
 
-;; h : a Poisson series; resonant? : k -> is it to be kept?
+;; h : a Poisson series; resonant? : k -> is it to be kept?; number : an expression -> the same
+;; with its decimals (named-decimals.rkt), which tell whether it vanishes
 ;; -> W, the series kept, the list of what was removed
-(define (solve-homological h frequencies resonant?)
+(define (solve-homological h frequencies resonant? number)
   (define n (length frequencies))
+  (define sizes (map number frequencies))
   (for/fold ([W (zero-series n)] [kept (zero-series n)] [gone '()])
             ([k (in-list (wave-numbers h))])
     (define w (hash-ref (series-waves h) k))
     (define d (divisor k frequencies))
-    (cond [(or (andmap zero? k) (vanishing? d frequencies) (resonant? k))
+    (cond [(or (andmap zero? k) (vanishing? (number d) sizes) (resonant? k))
            (values W (series-sum kept (one-wave n k (wave-cosine w) (wave-sine w))) gone)]
           [else
            (define V (one-wave n k (g:negate (g:/ (wave-sine w) d)) (g:/ (wave-cosine w) d)))

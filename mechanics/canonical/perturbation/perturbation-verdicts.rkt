@@ -15,29 +15,51 @@
          "found-perturbation.rkt" "perturbed-motion.rkt"
          "../Lie/Lie-derivative.rkt" "../Lie/Lie-triangle.rkt"
          "../../calculus/derivative.rkt"
+         "../../error/once.rkt"
          "../../generic/arithmetic.rkt" "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Poisson-bracket.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt"
-         "../../verdict/prove-zero.rkt")
+         "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
 
 (provide verify-perturbation perturbation-verdicts)
 
 ;; The verdict on the first claim in all orders: a down tuple of the differences
 (define (verify-perturbation P)
   (check-perturbation 'verify-perturbation P)
-  (zero-at P (apply down (differences P))))
+  (car (judged P (lambda (P) (list (apply down (differences P)))))))
 
 ;; ((claim order verdict) …)
 (define (perturbation-verdicts P)
   (check-perturbation 'perturbation-verdicts P)
-  (define (judged claim first values)
-    (for/list ([value (in-list values)] [n (in-naturals first)])
-      (list claim n (zero-at P value))))
-  (append (judged 'transformed 0 (differences P))
-          (judged 'without-angles 0 (slopes-by-angles P))
-          (judged 'canonical 1 (brackets P))
-          (judged 'inverse 1 (round-trips P))))
+  (define (listed claim first values)
+    (for/list ([v (in-list (judged P values))] [n (in-naturals first)]) (list claim n v)))
+  (append (listed 'transformed 0 differences)
+          (listed 'without-angles 0 slopes-by-angles)
+          (listed 'canonical 1 brackets)
+          (listed 'inverse 1 round-trips)))
+
+;; values : perturbation -> list of values that are to be 0;  -> their verdicts
+;; What holds for all numbers in the place of decimals is proved for them; of what does not, or
+;; rests on what these are, the verdict is that on the decimals themselves.
+(define (judged P values)
+  (define decimals (perturbation-decimals P))
+  (define as-given (once (lambda () (values P))))
+  (cond [(null? decimals) (for/list ([x (in-list (as-given))]) (zero-at P x))]
+        [else
+         (for/list ([x (in-list (values (for-all-decimals P)))] [n (in-naturals)])
+           (define v (zero-at P x))
+           (if (settled? v (map car decimals)) v (zero-at P (list-ref (as-given) n))))]))
+
+;; What is too large with names is so with decimals, after longer.
+(define (settled? v names)
+  (or (and (proved? v) (not (mentions-any? (verdict-assumptions v) names)))
+      (eq? (verdict-reason v) 'too-large)))
+
+(define (mentions-any? datum names)
+  (if (pair? datum)
+      (or (mentions-any? (car datum) names) (mentions-any? (cdr datum) names))
+      (and (memq datum names) #t)))
 
 (define (zero-at P value)
   (prove-zero value #:variables (scalars (perturbation-state P))))

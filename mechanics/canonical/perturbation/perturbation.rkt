@@ -7,12 +7,12 @@
 ;; for where it is small the answer is worth nothing.
 
 (require "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt" "homological.rkt"
-         "unperturbed.rkt"
+         "named-decimals.rkt" "unperturbed.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
-         "../../calculus/derivative.rkt"
+         "../../calculus/expression-function.rkt"
          "../../error/complain.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
-         "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/scalar.rkt" "../../generic/wrong-argument.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/generic-state.rkt" "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt" "../../value/simplify.rkt")
@@ -30,21 +30,23 @@
     (values (scalars (coordinate state)) (scalars (momentum state))))
   (check-resonances who resonances (length angles))
   (check-parameter who parameter given state)
-  (define h (in-waves who given state order))
-  (define frequencies (frequencies-of H0 state))
+  (define decimals (name-decimals (for/list ([H (in-list given)]) (H state))))
+  (define h (in-waves who given state order decimals))
+  (define frequencies (frequencies-of H0 state decimals))
+  (define (number e) (simplify-strictly (with-decimals-back e decimals)))
   (define removals (make-vector order '()))
   (define (solve n hn)
-    (define-values (W kept gone) (solve-homological hn frequencies (multiple-of resonances)))
+    (define-values (W kept gone) (solve-homological hn frequencies (multiple-of resonances) number))
     (vector-set! removals (sub1 n) gone)
     (values W kept))
   (define-values (terms generators)
     (Lie-triangle h (lambda (F W) (series-bracket F W actions)) series-sum series-scale solve))
-  (perturbation state given parameter terms generators (vector->list removals)))
+  (perturbation state given parameter terms generators (vector->list removals) decimals))
 
 ;; ω = ∂H₀/∂I, a list
-(define (frequencies-of H0 state)
-  (scalars (derivative-at (lambda (p) (H0 (up (time state) (coordinate state) p)))
-                          (momentum state))))
+(define (frequencies-of H0 state decimals)
+  (define e (with-decimals-named (H0 state) decimals))
+  (for/list ([I (in-list (scalars (momentum state)))]) (expression-derivative e I)))
 
 ;; Is k a multiple of one that is to be kept?
 (define ((multiple-of resonances) k)
@@ -91,14 +93,16 @@
               resonances)))
 
 ;; -> the list of the Poisson series of H₀, …, H_order
-(define (in-waves who given state order)
+(define (in-waves who given state order decimals)
   (define angles (scalars (coordinate state)))
   (for/list ([k (in-range (add1 order))])
     (cond [(< k (length given))
            (define H (list-ref given k))
            (define e (H state))
            (define waves
-             (expression->Poisson-series e angles (lambda (part) (raise-no-waves who H part))))
+             (expression->Poisson-series
+              (with-decimals-named e decimals) angles
+              (lambda (part) (raise-no-waves who H (with-decimals-back part decimals)))))
            (check-time who H e (time state))
            waves]
           [else (zero-series (length angles))])))

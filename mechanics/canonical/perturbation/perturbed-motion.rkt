@@ -14,7 +14,7 @@
          "../../generic/function.rkt" "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt"
          "../../lagrangian/local-tuple.rkt"
-         "../../value/shape.rkt" "../../value/simplify.rkt")
+         "../../value/shape.rkt")
 
 (provide perturbation-transformation perturbation-inverse perturbation-solution
          ;; for verdicts
@@ -70,7 +70,7 @@
 (define (summed P terms)
   (for/fold ([sum 0]) ([s (in-list terms)] [k (in-naturals)])
     (g:+ sum (g:* (g:expt (perturbation-parameter P) k)
-                  (simplify-strictly (series->expression s (angles-of P)))))))
+                  (series->formula P s)))))
 
 (define (filled shape xs) (scalars->structure shape (lambda (k) (list-ref xs k))))
 

@@ -708,7 +708,9 @@ Is the Hamiltonian, transformed by the Lie derivatives of the generators as func
 one in each order? And each claim of a perturbation, order by order: that the new Hamiltonian is
 the old one @racket['transformed]; that it is @racket['without-angles], which is refuted where a
 resonance stays; that the transformation to old states is @racket['canonical], and what is called
-its inverse the @racket['inverse], up to that order.
+its inverse the @racket['inverse], up to that order. Of decimals in the Hamiltonian a claim is
+proved for all numbers in their place, without rounding; one that is not is judged with the
+decimals themselves.
 
 @examples[#:eval session
 (verify-perturbation P)

@@ -91,7 +91,7 @@
                         (found:perturbation-terms P)
                         (cons (series-scale -1 (car (found:perturbation-Ws P)))
                               (cdr (found:perturbation-Ws P)))
-                        (found:perturbation-removals P)))
+                        (found:perturbation-removals P) '()))
   (check-equal? (statuses wrong 'transformed) '((0 proved) (1 refuted) (2 refuted)))
   (check-equal? (statuses wrong 'canonical) '((1 proved) (2 proved)))
   (check-pred refuted? (verify-perturbation wrong)))
