@@ -16,7 +16,7 @@
 
 (define first-step 1e-3)
 (define growth 1.1)
-(define farthest 1e6)
+(define farthest 1e12)
 (define at-a-pole 1e-6)
 
 ;; direction : −1.0 or 1.0 -> flonum, or #f if R stays above 0

@@ -6,14 +6,13 @@
 ;;
 ;;     Jᵢ = 1/2π ∮ pᵢ dqⁱ = 1/π ∫ √R dq,     ∂Jᵢ/∂α = 1/π ∫ (∂R/∂α)/(2 √R) dq.
 ;;
-;; With q in the middle plus half the width times sin u both integrands are smooth and even about
-;; the ends: the sum of their values at evenly spaced u converges with all powers of the spacing,
-;; and no value at a zero of R is asked for.
+;; With q as far from an end as the width times sin² v/2 both integrands are smooth and even about
+;; the ends in v, however steep √R is there (half-turn.rkt).
 ;;
 ;; A coordinate that does not occur in H is an angle of 2π: its action is its momentum.
 ;; The frequencies are ∂E/∂Jᵢ, the row of the energy in the inverse of ∂J/∂α.
 
-(require "ends-of-swing.rkt" "momentum-by-energy.rkt" "separation.rkt" "split.rkt"
+(require "ends-of-swing.rkt" "half-turn.rkt" "momentum-by-energy.rkt" "separation.rkt" "split.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
          (only-in "../canonical/closed-form.rkt" derivative-of)
@@ -22,7 +21,6 @@
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../numeric/constants.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt")
 
@@ -62,11 +60,18 @@
     (complain who "expected a state in numbers; given ~a" (value->text state)))
   (check-swings who s)
   (for/list ([c (in-list (separation-constants s))] [f (in-list (separation-integrals s))])
-    (define v (f state))
+    (define v (without-rounding f state))
     (unless (real? v)
       (complain who "the parameters of ~a are to be numbers; there is ~a"
                 (value->text (separation-H s)) (car (symbols-in v))))
     (cons c (exact->inexact v))))
+
+;; Near an end what makes the energy is far greater than it.
+(define (without-rounding f state)
+  (define xs (list->vector (scalars state)))
+  (define (exactly x) (if (rational? x) (inexact->exact x) x))
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) (f state))])
+    (f (scalars->structure state (lambda (k) (exactly (vector-ref xs k)))))))
 
 ;; Of one energy all would be that of it, whatever the state; and what is linear in its momentum
 ;; never turns.
@@ -151,30 +156,15 @@
 (define (between-turns w f)
   (define R (number-function (swing-radicand w) (swing-piece w) (swing-point w)))
   (define-values (low high) (values (swing-low w) (swing-high w)))
-  (define-values (middle half) (values (* 1/2 (+ low high)) (* 1/2 (- high low))))
-  (define (integrand u)
-    (define q (+ middle (* half (sin u))))
-    (* (f (R q) q) half (cos u)))
-  (average-over-half-turn w integrand))
+  (define width (- high low))
+  (define (at q slope) (* (f (R q) q) slope))
+  (average-over-half-turn
+   (lambda (v) (at (+ low (* width (square (sin (* 0.5 v))))) (* 0.5 width (sin v))))
+   (lambda (v) (at (- high (* width (square (sin (* 0.5 v))))) (* 0.5 width (sin v))))
+   (lambda (value error)
+     (raise-not-convergent
+      (swing-who w)
+      (format "the integral over the swing of ~a did not converge" (piece-q (swing-piece w)))
+      value error))))
 
-(define fewest 16)
-(define most 8192)
-(define closeness 1e-12)
-(define noise 1e-9)              ; what rounding may leave where R is a small difference
-
-;; (1/π) ∫ f du from −π/2 to π/2, by ever more points between the ends
-(define (average-over-half-turn w f)
-  (define (average n)
-    (for/fold ([sum 0.0] #:result (/ sum n)) ([k (in-range n)])
-      (+ sum (f (* pi (- (/ (+ k 0.5) n) 0.5))))))
-  (let double ([n fewest] [before +inf.0])
-    (define value (average n))
-    (define error (abs (- value before)))
-    (cond [(<= error (* closeness (abs value))) value]
-          [(< n most) (double (* 2 n) value)]
-          [(<= error (* noise (abs value))) value]
-          [else
-           (raise-not-convergent
-            (swing-who w)
-            (format "the integral over the swing of ~a did not converge" (piece-q (swing-piece w)))
-            value error)])))
+(define (square x) (* x x))
