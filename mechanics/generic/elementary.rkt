@@ -16,7 +16,7 @@
 (provide g:sqrt g:exp g:log g:sin g:cos g:tan g:asin g:acos g:atan
          g:sinh g:cosh g:tanh g:asinh g:acosh g:atanh g:abs g:sgn g:expt
          g:sec g:csc g:cot g:sech g:csch g:coth
-         elementary-operations
+         elementary-operations whole-exponent?
          (for-syntax unary-functions))
 
 ;; ---------------------------------------------------------------------------
@@ -177,8 +177,12 @@
   (cond [(eqv? n 0) 0]
         [(and (real? exponent) (< exponent 1) (zero-here? b))
          (if (zero? exponent) 0 (raise-no-derivative-at 'expt (list b n)))]
-        [else (unless (exact-nonnegative-integer? exponent) (note-kink! 'expt b n))
+        [else (unless (whole-exponent? exponent) (note-kink! 'expt b n))
               (g:* n (g:expt b (g:- n 1)))]))
+
+;; 0, 1, 2, …, also written as decimals
+(define (whole-exponent? n)
+  (or (exact-nonnegative-integer? n) (and (flonum? n) (>= n 0.0) (integer? n))))
 
 ;; ∂(bⁿ)/∂n = bⁿ log b, which is 0 at b = 0 as long as bⁿ is; but 0ⁿ jumps from
 ;; 0 to 1 at n = 0.

@@ -178,7 +178,19 @@
            [(eqv? ln 1) (equations->solution (power-equations n0))]
            [(eqv? lb 1) (equations->solution (exponential-equations (g:log b0)))]
            [else #f]))
-   #:reduce (lambda (b n) (and (exact-nonnegative-integer? n) (whole-power b n)))))
+   #:reduce (lambda (b n) (power-by-products b n))))
+
+;; A whole number written as a decimal is an exponent like others, but where the base begins with
+;; 0.0 its rule would come to 0.0 times 0.0 to the power of −1.
+(define (power-by-products b n)
+  (cond [(exact-nonnegative-integer? n) (whole-power b n)]
+        [(not (and (whole-exponent? n) (begins-with-0.0? b))) #f]
+        [(= n 0.0) 1.0]
+        [else (g:* 1.0 (whole-power b (inexact->exact n)))]))
+
+(define (begins-with-0.0? b)
+  (define x (comparand b))
+  (and (flonum? x) (= x 0.0)))
 
 (define (whole-power b n)
   (cond [(eqv? n 0) 1]
