@@ -111,6 +111,14 @@
       (check-false (form '(sqrt (square (* y a))) '(* a y)
                          '((<= (+ y z) 0) (< x 0) (< (- a 1) 0)) '((>= y 0) (>= a 0)))))))
 
+(test-case "nor where the way there from one point is blocked"
+  (for ([seed (in-range 20)])
+    (with-seed seed
+      (check-false (proof '(sqrt (square x)) '(- x) '()
+                          '((> (* x y) 50) (< (+ x y) -9) (< (abs (- y z)) 1/9) (> z -4))))
+      (check-false (proof '(sqrt (square x)) 'x '()
+                          '((> (* x y z) 3) (< y -1) (< (+ z 3) 0) (> (+ x y z) 1) (< x 50)))))))
+
 (test-case "right and wrong refutations are told apart"
   (with-seed 1
     (check-false (refutation '(sqrt x) '(- (sqrt x)) '((x . 2))))

@@ -18,6 +18,10 @@
 (define tries 60)
 (define more-tries 400)
 
+;; From how many points a place is sought where all holds that is assumed: what one climb meets
+;; another does not.
+(define climbs 40)
+
 ;; ---------------------------------------------------------------------------
 ;; Points of a question
 
@@ -41,11 +45,14 @@
   (define symbols (apply symbols-of all))
   (define constants (apply constants-of all))
   (define (point-of numbers) (make-point numbers 0 decimal))
-  (let loop ([k (- (length hints))] [used '()] [in-domain 0] [start #f])
+  (let loop ([k (- (length hints))] [used '()] [in-domain 0] [starts '()])
     (define limit (if (null? used) more-tries tries))
     (cond
-      [(and (= k limit) (null? used) start)
-       (define found (climb start (holding sides given assumed point-of) (length assumed)))
+      [(and (= k limit) (null? used) (pair? starts))
+       (define holds (holding sides given assumed point-of))
+       (define found
+         (for/or ([start (in-list starts)] [_ (in-range climbs)])
+           (climb start holds (length assumed))))
        (when found (visit found (point-of found)))
        (survey (if found (list found) '()) in-domain)]
       [(or (= k limit) (= (length used) enough)) (survey used in-domain)]
@@ -55,11 +62,11 @@
              (completed (list-ref hints (+ k (length hints))) symbols)
              (random-numbers symbols k constants)))
        (define where (make-point numbers (modulo k 5) decimal))
-       (cond [(not (in-question? sides given where)) (loop (+ k 1) used in-domain start)]
+       (cond [(not (in-question? sides given where)) (loop (+ k 1) used in-domain starts)]
              [(not (all-hold? assumed where flonum-intervals))
-              (loop (+ k 1) used (+ in-domain 1) numbers)]
+              (loop (+ k 1) used (+ in-domain 1) (cons numbers starts))]
              [(visit numbers where) (survey (cons numbers used) (+ in-domain 1))]
-             [else (loop (+ k 1) (cons numbers used) (+ in-domain 1) start)])])))
+             [else (loop (+ k 1) (cons numbers used) (+ in-domain 1) starts)])])))
 
 ;; -> numbers -> how many of the assumed relations hold there, #f outside of the question
 (define ((holding sides given assumed point-of) numbers)
