@@ -12,9 +12,10 @@
 
 (require "H-state.rkt" "Hamiltonian.rkt" "declared.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/once.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt"
          (only-in "../lagrangian/external-force.rkt" force-like force->datum)
          "../lagrangian/local-tuple.rkt" "../lagrangian/several-paths.rkt"
          "../value/compose.rkt")
@@ -36,8 +37,12 @@
 (define (derivative-of-states who H rate-of-time F)
   (check-Hamiltonian who H)
   (define flow (flow-direction who H F))
+  (define called-otherwise? (once (lambda () (called-Lagrangian-only? H))))
   (unary-function (lambda () (made-of who H F)) (state)
     (check-H-state who state)
+    ;; of one coordinate nothing else tells a momentum from a velocity
+    (when (and (scalar? (momentum state)) (called-otherwise?))
+      (raise-called-Lagrangian who H))
     (define-values (velocity force) (flow state))
     (up rate-of-time velocity force)))
 

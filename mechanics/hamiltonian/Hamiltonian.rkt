@@ -8,6 +8,7 @@
          "../lagrangian/called.rkt")
 
 (provide make-Hamiltonian check-Hamiltonian check-Hamiltonian-and-state
+         called-Lagrangian-only? raise-called-Lagrangian
          number-valued check-quantity)
 
 ;; (make-Hamiltonian T V) : T + V, of functions of the state, or of parameters with such as
@@ -32,10 +33,17 @@
     (complain who "the Hamiltonian comes first, then the state; these look swapped"))
   (check-Hamiltonian who H)
   (check-H-state who state)
-  (when (called-Lagrangian? H)
-    (complain who (string-append "expected a Hamiltonian; this is called a Lagrangian: ~a"
-                                 "\n  (Lagrangian->Hamiltonian L) makes a Hamiltonian of it")
-              (value->text H))))
+  (when (called-Lagrangian-only? H) (raise-called-Lagrangian who H)))
+
+;; Is there nothing else that tells?  One that was said to be a Hamiltonian may have any name.
+(define (called-Lagrangian-only? H)
+  (and (not (declared-Hamiltonian? H)) (called-Lagrangian? H)))
+
+(define (raise-called-Lagrangian who H)
+  (complain who (string-append "expected a Hamiltonian; this is called a Lagrangian: ~a"
+                               "\n  (Lagrangian->Hamiltonian L) makes a Hamiltonian of it"
+                               "\n  if it is one whatever its name: (make-Hamiltonian ~a)")
+            (value->text H) (value->text H)))
 
 (define (check-Hamiltonian who H)
   (unless (and (procedure? H) (not (tuple? H)))

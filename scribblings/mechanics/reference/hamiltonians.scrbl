@@ -139,6 +139,10 @@ a force F outside H if there is one: for
 by @racket[Lagrangian->Hamiltonian] it takes the derivatives of the Lagrangian, which are
 shorter.
 
+With one coordinate nothing but the name tells a Lagrangian from a Hamiltonian: what is called one,
+as @racketid[L-pendulum], is an error at such a state, unless it was made known as a Hamiltonian by
+@racket[make-Hamiltonian].
+
 @examples[#:eval session
 (define ((H-pendulum m l g) (up t theta p))
   (- (/ (square p) (* 2 m (square l))) (* m g l (cos theta))))

@@ -22,7 +22,8 @@
 
 (define of-Lagrangian
   (string-append ": expected a Hamiltonian; this is called a Lagrangian: L-pendulum"
-                 "\n  (Lagrangian->Hamiltonian L) makes a Hamiltonian of it"))
+                 "\n  (Lagrangian->Hamiltonian L) makes a Hamiltonian of it"
+                 "\n  if it is one whatever its name: (make-Hamiltonian L-pendulum)"))
 
 (says
  [(action-of-orbit (L-pendulum 9.8 1 1) at) "action-of-orbit" of-Lagrangian]
