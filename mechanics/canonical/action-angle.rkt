@@ -5,7 +5,7 @@
 ;; period T, and turns at ω = 2π/T = dE/dI.  The angle is ω times the time since the motion passed
 ;; a given coordinate, forwards.  A coordinate that is an angle may close by a turn.
 
-(require "closed-orbit.rkt" "momentum-of-action.rkt"
+(require "closed-orbit.rkt" "momentum-of-action.rkt" "orbit-scale.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/on-demand.rkt"
@@ -63,15 +63,19 @@
   (cond
     [(and (memv (coordinate start) centers) (forwards? start)) 0]
     [else
+     (define scale (scale-of-orbit H start))
      (define (passing c)
-       (event (lambda (s) (g:- (coordinate s) c)) #:name 'passing #:direction 'rising))
+       (define here (/ c (scale-coordinate scale)))
+       (event (lambda (s) (g:- (coordinate s) here)) #:name 'passing #:direction 'rising))
      (define motion
-       (evolve-trajectory flow start (* 1.01 period) #:tolerance tolerance
+       (evolve-trajectory (Hamiltonian->state-derivative (Hamiltonian-in-scale H scale))
+                          (in-scale scale start) (* 1.01 period) #:tolerance tolerance
                           #:events (map passing centers)))
      (define met (trajectory-events motion))
      (if (pair? met)
          (occurrence-time (car met))
-         (raise-not-passing who state center turn start (trajectory-final-state motion)))]))
+         (raise-not-passing who state center turn start
+                            (out-of-scale scale (trajectory-final-state motion))))]))
 
 ;; The center; of an angle those next to q on both sides, to which it may come
 (define (centers-around q center turn)
@@ -106,12 +110,14 @@
     (define wait (* (orbit-period (orbit-at p)) (/ (- angle (* 2 pi (floor (/ angle (* 2 pi)))))
                                                    (* 2 pi))))
     (define start (up 0 (exact->inexact center) p))
+    (define scale (scale-of-orbit H start))
     (define there
       (if (= wait 0)
           start
-          (trajectory-final-state
-           (evolve-trajectory (Hamiltonian->state-derivative H) start wait
-                              #:tolerance tolerance))))
+          (out-of-scale scale
+                 (trajectory-final-state
+                  (evolve-trajectory (Hamiltonian->state-derivative (Hamiltonian-in-scale H scale))
+                                     (in-scale scale start) wait #:tolerance tolerance)))))
     (up (time state) (coordinate there) (momentum there))))
 
 (define (momentum-at-center who H center orbit-at J)

@@ -4,7 +4,8 @@
 ;; It is followed by integration until it comes back to where it began, going the same way.  A
 ;; coordinate that is an angle may close by a turn.
 
-(require "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
+(require "orbit-scale.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
@@ -27,17 +28,19 @@
 ;; The motion goes away, and comes back where it began going the same way: the distance along the
 ;; first velocity passes 0, falling and then rising; where it does so elsewhere, it goes on.  An
 ;; angle may go a whole turn instead: its distance from the start tells, however long the steps.
+;; A small orbit is followed in its own scale (orbit-scale.rkt).
 (define (closed-orbit who H state turn tolerance longest)
-  (define start (checked-start who H state))
-  (when turn (check-turn who H start turn))
-  (define flow (Hamiltonian->state-derivative H))
-  (define first-rate (flow start))
+  (define given (checked-start who H state))
+  (when turn (check-turn who H given turn))
+  (define c (scale-of-orbit H given))
+  (define start (in-scale c given))
+  (define turn-here (and turn (/ turn (scale-coordinate c))))
+  (define (unscaled s) (out-of-scale c (inner-state s)))
+  (define flow (Hamiltonian->state-derivative (Hamiltonian-in-scale H c)))
   (define (moved s) (g:- (coordinate (inner-state s)) (coordinate start)))
-  (define (away s)
-    (g:+ (g:* (coordinate first-rate) (moved s))
-         (g:* (momentum first-rate) (g:- (momentum (inner-state s)) (momentum start)))))
-  (define (beyond-turn s) (g:- (g:* (moved s) (moved s)) (* turn turn)))
-  (define (turned? s) (and turn (> (abs (moved s)) (* almost turn))))
+  (define away (distance-along (flow start) start))
+  (define (beyond-turn s) (g:- (g:* (moved s) (moved s)) (* turn-here turn-here)))
+  (define (turned? s) (and turn (> (abs (moved s)) (* almost turn-here))))
   (define whole-turn (if turn (list (event beyond-turn #:terminal? #t)) '()))
   (define (until direction s)
     (define events (cons (event away #:direction direction #:terminal? #t) whole-turn))
@@ -46,15 +49,21 @@
         (evolve-trajectory (with-area flow) s longest #:events events #:tolerance tolerance)))
     (define end (trajectory-final-state motion))
     (when (null? (trajectory-events motion))
-      (raise-not-closed who H state (and (not turn) (inner-state end)) longest end))
-    (check-time-free who H (inner-state end))
+      (raise-not-closed who H state (and (not turn) (unscaled end)) longest end))
+    (check-time-free who H (unscaled end))
     end)
   (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
     (define fallen (until 'falling s))
     (define end (if (turned? fallen) fallen (until 'rising fallen)))
-    (cond [(near? (inner-state end) start turn) (orbit (time end) (/ (part end 2) (* 2 pi)))]
+    (cond [(near? (inner-state end) start turn-here)
+           (orbit (time end) (* (scale-action c) (/ (part end 2) (* 2 pi))))]
           [(turned? end) (raise-no-turn who H turn)]
           [else (follow end)])))
+
+(define ((distance-along rate start) s)
+  (define here (inner-state s))
+  (g:+ (g:* (coordinate rate) (g:- (coordinate here) (coordinate start)))
+       (g:* (momentum rate) (g:- (momentum here) (momentum start)))))
 
 (define almost (- 1 1e-9))
 
