@@ -25,7 +25,7 @@
 
 (define (with-decimals-named e decimals)
   (define names (for/hash ([d (in-list decimals)]) (values (cdr d) (car d))))
-  (if (null? decimals) e (rename e (lambda (x) (hash-ref names x)))))
+  (rename e (lambda (x) (hash-ref names x))))
 
 (define (with-decimals-back e decimals)
   (if (null? decimals) e (evaluate-generically e decimals)))

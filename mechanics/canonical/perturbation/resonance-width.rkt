@@ -24,7 +24,7 @@
   (check-Hamiltonian 'resonance-width H0)
   (check-Hamiltonian 'resonance-width H1)
   (check-H-state 'resonance-width state)
-  (check-unperturbed 'resonance-width H0 (unknowns-like state))
+  (check-unperturbed 'resonance-width H0 (symbolic-state state))
   (define-values (names wave) (wave-of 'resonance-width H1 k state))
   (define A (curvature H0 k state))
   (when (g:zero? A)
@@ -46,6 +46,18 @@
                         (g:+ (momentum state) (g:* x direction))))))
    0))
 
+;; A state of symbols, spelt as in messages: those of the state, or t, q and p with indices
+(define (symbolic-state state)
+  (define (spelt part name)
+    (define xs (list->vector (scalars part)))
+    (define (index k) (if (= (vector-length xs) 1) "" (format "_~a" k)))
+    (scalars->structure part (lambda (k)
+                               (define x (vector-ref xs k))
+                               (if (symbol? x) x (string->symbol (format "~a~a" name (index k)))))))
+  (unknowns-like (up (spelt (time state) "t")
+                     (spelt (coordinate state) "q")
+                     (spelt (momentum state) "p"))))
+
 ;; The value of the momentum of index j that puts a state on the resonance k, the others being
 ;; as they are: where k·ω is of degree 1 in it.
 (define (resonance-center H0 k state j)
@@ -54,7 +66,7 @@
   (check-H-state who state)
   (define I (scalars (momentum state)))
   (check-integers who k (length I))
-  (check-unperturbed who H0 (unknowns-like state))
+  (check-unperturbed who H0 (symbolic-state state))
   (unless (and (exact-nonnegative-integer? j) (< j (length I)))
     (complain-of-argument who (format "the index of a momentum, below ~a" (length I)) j))
   (define (slope x)

@@ -42,7 +42,8 @@
                   (lambda (s) (* 2.0 (cos (* 2.0 (coordinate s)))))
                   (lambda (s) (* 1.5 (cos (* 0.5 (+ (coordinate s) (coordinate s))))))
                   (lambda (s) (* (sqrt (* 1.4 (momentum s))) (cos (coordinate s))))
-                  (lambda (s) (* 0.7 (expt (momentum s) 0.5) (cos (coordinate s)))))])
+                  (lambda (s) (* 0.7 (expt (momentum s) 0.5) (cos (coordinate s))))
+                  (lambda (s) (expt (cos (coordinate s)) 3.0)))])
     (check-true (all-proved? (with H1)))))
 
 ;; Nothing is proved that is wrong.
@@ -55,6 +56,12 @@
                               (cdr (found:perturbation-Ws P)))
                         (found:perturbation-removals P) (found:perturbation-decimals P)))
   (check-pred refuted? (verify-perturbation wrong)))
+
+(test-case "powers of waves that are whole numbers in decimals, alone among exact ones"
+  (define (P exponent)
+    (perturbation-series (lambda (s) (square (momentum s)))
+                         (lambda (s) (expt (cos (coordinate s)) exponent)) line #:order 2))
+  (check-equal? (format "~a" (P 3.0)) (format "~a" (P 3))))
 
 (test-case "what it prints"
   (check-equal? (format "~a" (perturbation-series (lambda (s) (* 0.5 (square (momentum s))))
