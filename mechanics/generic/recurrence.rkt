@@ -174,7 +174,8 @@
 (define power-recurrence
   (make-recurrence
    (lambda (b0 lb n0 ln)
-     (cond [(and (number? b0) (zero? b0)) #f]
+     (define start (comparand b0))
+     (cond [(and (number? start) (zero? start)) #f]
            [(eqv? ln 1) (equations->solution (power-equations n0))]
            [(eqv? lb 1) (equations->solution (exponential-equations (g:log b0)))]
            [else #f]))

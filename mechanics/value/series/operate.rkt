@@ -81,8 +81,9 @@
 ;; partial derivative by argument i, at the arguments and the value.
 
 (define (by-rule op as wrap unwrap)
-  (define start
-    (apply (generic-op-procedure op) (for/list ([a (in-list as)]) (coefficient a 0))))
+  (define point (for/list ([a (in-list as)]) (coefficient a 0)))
+  (define start (apply (generic-op-procedure op) point))
+  (define numbers (map comparand (append point (list start))))
   (define r
     (make-coefficients
      (lambda (k)
@@ -96,7 +97,10 @@
   (define values (append (map wrap as) (list (wrap r))))
   (define gs
     (for/list ([partial (in-list (generic-op-partials op))])
-      (on-demand (lambda () (unwrap (apply partial values))))))
+      (on-demand (lambda ()
+                   ;; of numbers it tells where there is none; sequences would go on with infinity
+                   (when (andmap number? numbers) (apply partial numbers))
+                   (unwrap (apply partial values))))))
   r)
 
 (define (integrand a g k)
