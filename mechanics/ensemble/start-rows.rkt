@@ -4,7 +4,7 @@
 
 (require racket/flonum
          "batch.rkt" "task.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/up-down.rkt"
          "../motion/system/check.rkt"
          "../numeric/finite.rkt" "../numeric/flvector.rkt" "../numeric/progress.rkt"
@@ -97,7 +97,8 @@
   (flvector->vector y))
 
 (define (raise-bad-start k state)
-  (complain who "start ~a is not made of finite real numbers\n  start: ~a" k (value->text state)))
+  (complain who "start ~a is not made of finite real numbers\n  start: ~a~a"
+            k (value->text state) (list-hint state "(up t q v)")))
 
 (define (check-parameter-list k ps)
   (unless (and (list? ps) (for*/and ([p (in-list ps)] [x (in-list (scalars p))]) (finite? x)))
