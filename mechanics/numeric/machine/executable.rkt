@@ -6,13 +6,15 @@
 ;; is, with the addresses of what its flvectors hold; while it runs nothing else does, so that they
 ;; stay where they are.
 ;;
-;; This is for Racket CS on x86-64, on Linux and macOS; and where a system forbids new code, there
-;; are no such procedures either, nor are there more at once than a system has areas of memory for.
+;; This is for Racket CS on x86-64 under Linux, where it is tested; and where a system forbids new
+;; code, there are no such procedures either, nor are there more at once than a system has areas of
+;; memory for.
 
 (require ffi/unsafe
          ffi/unsafe/alloc
          ffi/unsafe/vm
-         racket/flonum)
+         racket/flonum
+         "../../error/once.rkt")
 
 (provide machine? flvector-data C-function
          (protect-out machine-procedures))
@@ -29,8 +31,15 @@
 ;; ---------------------------------------------------------------------------
 ;; What is known here
 
-;; Is there a processor that the assembler knows, and the way to call that is known here?
-(define (machine?) known?)
+;; Is there a processor that the assembler knows, and the way to call that is known here?  Not where
+;; the environment says otherwise.
+(define machine?
+  (once
+   (lambda ()
+     (with-handlers ([exn:fail? (lambda (_) #f)])
+       (and (not (getenv "MECHANICS_NO_MACHINE_CODE"))
+            (known-processor?)
+            (flvectors-as-known?))))))
 
 ;; What a procedure is given of an flvector is so many bytes before its first component.
 (define flvector-data 9)
@@ -38,8 +47,8 @@
 (define (known-processor?)
   (and (eq? 'chez-scheme (system-type 'vm))
        (eq? 'x86_64 (system-type 'arch))
-       (memq (system-type 'os*) '(linux macosx))
-       (memq (vm-eval '(machine-type)) '(ta6le a6le ta6osx a6osx))
+       (eq? 'linux (system-type 'os*))
+       (memq (vm-eval '(machine-type)) '(ta6le a6le))
        #t))
 
 ;; Are components where they are thought to be?  So it was in all versions so far.
@@ -48,10 +57,6 @@
   (define v (flvector 1.5 -2.5 0.75))
   (for/and ([x (in-flvector v)] [k (in-naturals)])
     (eqv? x (object-ref 'double v (+ flvector-data (* 8 k))))))
-
-(define known?
-  (with-handlers ([exn:fail? (lambda (_) #f)])
-    (and (known-processor?) (flvectors-as-known?))))
 
 ;; The address of a function of the library of C, a symbol; or #f.
 (define (C-function name)
@@ -98,7 +103,7 @@
   (munmap (executable-memory-pages m) (executable-memory-size m)))
 
 ;; Of nobody else, and of no file.
-(define private+anonymous (if (eq? 'macosx (system-type 'os*)) #x1002 #x22))
+(define private+anonymous #x22)
 
 ;; -> executable-memory, or #f.  What is allocated here is given back by nobody but a garbage
 ;; collection and the end of a place, whatever custodian shuts down; nothing else happens meanwhile.

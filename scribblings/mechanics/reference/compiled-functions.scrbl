@@ -30,8 +30,9 @@ the flvectors from the first to the last. @racket[f] must be defined at
 What @racket[f] refers to is taken as it is when @racket[compile-function] is called:
 after a change of a global variable, compile again, which is cheap. Equal programs
 share their code. Up to fifty operations are compiled by Racket. More become machine code directly,
-at less than a microsecond each, on x86-64 under Linux and macOS; elsewhere Racket compiles up to
-500, and what is longer once it has been run so often that it pays. All give the same bits.
+at less than a microsecond each, on x86-64 under Linux; elsewhere, and where the environment
+variable @tt{MECHANICS_NO_MACHINE_CODE} is set, Racket compiles up to 500, and what is longer once
+it has been run so often that it pays. All give the same bits.
 
 A placeholder is not yet a number. When @racket[f] asks which one it is, by
 @racket[<], @racket[=], @racket[zero?], @racket[number?], @racket[equal?],

@@ -333,8 +333,8 @@ coefficients where the motion begins, is refused.}
 @item{@racket['Dormand-Prince-853], of order 8 with interpolation of order 7 (Hairer,
 Nørsett and Wanner 1993), for state derivatives of any kind. Where the operations are known and
 no linear system of numbers is among them, a step runs as machine code of its own on x86-64 under
-Linux and macOS: in 0.2 to 0.8 microseconds in the examples of the benchmarks, 0.96 to 1.2 times
-what the same operations take in C.}
+Linux, after the first 500: in 0.2 to 0.8 microseconds in the examples of the benchmarks, 0.98 to
+1.2 times what the same operations take in C.}
 @item{@racket['Dormand-Prince-54], of order 5, for tolerances above about
 @racket[1e-6].}
 @item{@racket['bulirsch-stoer], by extrapolation of Gragg's method to order 14: long
