@@ -8,7 +8,7 @@
 ;; loop goes through it, at some nanoseconds an instruction.
 ;;
 ;; Where the processor is known, a stretch of machine code is one instruction
-;; (machine-stretches.rkt), and little is left to interpret.
+;; (machine-code.rkt), and little is left to interpret.
 
 (require racket/fixnum
          racket/flonum

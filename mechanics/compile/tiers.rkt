@@ -8,7 +8,7 @@
 ;; the program does not matter; what counts is how often it was run, by anybody.  All do the same
 ;; operations in the same order, and give the same values.
 
-(require "code.rkt" "interpreter.rkt" "machine-stretches.rkt" "program.rkt")
+(require "code.rkt" "interpreter.rkt" "machine-code.rkt" "program.rkt")
 
 (provide (protect-out program->tiered-maker tiered-maker))
 
@@ -19,8 +19,10 @@
 ;; -> (-> (input output -> void)), as program->maker has it
 (define (program->tiered-maker p)
   (define length (program-length p))
-  (define stretches (if (<= length longest-compiled) (hasheqv) (machine-stretches p)))
-  (cond [(positive? (hash-count stretches)) (program->interpreter-maker p #:stretches stretches)]
+  (define machine? (> length longest-compiled))
+  (cond [(and machine? (machine-procedure p)) => (lambda (run) (lambda () run))]
+        [(and machine? (machine-stretches p))
+         => (lambda (stretches) (program->interpreter-maker p #:stretches stretches))]
         [(<= length longest-at-once) (program->maker p)]
         [else (tiered-maker p)]))
 

@@ -5,12 +5,12 @@
          rackunit
          mechanics/compile/code
          mechanics/compile/interpreter
-         mechanics/compile/machine-stretches
+         mechanics/compile/machine-code
          mechanics/compile/program
          (only-in mechanics/motion/system/rates-code program-machine-rates)
          mechanics/numeric/machine/executable
          mechanics/numeric/machine/straight-code
-         "../support/machine-run.rkt" "../support/random.rkt" "../support/skip.rkt")
+         "../support/random.rkt" "../support/skip.rkt")
 
 (define (random-operand k)
   (cond [(zero? (random 10)) (random-flonum)]
@@ -47,11 +47,6 @@
   (run input output)
   output)
 
-(define (machine p)
-  (machine-run
-   (lambda (a)
-     (write-procedure! a (program-inputs p) 0 (program-instructions p) (program-outputs p)))))
-
 (define (check-alike p run)
   (define compiled ((program->maker p)))
   (for ([_ (in-range 10)])
@@ -63,18 +58,18 @@
   (test-case "random programs, with many calls and few"
     (with-seeds 150
       (define p (random-program 5 (random-integer 1 150) 6 (random-choice 0 0.05 0.3 1) 0))
-      (check-alike p (machine p))))
+      (check-alike p (machine-procedure p))))
 
   (test-case "stretches, between functions that there is no code for"
     (with-seeds 60
       (define p (random-program 5 (random-integer 1 200) 6 0.1 (random-choice 0 0.02 0.2)))
-      (define stretches (machine-stretches p))
+      (define stretches (or (machine-stretches p) (hasheqv)))
       (check-alike p ((program->interpreter-maker p #:stretches stretches)))))
 
   (test-case "sine and cosine of one angle at once are those of it alone"
     (define both
       (program 1 (vector (list 'sin (place 0)) (list 'cos (place 0))) (vector (place 1) (place 2))))
-    (define run (machine both))
+    (define run (machine-procedure both))
     (with-seed 1
       (for ([_ (in-range 20000)])
         (define x (* (exp (* 60 (- (random) 0.5))) (- (random) 0.5)))
@@ -82,7 +77,7 @@
 
   (test-case "powers of numbers that are special"
     (define power (program 2 (vector (list 'expt (place 0) (place 1))) (vector (place 2))))
-    (define run (machine power))
+    (define run (machine-procedure power))
     (for* ([x (in-list odd-numbers)] [y (in-list odd-numbers)])
       (check-equal? (values-by run power (flvector x y)) (flvector (flexpt x y)))))
 
@@ -95,7 +90,7 @@
                      (list 'multiply (place k) (place (modulo (+ k 1) n)))
                      (list 'add (place k) (place (- (* 3 n) k 1)))))
                (for/vector ([k (in-range n)]) (place (+ n n k)))))
-    (with-seeds 5 (check-alike p (machine p))))
+    (with-seeds 5 (check-alike p (machine-procedure p))))
 
   (test-case "a procedure takes little of the stack: longer programs are several, or none"
     (define n 10000)
@@ -105,6 +100,7 @@
                  (cond [(< k n) (list 'add (place (- k 1)) (/ 1.0 k))]
                        [else (list 'multiply (place (- k 1)) (place (- (* 2 n) k 1)))]))
                (vector (place (- (* 2 n) 1)) (place n) (place 17))))
+    (check-false (machine-procedure p))
     (check-false (program-machine-rates p 1))
     (define stretches (machine-stretches p))
     (check-equal? (hash-count stretches) 3)
@@ -115,7 +111,7 @@
       (check-equal? (values-by by-machine p (flvector x)) (values-by run p (flvector x)))))
 
   (test-case "no code where there is none for a function"
-    (check-false (machine-instruction? (list 'sinh (place 0))))
+    (check-false (machine-procedure (program 1 (vector (list 'sinh (place 0))) (vector (place 1)))))
     (check-false (machine-instruction? (list 'solve 2 1)))))
 
 (skip-unless (machine?) "no processor that machine code is written for" (check-machine-code))

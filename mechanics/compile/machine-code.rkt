@@ -1,5 +1,5 @@
 #lang racket/base
-;; Stretches of a program as machine code, between what there is none for.
+;; A program as machine code: as a whole, or in stretches between what there is none for.
 ;;
 ;; Systems of equations and functions beyond those of the library of C are left to the interpreter
 ;; (interpreter.rkt); the instructions between them are stretches, each a procedure of the flvector
@@ -10,9 +10,30 @@
          "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt"
          "../numeric/machine/straight-code.rkt")
 
-(provide (protect-out machine-stretches))
+(provide (protect-out machine-procedure machine-stretches))
 
-;; -> place -> (procedure . how many instructions), for the first place of each stretch
+;; -> (input output -> void), flvectors that do not overlap; or #f where it is not straight code
+;; throughout
+(define (machine-procedure p)
+  (define instructions (program-instructions p))
+  (define straight?
+    (and (machine?)
+         (<= (vector-length instructions) longest-straight)
+         (for/and ([i (in-vector instructions)]) (machine-instruction? i))))
+  (define (code)
+    (define a (make-assembly))
+    (lea! a rdi (behind rdi flvector-data))
+    (lea! a rsi (behind rsi flvector-data))
+    (write-procedure! a (program-inputs p) 0 instructions (program-outputs p))
+    (assembly->bytes a))
+  (define procedures (and straight? (machine-procedures (code) '((0 flvector flvector)))))
+  (and procedures (car procedures)))
+
+;; ---------------------------------------------------------------------------
+;; Stretches
+
+;; -> place -> (procedure . how many instructions), for the first place of each stretch; or #f where
+;; there is none
 (define (machine-stretches p)
   (define ranges (if (machine?) (stretches p) '()))
   (define needed (needed-elsewhere p ranges))
@@ -24,10 +45,9 @@
       (write-stretch! a p (car r) (cdr r) needed)
       (list (label-place where) 'flvector)))
   (define procedures (and (pair? ranges) (machine-procedures (assembly->bytes a) entries)))
-  (if procedures
-      (for/hasheqv ([r (in-list ranges)] [f (in-list procedures)])
-        (values (car r) (cons f (- (cdr r) (car r)))))
-      (hasheqv)))
+  (and procedures
+       (for/hasheqv ([r (in-list ranges)] [f (in-list procedures)])
+         (values (car r) (cons f (- (cdr r) (car r)))))))
 
 ;; -> list of (from . to), places: as long as may be
 (define (stretches p)
