@@ -6,6 +6,8 @@
 ;; estimated: a bound on the digits of the numbers, and on the degrees of the polynomials,
 ;; that it may come to.
 
+(require "../algebra/expression/exact-numbers.rkt")
+
 (provide why-not-an-answer)
 
 (define most-parts 20000)
@@ -29,10 +31,8 @@
     (when (> depth deepest) (reject "its parts are nested too deeply"))
     (cond [(list? d) (for ([part (in-list d)]) (walk part (+ depth 1)))]
           [(symbol? d) (check-symbol d reject)]
-          [(number? d) (unless (finite? d) (reject (format "~a in it is no number" d)))]
+          [(number? d) (unless (exact-constant? d) (reject (format "~a in it is no number" d)))]
           [else (reject "it is no expression")])))
-
-(define (finite? z) (and (rational? (real-part z)) (rational? (imag-part z))))
 
 (define (check-symbol s reject)
   (define text (symbol->string s))
