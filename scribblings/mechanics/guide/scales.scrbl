@@ -98,8 +98,8 @@ Two thousand pendulums of slightly different lengths to @math{t = 100} with a to
 
 @tabular[#:style 'boxed #:sep @hspace[2] #:row-properties '(bottom-border ())
  (list (list "" "seconds" "motions a second")
-       (list @elem{@racket[evolve-ensemble], Taylor (@racket['auto])} "1.3" "1,500")
-       (list @elem{@racket[evolve-ensemble], @racket['Dormand-Prince-853]} "2.8" "700")
+       (list @elem{@racket[evolve-ensemble], Taylor (@racket['auto])} "1.4" "1,400")
+       (list @elem{@racket[evolve-ensemble], @racket['Dormand-Prince-853]} "1.4" "1,400")
        (list "exported C, the same steps as that" "1.0" "2,000"))]
 
 And ten thousand pendulums with a shaken pivot, to the same time with the same tolerance, as
