@@ -22,11 +22,11 @@
     (for/vector ([i (in-range n)])
       (write! b i vectors `(fl+ (at y i) (fl* h (weighted i ,@terms))))))
   (define-values (stages end) (values (car slopes) (cadr slopes)))
-  (define-values (with-slopes last)
-    (for/fold ([vectors start] [last #f]) ([s (in-list stages)])
+  (define-values (with-slopes at-last)
+    (for/fold ([vectors start] [_ #f]) ([s (in-list stages)])
       (define w (reached vectors (cdr s)))
       (values (hash-set vectors (car s) (write-rates! b w r)) w)))
-  (define z (if (pair? end) (reached with-slopes end) last))
+  (define z (if (pair? end) (reached with-slopes end) at-last))
   (define results (write-error! b n (hash-set with-slopes 'z z) error))
   (values (instructions-of b) results))
 
@@ -34,16 +34,16 @@
 (define (write-rates! b w r)
   (define n (vector-length w))
   (define instructions (machine-rates-instructions r))
-  (define first (+ n (machine-rates-parameters r)))
-  (define values (make-vector (vector-length instructions) #f))
+  (define inputs (+ n (machine-rates-parameters r)))
+  (define computed (make-vector (vector-length instructions) #f))
   (define (moved o)
     (define k (and (place? o) (place-index o)))
     (cond [(not k) o]
           [(< k n) (vector-ref w k)]
-          [(< k first) (place (+ k n 1))]
-          [else (vector-ref values (- k first))]))
+          [(< k inputs) (place (+ k n 1))]
+          [else (vector-ref computed (- k inputs))]))
   (for ([i (in-vector instructions)] [k (in-naturals)])
-    (vector-set! values k
+    (vector-set! computed k
                  (apply emit! b (instruction-operation i) (map moved (instruction-operands i)))))
   (for/vector #:length n ([o (in-vector (machine-rates-outputs r))]) (moved o)))
 

@@ -79,6 +79,21 @@
       (define ps (random-state parameters))
       (for ([m (in-list methods)]) (check-steps m p n (random-state n) ps))))
 
+  (test-case "it is machine code that is run: the rates as Racket code are not asked"
+    (define (refused y dy) (fail "rates as Racket code"))
+    (for ([n (in-list '(1 5 8 9 13))])
+      (define p (with-seed n (random-rates n)))
+      (define f!
+        (expandable refused #f
+                    (make-machine-rates n 0 (program-instructions p) (program-outputs p)
+                                        #:steps steps-that-pay)
+                    (flvector)))
+      (for ([m (in-list methods)])
+        (define s (start m f! (random-state n)))
+        (check-true (rational? ((stepper-try! s) 0.1)))
+        ((stepper-accept! s))
+        (((stepper-interpolant s)) 0.5 (make-flvector n)))))
+
   (test-case "steps of which the first are Racket code"
     (with-seeds 10
       (define n (random-choice 1 2 5 8 9 13))
