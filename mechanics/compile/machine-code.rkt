@@ -51,14 +51,14 @@
 
 ;; -> list of (from . to), places: as long as may be
 (define (stretches p)
-  (define first (program-inputs p))
-  (define end (+ first (program-length p)))
+  (define start (program-inputs p))
+  (define end (+ start (program-length p)))
   (define (straight? k) (machine-instruction? (instruction-at p k)))
   (define (end-of-stretch from)
     (define farthest (min end (+ from longest-straight)))
     (or (for/first ([k (in-range from farthest)] #:unless (straight? k)) k)
         farthest))
-  (let loop ([k first])
+  (let loop ([k start])
     (cond [(= k end) '()]
           [(straight? k)
            (define next (end-of-stretch k))
@@ -79,11 +79,11 @@
   needed)
 
 (define (write-stretch! a p from to needed)
-  (define first (program-inputs p))
+  (define inputs (program-inputs p))
   (define (in-memory k) (behind rbx (* 8 k)))
   (push! a rbx)
   (lea! a rbx (behind rdi flvector-data))
-  (write-straight-code! a (vector-copy (program-instructions p) (- from first) (- to first)) from
+  (write-straight-code! a (vector-copy (program-instructions p) (- from inputs) (- to inputs)) from
                         in-memory
                         (for/list ([k (in-range from to)] #:when (hash-ref needed k #f))
                           (cons (place k) (in-memory k))))

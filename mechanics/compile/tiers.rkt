@@ -18,12 +18,12 @@
 
 ;; -> (-> (input output -> void)), as program->maker has it
 (define (program->tiered-maker p)
-  (define length (program-length p))
-  (define machine? (> length longest-compiled))
+  (define size (program-length p))
+  (define machine? (> size longest-compiled))
   (cond [(and machine? (machine-procedure p)) => (lambda (run) (lambda () run))]
         [(and machine? (machine-stretches p))
          => (lambda (stretches) (program->interpreter-maker p #:stretches stretches))]
-        [(<= length longest-at-once) (program->maker p)]
+        [(<= size longest-at-once) (program->maker p)]
         [else (tiered-maker p)]))
 
 ;; counted : runs of the interpreter, by all runners; compiled : maker, or #f

@@ -163,10 +163,10 @@
 
 ;; In each part those that its own noise does not account for: a function that ends in nothing
 ;; but noise may well have had zeros before.
-(define (zeros-along parts tolerance noise?)
+(define (zeros-along parts tolerance only-noise?)
   (for*/list ([p (in-list parts)]
               [zeros (in-value (zeros-of (part-coefficients p) tolerance))]
-              #:unless (or (null? zeros) (noise? p))
+              #:unless (or (null? zeros) (only-noise? p))
               [z (in-list zeros)])
     (zero (fl+ (part-from p) (fl* (part-width p) (zero-at z))) (zero-kind z))))
 

@@ -18,7 +18,8 @@
 
 (provide watch-for watches-for watches-by-code)
 
-;; polynomial : interpolant, value where it begins or #f -> its polynomials along the step, or #f
+;; polynomial : interpolant, value where it begins or #f -> its polynomials along the step, or what
+;;              event-polynomial.rkt says instead
 ;; noise?     : one of these -> is the function noise along it?
 ;; sampled    : interpolant -> place -> value; doubtful : the same, of a state that is changed by
 ;;              what is uncertain of it
@@ -44,10 +45,10 @@
     (define (value-at point)
       (code point value)
       (flvector-ref value 0))
-    (define-values (polynomial noise?)
+    (define-values (polynomial only-noise?)
       (polynomial-along (compiled-function-program c) n tolerance value-at))
     (define-values (sampled doubtful) (samplers value-at n tolerance))
-    (watched e polynomial noise? sampled doubtful #f 0.0))
+    (watched e polynomial only-noise? sampled doubtful #f 0.0))
   (lambda () (watch (map new-watch events codes) tolerance)))
 
 (define (watch all tolerance)

@@ -110,10 +110,10 @@
   (define swapped?
     (and (memq name '(fl+ fl*))
          (if (leaf? g) (and (operand c f) (not (operand c g))) (leaf? f))))
-  (define-values (first second) (if swapped? (values g f) (values f g)))
-  (formula! c first r)
-  (define there (operand c second))
-  (unless there (formula! c second (+ r 1)))
+  (define-values (one other) (if swapped? (values g f) (values f g)))
+  (formula! c one r)
+  (define there (operand c other))
+  (unless there (formula! c other (+ r 1)))
   (apply! c name r (or there (+ r 1))))
 
 (define (apply! c name r operand)

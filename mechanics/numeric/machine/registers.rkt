@@ -105,8 +105,8 @@
 ;; The k-th instruction has used these.
 (define (used! s ps k)
   (for ([p (in-list ps)])
-    (define left (let rest ([uses (uses-of s p)])
-                   (if (and (pair? uses) (<= (car uses) k)) (rest (cdr uses)) uses)))
+    (define left (let after ([uses (uses-of s p)])
+                   (if (and (pair? uses) (<= (car uses) k)) (after (cdr uses)) uses)))
     (vector-set! (values-at-uses s) p left)
     (when (null? left) (release! s p))))
 
