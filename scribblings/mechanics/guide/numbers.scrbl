@@ -65,8 +65,9 @@ for, and three things follow from it.
 
 (Racket's compiler makes machine code of short functions. Longer ones, and whole steps of the
 methods of Dormand and Prince, the library writes itself where the processor is an x86-64 and the
-system Linux: within a millisecond or two, and as fast as C that was compiled with @tt{-O2}.
-Elsewhere Racket's compiler does that as well. The numbers are the same, to the last bit.)
+system Linux: within a millisecond or two, and about as fast as C that was compiled with
+@tt{-O2}. Elsewhere Racket's compiler does that as well. The numbers are the same, to the last
+bit.)
 
 @bold{Branches are safe.} A function that decides something by a number cannot be run on a
 placeholder to the end. The comparison notices that it is asked about a placeholder, and
