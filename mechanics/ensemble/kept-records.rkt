@@ -2,9 +2,10 @@
 ;; Records in a file, each with a checksum, so that one that was damaged on the disk is told from
 ;; a good one, and the good ones after it are found.
 ;;
-;; A record is a mark, its length, so many bytes, and the SHA-1 of length and bytes.  Where there
-;; is none that is whole, the next mark is looked for behind which there is one: what lies between
-;; is damaged.  What follows the last good one was cut off while it was written, or is damaged.
+;; A record is a mark, its length, the least byte first, so many bytes, and the SHA-1 of length and
+;; bytes.  Where there is none that is whole, the next mark is looked for behind which there is one:
+;; what lies between is damaged.  What follows the last good one was cut off while it was written,
+;; or is damaged.
 
 (require racket/fasl)
 
@@ -16,7 +17,7 @@
 ;; x -> the bytes of its record
 (define (record-bytes x)
   (define content (s-exp->fasl x))
-  (define body (bytes-append (integer->integer-bytes (bytes-length content) 8 #f) content))
+  (define body (bytes-append (integer->integer-bytes (bytes-length content) 8 #f #f) content))
   (bytes-append mark body (sha1-bytes body)))
 
 ;; size : of the file
@@ -29,10 +30,10 @@
   (file-position in (min place size))
   (define here? (equal? (next (bytes-length mark)) mark))
   (define head (and here? (next 8)))
-  (define content (and head (next (integer-bytes->integer head #f))))
-  (define sum (and content (next checksum-length)))
-  (cond [(not sum) (values #f #f)]
-        [(equal? sum (sha1-bytes (bytes-append head content)))
+  (define content (and head (next (integer-bytes->integer head #f #f))))
+  (define checksum (and content (next checksum-length)))
+  (cond [(not checksum) (values #f #f)]
+        [(equal? checksum (sha1-bytes (bytes-append head content)))
          (values (fasl->s-exp content) #f)]
         [else (values #f #t)]))
 
