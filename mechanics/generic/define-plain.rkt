@@ -20,7 +20,8 @@
   (define-values (name) (telling-what-it-takes 'name (lambda arguments body ...))))
 
 ;; f by that name and with messages of its own
-(define (telling-what-it-takes who f)
+;; advice : keyword -> what to write in place of one that it does not have, a line, or #f
+(define (telling-what-it-takes who f #:advice [advice (lambda (name) #f)])
   (define-values (required known) (procedure-keywords f))
   (define mask (arity-mask f))
   (define (check-count arguments)
@@ -28,7 +29,7 @@
       (raise-other-count who f known (length arguments))))
   (define (apply-with names values . arguments)
     (for ([name (in-list names)])
-      (unless (memq name known) (raise-unknown-keyword who name known)))
+      (unless (memq name known) (raise-unknown-keyword who name known (advice name))))
     (check-count arguments)
     (keyword-apply f names values arguments))
   (define (apply-without . arguments)
@@ -36,8 +37,10 @@
     (apply f arguments))
   (procedure-rename (make-keyword-procedure apply-with apply-without) who))
 
-(define (raise-unknown-keyword who name known)
-  (complain who "there is no keyword ~s here~a" name (keywords->text known)))
+(define (raise-unknown-keyword who name known advice)
+  (complain who "there is no keyword ~s here~a~a" name
+            (keywords->text known)
+            (if advice (string-append "\n  " advice) "")))
 
 (define (raise-other-count who f known n)
   (complain-of-arity who "takes ~a; it was given ~a~a" (arity->text f)

@@ -3,9 +3,10 @@
 
 (require racket/flonum
          "choice.rkt" "followed.rkt" "plan.rkt" "run-system.rkt" "sample-times.rkt"
-         "system/check.rkt" "system/parametric-system.rkt" "system/system.rkt"
+         "system/check.rkt" "system/parametric-system.rkt" "system/separable.rkt"
+         "system/system.rkt"
          "../calculus/perturbed.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../numeric/progress.rkt"
          "../value/shape.rkt")
@@ -27,6 +28,7 @@
     (note-followed derivative-maker parameters state)
     (cond
       [(varied? parameters state duration)
+       (check-method-of-displacements 'state-advancer (plan-method p))
        (continue
         (advance-perturbed 'state-advancer (advancing p) derivative-maker parameters state duration)
         duration duration)]
@@ -47,7 +49,7 @@
     (unless (<= 2 (length arguments) 4)
       (raise-arguments (datum) "a state, a duration and perhaps a tolerance" arguments))
     (apply advance (planning 'state-advancer method longest most bits progress?) arguments))
-  (make-function (telling-what-it-takes 'state-advancer advance/keywords) 28 datum))
+  (make-function (with-tolerance-after "duration" 'state-advancer advance/keywords) 28 datum))
 
 (define (state-alone state duration next) state)
 
@@ -73,6 +75,7 @@
   (define datum (made-by 'linearized-flow derivative-maker parameters))
   (define check-once (rates-check-by-shape 'linearized-flow derivative-maker parameters))
   (define (derivative p parameters? state duration)
+    (check-method-of-displacements 'linearized-flow (plan-method p))
     (check-once state)
     (note-followed derivative-maker parameters state)
     (flow-derivative (advancing p) derivative-maker parameters state duration parameters?))
@@ -86,7 +89,7 @@
     (define plan-with (planning 'linearized-flow method longest most bits progress?))
     (define tolerance (and (pair? (cddr arguments)) (caddr arguments)))
     (derivative (plan-with tolerance) parameters? (car arguments) (cadr arguments)))
-  (make-function (telling-what-it-takes 'linearized-flow derivative/keywords) 12 datum))
+  (make-function (with-tolerance-after "duration" 'linearized-flow derivative/keywords) 12 datum))
 
 ;; A maker that makes something else is told of the state, and not of its displacements: once for
 ;; each shape of state.
@@ -137,7 +140,7 @@
     (unless (<= 4 (length arguments) 5)
       (raise-arguments (datum) evolve-takes arguments))
     (apply follow (planning 'evolve method longest most bits progress?) arguments))
-  (make-function (telling-what-it-takes 'evolve follow/keywords) 48 datum))
+  (make-function (with-tolerance-after "final time" 'evolve follow/keywords) 48 datum))
 
 (define evolve-takes "a state, a monitor, a time step, a final time and perhaps a tolerance")
 

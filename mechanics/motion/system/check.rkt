@@ -5,7 +5,7 @@
          "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
          "../../algebra/expression/symbols.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
          "../../generic/kind.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
          "../../lagrangian/called.rkt" "../../lagrangian/of-momenta.rkt"
          "../../numeric/finite.rkt"
@@ -15,7 +15,7 @@
  ;; numbers
  check-real check-positive check-tolerance check-longest check-most real-number
  ;; procedures
- checked-monitor check-maker takes-state-only? raise-arguments
+ checked-monitor check-maker takes-state-only? raise-arguments with-tolerance-after
  ;; states and their derivatives
  state-vector check-derivative check-rates check-clock state-derivative-hint)
 
@@ -155,6 +155,13 @@
                      (cond [(= n 0) "no arguments"]
                            [(= n 1) (describe-with-value (car arguments))]
                            [else (format "~a arguments" n)])))
+
+;; f by that name; a keyword for the tolerance, as evolve-trajectory has one, is told its place.
+(define (with-tolerance-after what who f)
+  (define (advice name)
+    (and (eq? name '#:tolerance)
+         (format "the tolerance is given without one, after the ~a" what)))
+  (telling-what-it-takes who f #:advice advice))
 
 ;; ---------------------------------------------------------------------------
 ;; States and their derivatives

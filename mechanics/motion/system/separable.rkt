@@ -15,7 +15,7 @@
          "../../numeric/flvector.rkt"
          "../../numeric/ode/stepper.rkt")
 
-(provide check-separable)
+(provide check-separable check-method-of-displacements)
 
 ;; m : method; s : system; y : flvector, the state at the start
 (define (check-separable who m s y)
@@ -70,6 +70,13 @@
             (string-append "~a moves coordinates and velocities in turn; "
                            "here the rates of the ~a depend on the ~a~a")
             (method-name m) rates what (instead m)))
+
+;; The motion of a state with its displacements is that of no coordinates and velocities.
+;; m : method, or #f where numbers have more bits than flonums
+(define (check-method-of-displacements who m)
+  (when (and m (method-alternative m))
+    (complain who "~a follows a state and not how it depends on where it starts~a"
+              (method-name m) (instead m))))
 
 (define (instead m)
   (format "\n  use ~a, or a method that chooses its own steps"

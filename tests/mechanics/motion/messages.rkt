@@ -133,15 +133,18 @@
 ;; ---------------------------------------------------------------------------
 ;; Keywords that are those of another procedure
 
-(define ((unknown who given known) e)
+(define ((unknown who given known [advice ""]) e)
   (equal? (exn-message e)
-          (format "~a: there is no keyword ~s here\n  its keywords: ~s" who given known)))
+          (format "~a: there is no keyword ~s here\n  its keywords: ~s~a" who given known advice)))
+
+(define (after what)
+  (format "\n  the tolerance is given without one, after the ~a" what))
 
 (test-case "an unknown keyword names the procedure that was made, and those it takes"
   (define known '(#:longest-step #:method #:most-steps #:precision #:progress))
-  (check-exn (unknown 'state-advancer '#:tolerance known)
+  (check-exn (unknown 'state-advancer '#:tolerance known (after "duration"))
              (lambda () (advance start 1 #:tolerance 1e-9)))
-  (check-exn (unknown 'evolve '#:tolerance known)
+  (check-exn (unknown 'evolve '#:tolerance known (after "final time"))
              (lambda () (follow start void 0.1 1 #:tolerance 1e-9))))
 
 (test-case "what is loaded on demand tells how many arguments it takes"
