@@ -288,6 +288,25 @@ A pendulum that starts near the top falls the later the nearer it was:
 @examples[#:eval session
 (ref ((linearized-flow (lambda () pendulum)) (up 0 3.14 0) 2 1e-12) 1)]
 
+Where the state derivative jumps from @math{f} to @math{g}, as that of friction does or of a
+contact, a displacement @math{v} jumps, too: where @math{h} passes through zero, to
+@math{v + (g - f) (∇h · v) / (∇h · f)}. The equation of variations knows nothing of that, and so
+all of these pass over it, as do @racket[Lyapunov-exponents] and @racket[Floquet-multipliers].
+Follow the motion to there, by a terminal event, let @math{v} jump, and go on. A kink, as of
+@racket[abs], needs nothing of the kind.
+
+@examples[#:eval session
+(define (to-0 s) (up 1 (velocity s) (if (< (coordinate s) 0) 1 -1)))
+(define at-0
+  (trajectory-final-state
+   (evolve-trajectory to-0 (up 0 1 0) 3 #:events (event coordinate #:terminal? #t))))
+(define flow (linearized-flow (lambda () to-0)))
+(define arriving (* (flow (up 0 1 0) (time at-0)) (up 0 1 0)))
+(define leaving-0
+  (+ arriving (* (up 0 0 2) (/ (coordinate arriving) (velocity at-0)))))
+(* (flow at-0 (- 3 (time at-0))) leaving-0)
+(list (- 1 (* (sqrt 2) (- 3 (sqrt 2)))) (- (sqrt 2)))]
+
 (E. Hairer, S. P. Nørsett and G. Wanner 1993, I.14; the motion of the tangent vectors of
 @sicm{3.7}.)}
 

@@ -90,3 +90,20 @@
   (check-message (string-append "(linearized-flow oscillator 2.0): takes a state, a duration and "
                                 "perhaps a tolerance\n  given: the number 1")
                  ((linearized-flow oscillator 2.0) 1) exn:fail:contract:arity?))
+
+;; A unit force towards 0 from both sides: from x at rest it takes √(2x) to 0, so that later
+;; x(t) = (t - √(2x))²/2 - √(2x) (t - √(2x)).
+(test-case "beyond a jump of the forces displacements jump, as the manual says"
+  (define (to-0 s) (up 1 (ref s 2) (if (< (ref s 1) 0) 1 -1)))
+  (define flow (linearized-flow (lambda () to-0)))
+  (define start (up 0.0 1.0 0.0))
+  (define there
+    (trajectory-final-state
+     (evolve-trajectory to-0 start 3 #:events (event coordinate #:terminal? #t))))
+  (define arriving (* (flow start (ref there 0)) (up 0 1 0)))
+  (define beyond (+ arriving (* (up 0 0 2) (/ (ref arriving 1) (ref there 2)))))
+  (define end (* (flow there (- 3 (ref there 0))) beyond))
+  (define (x-at x) (let ([s (- 3 (sqrt (* 2 x)))]) (- (* 1/2 s s) (* s (sqrt (* 2 x))))))
+  (check-= (x-at 1.0) (ref ((state-advancer (lambda () to-0)) start 3) 1) 1e-8)
+  (check-= (ref end 1) ((D x-at) 1.0) 1e-8)
+  (check-= (ref end 2) (- (sqrt 2.0)) 1e-8))
