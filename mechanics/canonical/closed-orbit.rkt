@@ -49,7 +49,7 @@
         (evolve-trajectory (with-area flow) s longest #:events events #:tolerance tolerance)))
     (define end (trajectory-final-state motion))
     (when (null? (trajectory-events motion))
-      (raise-not-closed who H state (and (not turn) (unscaled end)) longest end))
+      (raise-not-closed who H state (unscaled end) turn longest (* (scale-action c) (part end 2))))
     (check-time-free who H (unscaled end))
     end)
   (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
@@ -77,12 +77,13 @@
   (regexp-replace* #rx"\n  (last state|state derivative)[^\n]*"
                    (regexp-replace #rx"^[^ ]*: " message "") ""))
 
-;; there : the state reached, if no turn was given
-(define (raise-not-closed who H state there longest end)
+;; there : the state reached; turn : that which was given; area : over which it went
+(define (raise-not-closed who H state there turn longest area)
   (raise-not-convergent who (format "the motion through ~a did not close by the time ~a~a"
                                     (value->text state) longest
-                                    (if (and there (turns? H state there)) turn-hint ""))
-                        end +inf.0 #:show? #f))
+                                    (if (and (not turn) (turns? H state there)) turn-hint ""))
+                        (up (time there) (up (coordinate there) (momentum there)) area) +inf.0
+                        #:show? #f))
 
 ;; Did it go round an angle?  Of a coordinate that H does not hold nobody knows.
 (define (turns? H state there)

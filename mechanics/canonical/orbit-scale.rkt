@@ -3,12 +3,14 @@
 ;;
 ;; Integration takes 1 for the size of things that may vanish, and knows nothing of an orbit of
 ;; 1e-15.  With q in units of a, p in units of b, and H in those of a b, the motion is the same in
-;; the same time.  Near a place of rest H = (H_pp p² + H_qq q²)/2, so that p is about r q with
-;; r² = |H_qq/H_pp|; where that is no number, nothing is scaled.
+;; the same time.  Near a place of rest H is (H_pp p² + H_qq q²)/2 but for a constant, so that p is
+;; about r q with r² = H_qq/H_pp, and H_q/H_qq is how far away that place is.  Where H_qq/H_pp is
+;; not positive, as about a saddle, orbits that come near go far, and nothing is scaled.
 ;;
 ;; Scales are powers of 2, by which nothing is rounded.
 
-(require "../calculus/derivative.rkt"
+(require (only-in racket/math sgn)
+         "../calculus/derivative.rkt"
          "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
@@ -26,25 +28,34 @@
 
 ;; state : in flonums, the orbit's
 (define (scale-of-orbit H state)
-  (define-values (q p) (values (abs (coordinate state)) (abs (momentum state))))
-  (define r (and (< 0.0 (max q p) small) (momentum-per-coordinate H state)))
-  (define a (if r (max q (/ p r)) 1.0))
-  (if (and r (< 1e-150 a small) (< 1e-150 (* r a) small))
-      (scale (power-of-2 a) (power-of-2 (* r a)))
+  (define near? (< 0.0 (max (abs (coordinate state)) (abs (momentum state))) small))
+  (define-values (a b) (if near? (size-of-orbit H state) (values 1.0 1.0)))
+  (if (and (< 1e-150 a small) (< 1e-150 b small))
+      (scale (power-of-2 a) (power-of-2 b))
       as-it-is))
 
 (define (power-of-2 x) (expt 2.0 (round (/ (log x) (log 2.0)))))
 
-;; r, or #f
-(define (momentum-per-coordinate H state)
+;; How large coordinate and momentum become, about; 1.0 where that is not known
+(define (size-of-orbit H state)
   (define-values (q p) (values (coordinate state) (momentum state)))
-  (define (bend f x) (derivative-at (lambda (y) (derivative-at f y)) x))
-  (with-handlers ([refusal? (lambda (e) #f)])
-    (define H_qq (bend (lambda (q) (H (up 0.0 q p))) q))
-    (define H_pp (bend (lambda (p) (H (up 0.0 q p))) p))
-    (and (real? H_qq) (rational? H_qq) (real? H_pp) (rational? H_pp)
-         (not (zero? H_qq)) (not (zero? H_pp))
-         (sqrt (abs (/ (exact->inexact H_qq) H_pp))))))
+  (define-values (H_q H_qq) (slope-and-bend (lambda (q) (H (up 0.0 q p))) q))
+  (define-values (H_p H_pp) (slope-and-bend (lambda (p) (H (up 0.0 q p))) p))
+  (cond [(and H_qq H_pp (positive? (* (sgn H_qq) (sgn H_pp))))
+         (define r (sqrt (/ H_qq H_pp)))
+         (define a (max (abs q) (abs (/ H_q H_qq)) (/ (max (abs p) (abs (/ H_p H_pp))) r)))
+         (values a (* r a))]
+        [else (values 1.0 1.0)]))
+
+;; -> the first and second derivative, flonums; or #f and #f
+(define (slope-and-bend f x)
+  (define-values (slope bend)
+    (with-handlers ([refusal? (lambda (e) (values #f #f))])
+      (values (derivative-at f x)
+              (derivative-at (lambda (y) (derivative-at f y)) x))))
+  (if (and (real? slope) (rational? slope) (real? bend) (rational? bend))
+      (values (exact->inexact slope) (exact->inexact bend))
+      (values #f #f)))
 
 (define (in-scale c s)
   (up (time s) (g:/ (coordinate s) (scale-coordinate c)) (g:/ (momentum s) (scale-momentum c))))
