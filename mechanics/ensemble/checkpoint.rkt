@@ -92,8 +92,8 @@
               file)))
 
 (define (note-damage who file damaged)
-  (note (format (string-append "~a: the checkpoint is damaged in ~a, as by a failing disk; the "
-                               "batches that stood there are done again, the others are used"
+  (note (format (string-append "~a: the checkpoint is damaged in ~a, as by a failing disk; "
+                               "batches that stood there alone are done again, the others are used"
                                "\n  file: ~a")
                 who (if (= damaged 1) "one place" (format "~a places" damaged)) file)))
 
