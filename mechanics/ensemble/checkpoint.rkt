@@ -12,7 +12,7 @@
          "batch.rkt" "kept-records.rkt" "task.rkt"
          "../error/complain.rkt" "../error/machine.rkt" "../error/note.rkt")
 
-(provide open-checkpoint checkpointed keep! close-checkpoint task-fingerprint)
+(provide open-checkpoint checkpointed keep! close-checkpoint)
 
 ;; found : hash, index of a batch -> (cons fingerprint finished); port : where to go on;
 ;; bytes-of : what is written of a record
