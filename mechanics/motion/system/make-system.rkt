@@ -5,7 +5,8 @@
          "check.rkt" "clock.rkt" "kept-systems.rkt" "Lagrangian-code.rkt" "manifold.rkt"
          "rates-code.rkt" "system.rkt"
          "../../compile/compile-function.rkt"
-         "../../error/once.rkt"
+         "../../error/complain.rkt" "../../error/once.rkt"
+         "../../generic/describe.rkt"
          "../../numeric/flvector.rkt"
          "../../value/shape.rkt")
 
@@ -24,6 +25,19 @@
                          #:make (lambda () (new-system who (prepare-motion who given state) state))
                          #:keep? system-operations #:good? good?)]))
 
+;; What is compiled is a function.  What is not may depend on more than the state; then no step is
+;; short enough.
+(define (check-repeatable who derivative state)
+  (define s (flvector->structure state (state-vector who state)))
+  (define (rates) (structure->flvector (derivative s) (lambda (x) +nan.0)))
+  (unless (equal? (rates) (rates))
+    (complain who
+              (string-append
+               "the state derivative gives other values each time it is given the same state"
+               "\n  derivative: ~a\n  state: ~a\n  its rates must follow from the state, and the "
+               "time in it; random numbers are drawn before")
+              (describe-with-value derivative) (value->text state))))
+
 ;; Are the rates numbers at y?  If not, it is to be said why.
 (define (starts? s y)
   (define slope (make-flvector (flvector-length y)))
@@ -38,6 +52,7 @@
         (Lagrangian-code who derivative state)
         (let ([slope (check-derivative who derivative state)])
           (compile-function derivative state #:name who #:value slope))))
+  (when (compiled-function-reason code) (check-repeatable who derivative state))
   (define clock? (clock-first? code))
   (define (slope!)
     (define run (compiled-function-runner code))

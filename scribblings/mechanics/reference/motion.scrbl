@@ -11,7 +11,8 @@ shape of state that it meets; exact numbers in states become floating-point numb
 
 A state is a scalar or a tuple of real numbers, of any shape, and its derivative a
 value of the same shape. Where the derivative of the state's first component is the
-constant 1, as in a local tuple, that component is the time.
+constant 1, as in a local tuple, that component is the time. The derivative must follow from the
+state: one that gives other values each time, as random numbers do, is refused.
 
 The tolerance bounds the error of each step, relative to 1 plus the size of each
 component; the steps are as long as it lets them be. It is a positive number not below

@@ -119,6 +119,14 @@
   "evolve-trajectory: expected a method of integration or the name of one\n"
   "  given: the symbol euler\n"
   "  names: (auto Taylor Dormand-Prince-853 Dormand-Prince-54 bulirsch-stoer qcrk4 Radau-IIA-5)"]
+ [(until 1 #:method 'RK45)
+  "evolve-trajectory: expected a method of integration or the name of one\n"
+  "  given: the symbol RK45\n"
+  "  take 'Dormand-Prince-54, or 'Dormand-Prince-853"]
+ [(until 1 #:method "Verlet")
+  "evolve-trajectory: expected a method of integration or the name of one\n"
+  "  given: \"Verlet\", a string\n"
+  "  take (leapfrog h), or (Yoshida-8 h), h being the step"]
  [(leapfrog -1) "leapfrog: expected a positive time step\n  given: the number -1"]
  [(event harmonic)
   "event: expected a function of one state\n"
