@@ -45,7 +45,7 @@
          [(rk45 ode45 dopri5 dp5 tsit5 dormand-prince) "'Dormand-Prince-54, or 'Dormand-Prince-853"]
          [(dop853 dopri8 dp8 vern7 vern8 vern9 ode113) "'Dormand-Prince-853"]
          [(rk4 runge-kutta) "'qcrk4, which chooses its steps; other methods take fewer"]
-         [(radau radau5 radauiia5 lsoda bdf ode15s rodas5 stiff) "'Radau-IIA-5, for stiff systems"]
+         [(radau5 radauiia5 lsoda bdf ode15s rodas5 stiff) "'Radau-IIA-5, for stiff systems"]
          [(gbs odex) "'bulirsch-stoer"]
          [(verlet velocity-verlet stormer-verlet symplectic symplectic-euler)
           "(leapfrog h), or (Yoshida-8 h), h being the step"]
