@@ -16,17 +16,15 @@
 ;; throughout
 (define (machine-procedure p)
   (define instructions (program-instructions p))
-  (define straight?
-    (and (machine?)
-         (<= (vector-length instructions) longest-straight)
-         (for/and ([i (in-vector instructions)]) (machine-instruction? i))))
   (define (code)
     (define a (make-assembly))
     (lea! a rdi (behind rdi flvector-data))
     (lea! a rsi (behind rsi flvector-data))
     (write-procedure! a (program-inputs p) 0 instructions (program-outputs p))
     (assembly->bytes a))
-  (define procedures (and straight? (machine-procedures (code) '((0 flvector flvector)))))
+  (define procedures
+    (and (straight-code? instructions)
+         (machine-procedures (code) '((0 flvector flvector)))))
   (and procedures (car procedures)))
 
 ;; ---------------------------------------------------------------------------

@@ -11,8 +11,8 @@
          "../../compile/cache.rkt" "../../compile/compile-function.rkt"
          "../../compile/jet-program.rkt" "../../compile/program.rkt"
          "../../compile/tangent-program.rkt"
-         "../../numeric/flvector.rkt" "../../numeric/machine/executable.rkt"
-         "../../numeric/machine/straight-code.rkt" "../../numeric/ode/expandable.rkt")
+         "../../numeric/flvector.rkt" "../../numeric/machine/straight-code.rkt"
+         "../../numeric/ode/expandable.rkt")
 
 (provide expander-of program-expander machine-rates-of program-machine-rates
          jacobian-maker rates-jacobian fix-parameters)
@@ -35,9 +35,7 @@
 
 ;; The inputs after the first n are parameters.
 (define (program-machine-rates p n)
-  (and (machine?)
-       (<= (program-length p) longest-straight)
-       (for/and ([i (in-vector (program-instructions p))]) (machine-instruction? i))
+  (and (straight-code? (program-instructions p))
        (make-machine-rates n (- (program-inputs p) n)
                            (program-instructions p) (program-outputs p))))
 

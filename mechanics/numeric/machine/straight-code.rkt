@@ -9,11 +9,18 @@
          "assembler.rkt" "executable.rkt" "instruction-code.rkt" "registers.rkt"
          "straight-instruction.rkt")
 
-(provide machine-instruction? write-straight-code! write-procedure! longest-straight)
+(provide machine-instruction? straight-code? write-straight-code! write-procedure!
+         longest-straight)
 
 ;; So many instructions may be in a procedure: their values take no more than 64 KiB of the stack,
 ;; which a system may have cut to a few hundred for a place.
 (define longest-straight 8192)
+
+;; Can there be a procedure of these instructions, a vector, here?
+(define (straight-code? instructions)
+  (and (machine?)
+       (<= (vector-length instructions) longest-straight)
+       (for/and ([i (in-vector instructions)]) (machine-instruction? i))))
 
 ;; ---------------------------------------------------------------------------
 ;; A procedure
