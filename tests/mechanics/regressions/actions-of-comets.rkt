@@ -4,13 +4,8 @@
 ;; nearest point the energy was a small difference of large numbers.
 
 (require (except-in rackunit fail)
-         mechanics)
-
-(define (Kepler s)
-  (define-values (r p_r L) (values (ref s 1 0) (ref s 2 0) (ref s 2 1)))
-  (- (/ (+ (square p_r) (square (/ L r))) 2) (/ 1 r)))
-
-(define S (separate-Hamilton-Jacobi Kepler (up 't (up 'r 'phi) (down 'p_r 'p_phi))))
+         mechanics
+         "../support/separated-Kepler.rkt")
 
 ;; By the energy without rounding: J = 1/√(−2E) − L, both frequencies (−2E)^(3/2)
 (define (check-orbit r p_r L)
@@ -19,8 +14,8 @@
                                                 (down (inexact->exact p_r) (inexact->exact L)))))))
   (define n (* -2E (sqrt -2E)))
   (define (close x y) (check-= (/ x y) 1 1e-10))
-  (close (ref (separation-actions S s) 0) (- (/ 1 (sqrt -2E)) L))
-  (define omegas (separation-frequencies S s))
+  (close (ref (separation-actions separated-Kepler s) 0) (- (/ 1 (sqrt -2E)) L))
+  (define omegas (separation-frequencies separated-Kepler s))
   (close (ref omegas 0) n)
   (close (ref omegas 1) n))
 
