@@ -14,7 +14,8 @@ export RACKET
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl run show tex export test test-export attack lint lint-texts \
+.PHONY: help demo repl run show tex export attack lint lint-texts \
+        test test-quick test-manual test-figures test-export \
         elsewhere bench peers docs pictures clean \
         racket libraries editing compile begin-tests
 
@@ -29,7 +30,9 @@ help:
 	@echo 'make worksheet   its file for students, and the page to hand out (FILE=my-worksheet.rkt)'
 	@echo 'make handout the page alone        (FILE=my-worksheet.rkt, TO=html|tex, ANSWERS=1, OUT=...)'
 	@echo 'make check   a student, or a class (FILE=answers, WORKSHEET=..., REPORT=report.html)'
-	@echo 'make test    run all tests         (TESTS="file-or-folder ..." for some)'
+	@echo 'make test    run the tests         (TESTS="file-or-folder ..." for some, SUITES=all for all)'
+	@echo 'make test-quick    those that a change concerns, for a minute'
+	@echo 'make test-manual   every example of the manual; make test-figures, the pictures of the book'
 	@echo 'make test-export    exported systems in Python, over Dask and with JAX (installs them in build/export)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    unused requires, long lines, tabs'
@@ -88,10 +91,21 @@ check-file:
 	    $(foreach r,$(REPORT),--report "$(r)") $(if $(GRADESCOPE),--gradescope "$(GRADESCOPE)") \
 	    $(if $(JSON),--json) "$(FILE)"
 
-# What takes long says so at once.
+# What takes long says so at once.  SUITES: everyday, manual, figures, export, or all of them.
+RUN_TESTS = $(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(WAITING_JOBS)
 test: begin-tests compile libraries
-	@$(RACO) make tests/mechanics/runner/main.rkt tests/mechanics/runner/child.rkt
-	@$(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(WAITING_JOBS) $(TESTS)
+	@$(RACO) make $(RUNNER)
+	@$(RUN_TESTS) $(SUITES:%=--suite %) $(TESTS)
+
+# Only what the chosen tests load is compiled.
+test-quick: racket
+	@$(RACO) make $(RUNNER)
+	@$(RUN_TESTS) --quick
+
+test-manual test-figures:
+	@$(MAKE) --no-print-directory test SUITES=$(@:test-%=%)
+
+RUNNER = tests/mechanics/runner/main.rkt tests/mechanics/runner/worker.rkt
 
 begin-tests:
 	@echo 'Looking for what is to be compiled ...'
@@ -124,7 +138,8 @@ bench: compile
 test-export: compile
 	@python3 -m venv build/export
 	@build/export/bin/pip install --quiet -r tests/mechanics/export/requirements.txt
-	@MECHANICS_EXPORT_ALL=1 $(RACKET) tests/mechanics/runner/main.rkt tests/mechanics/export
+	@$(RACO) make $(RUNNER)
+	@MECHANICS_EXPORT_ALL=1 $(RUN_TESTS) tests/mechanics/export
 
 peers:
 	@python3 -m venv build/python

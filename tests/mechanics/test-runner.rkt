@@ -1,5 +1,6 @@
 #lang racket/base
-;; The test runner, run on fixtures of every kind.
+;; The test runner, run on fixtures of every kind; what it keeps of a run, and what it chooses
+;; after a change.
 
 (require compiler/find-exe
          racket/file
@@ -9,7 +10,7 @@
          racket/string
          racket/system
          rackunit
-         "runner/discover.rkt"
+         "runner/discover.rkt" "runner/quick-choice.rkt" "runner/record.rkt"
          "support/process.rkt" "support/skip.rkt")
 
 (define-runtime-path runner "runner/main.rkt")
@@ -37,7 +38,8 @@
 (define start (current-inexact-milliseconds))
 
 (define-values (good-code good)
-  (run (fixture "passing") (fixture "submodule") (fixture "skipping")))
+  (run "--jobs" "1" (fixture "passing") (fixture "submodule") (fixture "skipping")
+       (fixture "changing") (fixture "unchanged")))
 
 ;; Several times what one Racket takes to start here, in whole seconds.
 (define patience
@@ -48,7 +50,7 @@
 
 (test-case "checks are counted, a test case is one, and passing output is not shown"
   (check-line good #rx"^ok +3 .*passing.rkt")
-  (check-equal? (length good) 7))
+  (check-equal? (length good) 9))
 
 (test-case "the test submodule is run where there is one"
   (check-line good #rx"^ok +1 .*submodule.rkt"))
@@ -57,7 +59,11 @@
   (check-line good #rx"^skipped: .*skipping.rkt: no bigfloats on this machine$")
   (check-line good #rx"^skipped: .*skipping.rkt: no display$")
   (check-line good #rx"^2 skipped$")
-  (check-equal? (last good) "5 passed, 0 failed"))
+  (check-equal? (last good) "11 passed, 0 failed"))
+
+(test-case "files in one process see nothing of each other"
+  (check-line good #rx"^ok +1 .*changing.rkt")
+  (check-line good #rx"^ok +5 .*unchanged.rkt"))
 
 ;; ---------------------------------------------------------------------------
 ;; Files that fail
@@ -136,6 +142,76 @@
     (delete-file note)))
 
 ;; ---------------------------------------------------------------------------
+;; What is kept of a run, and what is chosen after a change
+
+(define before (hasheq 'mechanics/map/a.rkt "1" 'mechanics/map/b.rkt "2" 'mechanics/rigid/c.rkt "3"))
+
+(define (entry-of seconds passed? . files) (make-entry seconds files passed? before))
+
+(define entries
+  (hasheq 'tests/mechanics/map/long.rkt (entry-of 70 #t "mechanics/map/a.rkt")
+          'tests/mechanics/map/short.rkt (entry-of 2 #t "mechanics/map/a.rkt")
+          'tests/mechanics/rigid/both.rkt (entry-of 1 #t "mechanics/map/a.rkt" "mechanics/rigid/c.rkt")
+          'tests/mechanics/rigid/own.rkt (entry-of 1 #t "mechanics/rigid/c.rkt" "lib/elsewhere.rkt")
+          'tests/mechanics/map/failing.rkt (entry-of 1 #f "mechanics/map/b.rkt")))
+
+(define kept (record before entries))
+
+(define (stale digests)
+  (for/list ([(name e) (in-hash entries)] #:when (stale? e digests)) name))
+
+(define (same-names? a b) (equal? (sort a symbol<?) (sort b symbol<?)))
+
+(test-case "a test is stale if something that it loads has changed since it passed"
+  (check-equal? (stale before) '(tests/mechanics/map/failing.rkt))
+  (check-true (same-names? (stale (hash-set before 'mechanics/rigid/c.rkt "4"))
+                           '(tests/mechanics/rigid/both.rkt tests/mechanics/rigid/own.rkt
+                             tests/mechanics/map/failing.rkt)))
+  (check-true (same-names? (stale (hash-remove before 'mechanics/rigid/c.rkt))
+                           '(tests/mechanics/rigid/both.rkt tests/mechanics/rigid/own.rkt
+                             tests/mechanics/map/failing.rkt)))
+  (check-true (stale? #f before)))
+
+(test-case "sources that were changed, added and taken away are known"
+  (define now (hash-set* (hash-remove before 'mechanics/map/b.rkt)
+                         'mechanics/map/a.rkt "5" 'mechanics/map/new.rkt "6"))
+  (check-true (same-names? (changed-sources kept now)
+                           '(mechanics/map/a.rkt mechanics/map/b.rkt mechanics/map/new.rkt)))
+  (check-equal? (changed-sources kept before) '()))
+
+(test-case "what is kept is read as it was written; what is no record is none"
+  (define file (make-temporary-file))
+  (write-record kept file)
+  (check-equal? (read-record file) kept)
+  (display-to-file "half of a" file #:exists 'truncate)
+  (check-equal? (read-record file) (record (hasheq) (hasheq)))
+  (delete-file file)
+  (check-equal? (read-record file) (record (hasheq) (hasheq))))
+
+(test-case "after a change the tests of its room come first, the shortest first, while there is time"
+  (define files (for/list ([name (in-hash-keys entries)]) (from-top (symbol->string name))))
+  (define (choice seconds)
+    (define-values (chosen left)
+      (choose-quickly files kept (hash-set before 'mechanics/map/a.rkt "9") seconds))
+    (list (map short-name chosen) (map short-name left)))
+  (check-equal? (choice 100)
+                '(("tests/mechanics/map/failing.rkt" "tests/mechanics/map/short.rkt"
+                   "tests/mechanics/map/long.rkt" "tests/mechanics/rigid/both.rkt")
+                  ()))
+  (check-equal? (choice 10)
+                '(("tests/mechanics/map/failing.rkt" "tests/mechanics/map/short.rkt"
+                   "tests/mechanics/rigid/both.rkt")
+                  ("tests/mechanics/map/long.rkt"))))
+
+(test-case "the source of a house's rules is read by a test that is always chosen"
+  (define rules (from-top "tests/mechanics/architecture.rkt"))
+  (define-values (chosen left)
+    (choose-quickly (list rules)
+                    (record before (hasheq 'tests/mechanics/architecture.rkt (entry-of 3 #t)))
+                    before 60))
+  (check-equal? chosen (list rules)))
+
+;; ---------------------------------------------------------------------------
 ;; Discovery
 
 (test-case "the runner finds tests and not fixtures, benchmarks or itself"
@@ -144,6 +220,15 @@
   (check-true (found? #rx"tests/mechanics/test-runner.rkt$"))
   (check-true (found? #rx"tests/mechanics/numeric/quadrature/gauss-kronrod.rkt$"))
   (check-false (found? #rx"/fixture/|/bench/|/runner/|info.rkt$|/compiled/")))
+
+(test-case "each test belongs to one suite, the day's or one of those that take minutes"
+  (check-equal? (sort (append-map suite-files suites) path<?) (sort (test-files) path<?))
+  (for ([name (in-list suites)]) (check-pred pair? (suite-files name))))
+
+(test-case "a suite that is not there is told, with those that are"
+  (define-values (code lines) (run "--suite" "manaul"))
+  (check-equal? code 1)
+  (check-line lines #rx"there is no suite manaul; there are everyday, manual, figures, export"))
 
 (test-case "the runner compiles the examples that have tests, and leaves them to the tests"
   (define names (map path->string (example-files)))

@@ -37,4 +37,6 @@
   (check-refused (make-bytes 3000000 (char->integer #\1))))
 
 (test-case "no envelope holds more than a worksheet would"
-  (check-refused (bytes-append #"()" (make-bytes 50000000 (char->integer #\space)))))
+  (define (empty-list-and-spaces n) (bytes-append #"()" (make-bytes n (char->integer #\space))))
+  (check-equal? (unseal (envelope (empty-list-and-spaces 3999998))) '())
+  (check-refused (empty-list-and-spaces 3999999)))

@@ -1,0 +1,100 @@
+#lang racket/base
+;; A namespace for each test file: every module has an instance of its own there, as in a
+;; process of its own, but its code is read once for all files.
+;;
+;; `store` holds declarations alone.  Whoever asks for a module in a file's namespace has it
+;; declared in the store first, with all that it requires, and gets the declarations from there.
+;; rackunit is one instance for all files, for it counts.
+
+(provide make-fresh                 ; path of a test -> fresh
+         fresh-namespace fresh-resolver
+         files-loaded)              ; fresh, (path -> boolean) -> (listof path)
+
+;; namespace, resolver : for the parameters current-namespace and current-module-name-resolver
+;; modules : hash, its keys the paths of all modules that were asked for by name
+(struct fresh (namespace resolver modules))
+
+;; test : the file, which tells its namespace from others that it makes
+(define (make-fresh test)
+  (define namespace (new-namespace))
+  (define modules (make-hash))
+  (define (prepare module)
+    (when (or (eq? (current-namespace) namespace) (module-declared? test #f))
+      (hash-set! modules module #t)
+      (declare module namespace)))
+  (fresh namespace (resolver-with prepare) modules))
+
+(define shared '(racket/base rackunit rackunit/log))
+
+(for ([module (in-list shared)]) (dynamic-require module #f))
+(define runner (current-namespace))
+
+(define (new-namespace)
+  (define namespace (make-base-empty-namespace))
+  (for ([module (in-list shared)]) (namespace-attach-module runner module namespace))
+  namespace)
+
+(define store (new-namespace))
+
+;; In the namespace, by way of the store; what cannot be read is left to whoever asked for it.
+(define (declare module namespace)
+  (unless (parameterize ([current-namespace namespace]) (module-declared? module #f))
+    (when (in-store? module)
+      (namespace-attach-module-declaration store module namespace))))
+
+(define (in-store? module)
+  (parameterize ([current-namespace store])
+    (with-handlers ([exn:fail? (lambda (_) #f)])
+      (and (module-declared? module #t)
+           (begin (dynamic-require module (void)) #t)))))
+
+;; A module name resolver that calls `prepare` with the path of a module before it is loaded.
+(define (resolver-with prepare)
+  (define standard (current-module-name-resolver))
+  (case-lambda
+    [(name from) (standard name from)]
+    [(path relative-to syntax load?)
+     (define module (and load? (path-of (standard path relative-to syntax #f))))
+     (when module
+       (parameterize ([current-module-name-resolver standard]) (prepare module)))
+     (standard path relative-to syntax load?)]))
+
+;; The module path of a name, #f for a module without a file.
+(define (path-of name)
+  (define path (resolved-module-path-name name))
+  (cond [(path? path) path]
+        [(and (pair? path) (path? (car path))) `(submod ,@path)]
+        [else #f]))
+
+;; ---------------------------------------------------------------------------
+
+;; The files of the modules that were asked for, and of all that these require; only those that
+;; are `wanted?`, and what those require.
+(define (files-loaded f wanted?)
+  (define seen (make-hash))
+  (define (visit module)
+    (unless (or (hash-ref seen module #f) (not (wanted? (file-of module))))
+      (hash-set! seen module #t)
+      (for-each visit (imports module))))
+  (parameterize ([current-namespace store]) (for-each visit (hash-keys (fresh-modules f))))
+  (hash-keys (for/hash ([module (in-hash-keys seen)]) (values (file-of module) #t))))
+
+(define (file-of module) (if (pair? module) (cadr module) module))
+
+;; module -> paths of the modules that it requires for any phase
+(define imports
+  (let ([known (make-hash)])
+    (lambda (module) (hash-ref! known module (lambda () (read-imports module))))))
+
+(define (read-imports module)
+  (define self (make-resolved-module-path (if (pair? module) (cdr module) module)))
+  (for*/list ([phase (in-list (if (module-declared? module #f) (module->imports module) '()))]
+              #:when (car phase)
+              [index (in-list (cdr phase))]
+              [path (in-value (path-of (resolve index self)))]
+              #:when path)
+    path))
+
+(define (resolve index self)
+  (define-values (path _) (module-path-index-split index))
+  (module-path-index-resolve (module-path-index-join path self)))

@@ -1,0 +1,67 @@
+#lang racket/base
+;; The last run of the tests in this checkout, kept in build/tests.fasl: of each file how long it
+;; took, which sources it loaded, and their fingerprint if it passed.  A test whose sources have
+;; another fingerprint now is stale: something that it loads has changed since it passed.
+
+(require file/sha1
+         racket/fasl
+         racket/file
+         racket/list
+         "discover.rkt")
+
+(provide read-record            ; [file] -> record, an empty one where nothing is kept
+         write-record           ; record, [file] ->
+         (struct-out record) (struct-out entry)
+         source-digests         ; -> hasheq: each source -> digest
+         make-entry             ; seconds, names of files it loaded, passed?, digests -> entry
+         stale?                 ; entry or #f, digests -> boolean
+         changed-sources)       ; record, digests -> sources that are not as they were
+
+;; Sources are named by symbols, their paths from the top folder.
+;; digests : of all sources, when all tests of the day ran; entries : hasheq, test -> entry
+(struct record (digests entries) #:prefab)
+
+;; fingerprint : of the sources, or #f if the test failed
+(struct entry (seconds sources fingerprint) #:prefab)
+
+(define kept (from-top "build/tests.fasl"))
+
+(define (read-record [file kept])
+  (define nothing (record (hasheq) (hasheq)))
+  (with-handlers ([exn:fail? (lambda (_) nothing)])     ; there is none, or half of one
+    (define found (call-with-input-file file fasl->s-exp))
+    (if (record? found) found nothing)))
+
+(define (write-record r [file kept])
+  (make-parent-directory* file)
+  (call-with-atomic-output-file file (lambda (out _) (s-exp->fasl r out))))
+
+;; ---------------------------------------------------------------------------
+
+(define (source-digests)
+  (for*/hasheq ([folder (in-list '("mechanics" "tests" "examples" "scribblings"))]
+                [file (in-list (files-under (from-top folder)))])
+    (values (source-name file) (call-with-input-file file sha1))))
+
+(define (source-name file) (string->symbol (short-name file)))
+
+(define (make-entry seconds files passed? digests)
+  (define sources
+    (filter (lambda (name) (hash-has-key? digests name)) (map string->symbol files)))
+  (entry seconds sources (and passed? (fingerprint sources digests))))
+
+;; A source that is gone has the digest #f.
+(define (fingerprint sources digests)
+  (sha1 (open-input-string
+         (format "~s" (for/list ([s (in-list (sort sources symbol<?))])
+                        (hash-ref digests s #f))))))
+
+(define (stale? e digests)
+  (not (and e (entry-fingerprint e)
+            (equal? (entry-fingerprint e) (fingerprint (entry-sources e) digests)))))
+
+(define (changed-sources r digests)
+  (define before (record-digests r))
+  (for/list ([name (in-list (remove-duplicates (append (hash-keys before) (hash-keys digests))))]
+             #:unless (equal? (hash-ref before name #f) (hash-ref digests name #f)))
+    name))
