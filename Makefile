@@ -16,7 +16,7 @@ MANUAL = scribblings/mechanics/mechanics.scrbl
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
 .PHONY: help demo repl run show tex export attack lint lint-texts \
         test test-quick test-manual test-figures test-export \
-        elsewhere bench peers docs pictures clean \
+        elsewhere bench peers export-python docs pictures clean \
         racket libraries editing compile begin-tests
 
 help:
@@ -41,7 +41,7 @@ help:
 	@echo 'make docs    build the manual in build/doc'
 	@echo 'make pictures    the pictures of the README, of a real DrRacket (Xvfb, xdotool, ImageMagick)'
 	@echo 'make clean   remove all that make built'
-	@echo 'make elsewhere   demo and test on bare Debian 12 and 13 (as root, with debootstrap)'
+	@echo 'make elsewhere   demo and test in bare Debian 12 and 13, four places (as root, with debootstrap)'
 
 demo: compile
 	@$(RACO) make examples/mechanics/demo.rkt
@@ -128,16 +128,18 @@ lint-texts: racket
 	@$(RACKET) .ci/lint.rkt --texts $(FILES)
 
 elsewhere:
-	@.ci/elsewhere.sh $(SUITES)
+	@.ci/elsewhere.sh $(PLACES)
 
 bench: compile
 	@$(RACO) make -j $(JOBS) $(wildcard tests/mechanics/bench/*.rkt)
 	@$(RACKET) tests/mechanics/bench/main.rkt $(TASK)
 
-# What exported systems need in Python, with its versions; once there, `make test` tries it, too.
-test-export: compile
+# What exported systems need in Python, with its versions; once there, their tests use it.
+export-python:
 	@python3 -m venv build/export
 	@build/export/bin/pip install --quiet -r tests/mechanics/export/requirements.txt
+
+test-export: compile export-python
 	@$(RACO) make $(RUNNER)
 	@MECHANICS_EXPORT_ALL=1 $(RUN_TESTS) tests/mechanics/export
 

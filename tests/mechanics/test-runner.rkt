@@ -144,15 +144,18 @@
 ;; ---------------------------------------------------------------------------
 ;; What is kept of a run, and what is chosen after a change
 
-(define before (hasheq 'mechanics/map/a.rkt "1" 'mechanics/map/b.rkt "2" 'mechanics/rigid/c.rkt "3"))
+(define before
+  (hasheq 'mechanics/map/a.rkt "1" 'mechanics/map/b.rkt "2" 'mechanics/rigid/c.rkt "3"))
 
 (define (entry-of seconds passed? . files) (make-entry seconds files passed? before))
 
 (define entries
   (hasheq 'tests/mechanics/map/long.rkt (entry-of 70 #t "mechanics/map/a.rkt")
           'tests/mechanics/map/short.rkt (entry-of 2 #t "mechanics/map/a.rkt")
-          'tests/mechanics/rigid/both.rkt (entry-of 1 #t "mechanics/map/a.rkt" "mechanics/rigid/c.rkt")
-          'tests/mechanics/rigid/own.rkt (entry-of 1 #t "mechanics/rigid/c.rkt" "lib/elsewhere.rkt")
+          'tests/mechanics/rigid/both.rkt
+          (entry-of 1 #t "mechanics/map/a.rkt" "mechanics/rigid/c.rkt")
+          'tests/mechanics/rigid/own.rkt
+          (entry-of 1 #t "mechanics/rigid/c.rkt" "lib/elsewhere.rkt")
           'tests/mechanics/map/failing.rkt (entry-of 1 #f "mechanics/map/b.rkt")))
 
 (define kept (record before entries))
@@ -188,7 +191,7 @@
   (delete-file file)
   (check-equal? (read-record file) (record (hasheq) (hasheq))))
 
-(test-case "after a change the tests of its room come first, the shortest first, while there is time"
+(test-case "tests of the room that changed come first, the shortest first, while there is time"
   (define files (for/list ([name (in-hash-keys entries)]) (from-top (symbol->string name))))
   (define (choice seconds)
     (define-values (chosen left)

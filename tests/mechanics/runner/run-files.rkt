@@ -31,7 +31,9 @@
 (define (outcome-reason o)
   (define r (outcome-result o))
   (or (result-ending r)
-      (and (eqv? 0 (+ (result-passed r) (result-failed r))) (null? (result-skips r)) "ran no test")))
+      (and (null? (result-skips r))
+           (eqv? 0 (+ (result-passed r) (result-failed r)))
+           "ran no test")))
 
 ;; Each file is handed to the next of `jobs` processes that has nothing to do; `limit` : seconds
 ;; that one file may take; report is called with each outcome.
