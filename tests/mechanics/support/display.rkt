@@ -41,8 +41,7 @@
   (dynamic-wind
    void
    (lambda ()
-     (define number (sync/timeout 20 (read-line-evt out)))
-     (use (string->bytes/utf-8 (format ":~a" number))))
+     (use (string->bytes/utf-8 (format ":~a" (read-line out)))))
    (lambda ()
      (subprocess-kill server #t)
      (for-each close-input-port (list out err))

@@ -1,12 +1,12 @@
 #lang racket/base
 ;; Racket at a terminal: a pseudo-terminal that the program `script` of util-linux opens,
-;; which reads from us what somebody would type.  A test waits for what it expects to see,
-;; so that it depends on no clock.
+;; which reads from us what somebody would type.  A test waits for what it expects to see.
 
 (require compiler/find-exe
          racket/port
          racket/string
-         rackunit)
+         rackunit
+         "patience.rkt")
 
 (provide terminals? libedit?
          call-at-terminal    ; (call-at-terminal arguments home f) : (f terminal)
@@ -24,8 +24,6 @@
 ;; process : the program `script`; keys : where we write; seen : what was printed and not yet
 ;; expected
 (struct terminal (process keys screen [seen #:mutable]))
-
-(define patience 120)
 
 ;; home : folder in which the session keeps what it keeps; kind : of terminal
 (define (call-at-terminal arguments home f #:kind [kind "xterm"])
@@ -69,18 +67,16 @@
 
 ;; Waits until the pattern is seen, and takes what is up to its end as read.
 (define-check (shows t pattern)
-  (define deadline (+ (current-inexact-milliseconds) (* 1000 patience)))
   (let wait ()
     (define found (regexp-match-positions pattern (terminal-seen t)))
     (cond [found (set-terminal-seen! t (substring (terminal-seen t) (cdar found)))]
-          [(more t deadline) (wait)]
+          [(more t) (wait)]
           [else (with-check-info (['pattern pattern] ['seen (terminal-seen t)]) (fail-check))])))
 
-;; Adds what is printed next, if anything is before the deadline.
-(define (more t deadline)
+;; Adds what is printed next, if anything is.
+(define (more t)
   (define buffer (make-bytes 4096))
-  (define n (sync/timeout (max 0 (/ (- deadline (current-inexact-milliseconds)) 1000))
-                          (read-bytes-avail!-evt buffer (terminal-screen t))))
+  (define n (sync/patience 60 (read-bytes-avail!-evt buffer (terminal-screen t))))
   (and (exact-positive-integer? n)
        (let ([text (bytes->string/utf-8 (subbytes buffer 0 n) #\?)])
          (set-terminal-seen! t (string-append (terminal-seen t) (string-replace text "\r" "")))
