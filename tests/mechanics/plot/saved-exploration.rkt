@@ -14,7 +14,7 @@
          racket/file
          rackunit
          "../support/display.rkt" (only-in "../support/example-programs.rkt" loaded-from)
-         "../support/picture-programs.rkt" "../support/skip.rkt")
+         "../support/patience.rkt" "../support/picture-programs.rkt" "../support/skip.rkt")
 
 (define-namespace-anchor here)
 
@@ -29,7 +29,7 @@
   (define worker (start-worker map receive))
   (for ([o (in-list orbits)])
     (ask-worker worker o n)
-    (check-not-false (sync/timeout 60 ended)))
+    (check-not-false (sync/patience 60 ended)))
   (stop-worker worker))
 
 (define (explored map n starts #:bounds [bounds '(0 6.29 0 6.29)])

@@ -5,6 +5,7 @@
 (require (prefix-in m: mechanics)
          mechanics/worksheet/class/class-page
          mechanics/worksheet/class/class-tables
+         (only-in mechanics/worksheet/class/cost waits-known?)
          mechanics/worksheet/class/grade
          mechanics/worksheet/class/isolation
          mechanics/worksheet/class/submission
@@ -17,8 +18,9 @@
          racket/tcp
          rackunit
          xml
-         "../../support/skip.rkt"
-         "../../support/hostile-programs.rkt")
+         "../../support/hostile-programs.rkt"
+         "../../support/patience.rkt"
+         "../../support/skip.rkt")
 
 (define folder (make-temporary-file "mechanics-hostile~a" 'directory))
 (file-or-directory-permissions folder #o755)
@@ -73,8 +75,10 @@
 (make-directory (in-quick "one-file"))
 (display-to-file honest (build-path (in-quick "one-file") "answer.rkt"))
 
+;; seconds : what an idle machine takes for the honest, with room
 (define (graded-class place seconds)
-  (define r (grade-class w (folder->submissions 'check place) #:seconds seconds))
+  (define granted ((if (waits-known?) processor-seconds clock-seconds) seconds))
+  (define r (grade-class w (folder->submissions 'check place) #:seconds granted))
   (values r (for/hash ([g (in-list (class-report-graded r))])
               (values (submission-id (graded-submission g)) g))))
 

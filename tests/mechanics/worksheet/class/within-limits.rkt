@@ -9,7 +9,8 @@
          mechanics/worksheet/judgment
          mechanics/worksheet/make-exercise
          mechanics/worksheet/make-worksheet
-         rackunit)
+         rackunit
+         "../../support/patience.rkt")
 
 (define (forever) (let loop () (loop)))
 
@@ -35,7 +36,7 @@
       (loop (+ i 1))))
   (check-false (value-within 1/2 500 fill-without-end))
   (define reader (thread (lambda () (hash-set! table '(7) 'read))))
-  (check-equal? (sync/timeout 30 reader) reader)
+  (check-equal? (sync/patience 30 reader) reader)
   (check-equal? (hash-ref table '(7)) 'read))
 
 ;; ---------------------------------------------------------------------------
@@ -54,7 +55,7 @@
 (test-case "what is long to judge is left to a person, with what follows it in that submission"
   (define r (grade-class w (list (submission-of "k" "quick") (submission-of "l" "slow")
                                  (submission-of "k" "slow"))
-                         #:seconds 3))
+                         #:seconds (processor-seconds 3)))
   (check-equal? (for/list ([g (in-list (class-report-graded r))])
                   (map judgment-status (graded-judgments g)))
                 '((right right) (undecided undecided) (undecided right)))
