@@ -2,7 +2,9 @@
 ;; What the library is asked of a statement, and how its answer is judged.
 
 (require "judge/fault.rkt" "judge/judge.rkt" "judge/motion.rkt" "judge/refutation.rkt"
-         "classes/motions.rkt" "library.rkt" "statement.rkt")
+         "classes/motions.rkt" "library.rkt" "statement.rkt"
+         "../support/patience.rkt"
+         mechanics/worksheet/class/within-limits)
 
 (provide (struct-out outcome) outcomes-of wrong? fault-kind-of claim-again statement-of)
 
@@ -130,33 +132,19 @@
 ;; ---------------------------------------------------------------------------
 ;; Guards
 
-;; Seconds, and bytes, for one claim.
-(define limit 20)
-(define memory-limit (* 1500 1024 1024))
-
-;; Who goes beyond the bytes is ended, and the next ones begin anew.
-(define custodian #f)
-(define (claims-custodian)
-  (unless (and custodian (not (custodian-shut-down? custodian)))
-    (set! custodian (make-custodian))
-    (custodian-limit-memory custodian memory-limit))
-  custodian)
+;; For one claim.
+(define-values (most-seconds most-megabytes) (values 20 1500))
 
 ;; In a thread of its own, so that declarations are forgotten and time is limited.  What
 ;; the constructors refuse, as division by zero, is no claim.
 (define (guarded claim subject thunk)
-  (define result #f)
-  (define (answer!) (set! result (answered claim subject thunk)))
-  (define worker (parameterize ([current-custodian (claims-custodian)]) (thread answer!)))
-  (unless (sync/timeout limit worker)
-    (break-thread worker)
-    (unless (sync/timeout 5 worker) (kill-thread worker)))
+  (define-values (result took)
+    (call-within (processor-seconds most-seconds) most-megabytes
+                 (lambda () (answered claim subject thunk))))
   (or result (outcome claim subject 'slow 'open #f)))
 
-;; -> an outcome, or #f after a break
 (define (answered claim subject thunk)
-  (with-handlers ([exn:break? (lambda (e) #f)]
-                  [no-claim? (lambda (e) (outcome claim subject 'rejected #f #f))]
+  (with-handlers ([no-claim? (lambda (e) (outcome claim subject 'rejected #f #f))]
                   [exn:fail? (lambda (e) (raised claim subject (exn-message e)))])
     (thunk)))
 

@@ -5,17 +5,14 @@
 
 (require rackunit
          (except-in mechanics time) mechanics/book
-         "../support/close.rkt")
+         mechanics/worksheet/class/within-limits
+         "../support/close.rkt" "../support/patience.rkt")
 
 (define (within seconds thunk)
-  (define value #f)
-  (define t
-    (thread (lambda ()
-              (set! value (with-handlers ([exn:fail? exn-message]) (thunk))))))
-  (unless (sync/timeout seconds t)
-    (kill-thread t)
-    (fail "it does not end"))
-  value)
+  (define-values (value took)
+    (call-within (processor-seconds seconds) 1000
+                 (lambda () (with-handlers ([exn:fail? exn-message]) (thunk)))))
+  (or value (fail "it does not end")))
 
 (define-simple-check (check-says text got)
   (and (string? got) (regexp-match? (regexp-quote text) got)))

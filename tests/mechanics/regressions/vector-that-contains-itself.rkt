@@ -4,7 +4,9 @@
 (require mechanics
          mechanics/generic/cyclic
          (only-in mechanics/lang/printer print-result)
-         rackunit)
+         mechanics/worksheet/class/within-limits
+         rackunit
+         "../support/patience.rkt")
 
 (define (vector-in-itself)
   (define v (vector 'a 0))
@@ -16,12 +18,13 @@
   (placeholder-set! p (list 'a p))
   (make-reader-graph p))
 
-;; What is written within a minute, or #f
+;; What is written; #f if it does not end
 (define (written thunk)
   (define out (open-output-string))
-  (define done (thread (lambda () (parameterize ([current-output-port out]) (thunk)))))
-  (begin0 (and (sync/timeout 60 done) (get-output-string out))
-          (kill-thread done)))
+  (define-values (done? took)
+    (call-within (processor-seconds 60) 1000
+                 (lambda () (parameterize ([current-output-port out]) (thunk)) #t)))
+  (and done? (get-output-string out)))
 
 (define-check (check-written thunk expected)
   (define text (written thunk))

@@ -10,11 +10,13 @@
 ;; A procedure so small that it was compiled into others' code would not be
 ;; replaced there: such a mutant survives, and the test that kills it fails.
 
-(require racket/file
+(require mechanics/worksheet/class/within-limits
+         racket/file
          racket/path
          racket/runtime-path
          racket/string
-         syntax/modread)
+         syntax/modread
+         "../patience.rkt")
 
 (provide (struct-out mutant) occurrences try-mutant try-original)
 
@@ -71,10 +73,7 @@
            (eval form))]))
 
 ;; A mutant that does not end has been noticed too.
-(define seconds 60)
-
 (define (limited thunk)
-  (define result "it does not end")
-  (define worker (thread (lambda () (set! result (thunk)))))
-  (unless (sync/timeout seconds worker) (kill-thread worker))
-  result)
+  (define-values (result took)
+    (call-within (processor-seconds 60) 2000 (lambda () (list (thunk)))))
+  (if result (car result) "it does not end"))

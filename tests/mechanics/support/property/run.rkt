@@ -6,12 +6,13 @@
 ;;
 ;; makes a long one, tells every failure with the least expression that fails,
 ;; and counts them by kind.  `--only N` runs the seed N alone; with `--quick`
-;; nothing is shrunk; what takes longer than `--limit` seconds is told as hanging.
+;; nothing is shrunk; what takes more than `--limit` seconds of a processor is told as hanging.
 
 (require racket/cmdline
          racket/list
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
+         mechanics/worksheet/class/within-limits
          "expressions.rkt" "places.rkt" "property.rkt" "rules.rkt" "shrink.rkt" "value.rkt")
 
 (provide run-seed (struct-out failure) failure->string)
@@ -218,12 +219,6 @@
 
 ;; The failures of a seed, or (hanging).
 (define (within limit seed shrink?)
-  (define found '(hanging))
-  (define worker
-    (thread (lambda ()
-              (with-handlers ([exn:break? void])
-                (set! found (run-seed seed #:shrink? shrink?))))))
-  (unless (sync/timeout limit worker)
-    (break-thread worker)
-    (unless (sync/timeout 5 worker) (kill-thread worker)))
-  found)
+  (define-values (found took)
+    (call-within limit 2000 (lambda () (run-seed seed #:shrink? shrink?))))
+  (or found '(hanging)))
