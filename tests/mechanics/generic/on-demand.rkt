@@ -2,7 +2,8 @@
 ;; Files loaded when something of theirs is called: once, whatever happens meanwhile.
 
 (require racket/runtime-path
-         rackunit)
+         rackunit
+         "../support/patience.rkt")
 
 (define-runtime-path asking "../runner/fixture/on-demand/asking.rkt")
 (define-runtime-path here "../runner/fixture/on-demand/here.rkt")
@@ -17,14 +18,12 @@
 (define (message-of thunk)
   (with-handlers ([exn:fail? exn-message]) (thunk)))
 
-;; Waits until it is so, or ten seconds.
-(define (wait-until true?)
-  (let loop ([tries 1000])
-    (unless (or (true?) (= tries 0))
-      (sleep 0.01)
-      (loop (- tries 1)))))
+;; Waits until the slow file is being loaded, which goes on when the gate is open.
+(define (wait-for-loading get)
+  (check-true (eventually (pair? ((get 'events))))))
 
 (define (check-slow-done get)
+  ((get 'open-gate))
   (check-equal? ((get 'slow-value)) 1)
   (check-equal? ((get 'events)) '(begun done)))
 
@@ -47,7 +46,16 @@
   (call-with-fixture
    (lambda (get space)
      (define slow (get 'slow-value))
-     (for-each thread-wait (for/list ([i 3]) (thread slow)))
+     (define asking (make-semaphore))
+     (define threads
+       (for/list ([i 3])
+         (thread (lambda ()
+                   (semaphore-post asking)
+                   (slow)))))
+     (for ([_ 3]) (semaphore-wait asking))
+     (wait-for-loading get)
+     ((get 'open-gate))
+     (for-each thread-wait threads)
      (check-slow-done get))))
 
 (test-case "a break reaches the caller while the file is loading, and the loading goes on"
@@ -59,7 +67,7 @@
        (thread (lambda ()
                  (with-handlers ([exn:break? (lambda (e) (set! seen ((get 'events))))])
                    (slow)))))
-     (wait-until (lambda () (pair? ((get 'events)))))
+     (wait-for-loading get)
      (break-thread caller)
      (thread-wait caller)
      (check-equal? seen '(begun))
@@ -68,7 +76,7 @@
 (test-case "killing the caller does no harm, nor does a limit of time"
   (define ((killed-by kill) get space)
     (define slow (get 'slow-value))
-    (kill slow (lambda () (wait-until (lambda () (pair? ((get 'events)))))))
+    (kill slow (lambda () (wait-for-loading get)))
     (check-slow-done get))
   (call-with-fixture
    (killed-by (lambda (slow wait)
@@ -83,12 +91,16 @@
                 (custodian-shutdown-all limits)))))
 
 (test-case "a file that is being loaded may ask for another"
-  (call-with-fixture (lambda (get space) (check-equal? ((get 'nested-value)) 2))))
+  (call-with-fixture
+   (lambda (get space)
+     ((get 'open-gate))
+     (check-equal? ((get 'nested-value)) 2))))
 
 (test-case "who holds the lock of the namespace may ask"
   (call-with-fixture
    (lambda (get space)
      (define slow (get 'slow-value))
+     ((get 'open-gate))
      (check-equal? (namespace-call-with-registry-lock space slow) 1))))
 
 (test-case "a file is loaded into the namespace of the one who asks"
