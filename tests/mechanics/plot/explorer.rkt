@@ -38,4 +38,5 @@
    "as DrRacket runs a program: it waits, its value is a picture, Stop ends it"
    in-DrRacket
    '("shown" "the program waits" "closed, and the program goes on"
-     "its value is a picture of the orbits" "shown" "stopped" "and the window is gone")))
+     "its value is a picture of the orbits" "shown" "waits again" "stopped"
+     "and the window is gone")))

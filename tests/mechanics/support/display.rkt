@@ -3,6 +3,7 @@
 ;; program, Xvfb, that stands for one.
 
 (require compiler/find-exe
+         racket/file
          racket/port
          racket/string
          rackunit
@@ -11,7 +12,7 @@
 (provide
  run-program         ; (run-program file environment argument ...) -> what it prints, a string
  environment-with    ; (environment-with display) -> environment variables
- call-with-display   ; (call-with-display use) : (use display)
+ call-with-display   ; (call-with-display use) : (use display); the file SCREEN_FILE has its pixels
  display-server      ; -> path or #f
  test-windows)       ; (test-windows name program expected)
 
@@ -34,18 +35,24 @@
 
 ;; Xvfb chooses a number that is free and writes it, with a newline, to port 1.
 (define (call-with-display use)
+  (define folder (make-temporary-file "screen~a" 'directory))
   (define-values (server out in err)
     (parameterize ([current-subprocess-custodian-mode 'kill])
-      (subprocess #f #f #f (display-server)
-                  "-displayfd" "1" "-screen" "0" "800x600x24" "-nolisten" "tcp")))
+      (subprocess #f #f #f (display-server) "-displayfd" "1" "-fbdir" (path->string folder)
+                  "-screen" "0" "800x600x24" "-nolisten" "tcp")))
   (dynamic-wind
    void
    (lambda ()
-     (use (string->bytes/utf-8 (format ":~a" (read-line out)))))
+     (define display (string->bytes/utf-8 (format ":~a" (read-line out))))
+     (parameterize ([current-environment-variables (environment-with display)])
+       (putenv "SCREEN_FILE" (path->string (build-path folder "Xvfb_screen0")))
+       (use display)))
    (lambda ()
      (subprocess-kill server #t)
+     (subprocess-wait server)
      (for-each close-input-port (list out err))
-     (close-output-port in))))
+     (close-output-port in)
+     (delete-directory/files folder))))
 
 ;; The program says the expected lines, all of them and in this order, where there is a
 ;; display; libraries may complain in between, as they do where there is no home to keep
