@@ -6,12 +6,13 @@
 ;; A program that raises, exits or does not end is a test that fails, and the others go on.
 
 (require rackunit
-         rackunit/log)
+         rackunit/log
+         "patience.rkt")
 
 (provide
  loaded-from      ; (loaded-from anchor library ...) -> namespace
  alone            ; (alone name body ...): in a thread; fails by that name, a string
- patience         ; parameter: seconds that the body may take
+ over-time        ; parameter: an event that stops a body before patience is over
  run-example      ; (run-example namespace program argument ...) -> what it prints
  test-example)    ; (test-example namespace file): its tests, as if they stood here
 
@@ -42,7 +43,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define patience (make-parameter 300))
+(define over-time (make-parameter never-evt))
 
 (define-syntax-rule (alone name body ...)
   (call-alone name (lambda () body ... (void))))
@@ -59,7 +60,8 @@
                 (thunk)
                 #f)))))
   (define runner (thread run))
-  (unless (sync/timeout (patience) runner)
+  (sync/patience 300 runner (over-time))
+  (unless (thread-dead? runner)
     (kill-thread runner)
-    (set! outcome (failed "stopped after ~a s" (patience))))
+    (set! outcome (failed "stopped, for it does not end")))
   (when outcome (test-case name (outcome))))

@@ -20,7 +20,6 @@
                 (semaphore-post started)
                 ((assumptions-reference A))))))
   (semaphore-wait started)
-  (sleep 0.02)
   (break-thread interrupted)
   (thread-wait interrupted)
   (check-pred procedure? ((assumptions-reference A))))

@@ -158,8 +158,9 @@
   (make-directory (in-folder "class"))
   (write-text "class/ann.rkt" (student-with answers))
   (write-text "class/bob.rkt" (string-replace (text "first-student.rkt") "Name: " "Name: Bob B."))
-  (check-equal? (command "check" "class" "--worksheet" "first.rkt" "--report" "r.html"
-                         "--report" "r.csv" "--report" "r.json" "--gradescope" "results")
+  (check-equal? (command "check" "class" "--worksheet" "first.rkt" "--seconds" "600"
+                         "--report" "r.html" "--report" "r.csv" "--report" "r.json"
+                         "--gradescope" "results")
                 '(0 "ann  3 of 9\nBob B.  0 of 9\n"))
   (check-true (well-formed? (text "r.html")))
   (check-equal? (length (regexp-match* #rx"\r\n" (text "r.csv"))) 3)
