@@ -1,11 +1,16 @@
 #lang racket/base
 ;; Word of what the prompt is doing, where it takes longer than one waits without asking.
 
-(provide call-announced)
+(provide call-announced patience)
 
-;; (f), and the text as a remark on the error port if that is not done after so many seconds.
-(define (call-announced seconds text f)
+;; Seconds without a word; #f for never.  Libraries are loaded for the first result; on most
+;; machines that takes less than one.
+(define patience (make-parameter 1))
+
+;; (f), and the text as a remark on the error port if that takes longer than our patience.
+(define (call-announced text f)
   (define port (current-error-port))
+  (define seconds (patience))
   (define done (make-semaphore))
   (dynamic-wind
    (lambda ()

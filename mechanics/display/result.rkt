@@ -29,14 +29,11 @@
 (define (typeset-result x width manner see)
   (define-values (shown notes) (shown-throughout x see))
   (call-announced
-   patience "typesetting the result ..."
+   "typesetting the result ..."
    (lambda ()
      (styled-result shown notes width manner
                     (lambda () (result-text x width see))
                     laid-out))))
-
-;; Seconds.  The libraries are loaded for the first result; on most machines that takes less.
-(define patience 1)
 
 ;; As an S-expression.  The elements of a list or vector are simplified though Racket prints it.
 (define (expression-result x width see)

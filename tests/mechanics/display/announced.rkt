@@ -8,8 +8,8 @@
 (define (announced seconds f)
   (define port (open-output-string))
   (define value
-    (parameterize ([current-error-port port])
-      (call-announced seconds "waiting ..." (lambda () (f port)))))
+    (parameterize ([current-error-port port] [patience seconds])
+      (call-announced "waiting ..." (lambda () (f port)))))
   (list value (get-output-string port)))
 
 (define (wait-for-text port)
