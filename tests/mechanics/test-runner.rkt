@@ -11,7 +11,7 @@
          racket/system
          rackunit
          "runner/discover.rkt" "runner/quick-choice.rkt" "runner/record.rkt"
-         "support/process.rkt" "support/skip.rkt")
+         "support/patience.rkt" "support/process.rkt" "support/skip.rkt")
 
 (define-runtime-path runner "runner/main.rkt")
 (define-runtime-path fixtures "runner/fixture")
@@ -105,10 +105,8 @@
 
 ;; What another process writes to a file, once it does.
 (define (wait-for-text file)
-  (or (for/or ([_ (in-range 1200)])
-        (sleep 0.1)
-        (define text (string-trim (file->string file)))
-        (and (non-empty-string? text) text))
+  (or (eventually (let ([text (string-trim (file->string file))])
+                    (and (non-empty-string? text) text)))
       (fail "the hanging file was not started")))
 
 ;; Start the runner on the hanging file, which notes the number of its child.

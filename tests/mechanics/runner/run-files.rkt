@@ -8,7 +8,7 @@
 (require compiler/find-exe
          racket/port
          racket/runtime-path
-         "result.rkt")
+         "../support/patience.rkt" "result.rkt")
 
 (provide run-files              ; paths, jobs, seconds, report -> (listof outcome)
          outcome-file outcome-output
@@ -35,8 +35,8 @@
            (eqv? 0 (+ (result-passed r) (result-failed r)))
            "ran no test")))
 
-;; Each file is handed to the next of `jobs` processes that has nothing to do; `limit` : seconds
-;; that one file may take; report is called with each outcome.
+;; Each file is handed to the next of `jobs` processes that has nothing to do; report is called with
+;; each outcome.  limit : seconds that one file may take, more on a machine that is slow or busy
 (define (run-files files jobs limit report)
   (define to-do (make-channel))
   (define done (make-channel))
@@ -83,30 +83,37 @@
 
 (define (run-file w file limit)
   (define start (current-inexact-milliseconds))
+  (define written (open-output-bytes))
+  (define found #f)
   (set-worker-files! w (+ 1 (worker-files w)))
-  (with-handlers ([exn:fail? void])          ; of a process that has died
-    (writeln (path->string file) (worker-in w))
-    (flush-output (worker-in w)))
-  (define-values (found output) (read-result w (alarm-evt (+ start (* 1000 limit)))))
+  (ask w file)
+  (define reader (thread (lambda () (set! found (read-result w written)))))
+  (unless (or (sync/timeout limit reader) (sync/timeout (- (clock-seconds limit) limit) reader))
+    (kill-thread reader)
+    (stop w))
   (define (unfinished how)
     (result 0 0 '() how (/ (- (current-inexact-milliseconds) start) 1000) '()))
   (outcome file
-           (cond [(result? found) found]
+           (cond [(not found) (unfinished (format "stopped after ~a s" limit))]
                  [(eof-object? found) (unfinished (format "died with exit code ~a" (exit-code w)))]
-                 [else (stop w) (unfinished (format "stopped after ~a s" limit))])
-           output))
+                 [else found])
+           (bytes->string/utf-8 (get-output-bytes written) #\?)))
 
-;; -> a result, eof if the process ended, or #f if the alarm came first; and what was printed
-(define (read-result w alarm)
+;; One that has died takes no question.
+(define (ask w file)
+  (with-handlers ([exn:fail? void])
+    (writeln (path->string file) (worker-in w))
+    (flush-output (worker-in w))))
+
+;; written : port for what is printed before the result -> result, or eof if the process ended
+(define (read-result w written)
   (define result-line (bytes-append (worker-mark w) #" "))
-  (define (ended-with x lines)
-    (values x (bytes->string/utf-8 (apply bytes-append (reverse lines)) #\?)))
-  (let loop ([lines '()])
-    (define line (sync (wrap-evt alarm not) (line-evt w)))
-    (cond [(or (not line) (eof-object? line)) (ended-with line lines)]
+  (let loop ()
+    (define line (sync (line-evt w)))
+    (cond [(eof-object? line) line]
           [(bytes-prefix? line result-line)
-           (ended-with (read (open-input-bytes (subbytes line (bytes-length result-line)))) lines)]
-          [else (loop (cons (bytes-append line #"\n") lines))])))
+           (read (open-input-bytes (subbytes line (bytes-length result-line))))]
+          [else (write-bytes line written) (newline written) (loop)])))
 
 ;; The next line, or eof.  Programs that outlive the process would keep its output open: they
 ;; are ended when it has ended.
