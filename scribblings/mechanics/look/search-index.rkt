@@ -45,7 +45,7 @@
      (define-values (name about)
        (values (string-join (second e)) (described renderer index info (fourth e))))
      (define card (and (exported-index-desc? about) (hash-ref card-of name #f)))
-     (list name address (kind about card) (sentence card)))))
+     (list name address (kind (first e) about card) (sentence card)))))
 
 ;; Which libraries export a name is known when the whole manual is.
 (define (described renderer index info description)
@@ -59,10 +59,11 @@
     [`((a ,attributes . ,_)) (cond [(assq 'href attributes) => cadr] [else #f])]
     [_ #f]))
 
-(define (kind description card)
+;; A library is known by its tag: how the index describes one depends on Racket's version.
+(define (kind tag description card)
   (cond [card (symbol->string (card-library card))]
         [(exported-index-desc? description) "name"]
-        [(module-path-index-desc? description) "library"]
+        [(eq? (first tag) 'mod-path) "library"]
         [else "section"]))
 
 (define (sentence card) (or (and card (card-sentence card)) ""))
