@@ -29,18 +29,17 @@
 (define (graded-open g)
   (for/sum ([j (in-list (graded-judgments g))]) (if (judgment-share j) 0 1)))
 
-;; tell : of each that is done, called with how many are
+;; strictest : rung of isolation, the first that is tried; tell : of each that is done, called with
+;; how many are
 (define (grade-class w submissions
                      #:seconds [seconds 10] #:megabytes [megabytes 512]
-                     #:namespaces? [namespaces? #t] #:tell [tell void])
-  (define i (find-isolation megabytes seconds #:namespaces? namespaces?))
+                     #:strictest [strictest 'namespaces] #:tell [tell void])
   (define known (make-hash))
-  (dynamic-wind
-   void
-   (lambda ()
-     (class-report w (isolation-warning i)
-                   (grade-all i (exercises-of w) submissions known tell)))
-   (lambda () (close-isolation i))))
+  (call-with-isolation
+   megabytes seconds #:strictest strictest
+   (lambda (i)
+     (class-report w (rung-warning (isolation-rung i))
+                   (grade-all i (exercises-of w) submissions known tell)))))
 
 ;; known : table of the judgments made so far
 (define (grade-all i exercises submissions known tell)

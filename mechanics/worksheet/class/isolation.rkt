@@ -5,11 +5,16 @@
 ;; starts has no sandbox around it.  So, where Linux has the tools, the process is
 ;;
 ;;   prlimit   limited in memory, time, processes, and files, of which it can write none;
-;;   setpriv   run by nobody, if we are root;
 ;;   unshare   in namespaces of its own: no network, no process but its own, which all end with
-;;             the first; its root directory holds Racket and this library, read only.
+;;             the first; its root directory holds Racket and this library, read only;
+;;   setpriv   run by nobody, if we are root, and without privileges.
 ;;
-;; Whether they work is tried.  Where they do not, the report says so.
+;; A container may give no namespaces, and root's home lets nobody in.  So these rungs are tried,
+;; the strictest first, until the library loads:
+;;
+;;   namespaces   all of that;
+;;   nobody       prlimit and setpriv, for root alone; a library that only root can read is copied;
+;;   own          prlimit: the process belongs to whoever asked.
 
 (require racket/file
          racket/list
@@ -18,40 +23,72 @@
          setup/dirs
          "tasks.rkt")
 
-(provide find-isolation close-isolation
-         isolation-seconds isolation-megabytes isolation-complete? isolation-warning
+(provide call-with-isolation rungs
+         isolation-seconds isolation-megabytes isolation-rung isolation-complete?
+         rung-warning
          start-isolated)
 
-;; limits, person, spaces : lists of strings that stand before a command, each perhaps empty
-;; folder  : where the root directory of the process is put together, or #f
-(struct isolation (megabytes seconds limits? person spaces folder))
+;; megabytes, seconds : of each submission, what it may cost (cost.rkt)
+;; limits? : does prlimit set limits?  nobody? : does setpriv change the user?
+;; rung    : of `rungs`
+;; folder  : the mount point of the root directory, or the place of a copied library, or #f
+(struct isolation (megabytes seconds limits? nobody? rung folder))
 
-(define (isolation-complete? i) (and (isolation-folder i) #t))
+(define rungs '(namespaces nobody own))
 
-;; What is to be told on top of a report, or #f.
-(define (isolation-warning i)
-  (and (not (isolation-complete? i))
-       (string-append
-        "Submissions were run in Racket's sandbox alone, for this system gives them no namespaces "
-        "of their own (unshare, setpriv, prlimit; see the manual). A sandbox can be escaped from: "
-        "do not run submissions of people whom you do not trust here.")))
+(define (isolation-complete? i) (eq? 'namespaces (isolation-rung i)))
 
-;; megabytes, seconds : of each submission, what it may cost (cost.rkt).  namespaces? : #f
-;; leaves them out
-(define (find-isolation megabytes seconds #:namespaces? [namespaces? #t])
-  (define person
-    (if (and (find "setpriv") (root?))
-        (list (find "setpriv") (format "--reuid=~a" nobody) (format "--regid=~a" nobody)
-              "--clear-groups" "--no-new-privs")
-        '()))
-  (define limited (isolation megabytes seconds (and (find "prlimit") #t) person '() #f))
-  (define full (and namespaces? (find "prlimit") (find "unshare") (find "setpriv")
-                    (with-namespaces limited)))
-  (cond [(and full (works? full)) full]
-        [else (when full (close-isolation full))
-              limited]))
+;; What a report says on top, or #f.
+(define (rung-warning rung)
+  (case rung
+    [(namespaces) #f]
+    [(nobody)
+     (string-append
+      "Submissions were run by the user nobody, in Racket's sandbox, without namespaces of their "
+      "own, which this system does not give (see the manual). A sandbox can be escaped from, and "
+      "who escapes can read what every user of this system can, reach its network, and disturb "
+      "other submissions. Keep worksheets in a folder that only you can read; judge submissions of "
+      "people whom you do not trust on a system that gives namespaces.")]
+    [(own)
+     (string-append
+      "Submissions were run in your name, in Racket's sandbox alone, for this system gives them "
+      "neither namespaces of their own nor another user (unshare, setpriv, prlimit; see the "
+      "manual). A sandbox can be escaped from, and who escapes can read and change what you can. "
+      "Do not run submissions of people whom you do not trust here; use a virtual machine with "
+      "Linux.")]))
 
-(define nobody 65534)
+;; Gives the strictest isolation that works to `use`; its folder is gone afterwards, whatever
+;; happens.  strictest : of the rungs that are tried
+(define (call-with-isolation megabytes seconds use #:strictest [strictest 'namespaces])
+  (define folder #f)
+  (dynamic-wind
+   (lambda () (set! folder (make-folder)))
+   (lambda () (use (find-isolation megabytes seconds folder (memq strictest rungs))))
+   (lambda () (when folder (delete-directory/files folder #:must-exist? #f)))))
+
+;; -> a folder that everybody may read, or #f where none can be made
+(define (make-folder)
+  (with-handlers ([exn:fail:filesystem? (lambda (e) #f)])
+    (define folder (make-temporary-file "mechanics-class~a" 'directory))
+    (file-or-directory-permissions folder #o755)
+    folder))
+
+;; The last resort is not tried: what fails in it fails everywhere.
+(define (find-isolation megabytes seconds folder tried)
+  (define prlimit? (and (find "prlimit") #t))
+  (define setpriv? (and (find "setpriv") #t))
+  (define nobody? (and setpriv? (root?)))
+  (define (try rung nobody? folder)
+    (define i (isolation megabytes seconds prlimit? nobody? rung folder))
+    (and (memq rung tried) (works? i) i))
+  (or (and folder prlimit? setpriv? (find "unshare")
+           (or (and nobody? (try 'namespaces #t folder))
+               (try 'namespaces #f folder)))
+      (and nobody?
+           (or (try 'nobody #t #f)
+               (and folder (memq 'nobody tried) (copy-library folder) (try 'nobody #t folder))))
+      (try 'own #f #f)
+      (isolation megabytes seconds #f #f 'own #f)))
 
 (define (find name) (let ([p (find-executable-path name)]) (and p (path->string p))))
 
@@ -59,17 +96,15 @@
   (define id (find "id"))
   (and id (equal? "0\n" (output-of (lambda () (subprocess #f #f #f id "-u"))))))
 
-(define (with-namespaces i)
-  (define folder (make-temporary-file "mechanics-class~a" 'directory))
-  (file-or-directory-permissions folder #o755)
-  (struct-copy isolation i
-               [spaces (list (find "unshare") "--user" "--map-root-user" "--mount" "--pid" "--net"
-                             "--ipc" "--uts" "--fork" "--kill-child" "--")]
-               [folder folder]))
-
-(define (close-isolation i)
-  (when (isolation-folder i)
-    (delete-directory/files (isolation-folder i) #:must-exist? #f)))
+;; Whatever the modes of its files, everybody may read the copy; by their times compiled ones are
+;; known to be up to date. -> was there room for it?
+(define (copy-library folder)
+  (define copy (build-path folder "mechanics"))
+  (with-handlers ([exn:fail:filesystem? (lambda (e) #f)])
+    (copy-directory/files (collection-folder) copy #:keep-modify-seconds? #t)
+    (for ([path (in-sequences (list copy) (in-directory copy))])
+      (file-or-directory-permissions path (if (directory-exists? path) #o755 #o644)))
+    #t))
 
 ;; ---------------------------------------------------------------------------
 ;; The command
@@ -85,12 +120,26 @@
                  [subprocess-group-enabled #t])
     (apply subprocess #f #f #f command)))
 
-;; All that it needs being readable. -> list of strings
+;; -> list of strings
 (define (isolated-command i arguments)
+  (define command (append (list (path->string (racket-program))) (racket-options i) arguments))
   (append (if (isolation-limits? i) (limits i) '())
-          (isolation-person i)
-          (in-namespaces i (append (list (path->string (racket-program))) (racket-options i)
-                                   arguments))))
+          (case (isolation-rung i)
+            [(namespaces) (in-namespaces i (append (setpriv i "--bounding-set=-all"
+                                                            "--inh-caps=-all")
+                                                   command))]
+            [(nobody) (append (setpriv i) command)]
+            [else command])))
+
+(define (setpriv i . options)
+  (append (list (find "setpriv"))
+          (if (isolation-nobody? i)
+              (list (format "--reuid=~a" nobody) (format "--regid=~a" nobody) "--clear-groups")
+              '())
+          options
+          (list "--no-new-privs")))
+
+(define nobody 65534)
 
 ;; Racket reserves more addresses than it uses.  Its time is watched over from outside; this
 ;; limit, which counts that of loading as well, is for what would not be seen there.
@@ -102,25 +151,27 @@
         "--"))
 
 ;; The system counts all tasks of a user against the limit, whoever started them.
-(define (user-of i) (if (null? (isolation-person i)) (owner "/proc/self") nobody))
+(define (user-of i) (if (isolation-nobody? i) nobody (owner "/proc/self")))
 
+;; Root makes its own and hands what only root can read to nobody; others, and a root of a
+;; container, make them within a namespace of users.
 (define (in-namespaces i command)
-  (if (isolation-folder i)
-      (append (isolation-spaces i)
-              (list "/bin/sh" "-c" set-up "sh" (path->string (isolation-folder i))
-                    (path->string (collection-folder))
-                    (number->string (length (needed-folders))))
-              (needed-folders)
-              command)
-      command))
+  (append (list (find "unshare"))
+          (if (isolation-nobody? i) '() '("--user" "--map-root-user"))
+          '("--mount" "--pid" "--net" "--ipc" "--uts" "--fork" "--kill-child" "--")
+          (list "/bin/sh" "-c" set-up "sh" (path->string (isolation-folder i))
+                (path->string (collection-folder))
+                (number->string (length (needed-folders))))
+          (needed-folders)
+          command))
 
 ;; $1 : where to put the root directory together; $2 : the collection of this library, of which
 ;; nothing around it is seen; $3 : how many folders follow that it needs; then the command.
 ;; The system may refuse a folder without what is mounted in it; then that comes along.  Racket
-;; asks /proc for its own name.  Capabilities, which only hold in the namespaces anyway, are
-;; given up.
+;; asks /proc for its own name.
 (define set-up #<<sh
 set -e
+umask 022
 root=$1; collection=$2; count=$3; shift 3
 show() {
   mkdir -p "$2"
@@ -137,10 +188,10 @@ while [ "$count" -gt 0 ]; do
 done
 show "$collection" "$root/library/mechanics"
 mkdir "$root/proc"
-mount -t proc proc "$root/proc"
+mount -t proc -o ro proc "$root/proc"
 mount -o remount,bind,ro "$root"
 cd /
-exec chroot "$root" /usr/bin/setpriv --bounding-set=-all --inh-caps=-all --no-new-privs "$@"
+exec chroot "$root" "$@"
 sh
   )
 
@@ -151,9 +202,10 @@ sh
 
 ;; Where the collection of this library is found; nothing of the user's own.
 (define (racket-options i)
-  (list "-A" "/nowhere" "-S" (if (isolation-folder i)
-                                 "/library"
-                                 (path->string (build-path (collection-folder) 'up)))))
+  (list "-A" "/nowhere"
+        "-S" (cond [(isolation-complete? i) "/library"]
+                   [(isolation-folder i) => path->string]
+                   [else (path->string (build-path (collection-folder) 'up))])))
 
 (define (collection-folder) (simple-form-path (collection-path "mechanics")))
 
@@ -174,8 +226,11 @@ sh
 ;; ---------------------------------------------------------------------------
 ;; Does it work?
 
+;; All that a submission loads is loaded, under all its limits.
 (define (works? i)
-  (define arguments '("-l" "racket/base" "-e" "(display 'here)"))
+  (define arguments
+    '("-l" "racket/base" "-l" "mechanics" "-l" "mechanics/answers"
+      "-l" "mechanics/worksheet/class/evaluate" "-e" "(display 'here)"))
   (equal? "here" (output-of (lambda () (start-isolated i arguments)))))
 
 ;; What a process writes; "" if it cannot be started.

@@ -101,10 +101,22 @@ changes that of another; one that loops, sleeps, or answers what takes forever t
 costs its ten seconds.
 
 For this the commands @exec{unshare}, @exec{setpriv} and @exec{prlimit} are needed, and a system
-that lets users have namespaces, as Debian and most others do. Elsewhere, on macOS and Windows for
-example, Racket's sandbox is alone, and the report says so on top: that keeps mistakes in, but who
-knows Racket well can escape from it. Then judge only what people hand in whom you trust, or use
-a virtual machine.
+that gives namespaces, as Debian and most others do. Without them submissions are run all the same,
+with less around them. The report says on top with how much:
+
+@itemlist[
+@item{No warning: all of the above holds.}
+@item{@emph{Run by the user nobody, without namespaces.} Most containers are like this for root. A
+submission that escapes from Racket's sandbox can read what every user of the system can, reach the
+network, and disturb other submissions. Keep the worksheet and the class in a folder that only you
+can read, as root's home is. A library that lies there, too, is copied for @tt{nobody} as long as
+the class takes.}
+@item{@emph{Run in your name.} So it is on macOS and Windows, and wherever the commands are
+missing. Racket's sandbox is alone: it keeps mistakes in, but who knows Racket well can escape from
+it, and then read and change what you can.}]
+
+Under either warning judge only what people hand in whom you trust. For the others use a system
+that gives namespaces; a virtual machine with Linux does.
 
 @section{Worksheets that are there}
 

@@ -25,7 +25,7 @@
 (test-case "where no process can be started the class is graded to its end"
   (define report
     (parameterize ([current-security-guard no-process])
-      (grade-class w (map submission-of '("a" "b")) #:namespaces? #f)))
+      (grade-class w (map submission-of '("a" "b")) #:strictest 'own)))
   (check-true (class-report? report))
   (for ([g (in-list (class-report-graded report))])
     (check-regexp-match #rx"^it could not be evaluated: .*no process is left" (graded-problem g))

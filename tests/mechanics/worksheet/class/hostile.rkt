@@ -7,20 +7,17 @@
          mechanics/worksheet/class/class-tables
          (only-in mechanics/worksheet/class/cost waits-known?)
          mechanics/worksheet/class/grade
-         mechanics/worksheet/class/isolation
          mechanics/worksheet/class/submission
          mechanics/worksheet/judgment
          mechanics/worksheet/make-exercise
          mechanics/worksheet/make-worksheet
          racket/file
-         racket/port
          racket/string
          racket/tcp
          rackunit
          xml
-         "../../support/hostile-programs.rkt"
-         "../../support/patience.rkt"
-         "../../support/skip.rkt")
+         "../../support/hostile-programs.rkt" "../../support/isolated.rkt"
+         "../../support/patience.rkt")
 
 (define folder (make-temporary-file "mechanics-hostile~a" 'directory))
 (file-or-directory-permissions folder #o755)
@@ -149,59 +146,40 @@
   (check-false (regexp-match? #px"(?m:(^|,)\"?[=+@|%-])" text))
   (check-true (string-contains? text "\"'=HYPERLINK(\"\"http://x\"\"")))
 
-(test-case "the report says on top when namespaces are missing"
-  (define i (find-isolation 512 10 #:namespaces? #f))
-  (check-false (isolation-complete? i))
-  (check-regexp-match #rx"^Submissions were run in Racket's sandbox alone" (isolation-warning i))
-  (check-true (string-contains? (class->page (class-report w (isolation-warning i) '()))
-                                "sandbox alone")))
-
 ;; ---------------------------------------------------------------------------
 ;; What would have escaped from the sandbox reaches nothing
 
-(define i (find-isolation 512 10))
+(define (tried i form) (isolated i form "racket/tcp" "racket/system" "racket/file"))
 
-;; What a program without a sandbox writes.
-(define (isolated form)
-  (define-values (process out in err)
-    (start-isolated i (list "-l" "racket/base" "-l" "racket/tcp" "-l" "racket/system"
-                            "-l" "racket/file" "-e" (format "~s" form))))
-  (close-output-port in)
-  (begin0 (port->string out)
-          (close-input-port out)
-          (close-input-port err)
-          (subprocess-wait process)))
-
-(define-syntax-rule (refused form)
-  (check-equal? (isolated `(display (with-handlers ([void (lambda (e) 'refused)]) form 'done)))
+(define-syntax-rule (refused i form)
+  (check-equal? (tried i `(display (with-handlers ([void (lambda (e) 'refused)]) form 'done)))
                 "refused" (format "~s" 'form)))
 
-(skip-unless (isolation-complete? i)
-             "no namespaces for submissions here: unshare, setpriv and prlimit are needed"
-  (test-case "no file of the teacher's can be read, none written, nobody reached"
-    (check-equal? (isolated '(display 'here)) "here")
-    (refused (file->string ,canary))
-    (refused (display-to-file "gone" ,canary))
-    (refused (display-to-file "x" "/usr/share/x"))
-    (refused (display-to-file "x" "/x"))
-    (refused (directory-list ,(path->string folder)))
-    (refused (tcp-connect "127.0.0.1" ,port)))
-  (test-case "it sees no process but its own, has no environment, and is nobody"
-    (define (numbered? p) (regexp-match? #rx"^[0-9]+$" p))
-    (define processes
-      (string-split (isolated '(for ([p (directory-list "/proc")]) (printf "~a " p)))))
-    (check-equal? (filter numbered? processes) '("1"))
-    (check-false (regexp-match? #rx"HOME|PATH|USER"
-                                (isolated '(display (environment-variables-names
-                                                     (current-environment-variables))))))
-    (check-regexp-match #rx"CapEff:\t0000000000000000"
-                        (isolated '(display (file->string "/proc/self/status")))))
-  (test-case "what it starts ends with it"
-    (check-equal? (isolated '(begin (system "sleep 1000 &") (display 'started))) "started"))
-  (test-case "nothing was touched"
-    (check-equal? (file->string canary) "still here")
-    (check-false (tcp-accept-ready? listener))))
+(call-with-namespaces
+ (lambda (i)
+   (test-case "no file of the teacher's can be read, none written, nobody reached"
+     (check-equal? (tried i '(display 'here)) "here")
+     (refused i (file->string ,canary))
+     (refused i (display-to-file "gone" ,canary))
+     (refused i (display-to-file "x" "/usr/share/x"))
+     (refused i (display-to-file "x" "/x"))
+     (refused i (directory-list ,(path->string folder)))
+     (refused i (tcp-connect "127.0.0.1" ,port)))
+   (test-case "it sees no process but its own, has no environment, and is nobody"
+     (define (numbered? p) (regexp-match? #rx"^[0-9]+$" p))
+     (define processes
+       (string-split (tried i '(for ([p (directory-list "/proc")]) (printf "~a " p)))))
+     (check-equal? (filter numbered? processes) '("1"))
+     (check-false (regexp-match? #rx"HOME|PATH|USER"
+                                 (tried i '(display (environment-variables-names
+                                                      (current-environment-variables))))))
+     (check-regexp-match #rx"CapEff:\t0+\nCapBnd:\t0+\n"
+                         (tried i '(display (file->string "/proc/self/status")))))
+   (test-case "what it starts ends with it"
+     (check-equal? (tried i '(begin (system "sleep 1000 &") (display 'started))) "started"))
+   (test-case "nothing was touched"
+     (check-equal? (file->string canary) "still here")
+     (check-false (tcp-accept-ready? listener)))))
 
-(close-isolation i)
 (tcp-close listener)
 (delete-directory/files folder)

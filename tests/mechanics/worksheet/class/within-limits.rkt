@@ -58,6 +58,7 @@
                          #:seconds (processor-seconds 3)))
   (check-equal? (for/list ([g (in-list (class-report-graded r))])
                   (map judgment-status (graded-judgments g)))
-                '((right right) (undecided undecided) (undecided right)))
+                '((right right) (undecided undecided) (undecided right))
+                (format "~s" (map graded-problem (class-report-graded r))))
   (check-equal? (judgment-words (car (graded-judgments (cadr (class-report-graded r)))))
                 '("to judge it took too long, or too much memory")))
