@@ -123,7 +123,7 @@
      (check-equal?
       errors "; x is defined on lines 2, 5, 7: each definition holds from there on\n"))))
 
-(skip-unless (terminals?) "the program script is not installed: no terminal to run at"
+(skip-unless (terminals?) "script opens no pseudo-terminal here: no terminal to run at"
   (test-case "at a terminal, a frame says how it is seen"
     (call-in-folder
      '(("frame.rkt" "#lang mechanics" "(require mechanics/plot)" "(frame 0 1 0 1)"))

@@ -5,6 +5,7 @@
 (require compiler/find-exe
          racket/port
          racket/string
+         racket/system
          rackunit
          "patience.rkt")
 
@@ -16,7 +17,14 @@
 
 (require (only-in ffi/unsafe ffi-lib))
 
-(define (terminals?) (and (eq? (system-type) 'unix) (find-executable-path "script") #t))
+;; `script` may be there, and no pseudo-terminal for it.
+(define (terminals?)
+  (define script (and (eq? (system-type) 'unix) (find-executable-path "script")))
+  (and script
+       (parameterize ([current-input-port (open-input-bytes #"")]
+                      [current-output-port (open-output-nowhere)]
+                      [current-error-port (open-output-nowhere)])
+         (system* script "-qfc" "true" "/dev/null"))))
 
 (define (libedit?)
   (and (ffi-lib "libedit" '("3" "2" "0" "") #:fail (lambda () #f)) #t))

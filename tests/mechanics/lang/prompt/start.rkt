@@ -109,7 +109,7 @@
         (when (regexp-match? #rx"editor.rkt$" (path->string path)) (error "no libedit"))
         (load path name)))))
 
-(skip-unless (terminals?) "the program script is not installed: no terminal to type at"
+(skip-unless (terminals?) "script opens no pseudo-terminal here: no terminal to type at"
 
   (define (check-session t)
     (prompted t)
