@@ -1,6 +1,7 @@
 #lang racket/base
 ;; What a student's file of a worksheet requires: holes, and what checks the answers.
 
-(require "worksheet/answer-data.rkt" "worksheet/check-answers.rkt")
+(require "error/uncompiled.rkt"
+         "worksheet/answer-data.rkt" "worksheet/check-answers.rkt")
 
 (provide unanswered check-answers)

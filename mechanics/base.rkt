@@ -2,7 +2,8 @@
 ;; The mathematics without the mechanics: structures, generic arithmetic,
 ;; literals, derivatives, simplification, verdicts.
 
-(require "algebra/expression/write.rkt"
+(require "error/uncompiled.rkt"
+         "algebra/expression/write.rkt"
          "calculus/derivative.rkt" "calculus/gradient.rkt" "calculus/literal-function.rkt"
          "calculus/Taylor.rkt"
          "error/failure.rkt"

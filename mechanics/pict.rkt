@@ -1,6 +1,7 @@
 #lang racket/base
 ;; Values as pictures of formulas, by Racket's library pict, which is loaded for the first one.
 
-(require "display/pict-on-demand.rkt")
+(require "error/uncompiled.rkt"
+         "display/pict-on-demand.rkt")
 
 (provide ->pict)

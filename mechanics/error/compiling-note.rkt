@@ -1,0 +1,65 @@
+#lang racket/base
+;; What is said of a library that is not compiled, or not any more, to whoever wants to use it.
+
+(require "note.rkt")
+
+(provide tell-of-compiling    ; path of a file in mechanics/error/ ->
+         tell-of-stale        ; paths of files in mechanics/, the folder that holds it ->
+         uncompiled-text      ; folder that holds mechanics/ -> string
+         stale-text           ; the arguments of tell-of-stale -> string
+         unread?)             ; port -> boolean
+
+;; `raco make` and `raco setup` say themselves what they do; nobody waits for what only expands
+;; the file and does not load it.
+(define (tell-of-compiling file)
+  (define text (uncompiled-text (simplify-path (build-path file 'up 'up 'up))))
+  (cond [(not (current-module-declare-name)) (void)]
+        [(and (not in-DrRacket?) (compiled-to-file?)) (void)]
+        [(and in-DrRacket? (unread? (current-error-port)))
+         (raise (exn:fail:unsupported text (current-continuation-marks)))]
+        [else (note text)]))
+
+(define (tell-of-stale files folder)
+  (unless (or (compiled-to-file?) (and in-DrRacket? (unread? (current-error-port))))
+    (note (stale-text files folder))))
+
+;; The compilation manager listens here for what a file depends on.
+(define (compiled-to-file?) (log-level? (current-logger) 'info 'cm-accomplice))
+
+(define in-DrRacket?
+  (regexp-match? #rx"(?i:drracket)" (path->string (find-system-path 'run-file))))
+
+;; DrRacket looks at a program as soon as it is in a window, to colour and to expand it; what is
+;; printed then nobody sees, and the window would wait.  An error ends that, and leaves the
+;; work to Run.
+(define (unread? port)
+  (or (file-stream-port? port) (eq? (object-name port) 'nowhere)))
+
+;; ---------------------------------------------------------------------------
+;; The words
+
+(define (uncompiled-text folder)
+  (if (for-DrRacket-alone?)
+      (format "The first Run takes some minutes: DrRacket compiles mechanics with debugging.\n\
+Programs outside of ~a need not wait, once mechanics is installed:  ~a"
+              folder (command folder "install"))
+      (format "mechanics is not compiled: each start takes half a minute, in DrRacket minutes.\n\
+Once and for all:  ~a"
+              (command folder "compile"))))
+
+;; It does so for a package of which a file is in a window.
+(define (for-DrRacket-alone?)
+  (for/or ([path (in-list (use-compiled-file-paths))])
+    (regexp-match? #rx"drracket" (if (path? path) (path->string path) path))))
+
+(define (stale-text files folder)
+  (format "mechanics is not compiled as it is now: ~a~a changed since, which may lead to strange \
+errors.\nTo mend it:  ~a"
+          (car files)
+          (if (null? (cdr files)) "" (format " and ~a other files" (length (cdr files))))
+          (command folder "compile")))
+
+(define (command folder target)
+  (if (eq? (system-type) 'windows)
+      "raco setup --no-docs mechanics"
+      (format "make -C '~a' ~a" folder target)))

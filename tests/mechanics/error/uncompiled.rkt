@@ -1,0 +1,97 @@
+#lang racket/base
+;; What is said of a library that is not compiled, when, and where it is heard first.
+
+(require compiler/find-exe
+         mechanics/error/compiling-note
+         racket/file
+         racket/list
+         racket/port
+         racket/runtime-path
+         racket/system
+         rackunit
+         mechanics/lang/stale-files
+         "../support/house/library.rkt" "../support/run-text.rkt" "../support/skip.rkt")
+
+(define-runtime-path room "../../../mechanics/error")
+
+(define (call-in-copy f)
+  (define folder (make-temporary-file "mechanics copy ~a" 'directory))
+  (define copy (build-path folder "mechanics" "error"))
+  (dynamic-wind
+   (lambda () (make-directory* copy))
+   (lambda ()
+     (for ([name '("uncompiled.rkt" "compiling-note.rkt" "note.rkt")])
+       (copy-file (build-path room name) (build-path copy name)))
+     (f (path->string (path->directory-path folder)) (build-path copy "uncompiled.rkt")))
+   (lambda () (delete-directory/files folder))))
+
+;; -> what a Racket prints that is started so
+(define (racket . arguments)
+  (define out (open-output-string))
+  (parameterize ([current-output-port out] [current-error-port out])
+    (apply system* (find-exe) arguments))
+  (get-output-string out))
+
+(skip-unless (eq? (system-type) 'unix) "the advice is Unix's"
+  (test-case "compiled in memory it is told, compiled to a file and loaded from there it is not"
+    (call-in-copy
+     (lambda (folder file)
+       (check-equal? (racket file)
+                     (lines
+                      "; mechanics is not compiled: each start takes half a minute, in DrRacket minutes."
+                      (format "; Once and for all:  make -C '~a' compile" folder)))
+       (check-equal? (racket "-N" "raco" "-l-" "raco" "make" (path->string file)) "")
+       (check-equal? (racket file) ""))))
+
+  (test-case "where DrRacket compiles for itself other words tell what to do"
+    (check-equal? (parameterize ([use-compiled-file-paths
+                                  (list (build-path "compiled" "drracket" "errortrace")
+                                        (string->path "compiled"))])
+                    (uncompiled-text "/sicm/"))
+                  "The first Run takes some minutes: DrRacket compiles mechanics with debugging.
+Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C '/sicm/' install"))
+
+  (test-case "what has changed since it was compiled is told with its name and number"
+    (define (said files)
+      (define out (open-output-string))
+      (parameterize ([current-error-port out]) (tell-of-stale files "/sicm/"))
+      (get-output-string out))
+    (check-equal? (said '("a.rkt"))
+                  (lines
+                   "; mechanics is not compiled as it is now: a.rkt changed since, which may lead to strange errors."
+                   "; To mend it:  make -C '/sicm/' compile"))
+    (check-equal? (said '("a.rkt" "b.rkt" "c.rkt"))
+                  (lines
+                   "; mechanics is not compiled as it is now: a.rkt and 2 other files changed since, which may lead to strange errors."
+                   "; To mend it:  make -C '/sicm/' compile"))))
+
+(test-case "nobody reads what goes to a file or nowhere in DrRacket"
+  (check-false (unread? (open-output-string)))
+  (check-true (unread? (open-output-nowhere)))
+  (define file (make-temporary-file))
+  (call-with-output-file file #:exists 'truncate (lambda (port) (check-true (unread? port))))
+  (delete-file file))
+
+(test-case "files are stale until they are compiled, and when they change"
+  (call-in-copy
+   (lambda (folder file)
+     (define (stale) (map (lambda (p) (last (explode-path p))) (stale-files folder)))
+     (define all (map string->path '("compiling-note.rkt" "note.rkt" "uncompiled.rkt")))
+     (check-equal? (stale) all)
+     (racket "-N" "raco" "-l-" "raco" "make" (path->string file))
+     (check-equal? (stale) '())
+     (file-or-directory-modify-seconds file (+ 100 (current-seconds)))
+     (check-equal? (stale) (list (last all))))))
+
+;; ---------------------------------------------------------------------------
+;; Who requires a facade is told before anything else of the library is compiled
+
+;; The first file of ours that is compiled for a facade, other facades apart.
+(define (first-compiled facade)
+  (define required (regexp-match #rx"\n[(]require[^\"]*\"([^\"]*)\"" (file-text facade)))
+  (define first-required (cadr required))
+  (if (facade? first-required) (first-compiled first-required) first-required))
+
+(test-case "every facade begins with what tells"
+  (for ([facade (in-list (filter facade? (library-files)))])
+    (check-equal? (first-compiled facade) "error/uncompiled.rkt" facade)))
