@@ -7,22 +7,34 @@ JOBS   ?= 2
 # Of tests one more: some wait for windows, pipes and seconds.
 WAITING_JOBS ?= $(shell expr $(JOBS) + 1)
 
-# The checkout comes first among the places where Racket looks for collections.
-export PLTCOLLECTS := $(CURDIR):$(PLTCOLLECTS)
+# The checkout comes first among the places where Racket looks for collections, Racket's own
+# last.  What is there by your own PLTCOLLECTS stands between; what is no full path Racket refuses.
+own-collections := $(shell printf %s "$$PLTCOLLECTS" | tr : '\n' | grep '^/' | tr '\n' :)
+export PLTCOLLECTS := $(CURDIR):$(own-collections)
 export RACKET
+
+# Where compiled files are kept is your affair; Racket's own are where they always are.
+ifdef PLTCOMPILEDROOTS
+export PLTCOMPILEDROOTS := $(PLTCOMPILEDROOTS):
+endif
+
+# Here sources change: what is compiled is compared with them, whatever is usual with you.
+unexport PLT_COMPILED_FILE_CHECK
 
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl run show tex export attack lint lint-texts \
+.PHONY: help demo repl run show tex export attack lint lint-texts install uninstall \
         test test-quick test-manual test-figures test-export \
         elsewhere bench peers export-python docs pictures clean \
-        racket libraries editing compile begin-tests
+        racket writable libraries editing compile begin-tests
 
 help:
 	@echo 'make demo    a tour in five screens: Lagrange equations, proposed paths, verdicts'
 	@echo 'make repl    a prompt with history, completion and help'
 	@echo 'make run     run a file            (FILE=my-system.rkt, ARGS="..." for what it is told)'
+	@echo 'make install mechanics in your Racket, in some four minutes    (DOCS=no: one, without it)'
+	@echo 'make uninstall   takes it away again'
 	@echo 'make show    a file with its results as a page  (FILE=my-system.rkt, OUT=page.html)'
 	@echo 'make tex     the same for LaTeX    (FILE=my-system.rkt, OUT=file.tex)'
 	@echo 'make export  its systems in C, Python or JAX  (FILE=my-system.rkt, TO=c|python|jax, OUT=folder)'
@@ -44,11 +56,25 @@ help:
 	@echo 'make elsewhere   demo and test in bare Debian 12 and 13, four places (as root, with debootstrap)'
 
 demo: compile
-	@$(RACO) make examples/mechanics/demo.rkt
+	@$(call try-to-compile,examples/mechanics/demo.rkt)
 	@$(RACKET) examples/mechanics/demo.rkt
+
+# What cannot be compiled, as in a checkout that may only be read, is run from its source; a
+# mistake in it is told then.
+try-to-compile = $(RACO) make $(1) 2>/dev/null || :
 
 repl: compile editing
 	@$(RACKET) -l mechanics/lang/prompt/start
+
+# Racket is to find the package where it is installed, not here.
+with-own-collections = env $(if $(own-collections),PLTCOLLECTS='$(own-collections)',-u PLTCOLLECTS)
+install: compile
+	@$(call try-to-compile,.ci/install.rkt)
+	@$(if $(filter no,$(DOCS)),,.ci/ensure-racket.sh manual)
+	@$(with-own-collections) $(RACKET) .ci/install.rkt $(if $(filter no,$(DOCS)),--no-docs)
+
+uninstall: racket
+	@$(with-own-collections) $(RACKET) .ci/install.rkt --remove
 
 run: compile
 	@$(RACKET) -l mechanics/lang/run-file "$(FILE)" $(ARGS)
@@ -58,7 +84,7 @@ show tex: compile
 	@if [ -z "$(FILE)" ]; then \
 	    echo '$@: which file? as in  make $@ FILE=my-system.rkt' >&2; exit 2; \
 	fi
-	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/show-program.rkt
+	@$(call try-to-compile,$(COMMAND)/raco.rkt $(COMMAND)/show-program.rkt)
 	@$(RACKET) -l- $(COMMAND)/raco $@ $(if $(OUT),-o "$(OUT)") "$(FILE)"
 
 RUN_COMMAND = $(RACKET) -l- $(COMMAND)/raco
@@ -67,16 +93,16 @@ export: compile
 	@if [ -z "$(FILE)" ]; then \
 	    echo '$@: which file? as in  make $@ FILE=my-system.rkt TO=c' >&2; exit 2; \
 	fi
-	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/export-program.rkt
+	@$(call try-to-compile,$(COMMAND)/raco.rkt $(COMMAND)/export-program.rkt)
 	@$(RUN_COMMAND) export $(if $(TO),--to "$(TO)") $(if $(OUT),-o "$(OUT)") \
 	    $(foreach s,$(SYSTEM),--system "$(s)") $(if $(ALL),--all) $(if $(LIST),--list) \
 	    $(if $(DERIVATIVES),--derivatives) $(if $(REPLACE),--replace) "$(FILE)"
 
 new worksheet handout check: compile
 	@if [ -z "$(FILE)" ]; then echo 'make $@ FILE=... ; make help says more' >&2; exit 2; fi
-	@$(RACO) make $(COMMAND)/raco.rkt $(COMMAND)/worksheet-files.rkt \
+	@$(call try-to-compile,$(COMMAND)/raco.rkt $(COMMAND)/worksheet-files.rkt \
 	    $(COMMAND)/check-answers-of.rkt mechanics/worksheet.rkt mechanics/answers.rkt \
-	    mechanics/worksheet/class/evaluate-main.rkt
+	    mechanics/worksheet/class/evaluate-main.rkt)
 	@$(MAKE) --no-print-directory -s $@-file
 
 new-file:
@@ -93,12 +119,12 @@ check-file:
 
 # What takes long says so at once.  SUITES: everyday, manual, figures, export, or all of them.
 RUN_TESTS = $(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(WAITING_JOBS)
-test: begin-tests compile libraries
+test: begin-tests writable compile libraries
 	@$(RACO) make $(RUNNER)
 	@$(RUN_TESTS) $(SUITES:%=--suite %) $(TESTS)
 
 # Only what the chosen tests load is compiled.
-test-quick: racket
+test-quick: writable racket
 	@$(RACO) make $(RUNNER)
 	@$(RUN_TESTS) --quick
 
@@ -113,14 +139,14 @@ begin-tests:
 # N claims of each class; CLASS=disguised for identities in disguise alone.
 N    ?= 2000
 SEED ?= 1
-attack: compile
+attack: writable compile
 	@mkdir -p build
 	@$(RACO) make tests/mechanics/attack/main.rkt tests/mechanics/attack/worker.rkt
 	@$(RACKET) tests/mechanics/attack/main.rkt --count $(N) --seed $(SEED) --jobs $(JOBS) \
 	    $(if $(CLASS),--class $(CLASS))
 
 lint: racket
-	@$(RACO) make .ci/lint.rkt
+	@$(call try-to-compile,.ci/lint.rkt)
 	@$(RACKET) .ci/lint.rkt $(FILES)
 
 # Of that what takes a second.
@@ -130,24 +156,24 @@ lint-texts: racket
 elsewhere:
 	@.ci/elsewhere.sh $(PLACES)
 
-bench: compile
+bench: writable compile
 	@$(RACO) make -j $(JOBS) $(wildcard tests/mechanics/bench/*.rkt)
 	@$(RACKET) tests/mechanics/bench/main.rkt $(TASK)
 
 # What exported systems need in Python, with its versions; once there, their tests use it.
-export-python:
+export-python: writable
 	@python3 -m venv build/export
 	@build/export/bin/pip install --quiet -r tests/mechanics/export/requirements.txt
 
-test-export: compile export-python
+test-export: writable compile export-python
 	@$(RACO) make $(RUNNER)
 	@MECHANICS_EXPORT_ALL=1 $(RUN_TESTS) tests/mechanics/export
 
-peers:
+peers: writable
 	@python3 -m venv build/python
 	@build/python/bin/pip install --quiet heyoka casadi numpy scipy sympy jax diffrax
 
-docs: compile
+docs: writable compile
 	@echo 'Building the manual ...'
 	@$(RACO) make $(wildcard examples/mechanics/*/*.rkt) $(MANUAL)
 	@$(RACO) scribble --quiet --htmls --dest build/doc \
@@ -155,7 +181,7 @@ docs: compile
 	@echo 'The manual begins at build/doc/mechanics/index.html'
 
 # To be made again when results look different, and committed.
-pictures: compile
+pictures: writable compile
 	@.ci/pictures/make.sh
 
 # Files are compiled in parallel where there are many.
@@ -167,6 +193,11 @@ compile: racket
 
 racket:
 	@.ci/ensure-racket.sh
+
+# For what is made in build/ or beside its sources.
+writable:
+	@[ -w . ] || { echo "make $(MAKECMDGOALS) writes in $(CURDIR), which you may not." \
+	    "Do it in a copy of the checkout that is yours." >&2; exit 1; }
 
 libraries:
 	@.ci/ensure-racket.sh libraries

@@ -4,6 +4,7 @@
 #     ensure-racket.sh               Racket itself
 #     ensure-racket.sh libraries     the shared libraries that tests may use
 #     ensure-racket.sh editing       the library that edits lines at the prompt
+#     ensure-racket.sh manual        the library that keeps the index of Racket's manuals
 #
 # On Debian and Ubuntu what is missing is installed with apt-get, through sudo
 # for others than root.  Elsewhere, or when that fails, it says what to install.
@@ -62,7 +63,9 @@ can_be_root() { [ "$(id -u)" -eq 0 ] || have sudo; }
 
 # Lists may be stale or, on a fresh machine, absent.  One source that cannot be
 # reached is no reason to stop: the installation will tell.
-update_lists() { as_root apt-get update -qq || say "(apt-get update reported errors; going on)"; }
+update_lists() {
+    as_root apt-get update -qq || say "(apt-get update reported errors: no network? going on)"
+}
 
 candidate() { apt-cache policy "$1" 2>/dev/null | sed -n 's/^ *Candidate: *//p'; }
 
@@ -74,10 +77,10 @@ install_racket() {
     update_lists
     version=$(candidate racket)
     case $version in
-        '' | '(none)') give_up "apt-get knows no package racket." ;;
+        '' | '(none)') give_up "apt-get knows no package racket; without a network it cannot ask." ;;
     esac
     at_least "${version#*:}" || give_up "The package racket of this system is version $version, which is too old."
-    apt_install racket || give_up "apt-get could not install Racket."
+    apt_install racket || give_up "apt-get could not install Racket; above is what it says."
 }
 
 # Minimal Racket lacks most of the distribution.
@@ -89,8 +92,25 @@ has_needed_parts() {
                       (cons "scribble" "manual.rkt")))' >/dev/null 2>&1
 }
 
+# Its settings are environment variables; with some values it does not start, and exits with 0.
+check_start() {
+    complaint=$("$racket" --version 2>&1) || :
+    case $complaint in Welcome*) return ;; esac
+    settings=$(env | sed -n 's/^\(PLT[A-Z_]*\)=.*/\1/p' | grep -v '^PLTCOLLECTS$' | tr '\n' ' ')
+    say "$(command -v "$racket") does not start:"
+    printf '%s\n' "$complaint" | head -n 3 | sed 's/^/  /' >&2
+    if [ -n "$settings" ]; then
+        say "The environment sets ${settings}for it; folders there are full paths.  Without them:"
+        say "  env $(printf -- '-u %s ' $settings)make ..."
+    else
+        say "Install it again, and run the same make command."
+    fi
+    exit 1
+}
+
 ensure_racket() {
     have "$racket" || install_racket
+    check_start
     version=$("$racket" --version | sed -n 's/^Welcome to Racket v\([0-9.]*[0-9]\).*/\1/p')
     at_least "${version:-0}" || give_up "$(command -v "$racket") is Racket ${version:-of an unknown version}, which is too old."
     has_needed_parts || give_up "$(command -v "$racket") is Racket $version without the main distribution; this adds it:
@@ -128,6 +148,7 @@ libpng16-16 libpng16-16t64
 libedit2'
 
 for_editing=libedit2
+for_manual=libsqlite3-0
 
 # missing_libraries ALTERNATIVES: its lines of which nothing is installed.
 missing_libraries() {
@@ -163,5 +184,6 @@ case ${1:-} in
     libraries) ensure_libraries "$for_tests" "that tests use" "tests that need them are skipped" ;;
     editing) ensure_libraries "$for_editing" "for line editing" \
                  "the prompt works, without history and completion; apt-get install libedit2 adds them" ;;
-    *) say "usage: $0 [libraries|editing]"; exit 2 ;;
+    manual) ensure_libraries "$for_manual" "for the manual" "the manual is left out" ;;
+    *) say "usage: $0 [libraries|editing|manual]"; exit 2 ;;
 esac

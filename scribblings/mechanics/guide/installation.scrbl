@@ -27,7 +27,7 @@ box that needs no network, in @filepath{build/doc}.
 
 Where this manual says @exec{racket}, as in @exec{racket -I mechanics} or
 @exec{racket examples/...}, the package is to be installed, or Racket to be told where the
-checkout is: @exec{PLTCOLLECTS="$PWD:" racket -I mechanics}.
+compiled checkout is: @exec{make compile}, and @exec{PLTCOLLECTS="$PWD:" racket -I mechanics}.
 
 @section[#:tag "libraries"]{Libraries of the system}
 
@@ -42,27 +42,43 @@ checkout is: @exec{PLTCOLLECTS="$PWD:" racket -I mechanics}.
       (list @elem{testing windows without a screen} "Xvfb" @tt{xvfb}))]
 
 @exec{make repl} installs the first where it can, @exec{make test} also those for pictures
-and for precision.
+and for precision, @exec{make install} SQLite (@tt{libsqlite3-0}), in which Racket keeps the
+index of its manuals.
 
 @section{Adding it to your Racket}
 
-From a checkout, in its top folder:
+In a checkout:
 
-@commandline{raco pkg install --link --name mechanics "$PWD"}
+@commandline{make install}
 
-The link means that Racket uses the files where they are. When you update the
-checkout, you have the new version.
+It compiles the library, links the checkout to the Racket at hand as the package
+@tt{mechanics}, builds this manual, and says so as it goes: four minutes on two processors,
+one with @exec{make install DOCS=no}, which leaves the manual out. The link means that Racket
+uses the files where they are: when they have changed, run it again. @exec{make uninstall}
+takes the package away and leaves the checkout.
 
-From a Git address, without a checkout of your own (put the real address in
+Without make, or from a Git address, without a checkout of your own (put the real address in
 place of this one):
 
+@commandline{raco pkg install --link --name mechanics "$PWD"}
 @commandline{raco pkg install --name mechanics git+https://example.org/mechanics.git}
 
-Installing also builds this manual. If that fails for want of SQLite, as it does on
-a bare Debian, add @exec{--no-docs}.
+Both build the manual, for which they need SQLite, unless @exec{--no-docs} is added.
+@exec{raco pkg update mechanics} brings what came from an address up to date, and
+@exec{raco pkg remove mechanics} takes it away. Tests and examples are not compiled by an
+installation: Racket compiles a program of @filepath{examples/mechanics} when it is run.
 
-@exec{raco pkg update mechanics} brings it up to date, and
-@exec{raco pkg remove mechanics} takes it away.
+@section[#:tag "not-compiled"]{When it says that it is not compiled}
+
+Racket runs a library from its sources, too, but compiles it in memory then, at every start:
+half a minute for this one, and minutes in DrRacket. That is told before the wait, with what
+ends it once and for all: @exec{make compile} in the checkout. In DrRacket the sentence is
+below the program as soon as it is in the window, and in the lower window at @onscreen{Run};
+press @onscreen{Stop}, compile, and press @onscreen{Run} again. Files that have changed since
+they were compiled, as after an update of the checkout, are told likewise.
+
+DrRacket compiles a package of which it shows a file once more, with debugging, which takes
+some minutes at the first @onscreen{Run}: keep your programs outside of the checkout.
 
 @section[#:tag "drracket"]{In DrRacket}
 

@@ -5,9 +5,11 @@
 ;;
 ;; The roots are what matters: when all else is newer than its source, only what they stand
 ;; on is looked at, and only their errors are told.  An error elsewhere is left to whoever
-;; runs the module: it is compiled again and fails there.
+;; runs the module: it is compiled again and fails there.  Where nothing can be written that is
+;; told in a sentence, and not met at the end of a wait.
 
 (require compiler/cm
+         compiler/compilation-path
          racket/cmdline
          racket/lazy-require
          racket/list
@@ -16,7 +18,9 @@
 
 (lazy-require [setup/parallel-build (parallel-compile-files)])
 
-(provide compile-files)
+(provide compile-files
+         refusal             ; an error's message -> what to do, or #f if it is not about writing
+         unwritable-part)    ; folder -> #f, or where neither it nor its parts to come can be made
 
 ;; So few are sooner compiled one after another than processes are started.
 (define few 15)
@@ -25,6 +29,7 @@
 ;; "the tests", or #f for silence; roots : those to make sure of.  Errors are not shown.
 (define (compile-files files jobs what #:roots [roots files])
   (define to-do (filter stale? files))
+  (for-each check-writable to-do)
   (define out (if what (current-output-port) (open-output-nowhere)))
   (define done (make-semaphore))
   (define reporter (thread (lambda () (report-progress to-do what done out))))
@@ -40,9 +45,12 @@
   (parameterize ([current-output-port nowhere] [current-error-port nowhere])
     (if (or (< (length to-do) few) (< jobs 2))
         (for ([file (in-list (append to-do roots))])
-          (with-handlers ([exn:fail? void]) (compile-file file)))
+          (with-handlers ([exn:fail? (lambda (e) (stop-if-unwritable (exn-message e)))])
+            (compile-file file)))
         (parallel-compile-files (append to-do (remove* to-do roots))
-                                #:worker-count jobs #:handler void))))
+                                #:worker-count jobs
+                                #:handler (lambda (worker type work text out err)
+                                            (stop-if-unwritable text))))))
 
 (define compile-file
   (let ([compile (make-caching-managed-compile-zo)])
@@ -51,12 +59,41 @@
 
 ;; Is there no compiled form, or one older than the source?
 (define (stale? file)
-  (define-values (folder name directory?) (split-path file))
   (define (seconds path) (file-or-directory-modify-seconds path #f (lambda () #f)))
-  (define compiled
-    (seconds (build-path folder "compiled" (path-add-extension name #".zo" #"_"))))
+  (define compiled (seconds (get-compilation-bytecode-file file)))
   (define source (seconds file))
   (not (and compiled source (>= compiled source))))
+
+;; ---------------------------------------------------------------------------
+;; Where nothing can be written
+
+(define (check-writable file)
+  (define-values (folder name must-be-folder?) (split-path (get-compilation-bytecode-file file)))
+  (define part (unwritable-part folder))
+  (when part (raise-user-error (forbidden part))))
+
+(define (unwritable-part folder)
+  (cond [(not (directory-exists? folder))
+         (unwritable-part (simplify-path (build-path folder 'up)))]
+        [(memq 'write (file-or-directory-permissions folder)) #f]
+        [else folder]))
+
+(define (forbidden folder)
+  (format "~a may not be written by you, and what is compiled goes there.
+  Its owner can run  make compile ; or do it in a copy of the checkout that is yours." folder))
+
+(define full "The disk is full: what is compiled needs some 60 MB there.
+  Make room, and run the same command again.")
+
+(define (refusal text)
+  (cond [(regexp-match? #rx"No space left on device|Disk quota exceeded" text) full]
+        [(regexp-match? #rx"Permission denied|Read-only file system" text)
+         (forbidden (current-directory))]
+        [else #f]))
+
+(define (stop-if-unwritable text)
+  (define why (refusal text))
+  (when why (raise-user-error why)))
 
 ;; ---------------------------------------------------------------------------
 ;; Progress
@@ -100,6 +137,9 @@
   (flush-output))
 
 (module+ main
+  (define (compile-root file)
+    (with-handlers ([exn:fail? (lambda (e) (stop-if-unwritable (exn-message e)) (raise e))])
+      (compile-file file)))
   (define jobs 2)
   (define roots '())
   (define paths
@@ -113,4 +153,4 @@
      paths))
   (compile-files (append-map files-under (map path->complete-path paths)) jobs "mechanics"
                  #:roots roots)
-  (for-each compile-file roots))
+  (for-each compile-root roots))
