@@ -28,7 +28,7 @@
 ;; files : paths of modules; jobs : how many to compile at a time; what : text, such as
 ;; "the tests", or #f for silence; roots : those to make sure of.  Errors are not shown.
 (define (compile-files files jobs what #:roots [roots files])
-  (define to-do (filter stale? files))
+  (define to-do (to-compile files roots))
   (for-each check-writable to-do)
   (define out (if what (current-output-port) (open-output-nowhere)))
   (define done (make-semaphore))
@@ -43,26 +43,47 @@
 (define (compile-silently to-do roots jobs)
   (define nowhere (open-output-nowhere))
   (parameterize ([current-output-port nowhere] [current-error-port nowhere])
-    (if (or (< (length to-do) few) (< jobs 2))
-        (for ([file (in-list (append to-do roots))])
-          (with-handlers ([exn:fail? (lambda (e) (stop-if-unwritable (exn-message e)))])
-            (compile-file file)))
-        (parallel-compile-files (append to-do (remove* to-do roots))
-                                #:worker-count jobs
-                                #:handler (lambda (worker type work text out err)
-                                            (stop-if-unwritable text))))))
+    (unless (or (< (length to-do) few) (< jobs 2))
+      (parallel-compile-files to-do
+                              #:worker-count jobs
+                              #:handler (lambda (worker type work text out err)
+                                          (stop-if-unwritable text))))
+    (for ([file (in-list (append to-do roots))])
+      (with-handlers ([exn:fail? (lambda (e) (stop-if-unwritable (exn-message e)))])
+        (compile-file file)))))
 
 (define compile-file
   (let ([compile (make-caching-managed-compile-zo)])
     (lambda (file)
       (parameterize ([current-namespace (make-base-empty-namespace)]) (compile file)))))
 
+;; A change of one file is one of all that require it.  Of these only the roots are looked for
+;; where nothing was changed since it was compiled.
+(define (to-compile files roots)
+  (define stale (filter stale? files))
+  (define concerned (if (null? stale) roots files))
+  (append stale (remove* stale (filter out-of-date? concerned))))
+
+;; Would the compilation manager compile something for it?
+(define out-of-date?
+  (let ([compile (make-caching-managed-compile-zo)]
+        [namespace (make-base-empty-namespace)])
+    (lambda (file)
+      (let/ec return
+        (parameterize ([current-namespace namespace]
+                       [manager-compile-notify-handler (lambda (_) (return #t))])
+          (with-handlers ([exn:fail? (lambda (_) (return #t))]) (compile file))
+          #f)))))
+
 ;; Is there no compiled form, or one older than the source?
 (define (stale? file)
-  (define (seconds path) (file-or-directory-modify-seconds path #f (lambda () #f)))
+  (not (compiled-since? file (or (seconds file) +inf.0))))
+
+(define (compiled-since? file time)
   (define compiled (seconds (get-compilation-bytecode-file file)))
-  (define source (seconds file))
-  (not (and compiled source (>= compiled source))))
+  (and compiled (>= compiled time)))
+
+(define (seconds path) (file-or-directory-modify-seconds path #f (lambda () #f)))
 
 ;; ---------------------------------------------------------------------------
 ;; Where nothing can be written
@@ -103,7 +124,7 @@
 
 ;; Until it is done: a line that is renewed at a terminal, lines elsewhere.
 (define (report-progress files what done out)
-  (define start (current-inexact-milliseconds))
+  (define start (current-seconds))
   (define total (length files))
   (define (done-after? seconds) (sync/timeout seconds (semaphore-peek-evt done)))
   (parameterize ([current-output-port out])
@@ -112,8 +133,8 @@
       (let wait ([left files])
         (flush-output)
         (unless (done-after? (pause))
-          (define still (filter stale? left))
-          (print-progress (- total (length still)) total start)
+          (define still (filter (lambda (file) (not (compiled-since? file start))) left))
+          (print-progress (- total (length still)) total (- (current-seconds) start))
           (wait still)))
       (end-progress))))
 
@@ -123,8 +144,7 @@
     [(1) "Compiling 1 file of"]
     [else (format "Compiling ~a files of" total)]))
 
-(define (print-progress done total start)
-  (define seconds (quotient (round (inexact->exact (- (current-inexact-milliseconds) start))) 1000))
+(define (print-progress done total seconds)
   (define text (if (zero? total)
                    (format "  ~a s" seconds)
                    (format "  ~a of ~a compiled, ~a s" done total seconds)))

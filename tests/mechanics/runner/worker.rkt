@@ -18,7 +18,9 @@
   (define before (test-log))
   (define start (current-inexact-milliseconds))
   (define space (make-fresh file))
+  (define variables (environment-variables-copy (current-environment-variables)))
   (define ending (run-alone file space))
+  (restore-environment variables)
   (define after (test-log))
   (define failed (- (car after) (car before)))
   (result (- (cdr after) (cdr before) failed) failed (skips-in space) ending
@@ -57,10 +59,15 @@
                  [current-module-name-resolver (fresh-resolver space)]
                  [current-command-line-arguments (vector)]
                  [current-input-port (open-input-bytes #"")]
-                 [current-pseudo-random-generator (make-pseudo-random-generator)]
-                 [current-environment-variables
-                  (environment-variables-copy (current-environment-variables))])
+                 [current-pseudo-random-generator (make-pseudo-random-generator)])
     (thunk)))
+
+;; The variables are those of the process, as the system sees them, and no copy is.
+(define (restore-environment before)
+  (define now (current-environment-variables))
+  (for ([name (in-list (append (environment-variables-names now)
+                               (environment-variables-names before)))])
+    (environment-variables-set! now name (environment-variables-ref before name))))
 
 (define (require-tests file)
   (define (submodule name)
