@@ -120,12 +120,12 @@ check-file:
 # What takes long says so at once.  SUITES: everyday, manual, figures, export, or all of them.
 RUN_TESTS = $(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(WAITING_JOBS)
 test: begin-tests writable compile libraries
-	@$(RACO) make $(RUNNER)
+	@$(call try-to-compile,$(RUNNER))
 	@$(RUN_TESTS) $(SUITES:%=--suite %) $(TESTS)
 
 # Only what the chosen tests load is compiled.
 test-quick: writable racket
-	@$(RACO) make $(RUNNER)
+	@$(call try-to-compile,$(RUNNER))
 	@$(RUN_TESTS) --quick
 
 test-manual test-figures:
@@ -166,7 +166,7 @@ export-python: writable
 	@build/export/bin/pip install --quiet -r tests/mechanics/export/requirements.txt
 
 test-export: writable compile export-python
-	@$(RACO) make $(RUNNER)
+	@$(call try-to-compile,$(RUNNER))
 	@MECHANICS_EXPORT_ALL=1 $(RUN_TESTS) tests/mechanics/export
 
 peers: writable

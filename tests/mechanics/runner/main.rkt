@@ -90,7 +90,8 @@
   (printf "~a files to run~a\n" (length chosen)
           (if (null? left)
               ""
-              (format "; ~a more load what has changed, and are left to `make test`" (length left))))
+              (format "; ~a more load what has changed, and are left to `make test`"
+                      (length left))))
   chosen)
 
 ;; ---------------------------------------------------------------------------
