@@ -11,8 +11,8 @@
 #     busy        Debian 12: both processors have something else to do all the time
 #
 # Takes root and debootstrap, a network, and some 6 GB in build/elsewhere.  The bare systems are
-# kept for the next time, what ran in them is made anew.  Everything that is printed goes to
-# build/elsewhere/PLACE.log; the last lines of each command are shown.
+# kept for the next time; the copies in which commands ran are made anew.  Everything that is
+# printed goes to build/elsewhere/PLACE.log; the last lines of each command are shown.
 
 set -eu
 
@@ -72,12 +72,14 @@ furnish() {
         cp /etc/resolv.conf "$root/etc/resolv.conf" &&
         chmod 700 "$root/root" &&
         mkdir -p "$root$(folder_of "$1")" &&
-        git archive HEAD | tar -x -C "$root$(folder_of "$1")" || give_up "$1: it cannot be furnished."
+        git archive -o "$where/checkout.tar" HEAD &&
+        tar -x -f "$where/checkout.tar" -C "$root$(folder_of "$1")" ||
+        give_up "$1: it cannot be furnished."
     : >"$where/$1.log"
     [ "$1" != user ] || settle "$1"
 }
 
-# The user finds Racket and the libraries there.
+# The ordinary user cannot install anything: root installs Racket and the libraries first.
 settle() {
     run "$1" root "useradd --create-home student && .ci/ensure-racket.sh &&
         .ci/ensure-racket.sh libraries && chown -R student: \"\$PWD\"" >>"$where/$1.log" 2>&1 ||
@@ -90,8 +92,8 @@ settle() {
 # What containers take from root.
 lost=-sys_admin,-sys_ptrace,-sys_module,-sys_time,-sys_resource,-sys_boot,-net_admin,-syslog
 
-# run PLACE USER COMMAND: the mounts belong to the command and go with it.  From a root directory
-# that was only changed no namespaces can be made; from one that was exchanged they can.
+# run PLACE USER COMMAND: the mounts belong to the command and go with it.  Linux gives a process
+# in a chroot no user namespaces; after pivot_root it does.
 run() {
     kind=machine
     [ "$1" != container ] || kind=container
@@ -124,7 +126,8 @@ attempt() {
     code=0
     say "$1: $2 ..."
     command=$2
-    [ "$1" != busy ] || command="(while :; do :; done) & (while :; do :; done) & $2"
+    [ "$1" != busy ] ||
+        command="for _ in \$(seq \$(nproc)); do (while :; do :; done) & done; $2"
     run "$1" "$(user_of "$1")" "$command" >>"$where/$1.log" 2>&1 </dev/null || code=$?
     tail -n 3 "$where/$1.log" | sed 's/^/    /'
     return "$code"

@@ -2,7 +2,7 @@
 ;; Makes this checkout a package of the Racket that runs this, with its manual:
 ;;
 ;;     racket install.rkt [--no-docs]        make install, make install DOCS=no
-;;     racket install.rkt --remove             make uninstall
+;;     racket install.rkt --remove           make uninstall
 ;;
 ;; The work is `raco pkg`'s; this says what is done, how long it takes and what to do when it
 ;; fails.  The library is compiled before, by make.
@@ -16,6 +16,7 @@
          racket/port
          racket/runtime-path
          racket/string
+         (only-in setup/dirs find-pkgs-dir)
          (only-in "../tests/mechanics/runner/compile.rkt" unwritable-part))
 
 (define-runtime-path here "install.rkt")
@@ -30,7 +31,7 @@
 ;; ---------------------------------------------------------------------------
 ;; What is there
 
-;; 'user, 'installation or a folder; as installed, else as this Racket has it
+;; The scope of the installed package, else Racket's default: 'user, 'installation or a folder
 (define (scope)
   (with-pkg-lock/read-only (or (find-pkg-installation-scope name) (default-pkg-scope))))
 
@@ -43,13 +44,17 @@
   (define folder (pkg-directory name))
   (and folder (full-name folder)))
 
-;; Packages of a user are in a folder that he may not be able to write, or that is not there.
+;; Whose ever the packages are, their folder may not be the reader's to write.
 (define (check-packages-folder)
-  (define part (and (eq? (scope) 'user) (unwritable-part (find-system-path 'addon-dir))))
+  (define user? (eq? (scope) 'user))
+  (define part (unwritable-part (if user? (find-system-path 'addon-dir) (find-pkgs-dir))))
   (when part
     (raise-user-error
-     (format "~a may not be written by you, and Racket keeps your packages there.
-  Give it a folder of yours, now and whenever you use it:  PLTADDONDIR=... make install" part))))
+     (format "~a may not be written by you, and Racket keeps ~a packages there.\n  ~a" part
+             (if user? "your" "its")
+             (if user?
+                 "Give it a folder of yours, now and whenever you use it:  PLTADDONDIR=... make install"
+                 "For you alone:  raco pkg config --set default-scope user  and make install again.")))))
 
 ;; ---------------------------------------------------------------------------
 ;; Installing
@@ -109,9 +114,10 @@
   (when step (say "  ~a ..." (cadr step))))
 
 (module+ main
-  (define act (lambda () (install #t)))
+  (define manual? #t)
+  (define remove? #f)
   (command-line
    #:once-any
-   ["--no-docs" "leave the manual out" (set! act (lambda () (install #f)))]
-   ["--remove" "remove the package" (set! act remove-package)])
-  (act))
+   ["--no-docs" "leave the manual out" (set! manual? #f)]
+   ["--remove" "remove the package" (set! remove? #t)])
+  (if remove? (remove-package) (install manual?)))

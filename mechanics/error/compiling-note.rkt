@@ -5,12 +5,13 @@
 
 (provide tell-of-compiling    ; path of a file in mechanics/error/ ->
          tell-of-stale        ; paths of files in mechanics/, the folder that holds it ->
+         nobody-waits?        ; -> boolean: is the program compiled to a file, or only looked at?
          uncompiled-text      ; folder that holds mechanics/ -> string
          stale-text           ; the arguments of tell-of-stale -> string
          unread?)             ; port -> boolean
 
-;; `raco make` and `raco setup` say themselves what they do; nobody waits for what only expands
-;; the file and does not load it.
+;; `raco make` and `raco setup` report their own progress.  A module that is expanded and not
+;; declared is loaded by nobody, and nobody waits.
 (define (tell-of-compiling file)
   (define text (uncompiled-text (simplify-path (build-path file 'up 'up 'up))))
   (cond [(not (current-module-declare-name)) (void)]
@@ -19,12 +20,16 @@
          (raise (exn:fail:unsupported text (current-continuation-marks)))]
         [else (note text)]))
 
-(define (tell-of-stale files folder)
-  (unless (or (compiled-to-file?) (and in-DrRacket? (unread? (current-error-port))))
-    (note (stale-text files folder))))
+(define (tell-of-stale files folder) (note (stale-text files folder)))
 
-;; The compilation manager listens here for what a file depends on.
-(define (compiled-to-file?) (log-level? (current-logger) 'info 'cm-accomplice))
+(define (nobody-waits?)
+  (or (compiled-to-file?) (and in-DrRacket? (unread? (current-error-port)))))
+
+;; The compilation manager listens to this topic for what a file depends on; who listens to all
+;; topics is somebody else.
+(define (compiled-to-file?)
+  (define (heard? topic) (log-level? (current-logger) 'info topic))
+  (and (heard? 'cm-accomplice) (not (heard? 'mechanics-unheard))))
 
 (define in-DrRacket?
   (regexp-match? #rx"(?i:drracket)" (path->string (find-system-path 'run-file))))
@@ -47,7 +52,7 @@ Programs outside of ~a need not wait, once mechanics is installed:  ~a"
 Once and for all:  ~a"
               (command folder "compile"))))
 
-;; It does so for a package of which a file is in a window.
+;; DrRacket compiles with debugging a package one of whose files is open.
 (define (for-DrRacket-alone?)
   (for/or ([path (in-list (use-compiled-file-paths))])
     (regexp-match? #rx"drracket" (if (path? path) (path->string path) path))))
@@ -56,7 +61,10 @@ Once and for all:  ~a"
   (format "mechanics is not compiled as it is now: ~a~a changed since, which may lead to strange \
 errors.\nTo mend it:  ~a"
           (car files)
-          (if (null? (cdr files)) "" (format " and ~a other files" (length (cdr files))))
+          (case (length (cdr files))
+            [(0) ""]
+            [(1) " and another file"]
+            [else (format " and ~a other files" (length (cdr files)))])
           (command folder "compile")))
 
 (define (command folder target)

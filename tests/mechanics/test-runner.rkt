@@ -42,7 +42,7 @@
        (fixture "changing") (fixture "unchanged")))
 
 ;; Several times what one Racket takes to start here, in whole seconds.
-(define patience
+(define limit
   (number->string (inexact->exact (ceiling (/ (- (current-inexact-milliseconds) start) 1000)))))
 
 (test-case "when nothing fails the exit code is 0"
@@ -121,11 +121,11 @@
 
 (skip-unless (eq? (system-type) 'unix) "processes are killed in the Unix way"
   (define-values (code lines)
-    (run "--limit" patience (fixture "hanging") (fixture "dying") (fixture "passing")))
+    (run "--jobs" "1" "--limit" limit (fixture "hanging") (fixture "dying") (fixture "passing")))
   (test-case "a file that is killed counts as one failure"
     (check-line lines #rx"dying.rkt died with exit code"))
   (test-case "a file that does not end is stopped and counts as one failure"
-    (check-line lines (regexp (format "hanging.rkt stopped after ~a s" patience))))
+    (check-line lines (regexp (format "hanging.rkt stopped: it takes more than ~a s" limit))))
   (test-case "neither stops the others"
     (check-equal? code 1)
     (check-equal? (last lines) "3 passed, 2 failed"))
@@ -159,7 +159,7 @@
 (define kept (record before entries))
 
 (define (stale digests)
-  (for/list ([(name e) (in-hash entries)] #:when (stale? e digests)) name))
+  (for/list ([(name e) (in-hash entries)] #:when (test-stale? e digests)) name))
 
 (define (same-names? a b) (equal? (sort a symbol<?) (sort b symbol<?)))
 
@@ -171,7 +171,7 @@
   (check-true (same-names? (stale (hash-remove before 'mechanics/rigid/c.rkt))
                            '(tests/mechanics/rigid/both.rkt tests/mechanics/rigid/own.rkt
                              tests/mechanics/map/failing.rkt)))
-  (check-true (stale? #f before)))
+  (check-true (test-stale? #f before)))
 
 (test-case "sources that were changed, added and taken away are known"
   (define now (hash-set* (hash-remove before 'mechanics/map/b.rkt)
@@ -204,6 +204,14 @@
                    "tests/mechanics/rigid/both.rkt")
                   ("tests/mechanics/map/long.rkt"))))
 
+(test-case "a change that no test loads asks for the tests of its room, and is told"
+  (define digests (hash-set before 'mechanics/rigid/alone.rkt "7"))
+  (define own (from-top "tests/mechanics/rigid/own.rkt"))
+  (define-values (chosen left) (choose-quickly (list own) kept digests 100))
+  (check-equal? chosen (list own))
+  (check-equal? (sources-without-test kept digests) '(mechanics/rigid/alone.rkt))
+  (check-equal? (sources-without-test kept (hash-set before 'mechanics/map/a.rkt "9")) '()))
+
 (test-case "the source of a house's rules is read by a test that is always chosen"
   (define rules (from-top "tests/mechanics/architecture.rkt"))
   (define-values (chosen left)
@@ -230,6 +238,15 @@
   (define-values (code lines) (run "--suite" "manaul"))
   (check-equal? code 1)
   (check-line lines #rx"there is no suite manaul; there are everyday, manual, figures, export"))
+
+(test-case "what cannot be run is told"
+  (for ([arguments '(("no/such") ("--jobs" "1.5") ("--quick" "--suite" "manual"))]
+        [pattern '(#rx"there is no file or folder no/such"
+                   #rx"the number of jobs must be a positive number, not 1.5"
+                   #rx"name files, or suites, or ask for a quick run; not two of these")])
+    (define-values (code lines) (apply run arguments))
+    (check-equal? code 1)
+    (check-line lines pattern)))
 
 (test-case "the runner compiles the examples that have tests, and leaves them to the tests"
   (define names (map path->string (example-files)))

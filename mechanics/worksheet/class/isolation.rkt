@@ -16,12 +16,14 @@
 ;;   nobody       prlimit and setpriv, for root alone; a library that only root can read is copied;
 ;;   own          prlimit: the process belongs to whoever asked.
 
-(require racket/file
+(require compiler/compilation-path
+         racket/file
          racket/list
          racket/path
          racket/port
          setup/dirs
-         "tasks.rkt")
+         "tasks.rkt"
+         "../../error/complain.rkt")
 
 (provide call-with-isolation rungs
          isolation-seconds isolation-megabytes isolation-rung isolation-complete?
@@ -60,11 +62,21 @@
 ;; Gives the strictest isolation that works to `use`; its folder is gone afterwards, whatever
 ;; happens.  strictest : of the rungs that are tried
 (define (call-with-isolation megabytes seconds use #:strictest [strictest 'namespaces])
+  (check-compiled)
   (define folder #f)
   (dynamic-wind
    (lambda () (set! folder (make-folder)))
    (lambda () (use (find-isolation megabytes seconds folder (memq strictest rungs))))
    (lambda () (when folder (delete-directory/files folder #:must-exist? #f)))))
+
+;; Each submission would compile the library in memory, for longer than it is given.
+(define (check-compiled)
+  (define main (build-path (collection-folder) "main.rkt"))
+  (unless (for/or ([mode (in-list (use-compiled-file-paths))])
+            (file-exists? (get-compilation-bytecode-file main #:modes (list mode) #:roots '(same))))
+    (complain 'check (string-append
+                      "mechanics is not compiled beside its sources, where submissions load it\n"
+                      "  in its checkout: env -u PLTCOMPILEDROOTS make compile"))))
 
 ;; -> a folder that everybody may read, or #f where none can be made
 (define (make-folder)
@@ -233,13 +245,18 @@ sh
       "-l" "mechanics/worksheet/class/evaluate" "-e" "(display 'here)"))
   (equal? "here" (output-of (lambda () (start-isolated i arguments)))))
 
-;; What a process writes; "" if it cannot be started.
+;; What a process writes; "" if it cannot be started.  A break ends the process.
 (define (output-of start)
   (with-handlers ([exn:fail? (lambda (e) "")])
     (define-values (process out in err) (start))
-    (close-output-port in)
-    (define text (port->string out))
-    (close-input-port out)
-    (close-input-port err)
-    (subprocess-wait process)
-    text))
+    (thread (lambda () (copy-port err (open-output-nowhere))))
+    (dynamic-wind
+     void
+     (lambda ()
+       (close-output-port in)
+       (port->string out))
+     (lambda ()
+       (subprocess-kill process #t)
+       (subprocess-wait process)
+       (close-input-port out)
+       (close-input-port err)))))

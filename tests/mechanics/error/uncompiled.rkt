@@ -60,6 +60,7 @@ Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C 
                   (lines
                    "; mechanics is not compiled as it is now: a.rkt changed since, which may lead to strange errors."
                    "; To mend it:  make -C '/sicm/' compile"))
+    (check-regexp-match #rx": a.rkt and another file changed since," (said '("a.rkt" "b.rkt")))
     (check-equal? (said '("a.rkt" "b.rkt" "c.rkt"))
                   (lines
                    "; mechanics is not compiled as it is now: a.rkt and 2 other files changed since, which may lead to strange errors."
@@ -80,8 +81,12 @@ Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C 
      (check-equal? (stale) all)
      (racket "-N" "raco" "-l-" "raco" "make" (path->string file))
      (check-equal? (stale) '())
+     (define in-DrRacket (list (build-path "compiled" "drracket") (string->path "compiled")))
+     (check-equal? (parameterize ([use-compiled-file-paths in-DrRacket]) (stale)) '())
      (file-or-directory-modify-seconds file (+ 100 (current-seconds)))
-     (check-equal? (stale) (list (last all))))))
+     (check-equal? (stale) (list (last all)))
+     (check-equal? (parameterize ([use-compiled-file-paths in-DrRacket]) (stale))
+                   (list (last all))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Who requires a facade is told before anything else of the library is compiled

@@ -5,8 +5,8 @@
 ;;
 ;; The roots are what matters: when all else is newer than its source, only what they stand
 ;; on is looked at, and only their errors are told.  An error elsewhere is left to whoever
-;; runs the module: it is compiled again and fails there.  Where nothing can be written that is
-;; told in a sentence, and not met at the end of a wait.
+;; runs the module: it is compiled again and fails there.  A folder that cannot be written, or a
+;; full disk, ends the work at once with a sentence.
 
 (require compiler/cm
          compiler/compilation-path
@@ -19,11 +19,13 @@
 (lazy-require [setup/parallel-build (parallel-compile-files)])
 
 (provide compile-files
-         refusal             ; an error's message -> what to do, or #f if it is not about writing
-         unwritable-part)    ; folder -> #f, or where neither it nor its parts to come can be made
+         write-error-advice  ; message of an error -> what to do, or #f if it is not about writing
+         read-only-advice    ; folder -> what to do
+         unwritable-part)    ; folder -> the nearest existing folder above it, if that is not
+                             ; writable; else #f
 
-;; So few are sooner compiled one after another than processes are started.
-(define few 15)
+;; Below this number, starting processes costs more than it saves.
+(define fewest-in-parallel 15)
 
 ;; files : paths of modules; jobs : how many to compile at a time; what : text, such as
 ;; "the tests", or #f for silence; roots : those to make sure of.  Errors are not shown.
@@ -43,7 +45,7 @@
 (define (compile-silently to-do roots jobs)
   (define nowhere (open-output-nowhere))
   (parameterize ([current-output-port nowhere] [current-error-port nowhere])
-    (unless (or (< (length to-do) few) (< jobs 2))
+    (unless (or (< (length to-do) fewest-in-parallel) (< jobs 2))
       (parallel-compile-files to-do
                               #:worker-count jobs
                               #:handler (lambda (worker type work text out err)
@@ -62,7 +64,7 @@
 (define (to-compile files roots)
   (define stale (filter stale? files))
   (define concerned (if (null? stale) roots files))
-  (append stale (remove* stale (filter out-of-date? concerned))))
+  (append stale (filter out-of-date? (remove* stale concerned))))
 
 ;; Would the compilation manager compile something for it?
 (define out-of-date?
@@ -91,7 +93,7 @@
 (define (check-writable file)
   (define-values (folder name must-be-folder?) (split-path (get-compilation-bytecode-file file)))
   (define part (unwritable-part folder))
-  (when part (raise-user-error (forbidden part))))
+  (when part (raise-user-error (read-only-advice part))))
 
 (define (unwritable-part folder)
   (cond [(not (directory-exists? folder))
@@ -99,21 +101,30 @@
         [(memq 'write (file-or-directory-permissions folder)) #f]
         [else folder]))
 
-(define (forbidden folder)
+(define (read-only-advice folder)
   (format "~a may not be written by you, and what is compiled goes there.
   Its owner can run  make compile ; or do it in a copy of the checkout that is yours." folder))
 
-(define full "The disk is full: what is compiled needs some 60 MB there.
+(define full-disk-advice "The disk is full: what is compiled needs some 60 MB there.
   Make room, and run the same command again.")
 
-(define (refusal text)
-  (cond [(regexp-match? #rx"No space left on device|Disk quota exceeded" text) full]
+;; Permission may be lacking to read as well; of that the error itself tells.
+(define (write-error-advice text)
+  (cond [(regexp-match? #rx"No space left on device|Disk quota exceeded" text) full-disk-advice]
         [(regexp-match? #rx"Permission denied|Read-only file system" text)
-         (forbidden (current-directory))]
+         (define part (unwritable-part (folder-named text)))
+         (and part (read-only-advice part))]
         [else #f]))
 
+;; The folder of the path that an error's message names.
+(define (folder-named text)
+  (define path (regexp-match #rx"\n *path: ([^\n]*)" text))
+  (if path
+      (simplify-path (build-path (path->complete-path (cadr path)) 'up))
+      (current-directory)))
+
 (define (stop-if-unwritable text)
-  (define why (refusal text))
+  (define why (write-error-advice text))
   (when why (raise-user-error why)))
 
 ;; ---------------------------------------------------------------------------

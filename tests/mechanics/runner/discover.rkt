@@ -18,7 +18,7 @@
          test-files      ; -> (listof path): those of all suites
          example-files   ; -> (listof path): examples with tests
          files-under     ; path -> (listof path): the modules below or at it
-         known-as-long?  ; path -> boolean
+         long-test?  ; path -> boolean
          short-name      ; path -> string: from the top folder, if it is below it
          from-top        ; string, a short name -> path
          within-top?)    ; path -> boolean: is it below the top folder?
@@ -54,12 +54,12 @@
       (paths (assoc name special-suites))))
 
 ;; Those that take longest are begun first where nothing is known of an earlier run.
-(define known-as-long
+(define long-test
   '("manual.rkt" "plot/figures.rkt" "worksheet/class/hostile.rkt" "export/C.rkt"
     "lang/command/worksheet-commands.rkt" "plot/explorer.rkt"))
 
-(define (known-as-long? file)
-  (and (member (path->string (find-relative-path tests file)) known-as-long) #t))
+(define (long-test? file)
+  (and (member (path->string (find-relative-path tests file)) long-test) #t))
 
 ;; ---------------------------------------------------------------------------
 

@@ -11,13 +11,10 @@
          racket/string
          "compile.rkt" "discover.rkt" "quick-choice.rkt" "record.rkt" "run-files.rkt")
 
-;; programs : what they run besides, to be compiled with them; whole? : are they all of the day?
-(define (run files programs jobs limit progress? whole?)
-  (compile-files (append files programs) (max 2 (processor-count)) (and progress? "the tests"))
-  (define digests (source-digests))
-  (define known (record-entries (read-record)))
-  (define outcomes (run-files (longest-first files known) jobs limit report))
-  (keep outcomes digests whole?)
+;; known : record of earlier runs; digests : of the sources now -> exit code
+(define (run files known digests jobs limit)
+  (define outcomes (run-files (longest-first files (record-entries known)) jobs limit report))
+  (update-record known outcomes digests (whole-day? files))
   (define in-order (sort outcomes path<? #:key outcome-file))
   (report-slowest in-order)
   (report-skips in-order)
@@ -25,23 +22,25 @@
   (printf "~a passed, ~a failed\n" (apply + (map outcome-passed outcomes)) failed)
   (if (eqv? failed 0) 0 1))
 
+(define day (suite-files (car suites)))
+(define (whole-day? files) (null? (remove* files day)))
+
 ;; The last to end are short, then, and no processor waits long.
-(define (longest-first files known)
+(define (longest-first files entries)
   (define (seconds file)
-    (define e (hash-ref known (string->symbol (short-name file)) #f))
-    (cond [e (entry-seconds e)] [(known-as-long? file) +inf.0] [else 0]))
+    (define e (hash-ref entries (test-name file) #f))
+    (cond [e (entry-seconds e)] [(long-test? file) +inf.0] [else 0]))
   (sort files > #:key seconds))
 
-;; What is kept is a help, and no reason to fail.
-(define (keep outcomes digests whole?)
-  (define before (read-record))
+;; The record is a help, and no reason to fail.
+(define (update-record known outcomes digests whole-day?)
   (define entries
-    (for/fold ([entries (record-entries before)]) ([o (in-list outcomes)])
-      (hash-set entries (string->symbol (short-name (outcome-file o)))
+    (for/fold ([entries (record-entries known)]) ([o (in-list outcomes)])
+      (hash-set entries (test-name (outcome-file o))
                 (make-entry (outcome-seconds o) (outcome-files o) (eqv? 0 (outcome-failed o))
                             digests))))
   (with-handlers ([exn:fail:filesystem? void])
-    (write-record (record (if whole? digests (record-digests before)) entries))))
+    (write-record (record (if whole-day? digests (record-digests known)) entries))))
 
 ;; ---------------------------------------------------------------------------
 ;; Reports
@@ -78,15 +77,15 @@
 ;; ---------------------------------------------------------------------------
 ;; A quick run
 
-;; Of all files together, when several run at a time: less than a minute on two processors.
-(define quick-seconds 90)
+;; Of all files together: less than a minute on the clock, where some wait.
+(define (quick-seconds jobs) (* 30 jobs))
 
-(define (chosen-quickly files)
-  (define r (read-record))
-  (define-values (chosen left) (choose-quickly files r (source-digests) quick-seconds))
-  (when (hash-empty? (record-entries r))
-    (printf "No run of the tests is known in this checkout, so any test may be concerned; ~a\n"
-            "after `make test` those are run that load what has changed."))
+(define (chosen-quickly known digests jobs)
+  (define-values (chosen left) (choose-quickly day known digests (quick-seconds jobs)))
+  (if (hash-empty? (record-entries known))
+      (printf "No run of the tests is known in this checkout, so any test may be concerned; ~a\n"
+              "after `make test` those are run that load what has changed.")
+      (tell-untested (sources-without-test known digests)))
   (printf "~a files to run~a\n" (length chosen)
           (if (null? left)
               ""
@@ -94,13 +93,26 @@
                       (length left))))
   chosen)
 
+(define (tell-untested sources)
+  (unless (null? sources)
+    (printf "No test is known to load ~a~a; `make test` runs what tests it.\n" (car sources)
+            (if (null? (cdr sources)) "" (format " and ~a more" (length (cdr sources)))))))
+
 ;; ---------------------------------------------------------------------------
 
-(define (positive text what)
+(define (positive text what right?)
   (define n (string->number text))
-  (unless (and (real? n) (> n 0))
+  (unless (right? n)
     (raise-user-error 'runner "~a must be a positive number, not ~a" what text))
   n)
+
+(define (positive-real? n) (and (real? n) (> n 0)))
+
+(define (tests-under path)
+  (define place (path->complete-path path))
+  (unless (or (file-exists? place) (directory-exists? place))
+    (raise-user-error 'runner "there is no file or folder ~a" path))
+  (files-under place))
 
 (define (suite-named name)
   (cond [(equal? name "all") (append-map suite-files suites)]
@@ -118,11 +130,14 @@
     (command-line
      #:program "runner"
      #:once-each
-     [("-j" "--jobs") n "run <n> files at a time" (set! jobs (positive n "the number of jobs"))]
+     [("-j" "--jobs")
+      n
+      "run <n> files at a time"
+      (set! jobs (positive n "the number of jobs" exact-positive-integer?))]
      [("-l" "--limit")
       s
-      "stop a file after <s> seconds (600)"
-      (set! limit (positive s "the limit"))]
+      "stop a file after <s> seconds of an idle machine (600)"
+      (set! limit (positive s "the limit" positive-real?))]
      [("-p" "--progress") "say how far the compilation is" (set! progress? #t)]
      [("-q" "--quick") "only what concerns recent changes, for a minute" (set! quick? #t)]
      #:multi
@@ -130,17 +145,22 @@
                        (set! asked (cons name asked))]
      #:args paths
      paths))
-  (define whole? (and (null? paths) (not quick?) (or (null? asked) (member "all" asked)) #t))
+  (when (> (length (filter values (list quick? (pair? asked) (pair? paths)))) 1)
+    (raise-user-error 'runner "name files, or suites, or ask for a quick run; not two of these"))
+  (define known (read-record))
+  (define digests (source-digests))
   (define files
-    (cond [(pair? paths) (append-map files-under (map path->complete-path paths))]
-          [quick? (chosen-quickly (suite-files (car suites)))]
+    (cond [(pair? paths) (append-map tests-under paths)]
+          [quick? (chosen-quickly known digests jobs)]
           [(pair? asked) (remove-duplicates (append-map suite-named asked))]
-          [else (suite-files (car suites))]))
+          [else day]))
+  (compile-files (append files (if (whole-day? files) (example-files) '()))
+                 (max 2 (processor-count)) (and progress? "the tests"))
   ;; A break, however it comes, ends the children before the runner.
   (define children (make-custodian))
   (define code
     (with-handlers ([exn:break? (lambda (e) (eprintf "interrupted\n") 130)])
       (parameterize ([current-custodian children])
-        (run files (if whole? (example-files) '()) jobs limit progress? whole?))))
+        (run files known digests jobs limit))))
   (custodian-shutdown-all children)
   (exit code))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The last run of the tests in this checkout, kept in build/tests.fasl: of each file how long it
-;; took, which sources it loaded, and their fingerprint if it passed.  A test whose sources have
+;; The last run of the tests in this checkout, kept in build/tests.fasl.  For each test file: its
+;; seconds, the sources it loaded, and, if it passed, their fingerprint.  A test whose sources have
 ;; another fingerprint now is stale: something that it loads has changed since it passed.
 
 (require file/sha1
@@ -14,7 +14,8 @@
          (struct-out record) (struct-out entry)
          source-digests         ; -> hasheq: each source -> digest
          make-entry             ; seconds, names of files it loaded, passed?, digests -> entry
-         stale?                 ; entry or #f, digests -> boolean
+         test-stale?            ; entry or #f, digests -> boolean
+         test-name              ; path -> symbol
          changed-sources)       ; record, digests -> sources that are not as they were
 
 ;; Sources are named by symbols, their paths from the top folder.
@@ -40,10 +41,14 @@
 
 (define (source-digests)
   (for*/hasheq ([folder (in-list '("mechanics" "tests" "examples" "scribblings"))]
-                [file (in-list (files-under (from-top folder)))])
-    (values (source-name file) (call-with-input-file file sha1))))
+                [file (in-list (sources-under (from-top folder)))])
+    (values (test-name file) (call-with-input-file file sha1))))
 
-(define (source-name file) (string->symbol (short-name file)))
+(define (test-name file) (string->symbol (short-name file)))
+
+;; Modules, documents, and what tests compare with.
+(define (sources-under folder)
+  (find-files (lambda (path) (regexp-match? #rx"[.](rkt|scrbl|txt|css|js)$" path)) folder))
 
 (define (make-entry seconds files passed? digests)
   (define sources
@@ -56,7 +61,7 @@
          (format "~s" (for/list ([s (in-list (sort sources symbol<?))])
                         (hash-ref digests s #f))))))
 
-(define (stale? e digests)
+(define (test-stale? e digests)
   (not (and e (entry-fingerprint e)
             (equal? (entry-fingerprint e) (fingerprint (entry-sources e) digests)))))
 

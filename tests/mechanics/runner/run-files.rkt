@@ -52,7 +52,7 @@
   (let next ([idle #f])
     (define file (channel-get to-do))
     (define w (or idle (start-worker)))
-    (report (run-file w file limit))
+    (report (ask-to-run w file limit))
     (cond [(usable? w) (next w)]
           [else (stop w) (next #f)])))
 
@@ -65,7 +65,8 @@
 (define most-files 40)           ; in one process, so that its memory stays small
 
 (define (usable? w)
-  (and (eq? 'running (subprocess-status (worker-process w)))
+  (and (not (port-closed? (worker-out w)))
+       (eq? 'running (subprocess-status (worker-process w)))
        (< (worker-files w) most-files)))
 
 ;; It has a group of its own, so that what its files started ends with it.
@@ -81,7 +82,7 @@
   (close-output-port (worker-in w))
   (close-input-port (worker-out w)))
 
-(define (run-file w file limit)
+(define (ask-to-run w file limit)
   (define start (current-inexact-milliseconds))
   (define written (open-output-bytes))
   (define found #f)
@@ -94,10 +95,12 @@
   (define (unfinished how)
     (result 0 0 '() how (/ (- (current-inexact-milliseconds) start) 1000) '()))
   (outcome file
-           (cond [(not found) (unfinished (format "stopped after ~a s" limit))]
+           (cond [(not found) (unfinished (format over-limit limit))]
                  [(eof-object? found) (unfinished (format "died with exit code ~a" (exit-code w)))]
                  [else found])
            (bytes->string/utf-8 (get-output-bytes written) #\?)))
+
+(define over-limit "stopped: it takes more than ~a s on an idle machine")
 
 ;; One that has died takes no question.
 (define (ask w file)

@@ -5,19 +5,19 @@
 ;; one, otherwise the file, as `raco test` does; after all that the file printed it writes a line
 ;; with MARK and the result.
 ;;
-;; A file runs as if it were alone: modules (fresh-namespace.rkt), parameters, random numbers and
-;; environment variables are its own, and its threads end with it.
+;; A file runs as if it were alone: modules (module-space.rkt), parameters, random numbers and
+;; environment variables are its own, and its threads and processes end with it.
 
 (require rackunit/log
          racket/runtime-path
-         "discover.rkt" "fresh-namespace.rkt" "result.rkt")
+         "discover.rkt" "module-space.rkt" "result.rkt")
 
 (define-runtime-path skip-file "../support/skip.rkt")
 
-(define (run-file file)
+(define (run-test-file file)
   (define before (test-log))
   (define start (current-inexact-milliseconds))
-  (define space (make-fresh file))
+  (define space (make-module-space file))
   (define variables (environment-variables-copy (current-environment-variables)))
   (define ending (run-alone file space))
   (restore-environment variables)
@@ -53,16 +53,17 @@
 (define (show x)
   ((error-display-handler) (if (exn? x) (exn-message x) (format "raised ~e" x)) x))
 
-;; The random numbers of a process are others each time, and nothing stands on its input.
+;; Fresh random numbers and an empty standard input, as in a new process.
 (define (call-as-program space thunk)
-  (parameterize ([current-namespace (fresh-namespace space)]
-                 [current-module-name-resolver (fresh-resolver space)]
+  (parameterize ([current-namespace (module-space-namespace space)]
+                 [current-module-name-resolver (module-space-resolver space)]
                  [current-command-line-arguments (vector)]
                  [current-input-port (open-input-bytes #"")]
+                 [current-subprocess-custodian-mode 'kill]
                  [current-pseudo-random-generator (make-pseudo-random-generator)])
     (thunk)))
 
-;; The variables are those of the process, as the system sees them, and no copy is.
+;; putenv changes the variables of the whole process, so a parameterized copy would not do.
 (define (restore-environment before)
   (define now (current-environment-variables))
   (for ([name (in-list (append (environment-variables-names now)
@@ -77,13 +78,13 @@
   (dynamic-require (or (submodule 'test) file) #f))
 
 (define (skips-in space)
-  (parameterize ([current-namespace (fresh-namespace space)])
+  (parameterize ([current-namespace (module-space-namespace space)])
     (if (module-declared? skip-file #f) ((dynamic-require skip-file 'skipped)) '())))
 
 (module+ main
   (define mark (vector-ref (current-command-line-arguments) 0))
   (for ([path (in-port read)])
-    (define found (run-file (string->path path)))
+    (define found (run-test-file (string->path path)))
     (flush-output)
     (printf "\n~a ~s\n" mark found)
     (flush-output)))

@@ -14,7 +14,7 @@
          racket/file
          racket/string
          rackunit
-         "../../support/isolated.rkt" "../../support/skip.rkt")
+         "../../support/isolated.rkt" "../../support/messages.rkt" "../../support/skip.rkt")
 
 (define w (make-worksheet "Rungs" #f "rungs"
                           (list (make-exercise 'frequency 'expression "?" '((key k))))))
@@ -158,6 +158,13 @@
   (parameterize ([current-security-guard
                   (make-security-guard (current-security-guard) write-nothing void)])
     (check-not-false (memq (rung-reached 'namespaces) '(nobody own)))))
+
+(test-case "a library that is compiled nowhere, or elsewhere, is told before anybody waits"
+  (check-message
+   (string-append "check: mechanics is not compiled beside its sources, where submissions load it\n"
+                  "  in its checkout: env -u PLTCOMPILEDROOTS make compile")
+   (parameterize ([use-compiled-file-paths (list (string->path "no-such-folder"))])
+     (grade-class w (list honest)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Nothing is left

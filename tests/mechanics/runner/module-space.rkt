@@ -6,23 +6,23 @@
 ;; declared in the store first, with all that it requires, and gets the declarations from there.
 ;; rackunit is one instance for all files, for it counts.
 
-(provide make-fresh                 ; path of a test -> fresh
-         fresh-namespace fresh-resolver
-         files-loaded)              ; fresh, (path -> boolean) -> (listof path)
+(provide make-module-space          ; path of a test -> module-space
+         module-space-namespace module-space-resolver
+         files-loaded)              ; module-space, (path -> boolean) -> (listof path)
 
 ;; namespace, resolver : for the parameters current-namespace and current-module-name-resolver
 ;; modules : hash, its keys the paths of all modules that were asked for by name
-(struct fresh (namespace resolver modules))
+(struct module-space (namespace resolver modules))
 
 ;; test : the file, which tells its namespace from others that it makes
-(define (make-fresh test)
+(define (make-module-space test)
   (define namespace (new-namespace))
   (define modules (make-hash))
   (define (prepare module)
     (when (or (eq? (current-namespace) namespace) (module-declared? test #f))
       (hash-set! modules module #t)
       (declare module namespace)))
-  (fresh namespace (resolver-with prepare) modules))
+  (module-space namespace (resolver-with prepare) modules))
 
 (define shared '(racket/base rackunit rackunit/log))
 
@@ -70,13 +70,14 @@
 
 ;; The files of the modules that were asked for, and of all that these require; only those that
 ;; are `wanted?`, and what those require.
-(define (files-loaded f wanted?)
+(define (files-loaded space wanted?)
   (define seen (make-hash))
   (define (visit module)
     (unless (or (hash-ref seen module #f) (not (wanted? (file-of module))))
       (hash-set! seen module #t)
       (for-each visit (imports module))))
-  (parameterize ([current-namespace store]) (for-each visit (hash-keys (fresh-modules f))))
+  (parameterize ([current-namespace store])
+    (for-each visit (hash-keys (module-space-modules space))))
   (hash-keys (for/hash ([module (in-hash-keys seen)]) (values (file-of module) #t))))
 
 (define (file-of module) (if (pair? module) (cadr module) module))
