@@ -1,16 +1,16 @@
 #lang racket/base
 ;; Word of what the prompt is doing, where it takes longer than one waits without asking.
 
-(provide call-announced patience)
+(provide call-announced announcement-delay)
 
-;; Seconds without a word; #f for never.  Libraries are loaded for the first result; on most
-;; machines that takes less than one.
-(define patience (make-parameter 1))
+;; Seconds before the remark is printed; #f for never.  Libraries are loaded for the first result;
+;; on most machines that takes less than one.
+(define announcement-delay (make-parameter 1))
 
-;; (f), and the text as a remark on the error port if that takes longer than our patience.
+;; (f), and the text as a remark on the error port if that takes longer than the delay.
 (define (call-announced text f)
   (define port (current-error-port))
-  (define seconds (patience))
+  (define seconds (announcement-delay))
   (define done (make-semaphore))
   (dynamic-wind
    (lambda ()

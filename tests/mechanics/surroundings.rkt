@@ -125,7 +125,7 @@
 ;; Compiling
 
 (test-case "a full disk and a folder that may only be read are told with what to do"
-  (check-equal? (write-error-advice "error writing\n  system error: No space left on device; errno=28")
+  (check-equal? (write-error-advice "writing\n  system error: No space left on device; errno=28")
                 "The disk is full: what is compiled needs some 60 MB there.
   Make room, and run the same command again.")
   (check-equal? (read-only-advice "/checkout/")

@@ -29,8 +29,8 @@
 (define (graded-open g)
   (for/sum ([j (in-list (graded-judgments g))]) (if (judgment-share j) 0 1)))
 
-;; strictest : rung of isolation, the first that is tried; tell : of each that is done, called with
-;; how many are
+;; strictest : level of isolation, the first that is tried
+;; tell : number of submissions graded so far -> any; called after each
 (define (grade-class w submissions
                      #:seconds [seconds 10] #:megabytes [megabytes 512]
                      #:strictest [strictest 'namespaces] #:tell [tell void])
@@ -38,7 +38,7 @@
   (call-with-isolation
    megabytes seconds #:strictest strictest
    (lambda (i)
-     (class-report w (rung-warning (isolation-rung i))
+     (class-report w (level-warning (isolation-level i))
                    (grade-all i (exercises-of w) submissions known tell)))))
 
 ;; known : table of the judgments made so far

@@ -9,7 +9,7 @@
 ;;             the first; its root directory holds Racket and this library, read only;
 ;;   setpriv   run by nobody, if we are root, and without privileges.
 ;;
-;; A container may give no namespaces, and root's home lets nobody in.  So these rungs are tried,
+;; A container may give no namespaces, and root's home lets nobody in.  So these levels are tried,
 ;; the strictest first, until the library loads:
 ;;
 ;;   namespaces   all of that;
@@ -25,24 +25,24 @@
          "tasks.rkt"
          "../../error/complain.rkt")
 
-(provide call-with-isolation rungs
-         isolation-seconds isolation-megabytes isolation-rung isolation-complete?
-         rung-warning
+(provide call-with-isolation isolation-levels
+         isolation-seconds isolation-megabytes isolation-level isolation-complete?
+         level-warning
          start-isolated)
 
 ;; megabytes, seconds : of each submission, what it may cost (cost.rkt)
 ;; limits? : does prlimit set limits?  nobody? : does setpriv change the user?
-;; rung    : of `rungs`
+;; level   : of isolation-levels
 ;; folder  : the mount point of the root directory, or the place of a copied library, or #f
-(struct isolation (megabytes seconds limits? nobody? rung folder))
+(struct isolation (megabytes seconds limits? nobody? level folder))
 
-(define rungs '(namespaces nobody own))
+(define isolation-levels '(namespaces nobody own))
 
-(define (isolation-complete? i) (eq? 'namespaces (isolation-rung i)))
+(define (isolation-complete? i) (eq? 'namespaces (isolation-level i)))
 
 ;; What a report says on top, or #f.
-(define (rung-warning rung)
-  (case rung
+(define (level-warning level)
+  (case level
     [(namespaces) #f]
     [(nobody)
      (string-append
@@ -60,13 +60,13 @@
       "Linux.")]))
 
 ;; Gives the strictest isolation that works to `use`; its folder is gone afterwards, whatever
-;; happens.  strictest : of the rungs that are tried
+;; happens.  strictest : the first of isolation-levels that is tried
 (define (call-with-isolation megabytes seconds use #:strictest [strictest 'namespaces])
   (check-compiled)
   (define folder #f)
   (dynamic-wind
    (lambda () (set! folder (make-folder)))
-   (lambda () (use (find-isolation megabytes seconds folder (memq strictest rungs))))
+   (lambda () (use (find-isolation megabytes seconds folder (memq strictest isolation-levels))))
    (lambda () (when folder (delete-directory/files folder #:must-exist? #f)))))
 
 ;; Each submission would compile the library in memory, for longer than it is given.
@@ -86,19 +86,19 @@
     folder))
 
 ;; The last resort is not tried: what fails in it fails everywhere.
-(define (find-isolation megabytes seconds folder tried)
+(define (find-isolation megabytes seconds folder allowed)
   (define prlimit? (and (find "prlimit") #t))
   (define setpriv? (and (find "setpriv") #t))
   (define nobody? (and setpriv? (root?)))
-  (define (try rung nobody? folder)
-    (define i (isolation megabytes seconds prlimit? nobody? rung folder))
-    (and (memq rung tried) (works? i) i))
+  (define (try level nobody? folder)
+    (define i (isolation megabytes seconds prlimit? nobody? level folder))
+    (and (memq level allowed) (works? i) i))
   (or (and folder prlimit? setpriv? (find "unshare")
            (or (and nobody? (try 'namespaces #t folder))
                (try 'namespaces #f folder)))
       (and nobody?
            (or (try 'nobody #t #f)
-               (and folder (memq 'nobody tried) (copy-library folder) (try 'nobody #t folder))))
+               (and folder (memq 'nobody allowed) (copy-library folder) (try 'nobody #t folder))))
       (try 'own #f #f)
       (isolation megabytes seconds #f #f 'own #f)))
 
@@ -136,7 +136,7 @@
 (define (isolated-command i arguments)
   (define command (append (list (path->string (racket-program))) (racket-options i) arguments))
   (append (if (isolation-limits? i) (limits i) '())
-          (case (isolation-rung i)
+          (case (isolation-level i)
             [(namespaces) (in-namespaces i (append (setpriv i "--bounding-set=-all"
                                                             "--inh-caps=-all")
                                                    command))]

@@ -3,8 +3,7 @@
 
 (require "judge/fault.rkt" "judge/judge.rkt" "judge/motion.rkt" "judge/refutation.rkt"
          "classes/motions.rkt" "library.rkt" "statement.rkt"
-         "../support/patience.rkt"
-         mechanics/worksheet/class/within-limits)
+         "../support/patience.rkt")
 
 (provide (struct-out outcome) outcomes-of wrong? fault-kind-of claim-again statement-of)
 
@@ -138,10 +137,8 @@
 ;; In a thread of its own, so that declarations are forgotten and time is limited.  What
 ;; the constructors refuse, as division by zero, is no claim.
 (define (guarded claim subject thunk)
-  (define-values (result took)
-    (call-within (processor-seconds most-seconds) most-megabytes
-                 (lambda () (answered claim subject thunk))))
-  (or result (outcome claim subject 'slow 'open #f)))
+  (value-within most-seconds most-megabytes (lambda () (answered claim subject thunk))
+                (outcome claim subject 'slow 'open #f)))
 
 (define (answered claim subject thunk)
   (with-handlers ([no-claim? (lambda (e) (outcome claim subject 'rejected #f #f))]

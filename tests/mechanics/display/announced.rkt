@@ -8,7 +8,7 @@
 (define (announced seconds f)
   (define port (open-output-string))
   (define value
-    (parameterize ([current-error-port port] [patience seconds])
+    (parameterize ([current-error-port port] [announcement-delay seconds])
       (call-announced "waiting ..." (lambda () (f port)))))
   (list value (get-output-string port)))
 

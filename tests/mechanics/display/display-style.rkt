@@ -2,7 +2,7 @@
 ;; Results in the style that the reader chose, and in the one that fits the place.
 
 (require mechanics
-         (only-in mechanics/display/announced patience)
+         (only-in mechanics/display/announced announcement-delay)
          (only-in mechanics/display/display-style manner-here styles)
          (only-in mechanics/generic/notation prop:notation)
          (only-in mechanics/lang/printer install-printer! print-result)
@@ -94,7 +94,7 @@
     (with-output-to-string
       (lambda ()
         (parameterize ([current-print (current-print)] [current-error-port errors]
-                       [display-style 'text] [patience #f])
+                       [display-style 'text] [announcement-delay #f])
           (install-printer!)
           ((current-print) interrupted)
           ((current-print) (/ 'a 'b))))))

@@ -5,14 +5,11 @@
 
 (require rackunit
          (except-in mechanics time) mechanics/book
-         mechanics/worksheet/class/within-limits
          "../support/close.rkt" "../support/patience.rkt")
 
 (define (within seconds thunk)
-  (define-values (value took)
-    (call-within (processor-seconds seconds) 1000
-                 (lambda () (with-handlers ([exn:fail? exn-message]) (thunk)))))
-  (or value (fail "it does not end")))
+  (value-within seconds 1000 (lambda () (with-handlers ([exn:fail? exn-message]) (thunk)))
+                (fail "it does not end")))
 
 (define-simple-check (check-says text got)
   (and (string? got) (regexp-match? (regexp-quote text) got)))

@@ -4,7 +4,6 @@
 (require mechanics
          mechanics/generic/cyclic
          (only-in mechanics/lang/printer print-result)
-         mechanics/worksheet/class/within-limits
          rackunit
          "../support/patience.rkt")
 
@@ -21,10 +20,11 @@
 ;; What is written; #f if it does not end
 (define (written thunk)
   (define out (open-output-string))
-  (define-values (done? took)
-    (call-within (processor-seconds 60) 1000
-                 (lambda () (parameterize ([current-output-port out]) (thunk)) #t)))
-  (and done? (get-output-string out)))
+  (value-within 60 1000
+                (lambda ()
+                  (parameterize ([current-output-port out]) (thunk))
+                  (get-output-string out))
+                #f))
 
 (define-check (check-written thunk expected)
   (define text (written thunk))

@@ -6,9 +6,11 @@
 ;; A guard of this kind is needed where the others in a process are to go on; a file that hangs
 ;; alone is ended by the runner.
 
-(require mechanics/error/once)
+(require mechanics/error/once
+         mechanics/worksheet/class/within-limits)
 
 (provide
+ value-within         ; (value-within seconds megabytes thunk otherwise) : a syntax
  sync/patience        ; (sync/patience seconds event ...) : as sync/timeout
  eventually           ; (eventually condition) : its value once it is true, or #f; a syntax
  processor-seconds    ; (processor-seconds n) -> as many seconds of this processor's time
@@ -29,6 +31,27 @@
   (or (look)
       (and (> seconds 0)
            (patiently (- seconds (/ 1 (slowness current-inexact-monotonic-milliseconds))) look))))
+
+;; The value of the thunk, with what it raises; that of `otherwise` if it takes too many seconds of
+;; a processor, too much memory, or waits in vain for ten times as long.
+(define-syntax-rule (value-within seconds megabytes thunk otherwise)
+  (let ([ending (ending-within seconds megabytes thunk)])
+    (if ending (ending) otherwise)))
+
+;; -> thunk of the value, or that raises; #f if there is none
+(define (ending-within seconds megabytes thunk)
+  (define ending #f)
+  (define (run)
+    (define-values (found _)
+      (call-within (processor-seconds seconds) megabytes
+                   (lambda ()
+                     (with-handlers ([exn:fail? (lambda (e) (lambda () (raise e)))])
+                       (define value (thunk))
+                       (lambda () value)))))
+    (set! ending found))
+  (define runner (thread run))
+  (unless (sync/patience (* 10 seconds) runner) (kill-thread runner))
+  ending)
 
 (define (processor-seconds n) (* n (processor-slowness)))
 

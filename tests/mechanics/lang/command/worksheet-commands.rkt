@@ -157,7 +157,7 @@
 
 ;; What stands above the list here.
 (define (warning-lines)
-  (define warning (call-with-isolation 512 10 (lambda (i) (rung-warning (isolation-rung i)))))
+  (define warning (call-with-isolation 512 10 (lambda (i) (level-warning (isolation-level i)))))
   (if warning (string-append warning "\n\n") ""))
 
 (test-case "a class is listed, with reports for people and for programs"

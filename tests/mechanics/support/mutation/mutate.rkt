@@ -10,8 +10,7 @@
 ;; A procedure so small that it was compiled into others' code would not be
 ;; replaced there: such a mutant survives, and the test that kills it fails.
 
-(require mechanics/worksheet/class/within-limits
-         racket/file
+(require racket/file
          racket/path
          racket/runtime-path
          racket/string
@@ -73,7 +72,4 @@
            (eval form))]))
 
 ;; A mutant that does not end has been noticed too.
-(define (limited thunk)
-  (define-values (result took)
-    (call-within (processor-seconds 60) 2000 (lambda () (list (thunk)))))
-  (if result (car result) "it does not end"))
+(define (limited thunk) (value-within 60 2000 thunk "it does not end"))

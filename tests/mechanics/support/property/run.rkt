@@ -12,7 +12,7 @@
          racket/list
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/worksheet/class/within-limits
+         "../patience.rkt"
          "expressions.rkt" "places.rkt" "property.rkt" "rules.rkt" "shrink.rkt" "value.rkt")
 
 (provide run-seed (struct-out failure) failure->string)
@@ -219,6 +219,4 @@
 
 ;; The failures of a seed, or (hanging).
 (define (within limit seed shrink?)
-  (define-values (found took)
-    (call-within limit 2000 (lambda () (run-seed seed #:shrink? shrink?))))
-  (or found '(hanging)))
+  (value-within limit 2000 (lambda () (run-seed seed #:shrink? shrink?)) '(hanging)))

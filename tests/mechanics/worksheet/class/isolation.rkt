@@ -1,5 +1,5 @@
 #lang racket/base
-;; The rungs of isolation: each runs submissions or gives way to the next, says what it lacks, and
+;; The levels of isolation: each runs submissions or gives way to the next, says what it lacks, and
 ;; leaves nothing behind.
 
 (require compiler/find-exe
@@ -16,33 +16,34 @@
          rackunit
          "../../support/isolated.rkt" "../../support/messages.rkt" "../../support/skip.rkt")
 
-(define w (make-worksheet "Rungs" #f "rungs"
+(define w (make-worksheet "Levels" #f "levels"
                           (list (make-exercise 'frequency 'expression "?" '((key k))))))
 (define honest (submission "ann" "ann" "#lang mechanics\n(define frequency 'k)\n" #f))
 
-(define (rung-reached strictest)
-  (call-with-isolation 512 10 #:strictest strictest isolation-rung))
+(define (level-reached strictest)
+  (call-with-isolation 512 10 #:strictest strictest isolation-level))
 
-;; An honest submission is judged. -> the rung that the report tells
-(define (rung-told strictest)
+;; An honest submission is judged. -> the level that the report tells
+(define (level-told strictest)
   (define r (grade-class w (list honest) #:strictest strictest))
   (check-equal? (map judgment-status (graded-judgments (car (class-report-graded r)))) '(right))
-  (for/first ([rung (in-list rungs)] #:when (equal? (rung-warning rung) (class-report-warning r)))
-    rung))
+  (for/first ([level (in-list isolation-levels)]
+              #:when (equal? (level-warning level) (class-report-warning r)))
+    level))
 
-(test-case "from whatever rung on, submissions are run, and the report tells the rung"
-  (for ([strictest (in-list rungs)])
-    (define told (rung-told strictest))
-    (check-not-false (memq told (memq strictest rungs)))
-    (check-eq? told (rung-reached strictest))))
+(test-case "from whatever level on, submissions are run, and the report tells the level"
+  (for ([strictest (in-list isolation-levels)])
+    (define told (level-told strictest))
+    (check-not-false (memq told (memq strictest isolation-levels)))
+    (check-eq? told (level-reached strictest))))
 
 ;; ---------------------------------------------------------------------------
 ;; What is said
 
-(test-case "each rung says what it lacks, what that means, and what to do"
-  (check-false (rung-warning 'namespaces))
+(test-case "each level says what it lacks, what that means, and what to do"
+  (check-false (level-warning 'namespaces))
   (check-equal?
-   (rung-warning 'nobody)
+   (level-warning 'nobody)
    (string-append
     "Submissions were run by the user nobody, in Racket's sandbox, without namespaces of their "
     "own, which this system does not give (see the manual). A sandbox can be escaped from, and who "
@@ -50,7 +51,7 @@
     "submissions. Keep worksheets in a folder that only you can read; judge submissions of people "
     "whom you do not trust on a system that gives namespaces."))
   (check-equal?
-   (rung-warning 'own)
+   (level-warning 'own)
    (string-append
     "Submissions were run in your name, in Racket's sandbox alone, for this system gives them "
     "neither namespaces of their own nor another user (unshare, setpriv, prlimit; see the manual). "
@@ -58,18 +59,18 @@
     "submissions of people whom you do not trust here; use a virtual machine with Linux.")))
 
 (test-case "it stands on top of the report, as a page and as text"
-  (for ([rung (in-list '(nobody own))])
-    (define r (class-report w (rung-warning rung) '()))
+  (for ([level (in-list '(nobody own))])
+    (define r (class-report w (level-warning level) '()))
     (check-true (string-contains? (class->page r)
-                                  (format "role=\"alert\">~a</p>" (rung-warning rung))))
-    (check-equal? (class->text r) (string-append (rung-warning rung) "\n\n"))))
+                                  (format "role=\"alert\">~a</p>" (level-warning level))))
+    (check-equal? (class->text r) (string-append (level-warning level) "\n\n"))))
 
 ;; ---------------------------------------------------------------------------
 ;; Another user
 
 ;; f : called with a folder that everybody may read, in which temporary ones are made
 (define (call-with-temporary-folders f)
-  (define folder (make-temporary-file "mechanics-rungs~a" 'directory))
+  (define folder (make-temporary-file "mechanics-levels~a" 'directory))
   (define environment (current-environment-variables))
   (define before (environment-variables-ref environment #"TMPDIR"))
   (define (make-them-in place) (environment-variables-set! environment #"TMPDIR" place))
@@ -99,7 +100,7 @@
                               "racket/file")))
 
 (define (test-of-nobody i folder temporary)
-  (check-eq? (isolation-rung i) 'nobody)
+  (check-eq? (isolation-level i) 'nobody)
   (check-equal? (isolated i '(display (dynamic-require 'mechanics/worksheet/exercise 'exercise?)))
                 "#<procedure:exercise?>")
   (define copy (string->path (isolated i '(display (collection-path "mechanics")))))
@@ -112,7 +113,7 @@
                 (path->string place)))
   (check-true (refused? i `(make-directory ,(path->string (build-path copy "x"))))))
 
-(skip-unless (eq? 'nobody (rung-reached 'nobody))
+(skip-unless (eq? 'nobody (level-reached 'nobody))
              "no other user for submissions here: for that root and setpriv are needed"
   (test-case "a library that nobody can read is handed over as a copy, and taken away"
     (call-with-private-library
@@ -125,9 +126,9 @@
 
 ;; With namespaces a copy is not needed.
 (test-case "a library in a private folder is used in whatever way the ordinary one is"
-  (define ordinary (rung-reached 'namespaces))
+  (define ordinary (level-reached 'namespaces))
   (call-with-private-library
-   (lambda (folder) (check-eq? (rung-told 'namespaces) ordinary))))
+   (lambda (folder) (check-eq? (level-told 'namespaces) ordinary))))
 
 ;; ---------------------------------------------------------------------------
 ;; Bad surroundings
@@ -146,18 +147,18 @@
   (delete-directory/files folder))
 
 (test-case "without tools, and with tools that fail, submissions run in Racket's sandbox alone"
-  (call-with-tools (lambda () (check-eq? (rung-reached 'namespaces) 'own)))
-  (call-with-tools (lambda () (check-eq? (rung-told 'namespaces) 'own))
+  (call-with-tools (lambda () (check-eq? (level-reached 'namespaces) 'own)))
+  (call-with-tools (lambda () (check-eq? (level-told 'namespaces) 'own))
                    "prlimit" "setpriv" "unshare"))
 
 (define (write-nothing who path uses)
   (when (memq 'write uses)
     (raise (exn:fail:filesystem "the disk is full" (current-continuation-marks)))))
 
-(test-case "where no folder can be made the rungs that need none are left"
+(test-case "where no folder can be made the levels that need none are left"
   (parameterize ([current-security-guard
                   (make-security-guard (current-security-guard) write-nothing void)])
-    (check-not-false (memq (rung-reached 'namespaces) '(nobody own)))))
+    (check-not-false (memq (level-reached 'namespaces) '(nobody own)))))
 
 (test-case "a library that is compiled nowhere, or elsewhere, is told before anybody waits"
   (check-message

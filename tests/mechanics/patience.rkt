@@ -1,0 +1,18 @@
+#lang racket/base
+;; Work that may not end is given up, and what it gives or raises is passed on.
+
+(require rackunit
+         "support/patience.rkt")
+
+(define (value thunk) (value-within 1/2 500 thunk 'given-up))
+
+(test-case "a value comes back, also a false one, and an error is raised again"
+  (check-equal? (value (lambda () 5)) 5)
+  (check-equal? (value (lambda () #f)) #f)
+  (check-exn #rx"^oh$" (lambda () (value (lambda () (error "oh"))))))
+
+(test-case "work without end is given up, whether it uses a processor, takes memory or waits"
+  (check-equal? (value (lambda () (let loop () (loop)))) 'given-up)
+  (check-equal? (value (lambda () (let loop ([l '()]) (loop (cons (make-bytes 1000000) l)))))
+                'given-up)
+  (check-equal? (value (lambda () (sync never-evt))) 'given-up))
