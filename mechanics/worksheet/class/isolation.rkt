@@ -249,7 +249,9 @@ sh
 (define (output-of start)
   (with-handlers ([exn:fail? (lambda (e) "")])
     (define-values (process out in err) (start))
-    (thread (lambda () (copy-port err (open-output-nowhere))))
+    (thread (lambda ()
+              (copy-port err (open-output-nowhere))
+              (close-input-port err)))
     (dynamic-wind
      void
      (lambda ()
@@ -258,5 +260,4 @@ sh
      (lambda ()
        (subprocess-kill process #t)
        (subprocess-wait process)
-       (close-input-port out)
-       (close-input-port err)))))
+       (close-input-port out)))))
