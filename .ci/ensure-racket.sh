@@ -94,11 +94,11 @@ has_needed_parts() {
 
 # Its settings are environment variables; with some values it does not start, and exits with 0.
 check_start() {
-    complaint=$("$racket" --version 2>&1) || :
-    case $complaint in Welcome*) return ;; esac
+    answer=$("$racket" --version 2>&1) || :
+    case $answer in Welcome*) return ;; esac
     settings=$(env | sed -n 's/^\(PLT[A-Z_]*\)=.*/\1/p' | grep -v '^PLTCOLLECTS$' | tr '\n' ' ')
     say "$(command -v "$racket") does not start:"
-    printf '%s\n' "$complaint" | head -n 3 | sed 's/^/  /' >&2
+    printf '%s\n' "$answer" | head -n 3 | sed 's/^/  /' >&2
     if [ -n "$settings" ]; then
         say "The environment sets ${settings}for it; folders there are full paths.  Without them:"
         say "  env $(printf -- '-u %s ' $settings)make ..."
@@ -111,7 +111,7 @@ check_start() {
 ensure_racket() {
     have "$racket" || install_racket
     check_start
-    version=$("$racket" --version | sed -n 's/^Welcome to Racket v\([0-9.]*[0-9]\).*/\1/p')
+    version=$(printf '%s\n' "$answer" | sed -n 's/^Welcome to Racket v\([0-9.]*[0-9]\).*/\1/p')
     at_least "${version:-0}" || give_up "$(command -v "$racket") is Racket ${version:-of an unknown version}, which is too old."
     has_needed_parts || give_up "$(command -v "$racket") is Racket $version without the main distribution; this adds it:
   raco pkg install --auto main-distribution"

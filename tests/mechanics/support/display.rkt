@@ -43,7 +43,9 @@
   (dynamic-wind
    void
    (lambda ()
-     (define display (string->bytes/utf-8 (format ":~a" (read-line out))))
+     (define number (read-line out))
+     (when (eof-object? number) (error 'Xvfb "it ended at once: ~a" (port->string err)))
+     (define display (string->bytes/utf-8 (string-append ":" number)))
      (parameterize ([current-environment-variables (environment-with display)])
        (putenv "SCREEN_FILE" (path->string (build-path folder "Xvfb_screen0")))
        (use display)))
