@@ -71,8 +71,8 @@ repl: compile editing
 with-own-collections = env $(if $(own-collections),PLTCOLLECTS='$(own-collections)',-u PLTCOLLECTS)
 install: compile
 	@$(call try-to-compile,.ci/install.rkt)
-	@$(if $(filter no,$(DOCS)),,.ci/ensure-racket.sh manual)
-	@$(with-own-collections) $(RACKET) .ci/install.rkt $(if $(filter no,$(DOCS)),--no-docs)
+	@$(if $(filter no No NO,$(DOCS)),,.ci/ensure-racket.sh manual)
+	@$(with-own-collections) $(RACKET) .ci/install.rkt $(if $(filter no No NO,$(DOCS)),--no-docs)
 
 uninstall: racket
 	@$(with-own-collections) $(RACKET) .ci/install.rkt --remove

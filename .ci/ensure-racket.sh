@@ -109,6 +109,7 @@ check_start() {
 }
 
 ensure_racket() {
+    have "$racket" || [ "$racket" = racket ] || give_up "There is no $racket, which RACKET names."
     have "$racket" || install_racket
     check_start
     version=$(printf '%s\n' "$answer" | sed -n 's/^Welcome to Racket v\([0-9.]*[0-9]\).*/\1/p')

@@ -44,6 +44,18 @@
      (check-regexp-match #rx"^Compiling 3 files" (said files "the tests"))
      (check-equal? (map compiled? files) '(#t #f #t)))))
 
+(test-case "the mistake of a file that was changed is raised, when all is asked for"
+  (call-with-modules
+   3
+   (lambda (files)
+     (define-values (folder name _) (split-path (car files)))
+     (display-to-file "(module m1 '#%kernel (" (cadr files) #:exists 'truncate)
+     (check-exn #rx"m1.rkt.*expected a `[)]`" (lambda () (compile-changed folder 2 #f)))
+     (check-equal? (map compiled? files) '(#t #f #t))
+     (display-to-file "(module m1 '#%kernel 1)" (cadr files) #:exists 'truncate)
+     (compile-changed folder 2 #f)
+     (check-equal? (map compiled? files) '(#t #t #t)))))
+
 (test-case "a file that has changed is compiled again, one that has not is left alone"
   (call-with-modules
    2

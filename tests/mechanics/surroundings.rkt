@@ -92,6 +92,10 @@
                 '("/bin/racket does not start:" "  racket: no petite.boot"
                   "Install it again, and run the same make command.")))
 
+  (test-case "a Racket that is named and not there is not replaced by another"
+    (check-says `(("apt-get") ,(user 0)) '(("RACKET" . "/opt/no-such-racket"))
+                '("There is no /opt/no-such-racket, which RACKET names.")))
+
   (test-case "no Racket, and nothing to install it with"
     (check-says '() '() '("There is no Racket here, and no apt-get to install it with.")))
 

@@ -178,7 +178,8 @@
                          'mechanics/map/a.rkt "5" 'mechanics/map/new.rkt "6"))
   (check-true (same-names? (changed-sources kept now)
                            '(mechanics/map/a.rkt mechanics/map/b.rkt mechanics/map/new.rkt)))
-  (check-equal? (changed-sources kept before) '()))
+  (check-equal? (changed-sources kept before) '())
+  (check-equal? (changed-sources (record (hasheq) entries) now) '()))
 
 (test-case "what is kept is read as it was written; what is no record is none"
   (define file (make-temporary-file))

@@ -19,6 +19,7 @@
 (lazy-require [setup/parallel-build (parallel-compile-files)])
 
 (provide compile-files
+         compile-changed     ; folder, jobs, what -> ; raises the error of a file changed there
          write-error-advice  ; message of an error -> what to do, or #f if it is not about writing
          read-only-advice    ; folder -> what to do
          unwritable-part)    ; folder -> the nearest existing folder above it, if that is not
@@ -58,6 +59,11 @@
   (let ([compile (make-caching-managed-compile-zo)])
     (lambda (file)
       (parameterize ([current-namespace (make-base-empty-namespace)]) (compile file)))))
+
+(define (compile-changed folder jobs what)
+  (define changed (filter stale? (files-under folder)))
+  (compile-files changed jobs what)
+  (for-each compile-file changed))
 
 ;; A change of one file is one of all that require it.  Of these only the roots are looked for
 ;; where nothing was changed since it was compiled.

@@ -82,8 +82,8 @@
 
 (define (chosen-quickly known digests jobs)
   (define-values (chosen left) (choose-quickly day known digests (quick-seconds jobs)))
-  (if (hash-empty? (record-entries known))
-      (printf "No run of the tests is known in this checkout, so any test may be concerned; ~a\n"
+  (if (hash-empty? (record-digests known))
+      (printf "No run of all tests is known in this checkout, so any may be concerned; ~a\n"
               "after `make test` those are run that load what has changed.")
       (tell-untested (sources-without-test known digests)))
   (printf "~a files to run~a\n" (length chosen)
@@ -92,6 +92,13 @@
               (format "; ~a more load what has changed, and are left to `make test`"
                       (length left))))
   chosen)
+
+;; A mistake in the library is told once, and not by each test.
+(define (compile-library jobs what)
+  (with-handlers ([exn:fail:read? tell-mistake] [exn:fail:syntax? tell-mistake])
+    (compile-changed (from-top "mechanics") jobs what)))
+
+(define (tell-mistake e) (raise-user-error (exn-message e)))
 
 (define (tell-untested sources)
   (unless (null? sources)
@@ -147,6 +154,8 @@
      paths))
   (when (> (length (filter values (list quick? (pair? asked) (pair? paths)))) 1)
     (raise-user-error 'runner "name files, or suites, or ask for a quick run; not two of these"))
+  (define at-once (max 2 (processor-count)))
+  (when quick? (compile-library at-once (and progress? "mechanics")))
   (define known (read-record))
   (define digests (source-digests))
   (define files
@@ -155,7 +164,7 @@
           [(pair? asked) (remove-duplicates (append-map suite-named asked))]
           [else day]))
   (compile-files (append files (if (whole-day? files) (example-files) '()))
-                 (max 2 (processor-count)) (and progress? "the tests"))
+                 at-once (and progress? "the tests"))
   ;; A break, however it comes, ends the children before the runner.
   (define children (make-custodian))
   (define code

@@ -65,8 +65,10 @@
   (not (and e (entry-fingerprint e)
             (equal? (entry-fingerprint e) (fingerprint (entry-sources e) digests)))))
 
+;; None where all tests never ran.
 (define (changed-sources r digests)
   (define before (record-digests r))
-  (for/list ([name (in-list (remove-duplicates (append (hash-keys before) (hash-keys digests))))]
+  (define names (if (hash-empty? before) '() (append (hash-keys before) (hash-keys digests))))
+  (for/list ([name (in-list (remove-duplicates names))]
              #:unless (equal? (hash-ref before name #f) (hash-ref digests name #f)))
     name))
