@@ -20,6 +20,7 @@
 
 (provide compile-files
          compile-changed     ; folder, jobs, what -> ; raises the error of a file changed there
+         raise-plainly       ; exception -> ; a mistake in a file without what led to it
          write-error-advice  ; message of an error -> what to do, or #f if it is not about writing
          read-only-advice    ; folder -> what to do
          unwritable-part)    ; folder -> the nearest existing folder above it, if that is not
@@ -129,6 +130,9 @@
       (simplify-path (build-path (path->complete-path (cadr path)) 'up))
       (current-directory)))
 
+(define (raise-plainly e)
+  (if (or (exn:fail:read? e) (exn:fail:syntax? e)) (raise-user-error (exn-message e)) (raise e)))
+
 (define (stop-if-unwritable text)
   (define why (write-error-advice text))
   (when why (raise-user-error why)))
@@ -175,7 +179,9 @@
 
 (module+ main
   (define (compile-root file)
-    (with-handlers ([exn:fail? (lambda (e) (stop-if-unwritable (exn-message e)) (raise e))])
+    (with-handlers ([exn:fail? (lambda (e)
+                                 (stop-if-unwritable (exn-message e))
+                                 (raise-plainly e))])
       (compile-file file)))
   (define jobs 2)
   (define roots '())

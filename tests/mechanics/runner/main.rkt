@@ -95,10 +95,8 @@
 
 ;; A mistake in the library is told once, and not by each test.
 (define (compile-library jobs what)
-  (with-handlers ([exn:fail:read? tell-mistake] [exn:fail:syntax? tell-mistake])
+  (with-handlers ([exn:fail? raise-plainly])
     (compile-changed (from-top "mechanics") jobs what)))
-
-(define (tell-mistake e) (raise-user-error (exn-message e)))
 
 (define (tell-untested sources)
   (unless (null? sources)
