@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said of a library that is not compiled, or not any more, to whoever wants to use it.
+;; The notes that a library prints when it is not compiled, or has changed since it was.
 
 (require "note.rkt")
 

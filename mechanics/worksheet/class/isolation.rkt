@@ -40,7 +40,7 @@
 
 (define (isolation-complete? i) (eq? 'namespaces (isolation-level i)))
 
-;; What a report says on top, or #f.
+;; The first lines of a report, or #f.
 (define (level-warning level)
   (case level
     [(namespaces) #f]
@@ -245,7 +245,7 @@ sh
       "-l" "mechanics/worksheet/class/evaluate" "-e" "(display 'here)"))
   (equal? "here" (output-of (lambda () (start-isolated i arguments)))))
 
-;; What a process writes; "" if it cannot be started.  A break ends the process.
+;; -> the output of a process, "" if it cannot be started.  A break ends the process.
 (define (output-of start)
   (with-handlers ([exn:fail? (lambda (e) "")])
     (define-values (process out in err) (start))
