@@ -2,8 +2,10 @@
 ;; Motion as pictures: animations, the drawings of mechanisms that they are made with, and
 ;; what drawings are made of.
 
-(require "error/uncompiled.rkt"
-         "animation/animation.rkt" "animation/animation-frame.rkt"
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
+(require "animation/animation.rkt" "animation/animation-frame.rkt"
          "animation/animation-show.rkt" "animation/drawing.rkt"
          "animation/phase-plane.rkt" "animation/shapes.rkt"
          "animation/mechanism/draw-Atwood-machine.rkt" "animation/mechanism/draw-bead.rkt"

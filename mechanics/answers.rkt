@@ -1,7 +1,9 @@
 #lang racket/base
 ;; What a student's file of a worksheet requires: holes, and what checks the answers.
 
-(require "error/uncompiled.rkt"
-         "worksheet/answer-data.rkt" "worksheet/check-answers.rkt")
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
+(require "worksheet/answer-data.rkt" "worksheet/check-answers.rkt")
 
 (provide unanswered check-answers)

@@ -2,8 +2,10 @@
 ;; The mathematics without the mechanics: structures, generic arithmetic,
 ;; literals, derivatives, simplification, verdicts.
 
-(require "error/uncompiled.rkt"
-         "algebra/expression/write.rkt"
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
+(require "algebra/expression/write.rkt"
          "calculus/derivative.rkt" "calculus/gradient.rkt" "calculus/literal-function.rkt"
          "calculus/Taylor.rkt"
          "error/failure.rkt"

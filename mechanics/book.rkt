@@ -2,8 +2,10 @@
 ;; The particular Lagrangians and other objects that the text of the book defines, by
 ;; section.  What works on any of them is in `mechanics`.
 
-(require "error/uncompiled.rkt"
-         "book/section-1-4.rkt" "book/section-1-5.rkt" "book/section-1-6.rkt"
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
+(require "book/section-1-4.rkt" "book/section-1-5.rkt" "book/section-1-6.rkt"
          "book/section-1-7.rkt" "book/section-1-8.rkt"
          "book/section-2-8.rkt"
          "book/section-3-1.rkt" "book/section-3-4.rkt" "book/section-3-5.rkt"

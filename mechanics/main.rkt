@@ -2,6 +2,9 @@
 ;; Everything a reader of the book types: `mechanics/base`, mechanics proper,
 ;; and Racket's own language around it.
 
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
 (require racket/match
          "base.rkt"
          "calculus/on-demand.rkt"

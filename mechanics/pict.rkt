@@ -1,7 +1,9 @@
 #lang racket/base
 ;; Values as pictures of formulas, by Racket's library pict, which is loaded for the first one.
 
-(require "error/uncompiled.rkt"
-         "display/pict-on-demand.rkt")
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
+(require "display/pict-on-demand.rkt")
 
 (provide ->pict)

@@ -1,8 +1,10 @@
 #lang racket/base
 ;; Pictures: frames as in the book, and what is drawn in them.
 
-(require "error/uncompiled.rkt"
-         "plot/chaos-map.rkt" "plot/contour.rkt" "plot/draw.rkt" "plot/explore-map.rkt"
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
+(require "plot/chaos-map.rkt" "plot/contour.rkt" "plot/draw.rkt" "plot/explore-map.rkt"
          "plot/following-orbits.rkt" "plot/frame.rkt" "plot/frame-pict.rkt"
          "plot/phase-portrait.rkt" "plot/plot-trajectory.rkt" "plot/save.rkt" "plot/show.rkt")
 

@@ -1,8 +1,10 @@
 #lang racket/base
 ;; Checks of rackunit whose failures are verdicts.
 
-(require "error/uncompiled.rkt"
-         "teach/checks.rkt")
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
+(require "teach/checks.rkt")
 
 (provide check-solution check-not-solution check-residual check-equal-expression
          check-conserved check-canonical check-proved check-refuted)

@@ -2,6 +2,9 @@
 ;; `#lang mechanics/worksheet`: the teacher's file of a worksheet; all of mechanics, and the
 ;; forms of worksheets.
 
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
 (require (except-in "main.rkt" #%module-begin)
          "lang/worksheet/worksheet-forms.rkt")
 

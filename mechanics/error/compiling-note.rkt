@@ -3,7 +3,7 @@
 
 (require "note.rkt")
 
-(provide tell-of-compiling    ; path of a file in mechanics/error/ ->
+(provide tell-of-compiling    ; path of a facade ->
          tell-of-stale        ; paths of files in mechanics/, the folder that holds it ->
          nobody-waits?        ; -> boolean: is the program compiled to a file, or only looked at?
          uncompiled-text      ; folder that holds mechanics/ -> string
@@ -12,13 +12,27 @@
 
 ;; `raco make` and `raco setup` report their own progress.  A module that is expanded and not
 ;; declared is loaded by nobody, and nobody waits.
-(define (tell-of-compiling file)
-  (define text (uncompiled-text (simplify-path (build-path file 'up 'up 'up))))
+(define (tell-of-compiling facade)
+  (define text (uncompiled-text (simplify-path (build-path facade 'up 'up))))
   (cond [(not (current-module-declare-name)) (void)]
         [(and (not in-DrRacket?) (compiled-to-file?)) (void)]
         [(and in-DrRacket? (unread? (current-error-port)))
          (raise (exn:fail:unsupported text (current-continuation-marks)))]
-        [else (note text)]))
+        [(first-in-namespace?) (note text)]))
+
+;; A facade in memory may load others, each of which would tell.  Each module is expanded with
+;; instances of its own, so variables cannot keep that the note was written: a module declared in
+;; the reader's namespace does.
+(define (first-in-namespace?)
+  (define told (string->unreadable-symbol "mechanics is not compiled"))
+  (define (declare)
+    (define module
+      (parameterize ([current-namespace (make-base-namespace)])
+        (compile `(module ,told '#%kernel))))
+    (parameterize ([current-module-declare-name (make-resolved-module-path told)])
+      (eval module))
+    #t)
+  (and (not (module-declared? `(quote ,told) #f)) (declare)))
 
 (define (tell-of-stale files folder) (note (stale-text files folder)))
 

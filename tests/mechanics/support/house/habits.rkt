@@ -78,10 +78,10 @@
         [(and (eq? (car form) 'provide) (list? form)) (append-map names (cdr form))]
         [else (append (exported-names (car form)) (exported-names (cdr form)))]))
 
-(define facade-forms '(require provide module module* module+))
+(define facade-forms '(require tell-if-uncompiled provide module module* module+))
 
-;; A facade only requires and provides; submodules serve the reader and the
-;; printer.
+;; A facade only requires, provides and tells that it is not compiled; submodules serve the
+;; reader and the printer.
 (define (facade-code name form)
   (if (facade? name)
       (for/list ([s (in-list (module-body form))]
