@@ -25,9 +25,9 @@ MANUAL = scribblings/mechanics/mechanics.scrbl
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
 .PHONY: help demo repl run show tex export attack lint lint-texts install uninstall \
-        test test-quick test-manual test-figures test-export \
+        test tests test-quick test-manual test-figures test-export \
         elsewhere bench peers export-python docs pictures clean \
-        racket writable libraries editing compile begin-tests
+        racket writable libraries editing compile begin-tests known-docs
 
 help:
 	@echo 'make demo    a tour in five screens: Lagrange equations, proposed paths, verdicts'
@@ -69,10 +69,15 @@ repl: compile editing
 
 # Racket is to find the package where it is installed, not here.
 with-own-collections = env $(if $(own-collections),PLTCOLLECTS='$(own-collections)',-u PLTCOLLECTS)
-install: compile
+no-docs := $(filter no No NO,$(DOCS))
+install: known-docs compile
 	@$(call try-to-compile,.ci/install.rkt)
-	@$(if $(filter no No NO,$(DOCS)),,.ci/ensure-racket.sh manual)
-	@$(with-own-collections) $(RACKET) .ci/install.rkt $(if $(filter no No NO,$(DOCS)),--no-docs)
+	@$(if $(no-docs),,.ci/ensure-racket.sh manual)
+	@$(with-own-collections) $(RACKET) .ci/install.rkt $(if $(no-docs),--no-docs)
+
+known-docs:
+	@case '$(DOCS)' in ''|yes|Yes|YES|no|No|NO) ;; \
+	    *) echo 'make install: DOCS is yes or no, not $(DOCS)' >&2; exit 2 ;; esac
 
 uninstall: racket
 	@$(with-own-collections) $(RACKET) .ci/install.rkt --remove
@@ -123,6 +128,9 @@ RUN_TESTS = $(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(WAITIN
 test: begin-tests writable compile libraries
 	@$(call try-to-compile,$(RUNNER))
 	@$(RUN_TESTS) $(SUITES:%=--suite %) $(TESTS)
+
+# There is a folder of that name.
+tests: test
 
 # Only what the chosen tests load is compiled.
 test-quick: writable racket

@@ -205,6 +205,23 @@
                    "tests/mechanics/rigid/both.rkt")
                   ("tests/mechanics/map/long.rkt"))))
 
+(define (loads-a? test)
+  (and (memq 'mechanics/map/a.rkt (entry-sources (hash-ref entries (string->symbol test)))) #t))
+
+(test-case "what is to be compiled counts, once, for the first test that loads it"
+  (define files
+    (map from-top '("tests/mechanics/map/short.rkt" "tests/mechanics/map/failing.rkt"
+                    "tests/mechanics/rigid/both.rkt" "tests/mechanics/map/long.rkt")))
+  (define now (hash-set before 'mechanics/map/a.rkt "9"))
+  (define (choice seconds seconds-to-compile)
+    (define-values (chosen left) (choose-quickly files kept now seconds seconds-to-compile))
+    (map short-name chosen))
+  (define all (choice 1000 (lambda (source) 0)))
+  (define (a-takes n) (lambda (source) (if (eq? source 'mechanics/map/a.rkt) n 0)))
+  (check-equal? (length all) 4)
+  (check-equal? (choice 1000 (a-takes 800)) all)
+  (check-equal? (choice 1000 (a-takes 1001)) (filter (lambda (t) (not (loads-a? t))) all)))
+
 (test-case "a change that no test loads asks for the tests of its room, and is told"
   (define digests (hash-set before 'mechanics/rigid/alone.rkt "7"))
   (define own (from-top "tests/mechanics/rigid/own.rkt"))

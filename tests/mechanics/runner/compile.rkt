@@ -20,6 +20,7 @@
 
 (provide compile-files
          compile-changed     ; folder, jobs, what -> ; raises the error of a file changed there
+         outdated-files      ; paths -> those whose compiled form is not up to date
          raise-plainly       ; exception -> ; a mistake in a file without what led to it
          write-error-advice  ; message of an error -> what to do, or #f if it is not about writing
          read-only-advice    ; folder -> what to do
@@ -72,6 +73,9 @@
   (define stale (filter stale? files))
   (define concerned (if (null? stale) roots files))
   (append stale (filter out-of-date? (remove* stale concerned))))
+
+(define (outdated-files files)
+  (filter (lambda (file) (or (stale? file) (out-of-date? file))) files))
 
 ;; Would the compilation manager compile something for it?
 (define out-of-date?

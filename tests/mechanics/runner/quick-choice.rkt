@@ -1,39 +1,51 @@
 #lang racket/base
-;; The tests to run after a change, in less than a minute: of the rooms where something changed,
-;; then others that are stale (record.rkt), the shortest first, as many as there is time for.
-;; Tests that read the sources of the whole house are always among them.
+;; The tests to run after a change, in less than a minute: those of the rooms where something
+;; changed, then those that read the sources of the whole house, then others that are stale
+;; (record.rkt), the shortest first, as many as there is time for.  After a change deep down most of
+;; the house is to be compiled again, and the tests that need the least of it come to their turn.
 
 (require racket/list
          "discover.rkt" "record.rkt")
 
-(provide choose-quickly         ; paths, record, digests, seconds -> chosen paths, paths left out
+(provide choose-quickly         ; paths, record, digests, seconds, [source -> seconds to compile it]
+                                ; -> chosen paths, paths left out
          sources-without-test)  ; record, digests -> changed sources that no test is known to load
 
 (define always '("tests/mechanics/architecture.rkt" "tests/mechanics/documentation.rkt"))
 
-;; seconds : that the chosen files may take in sum
-(define (choose-quickly files r digests seconds)
+;; seconds : that the chosen files may take in sum, with the compilation of what they load
+(define (choose-quickly files r digests seconds [seconds-to-compile (lambda (source) 0)])
   (define rooms (remove-duplicates (map room-of (changed-sources r digests))))
   (define (entry-of file) (hash-ref (record-entries r) (test-name file) #f))
   (define (seconds-of file)
     (define e (entry-of file))
     (if e (entry-seconds e) 1))
+  (define (sources-of file)
+    (define e (entry-of file))
+    (if e (entry-sources e) (list (test-name file))))
   ;; What decides whether a file is run, and how early; #f if nothing asks for it
   (define (rank file)
-    (cond [(member (short-name file) always) 0]
-          [(member (room-of (test-name file)) rooms) 1]
+    (cond [(member (room-of (test-name file)) rooms) 0]
+          [(member (short-name file) always) 1]
           [(test-stale? (entry-of file) digests) 2]
           [else #f]))
   (define candidates
     (sort (sort (filter rank files) < #:key seconds-of) < #:key rank))
-  (define chosen (within-time candidates seconds-of seconds))
+  (define chosen (within-time candidates seconds-of sources-of seconds-to-compile seconds))
   (values chosen (remove* chosen candidates)))
 
-;; Those that there is time for; one that is too long does not keep shorter ones out.
-(define (within-time files seconds-of seconds)
+;; Returns the files that there is time for.  A source is compiled once, for the first file that
+;; loads it; a file that takes too long does not keep shorter ones out.
+(define (within-time files seconds-of sources-of seconds-to-compile seconds)
+  (define compiled (make-hasheq))
   (for/fold ([chosen '()] [left seconds] #:result (reverse chosen)) ([file (in-list files)])
-    (define remaining (- left (seconds-of file)))
-    (if (>= remaining 0) (values (cons file chosen) remaining) (values chosen left))))
+    (define new (filter (lambda (s) (not (hash-ref compiled s #f))) (sources-of file)))
+    (define remaining
+      (- left (seconds-of file) (for/sum ([source (in-list new)]) (seconds-to-compile source))))
+    (cond [(>= remaining 0)
+           (for ([source (in-list new)]) (hash-set! compiled source #t))
+           (values (cons file chosen) remaining)]
+          [else (values chosen left)])))
 
 (define (sources-without-test r digests)
   (define loaded
